@@ -1,0 +1,87 @@
+"""hophoop: exact motion of a loaded hoop on a plane.
+
+The names below are loaded when first used, so that importing the package costs next to nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+__version__ = "0.1.0"
+
+if TYPE_CHECKING:
+    from hophoop import article, maps, plots, theory
+    from hophoop.io import load
+    from hophoop.lab.widget import show
+    from hophoop.scenario import (
+        Compliant,
+        Disk,
+        Hoop,
+        Plane,
+        PointMass,
+        Rigid,
+        Ring,
+        Rod,
+        Scenario,
+        Start,
+    )
+    from hophoop.simulation import simulate
+    from hophoop.trajectory import Trajectory
+
+# Where each public name lives; None is a module of its own.
+_HOMES: dict[str, str | None] = {
+    "Hoop": "hophoop.scenario",
+    "Plane": "hophoop.scenario",
+    "Start": "hophoop.scenario",
+    "Ring": "hophoop.scenario",
+    "Disk": "hophoop.scenario",
+    "PointMass": "hophoop.scenario",
+    "Rod": "hophoop.scenario",
+    "Rigid": "hophoop.scenario",
+    "Compliant": "hophoop.scenario",
+    "Scenario": "hophoop.scenario",
+    "simulate": "hophoop.simulation",
+    "Trajectory": "hophoop.trajectory",
+    "load": "hophoop.io",
+    "show": "hophoop.lab.widget",
+    "theory": None,
+    "article": None,
+    "maps": None,
+    "plots": None,
+}
+
+__all__ = [
+    "Hoop",
+    "Plane",
+    "Start",
+    "Ring",
+    "Disk",
+    "PointMass",
+    "Rod",
+    "Rigid",
+    "Compliant",
+    "Scenario",
+    "simulate",
+    "Trajectory",
+    "load",
+    "theory",
+    "article",
+    "maps",
+    "plots",
+    "show",
+    "__version__",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'hophoop' has no attribute {name!r}")
+    home = _HOMES[name]
+    value = import_module(f"hophoop.{name}") if home is None else getattr(import_module(home), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

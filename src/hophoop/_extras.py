@@ -1,0 +1,39 @@
+"""Modules of optional extras: imported where they are used, with an error that says what to install."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+
+def need(module: str, extra: str) -> Any:
+    """Import a module that belongs to an extra.
+
+    Parameters
+    ----------
+    module : str
+        Dotted name, such as ``"matplotlib.pyplot"``.
+    extra : str
+        The extra of hophoop that installs it, such as ``"plots"``.
+
+    Returns
+    -------
+    module : module
+        The imported module.
+
+    Raises
+    ------
+    ImportError
+        If the module's distribution is not installed; the message names the extra.
+    """
+    try:
+        return import_module(module)
+    except ModuleNotFoundError as error:
+        top = module.partition(".")[0]
+        # A broken installation, where the module is there but something under it is not, must not be hidden.
+        if error.name is not None and error.name.partition(".")[0] != top:
+            raise
+        raise ImportError(
+            f"{top} is not installed; it comes with the extra '{extra}': pip install 'hophoop[{extra}]'.",
+            name=module,
+        ) from None
