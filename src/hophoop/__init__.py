@@ -11,7 +11,10 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
-    from hophoop import article, maps, plots, theory
+    import hophoop.article as article
+    import hophoop.maps as maps
+    import hophoop.plots as plots
+    import hophoop.theory as theory
     from hophoop.io import load
     from hophoop.lab.widget import show
     from hophoop.scenario import (

@@ -1,0 +1,29 @@
+"""What a motion is made of: hoop, plane, start and contact, frozen and validated, with files and links."""
+
+from hophoop.scenario.base import InputError
+from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start, State
+from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
+from hophoop.scenario.paths import Parameter, parameter, paths
+from hophoop.scenario.scenario import Scenario, time_unit, to_body
+from hophoop.scenario.sentences import sentence
+
+__all__ = [
+    "Hoop",
+    "Plane",
+    "Start",
+    "State",
+    "Ring",
+    "Disk",
+    "PointMass",
+    "Rod",
+    "Rigid",
+    "Compliant",
+    "Scenario",
+    "InputError",
+    "Parameter",
+    "parameter",
+    "paths",
+    "sentence",
+    "time_unit",
+    "to_body",
+]

@@ -1,0 +1,166 @@
+"""What every part of a scenario shares: frozen models, kinds of numbers, errors of one sentence."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Annotated, Any, ClassVar, Self
+
+import numpy as np
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+from pydantic_core import PydanticCustomError
+
+from hophoop.scenario.sentences import sentence
+
+
+class InputError(ValueError):
+    """Bad input, said in one sentence.
+
+    Parameters
+    ----------
+    message : str
+        The sentence: field, value, what is allowed.
+    errors : list of dict, optional
+        Everything that pydantic found, as its ``ValidationError.errors()`` gives it.
+    """
+
+    def __init__(self, message: str, errors: list[Any] | None = None) -> None:
+        super().__init__(message)
+        self.errors = errors or []
+
+    @classmethod
+    def of(cls, error: ValidationError) -> InputError:
+        """Put pydantic's finding into one sentence."""
+        return cls(sentence(error), list(error.errors(include_url=False)))
+
+
+def plain_init(init: Callable[..., None]) -> Callable[..., None]:
+    """Mark an ``__init__`` that only passes on to pydantic's.
+
+    Without the mark pydantic would call it for nested models too, where an error must keep its place in the
+    whole scenario instead of becoming a sentence of its own.
+    """
+    init.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+    return init
+
+
+class Frozen(BaseModel):
+    """A validated model that never changes; a bad value raises `InputError`."""
+
+    place: ClassVar[str] = ""  # the path under which the model stands in a scenario, with its dot
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    @plain_init
+    def __init__(self, /, **values: Any) -> None:
+        try:
+            super().__init__(**values)
+        except ValidationError as error:
+            raise InputError.of(error) from None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _known_keys(cls, data: Any) -> Any:
+        # Pydantic forbids extra keys too, but does not say which ones there are.
+        for key in data if isinstance(data, Mapping) else ():
+            if key not in cls.model_fields:
+                close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
+                hint = f"did you mean {close[0]}?" if close else f"known are {', '.join(cls.model_fields)}."
+                raise refuse(f"{cls.place}{key} is not a known key; {hint}")
+        return data
+
+    def to_dict(self) -> dict[str, Any]:
+        """Its keys as in a scenario file, the way it was given.
+
+        Returns
+        -------
+        keys : dict
+            Numbers in SI units and words only; an infinite friction is the word "inf", since JSON has no
+            infinity.
+        """
+        return {name: _plain(value) for name in self._written() if (value := getattr(self, name)) is not None}
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """The same model with other values, which are validated (pydantic itself would not).
+
+        Parameters
+        ----------
+        update : dict, optional
+            Keys and their new values, in SI units.
+        deep : bool, default False
+            Makes no difference: nothing in a frozen model can change.
+
+        Returns
+        -------
+        model : Frozen
+
+        Raises
+        ------
+        ValueError
+            If a key is unknown or a value not allowed.
+        """
+        return type(self)(**{**self.to_dict(), **update}) if update else self
+
+    def _written(self) -> Iterable[str]:
+        """Names of the fields that define it; the others follow from them."""
+        return type(self).model_fields
+
+    def __repr_args__(self) -> Iterable[tuple[str, Any]]:
+        return [(name, value) for name in self._written() if (value := getattr(self, name)) is not None]
+
+    def _settle(self, **values: Any) -> None:
+        """Fill in what follows from what was given; only for validators, before anyone has seen the model."""
+        self.__dict__.update(values)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, Frozen):
+        return value.to_dict()
+    if isinstance(value, tuple):
+        return [_plain(item) for item in value]
+    return "inf" if value == math.inf else value
+
+
+def refuse(message: str) -> PydanticCustomError:
+    """An error whose message is already the whole sentence."""
+    return PydanticCustomError("sentence", "{sentence}", {"sentence": message})
+
+
+def _number(value: Any) -> float:
+    # A switch is no number, and text must not become one unseen; NumPy's scalars become Python floats.
+    scalar = getattr(value, "ndim", 0) == 0 and hasattr(value, "__float__")
+    if not scalar or isinstance(value, bool | np.bool_):
+        raise PydanticCustomError("number", "must be a number")
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise PydanticCustomError("number", "must be a number") from None
+
+
+def _friction(value: Any) -> float:
+    # JSON has no infinity, so the word stands for it.
+    number = float("inf") if value == "inf" else _number(value)
+    if not number >= 0.0:
+        raise PydanticCustomError("friction", "must be at least 0 (inf is allowed)")
+    return number
+
+
+def _whole(value: Any) -> int:
+    number = _number(value)
+    if not number.is_integer():
+        raise PydanticCustomError("whole", "must be a whole number")
+    return int(value)
+
+
+Number = Annotated[float, BeforeValidator(_number)]
+Positive = Annotated[Number, Field(gt=0)]
+NonNegative = Annotated[Number, Field(ge=0)]
+Fraction = Annotated[Number, Field(ge=0, le=1)]
+Friction = Annotated[float, Field(allow_inf_nan=True), BeforeValidator(_friction)]
+Count = Annotated[int, BeforeValidator(_whole)]
+
+
+def quantity(default: Any, description: str, unit: str = "1", **limits: Any) -> Any:
+    """A pydantic field with its meaning and unit ("1" for a pure number, "" for a word)."""
+    return Field(default, description=description, json_schema_extra={"unit": unit}, **limits)

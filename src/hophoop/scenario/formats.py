@@ -1,0 +1,135 @@
+"""The texts a scenario is written as: TOML, JSON and the query of a link."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Iterator, Mapping
+from typing import Any
+from urllib.parse import parse_qsl, urlencode
+
+from hophoop.scenario.base import InputError
+
+
+def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
+    """Parse TOML or JSON; without a form, a text that starts with a brace is JSON."""
+    if form is None:
+        form = "json" if text.lstrip().startswith("{") else "toml"
+    if form not in ("toml", "json"):
+        raise InputError(f"format = {form!r} must be 'toml' or 'json'.")
+    try:
+        data = tomllib.loads(text) if form == "toml" else json.loads(text, object_pairs_hook=_once)
+    except InputError:
+        raise
+    except (ValueError, RecursionError) as error:
+        reason = str(error).rstrip(".") or "nested too deeply"
+        raise InputError(f"{name} is not valid {form.upper()}: {reason}.") from None
+    if not isinstance(data, dict):
+        raise InputError(f"{name} must hold a table of keys, not {json.dumps(data)[:40]}.")
+    return data
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    # JSON would quietly keep the last of two equal keys; TOML refuses them.
+    table = dict(pairs)
+    if len(table) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise InputError(f"The key {twice!r} is given twice.")
+    return table
+
+
+def toml_text(data: Mapping[str, Any], units: Mapping[str, str]) -> str:
+    """TOML with the unit of each quantity as a comment; `units` maps paths to units."""
+    lines = [_toml_line(key, value, units.get(key, "")) for key, value in data.items() if not _nested(value)]
+    for section, table in data.items():
+        if not _nested(table):
+            continue
+        lines += ["", f"[{section}]"]
+        for key, value in table.items():
+            if isinstance(value, list):
+                inner = [
+                    ", ".join(f"{name} = {_toml_value(one)}" for name, one in item.items()) for item in value
+                ]
+                lines += [f"{key} = [", *(f"  {{ {text} }}," for text in inner), "]"]
+            else:
+                lines.append(_toml_line(key, value, units.get(f"{section}.{key}", "")))
+    return "\n".join(lines) + "\n"
+
+
+def _nested(value: Any) -> bool:
+    return isinstance(value, Mapping)
+
+
+def _toml_line(key: str, value: Any, unit: str) -> str:
+    line = f"{key} = {_toml_value(value)}"
+    return f"{line:<30} # {unit}" if unit not in ("", "1") else line
+
+
+def _toml_value(value: Any) -> str:
+    if value == "inf":
+        return "inf"
+    # A JSON string without control characters is a TOML string as well.
+    return json.dumps(value) if isinstance(value, str) else repr(value)
+
+
+def query_text(data: Mapping[str, Any]) -> str:
+    """`plane.mu=0.5&start.speed=3.1`, in the order of the keys."""
+    return urlencode([(path, _query_value(value)) for path, value in _leaves(data, "")])
+
+
+def _leaves(node: Any, path: str) -> Iterator[tuple[str, Any]]:
+    if isinstance(node, Mapping):
+        children = list(node.items())
+    elif isinstance(node, list):
+        children = list(enumerate(node))
+    else:
+        yield path, node
+        return
+    for key, child in children:
+        yield from _leaves(child, f"{path}.{key}" if path else str(key))
+
+
+def _query_value(value: Any) -> str:
+    text = value if isinstance(value, str) else repr(value).replace("e+", "e")
+    return text.removesuffix(".0")
+
+
+def read_query(query: str) -> dict[str, Any]:
+    """The nested keys that `query_text` wrote."""
+    try:
+        pairs = parse_qsl(query.removeprefix("?"), keep_blank_values=True, max_num_fields=1000)
+    except ValueError as error:
+        raise InputError(f"The query cannot be read: {str(error).rstrip('.')}.") from None
+    data: dict[str, Any] = {}
+    for path, text in pairs:
+        steps = path.split(".")
+        node = data
+        for step in steps[:-1]:
+            node = node.setdefault(step, {})
+            if not isinstance(node, dict):
+                raise InputError(f"{path} cannot stand beside a value for {path.rpartition('.')[0]}.")
+        if steps[-1] in node:
+            raise InputError(f"{path} is given twice.")
+        node[steps[-1]] = _query_number(text)
+    hoop = data.get("hoop")
+    if isinstance(hoop, dict) and isinstance(hoop.get("parts"), dict):
+        hoop["parts"] = _numbered(hoop["parts"])
+    return data
+
+
+def _query_number(text: str) -> Any:
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            continue
+    return text
+
+
+def _numbered(parts: Mapping[str, Any]) -> list[Any]:
+    names = [str(index) for index in range(len(parts))]
+    for name in parts:
+        if name not in names:
+            raise InputError(f"hoop.parts.{name} is out of order: parts are numbered from 0 without a gap.")
+    return [parts[name] for name in names]

@@ -1,0 +1,437 @@
+"""Hoop, plane, start and the two contact models: frozen and validated."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple
+
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from hophoop.scenario.base import (
+    Count,
+    Fraction,
+    Friction,
+    Frozen,
+    NonNegative,
+    Number,
+    Positive,
+    quantity,
+    refuse,
+)
+from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
+
+
+class Hoop(Frozen):
+    """A rigid body with a circular rim: its radius, mass, eccentricity and moment of inertia.
+
+    Given in one of three ways, which it remembers: by `load_fraction` (the ideal hoop), by `eccentricity`
+    and `inertia_ratio`, or by `parts`. Without any of them it is the ideal hoop with three quarters of its
+    mass in the load.
+
+    Parameters
+    ----------
+    radius : float, default 1
+        Rim radius R [m].
+    mass : float, default 1
+        Total mass m [kg]; with parts it is their sum and not given.
+    load_fraction : float, optional
+        γ from 0 to 1, the share of the mass in a point load on a thin ring [1]; then ε = γ and κ = 1 − γ².
+    parts : sequence of Ring, Disk, PointMass or Rod, optional
+        What the hoop is made of; all of it lies within the rim.
+    eccentricity : float, optional
+        ε from 0 to 1, the distance of the centre of gravity G from the rim's centre C over R [1].
+    inertia_ratio : float, optional
+        κ ≥ 0, the moment of inertia about G over m R² [1]; 0 only in the massless hoop, whose whole mass is a
+        point on the rim.
+
+    Raises
+    ------
+    ValueError
+        If a number is outside its range, two ways are mixed, or a part reaches beyond the rim.
+
+    Examples
+    --------
+    >>> hoop = Hoop.ideal(load_fraction=0.5)
+    >>> hoop.eccentricity, hoop.inertia_ratio
+    (0.5, 0.75)
+    """
+
+    place: ClassVar[str] = "hoop."
+
+    radius: Positive = quantity(1.0, "Rim radius", "m")
+    mass: Positive = quantity(1.0, "Total mass", "kg")
+    load_fraction: Fraction | None = quantity(None, "Share of the mass in the load of an ideal hoop")
+    eccentricity: Fraction = quantity(
+        0.75, "Distance of the centre of gravity from the centre, over the radius"
+    )
+    inertia_ratio: NonNegative = quantity(0.4375, "Moment of inertia about the centre of gravity over m R²")
+    parts: tuple[Part, ...] | None = quantity(None, "What the hoop is made of", "")
+
+    @model_validator(mode="after")
+    def _complete(self) -> Hoop:
+        fields = self.model_fields_set
+        given = [name for name in _HOOP_WAYS if name in fields and getattr(self, name) is not None]
+        if self.parts is not None:
+            if not self.parts:
+                raise refuse("hoop.parts must not be empty.")
+            _alone("hoop", "parts", [*given, *({"mass"} & fields)])
+            mass, eccentricity, inertia_ratio = combine(self.radius, self.parts)
+            self._settle(mass=mass, eccentricity=eccentricity, inertia_ratio=inertia_ratio)
+        elif self.load_fraction is not None or not given:
+            _alone("hoop", "load_fraction", given)
+            gamma = 0.75 if self.load_fraction is None else self.load_fraction
+            # As a product: 1 − γ² would lose half its digits near γ = 1.
+            self._settle(load_fraction=gamma, eccentricity=gamma, inertia_ratio=(1.0 - gamma) * (1.0 + gamma))
+        elif len(given) == 1:
+            missing = "inertia_ratio" if given == ["eccentricity"] else "eccentricity"
+            raise refuse(f"hoop.{missing} is missing: hoop.{given[0]} does not define a hoop without it.")
+        if self.inertia_ratio == 0.0 and self.eccentricity != 1.0:
+            raise refuse(
+                f"hoop.inertia_ratio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), "
+                f"not {self.eccentricity!r}."
+            )
+        return self
+
+    def _written(self) -> Iterable[str]:
+        if self.parts is not None:
+            return ("radius", "parts")
+        if self.load_fraction is not None:
+            return ("radius", "mass", "load_fraction")
+        return ("radius", "mass", "eccentricity", "inertia_ratio")
+
+    @classmethod
+    def ideal(cls, load_fraction: float = 0.75, radius: float = 1.0, mass: float = 1.0) -> Hoop:
+        """A thin ring with a point load on it.
+
+        Parameters
+        ----------
+        load_fraction : float, default 0.75
+            γ, the share of the mass in the load [1].
+        radius : float, default 1
+            Rim radius R [m].
+        mass : float, default 1
+            Total mass m [kg].
+
+        Returns
+        -------
+        hoop : Hoop
+            With ε = γ and κ = 1 − γ².
+
+        Raises
+        ------
+        ValueError
+            If load_fraction is not from 0 to 1, or radius or mass is not positive.
+        """
+        return cls(load_fraction=load_fraction, radius=radius, mass=mass)
+
+    @classmethod
+    def from_parts(cls, radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> Hoop:
+        """A real hoop: a thick ring, a load inside the rim, spokes.
+
+        Parameters
+        ----------
+        radius : float
+            Rim radius R [m].
+        parts : sequence of Ring, Disk, PointMass or Rod
+            Each stands at a signed distance from C on the line towards the load. Should the centre of gravity
+            come out on the negative side, the line is taken the other way round: θ is the angle to G.
+
+        Returns
+        -------
+        hoop : Hoop
+            Its ε and κ follow from the parallel axis theorem.
+
+        Raises
+        ------
+        ValueError
+            If there is no part, or one reaches beyond the rim.
+
+        Examples
+        --------
+        >>> hoop = Hoop.from_parts(radius=0.3, parts=[Ring(0.4, 0.28, 0.3), Disk(0.5, 0.02, at=0.27)])
+        >>> round(hoop.eccentricity, 6), round(hoop.inertia_ratio, 6)
+        (0.5, 0.617037)
+        """
+        return cls(radius=radius, parts=tuple(parts))
+
+    @property
+    def massless(self) -> bool:
+        """Whether all mass is a point on the rim (ε = 1, κ = 0)."""
+        return self.inertia_ratio == 0.0
+
+    @property
+    def gyration_radius(self) -> float:
+        """Radius of gyration about G, R√κ [m]."""
+        return self.radius * math.sqrt(self.inertia_ratio)
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about G, κ m R² [kg m²]."""
+        return self.inertia_ratio * self.mass * self.radius**2
+
+
+_HOOP_WAYS = ("load_fraction", "eccentricity", "inertia_ratio")
+
+
+def _alone(section: str, way: str, given: Sequence[str]) -> None:
+    for other in given:
+        if other != way:
+            raise refuse(f"{section}.{other} cannot be given together with {section}.{way}.")
+
+
+class Plane(Frozen):
+    """The plane that the hoop moves on, gravity, friction and what an impact does.
+
+    Parameters
+    ----------
+    gravity : float, default 9.81
+        g ≥ 0 [m/s²].
+    slope : float, default 0
+        β between −π/2 and π/2; downhill is +x [rad].
+    mu_static, mu_kinetic : float, default 1
+        Coulomb friction [1]; the kinetic one never exceeds the static one, and inf is a plane without slip.
+    mu : float, optional
+        Sets both [1].
+    restitution : float, default 0
+        e from 0 (plastic) to 1 [1].
+    impact_law : {'stronge', 'newton', 'poisson'}, default 'stronge'
+        What ends the restitution of an impact.
+    painleve : {'flight', 'impact'}, default 'flight'
+        What follows where Painlevé's paradox leaves the motion indeterminate.
+
+    Raises
+    ------
+    ValueError
+        If a number is outside its range or mu is given together with one of the two.
+    """
+
+    place: ClassVar[str] = "plane."
+
+    gravity: NonNegative = quantity(9.81, "Gravity", "m/s²")
+    slope: Number = quantity(0.0, "Slope of the plane, downhill along +x", "rad")
+    mu: Friction | None = quantity(None, "Friction, static and kinetic")
+    mu_static: Friction = quantity(1.0, "Static friction")
+    mu_kinetic: Friction = quantity(1.0, "Kinetic friction")
+    restitution: Fraction = quantity(0.0, "Restitution of an impact")
+    impact_law: Literal["stronge", "newton", "poisson"] = quantity("stronge", "Law of restitution", "")
+    painleve: Literal["flight", "impact"] = quantity("flight", "What follows an indeterminate contact", "")
+
+    @model_validator(mode="after")
+    def _complete(self) -> Plane:
+        # What was settled is not given: pydantic runs this again where a plane joins a scenario.
+        if self.mu is not None and "mu" in self.model_fields_set:
+            _alone("plane", "mu", [name for name in _FRICTIONS if name in self.model_fields_set])
+            self._settle(mu_static=self.mu, mu_kinetic=self.mu)
+        elif self.mu_static == self.mu_kinetic:
+            self._settle(mu=self.mu_static)
+        if self.mu_kinetic > self.mu_static:
+            raise refuse(
+                f"plane.mu_kinetic = {self.mu_kinetic!r} must not exceed "
+                f"plane.mu_static = {self.mu_static!r}."
+            )
+        if not abs(self.slope) < 0.5 * math.pi:
+            raise refuse(f"plane.slope = {self.slope!r} must lie between -pi/2 and pi/2 (radians).")
+        return self
+
+    def _written(self) -> Iterable[str]:
+        apart = any(name in self.model_fields_set for name in _FRICTIONS)
+        left_out = ("mu",) if apart else _FRICTIONS
+        return [name for name in type(self).model_fields if name not in left_out]
+
+
+_FRICTIONS = ("mu_static", "mu_kinetic")
+
+
+class State(NamedTuple):
+    """Position and velocities of a hoop at one instant."""
+
+    x: float
+    height: float
+    angle: float
+    vx: float
+    vy: float
+    omega: float
+    slip: float  # v_t, kept apart: a rolling start has exactly 0, not v − R (v/R)
+
+
+class Start(Frozen):
+    """Where the hoop starts and how fast.
+
+    Either a rolling start, with `speed`, or any state; `Start()` is at rest with the load at the top.
+
+    Parameters
+    ----------
+    x : float, default 0
+        Place of the centre along the plane [m].
+    height : float, default 0
+        Gap between rim and plane, at least 0 [m].
+    angle : float, default 0
+        θ, from the plane's outward normal to the line C→G, clockwise [rad].
+    speed : float, optional
+        Velocity of the centre of a hoop that rolls [m/s]; its slip velocity is exactly zero.
+    vx : float, default 0
+        Velocity of the centre along the plane [m/s].
+    vy : float, default 0
+        Velocity of the centre away from the plane [m/s].
+    omega : float, default 0
+        Angular velocity θ̇ [rad/s]; None in a rolling start, where it is speed over the hoop's radius.
+
+    Raises
+    ------
+    ValueError
+        If height is negative, a number is not finite, or speed is given together with a height or velocity.
+    """
+
+    place: ClassVar[str] = "start."
+
+    x: Number = quantity(0.0, "Place of the centre along the plane", "m")
+    height: NonNegative = quantity(0.0, "Gap between rim and plane", "m")
+    angle: Number = quantity(0.0, "Angle from the plane's normal to the centre of gravity", "rad")
+    speed: Number | None = quantity(None, "Velocity of the centre in a rolling start", "m/s")
+    vx: Number = quantity(0.0, "Velocity of the centre along the plane", "m/s")
+    vy: Number = quantity(0.0, "Velocity of the centre away from the plane", "m/s")
+    omega: Number | None = quantity(0.0, "Angular velocity", "rad/s")
+
+    @model_validator(mode="after")
+    def _complete(self) -> Start:
+        if self.speed is not None:
+            _alone("start", "speed", [name for name in _FREE if name in self.model_fields_set])
+            self._settle(vx=self.speed, omega=None)
+        elif self.omega is None:
+            raise refuse("start.omega = None must be a number.")
+        return self
+
+    def _written(self) -> Iterable[str]:
+        if self.speed is not None:
+            return ("x", "angle", "speed")
+        return ("x", "height", "angle", "vx", "vy", "omega")
+
+    @classmethod
+    def rolling(cls, speed: float, angle: float = 0.0, x: float = 0.0) -> Start:
+        """A start in contact, without slip.
+
+        Parameters
+        ----------
+        speed : float
+            Velocity of the centre along +x [m/s].
+        angle : float, default 0
+            θ [rad].
+        x : float, default 0
+            Place of the centre along the plane [m].
+
+        Returns
+        -------
+        start : Start
+
+        Raises
+        ------
+        ValueError
+            If a number is not finite.
+        """
+        return cls(speed=speed, angle=angle, x=x)
+
+    def state(self, hoop: Hoop) -> State:
+        """The start as numbers, for a given hoop.
+
+        Parameters
+        ----------
+        hoop : Hoop
+            Its radius turns a rolling speed into an angular velocity.
+
+        Returns
+        -------
+        state : State
+            x, height [m], angle [rad], vx, vy [m/s], omega [rad/s], slip [m/s]; the slip velocity of a
+            rolling start is exactly 0.
+        """
+        if self.speed is not None:
+            omega, slip = self.speed / hoop.radius, 0.0
+        else:
+            omega = self.omega if self.omega is not None else 0.0
+            slip = self.vx - hoop.radius * omega
+        return State(self.x, self.height, self.angle, self.vx, self.vy, omega, slip)
+
+
+_FREE = ("height", "vx", "vy", "omega")
+
+
+class Rigid(Frozen):
+    """Rigid contact: exact rolling, Coulomb slip, flight and impacts.
+
+    Parameters
+    ----------
+    max_events : int, default 100000
+        After so many events the motion ends with status 'event_limit'; from 1 to ten million [1].
+
+    Raises
+    ------
+    ValueError
+        If max_events is not a whole number in that range.
+    """
+
+    place: ClassVar[str] = "contact."
+
+    model: Literal["rigid"] = quantity("rigid", "Contact model", "")
+    max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
+
+
+class Compliant(Frozen):
+    """Compliant contact: a unilateral spring and damper with regularised friction.
+
+    What is None follows from radius, mass and gravity.
+
+    Parameters
+    ----------
+    stiffness : float, optional
+        Of the normal spring [N/m].
+    damping : float, optional
+        Of the normal damper: [N s/m] in Kelvin-Voigt's law, [s/m] in Hunt and Crossley's.
+    restitution : float, optional
+        e from 0 to 1 that the damping is chosen for, in place of damping [1].
+    law : {'kelvin-voigt', 'hunt-crossley'}, default 'kelvin-voigt'
+        Normal force.
+    friction : {'tanh', 'linear', 'bristle'}, default 'tanh'
+        Regularised Coulomb law; only 'bristle' can hold a load at rest.
+    slip_speed : float, optional
+        Slip velocity over which friction builds up [m/s].
+    rtol : float, optional
+        Relative tolerance of the integration, above 0 and at most 0.1 [1].
+    max_events : int, default 100000
+        After so many events the motion ends with status 'event_limit'; from 1 to ten million [1].
+
+    Raises
+    ------
+    ValueError
+        If a number is outside its range, or damping and restitution are both given.
+    """
+
+    place: ClassVar[str] = "contact."
+
+    model: Literal["compliant"] = quantity("compliant", "Contact model", "")
+    stiffness: Positive | None = quantity(None, "Stiffness of the contact", "N/m")
+    damping: NonNegative | None = quantity(None, "Damping of the contact", "N s/m or s/m")
+    restitution: Fraction | None = quantity(None, "Restitution that the damping is chosen for")
+    law: Literal["kelvin-voigt", "hunt-crossley"] = quantity("kelvin-voigt", "Normal force", "")
+    friction: Literal["tanh", "linear", "bristle"] = quantity("tanh", "Regularised friction", "")
+    slip_speed: Positive | None = quantity(None, "Slip velocity over which friction builds up", "m/s")
+    rtol: Annotated[Number, Field(gt=0, le=0.1)] | None = quantity(None, "Relative tolerance")
+    max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
+
+    @model_validator(mode="after")
+    def _one_damping(self) -> Compliant:
+        if self.damping is not None and self.restitution is not None:
+            raise refuse("contact.restitution cannot be given together with contact.damping.")
+        return self
+
+
+def _model_of(value: Any) -> Any:
+    # A table without the key `model` is rigid; what is not a table has no model at all.
+    if isinstance(value, dict):
+        return value.get("model", "rigid")
+    return getattr(value, "model", None)
+
+
+Contact = Annotated[
+    Annotated[Rigid, Tag("rigid")] | Annotated[Compliant, Tag("compliant")], Discriminator(_model_of)
+]

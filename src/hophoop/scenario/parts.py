@@ -1,0 +1,239 @@
+"""Parts of a real hoop and the (ε, κ) they add up to."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Discriminator, model_validator
+
+from hophoop.scenario.base import Frozen, NonNegative, Number, Positive, plain_init, quantity, refuse
+
+# A part that just touches the rim, its place rounded, still lies within it.
+_TOUCH = 1e-12
+
+
+class Ring(Frozen):
+    """A flat ring about the rim's centre C; thin if both radii are equal.
+
+    Parameters
+    ----------
+    mass : float
+        Its mass [kg].
+    inner_radius, outer_radius : float
+        Its radii [m].
+
+    Raises
+    ------
+    ValueError
+        If the mass or outer_radius is not positive, inner_radius is negative or exceeds outer_radius.
+    """
+
+    place: ClassVar[str] = "hoop.parts: "
+
+    shape: Literal["ring"] = quantity("ring", "Kind of part", "")
+    mass: Positive = quantity(..., "Mass of the ring", "kg")
+    inner_radius: NonNegative = quantity(..., "Inner radius of the ring", "m")
+    outer_radius: Positive = quantity(..., "Outer radius of the ring", "m")
+
+    @plain_init
+    def __init__(self, mass: float, inner_radius: float, outer_radius: float, **shape: Any) -> None:
+        super().__init__(mass=mass, inner_radius=inner_radius, outer_radius=outer_radius, **shape)
+
+    @model_validator(mode="after")
+    def _ordered(self) -> Ring:
+        if self.inner_radius > self.outer_radius:
+            raise refuse(
+                f"ring.inner_radius = {self.inner_radius!r} must not exceed "
+                f"ring.outer_radius = {self.outer_radius!r}."
+            )
+        return self
+
+    @property
+    def at(self) -> float:
+        """Distance of its centre from C: 0 [m]."""
+        return 0.0
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about its own centre [kg m²]."""
+        return 0.5 * self.mass * (self.inner_radius**2 + self.outer_radius**2)
+
+    @property
+    def reach(self) -> float:
+        """Distance of its farthest point from C [m]."""
+        return self.outer_radius
+
+
+class Disk(Frozen):
+    """A uniform disk, such as a cylindrical load seen from its end.
+
+    Parameters
+    ----------
+    mass : float
+        Its mass [kg].
+    radius : float
+        Its radius [m].
+    at : float, default 0
+        Signed distance of its centre from C, on the line from C to the load [m].
+
+    Raises
+    ------
+    ValueError
+        If mass or radius is not positive.
+    """
+
+    place: ClassVar[str] = "hoop.parts: "
+
+    shape: Literal["disk"] = quantity("disk", "Kind of part", "")
+    mass: Positive = quantity(..., "Mass of the disk", "kg")
+    radius: Positive = quantity(..., "Radius of the disk", "m")
+    at: Number = quantity(0.0, "Signed distance of the disk's centre from C", "m")
+
+    @plain_init
+    def __init__(self, mass: float, radius: float, at: float = 0.0, **shape: Any) -> None:
+        super().__init__(mass=mass, radius=radius, at=at, **shape)
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about its own centre [kg m²]."""
+        return 0.5 * self.mass * self.radius**2
+
+    @property
+    def reach(self) -> float:
+        """Distance of its farthest point from C [m]."""
+        return abs(self.at) + self.radius
+
+
+class PointMass(Frozen):
+    """A small load.
+
+    Parameters
+    ----------
+    mass : float
+        Its mass [kg].
+    at : float
+        Signed distance from C, on the line from C to the load [m].
+
+    Raises
+    ------
+    ValueError
+        If the mass is not positive.
+    """
+
+    place: ClassVar[str] = "hoop.parts: "
+
+    shape: Literal["point_mass"] = quantity("point_mass", "Kind of part", "")
+    mass: Positive = quantity(..., "Mass of the load", "kg")
+    at: Number = quantity(..., "Signed distance of the load from C", "m")
+
+    @plain_init
+    def __init__(self, mass: float, at: float, **shape: Any) -> None:
+        super().__init__(mass=mass, at=at, **shape)
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about itself: 0 [kg m²]."""
+        return 0.0
+
+    @property
+    def reach(self) -> float:
+        """Distance from C [m]."""
+        return abs(self.at)
+
+
+class Rod(Frozen):
+    """A thin uniform rod in the plane of motion; an axial one counts as a `PointMass`.
+
+    Parameters
+    ----------
+    mass : float
+        Its mass [kg].
+    length : float
+        Its length [m].
+    at : float, default 0
+        Signed distance of its middle from C, on the line from C to the load [m].
+    direction : {'radial', 'tangential'}, default 'radial'
+        Whether it lies along that line (a spoke) or across it.
+
+    Raises
+    ------
+    ValueError
+        If mass or length is not positive, or the direction is not one of the two.
+    """
+
+    place: ClassVar[str] = "hoop.parts: "
+
+    shape: Literal["rod"] = quantity("rod", "Kind of part", "")
+    mass: Positive = quantity(..., "Mass of the rod", "kg")
+    length: Positive = quantity(..., "Length of the rod", "m")
+    at: Number = quantity(0.0, "Signed distance of the rod's middle from C", "m")
+    direction: Literal["radial", "tangential"] = quantity("radial", "Along the line from C or across it", "")
+
+    @plain_init
+    def __init__(
+        self,
+        mass: float,
+        length: float,
+        at: float = 0.0,
+        direction: Literal["radial", "tangential"] = "radial",
+        **shape: Any,
+    ) -> None:
+        super().__init__(mass=mass, length=length, at=at, direction=direction, **shape)
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about its own middle [kg m²]."""
+        return self.mass * self.length**2 / 12.0
+
+    @property
+    def reach(self) -> float:
+        """Distance of its farthest point from C [m]."""
+        half = 0.5 * self.length
+        return abs(self.at) + half if self.direction == "radial" else math.hypot(self.at, half)
+
+
+Part = Annotated[Ring | Disk | PointMass | Rod, Discriminator("shape")]
+
+
+def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tuple[float, float, float]:
+    """Mass, eccentricity and inertia ratio of a hoop made of parts.
+
+    Parameters
+    ----------
+    radius : float
+        Rim radius R [m].
+    parts : sequence of Ring, Disk, PointMass or Rod
+        At least one; all within the rim.
+
+    Returns
+    -------
+    mass : float
+        Their sum [kg].
+    eccentricity : float
+        ε = distance of the centre of gravity G from C over R [1]. Never negative: should G come out on the
+        negative side of C, the line from C is taken the other way round, so that θ is still the angle to G.
+    inertia_ratio : float
+        κ = moment of inertia about G over m R² [1], by the parallel axis theorem.
+
+    Raises
+    ------
+    ValueError
+        If a part reaches beyond the rim.
+    """
+    for index, part in enumerate(parts):
+        if part.reach > radius * (1.0 + _TOUCH):
+            raise refuse(
+                f"hoop.parts.{index} ({part.shape}) reaches {part.reach!r} m from the centre, "
+                f"beyond the rim: hoop.radius = {radius!r}."
+            )
+    mass = math.fsum(part.mass for part in parts)
+    # Measured from the first part, so that parts all in one place give exactly that place and no inertia.
+    first = parts[0].at / radius
+    offset = math.fsum(part.mass * (part.at / radius - first) for part in parts) / mass
+    centre = first + offset
+    inertia = math.fsum(
+        part.inertia / radius**2 + part.mass * (part.at / radius - centre) ** 2 for part in parts
+    )
+    return mass, min(abs(centre), 1.0), inertia / mass

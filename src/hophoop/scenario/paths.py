@@ -1,0 +1,163 @@
+"""Parameters of a scenario by dotted path, such as ``plane.mu``: what they mean, and how to change one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from hophoop.scenario.base import Frozen, InputError
+from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start
+from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
+
+if TYPE_CHECKING:
+    from hophoop.scenario.scenario import Scenario
+
+_SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
+    "hoop": (Hoop,),
+    "plane": (Plane,),
+    "start": (Start,),
+    "contact": (Rigid, Compliant),
+}
+_PARTS = (Ring, Disk, PointMass, Rod)
+
+# Where a quantity can be given in more ways than one, giving it one way ends the others.
+_ENDS: dict[str, Sequence[str]] = {
+    "hoop.load_fraction": ("eccentricity", "inertia_ratio", "parts"),
+    "hoop.eccentricity": ("load_fraction", "parts"),
+    "hoop.inertia_ratio": ("load_fraction", "parts"),
+    "hoop.parts": ("load_fraction", "eccentricity", "inertia_ratio", "mass"),
+    "plane.mu": ("mu_static", "mu_kinetic"),
+    "plane.mu_static": ("mu",),
+    "plane.mu_kinetic": ("mu",),
+    "start.speed": ("height", "vx", "vy", "omega"),
+    "start.height": ("speed",),
+    "start.vx": ("speed",),
+    "start.vy": ("speed",),
+    "start.omega": ("speed",),
+    "contact.damping": ("restitution",),
+    "contact.restitution": ("damping",),
+}
+
+
+class Parameter(NamedTuple):
+    """What a path stands for."""
+
+    path: str
+    description: str
+    unit: str
+
+
+def parameter(path: str) -> Parameter:
+    """Meaning and unit of a scenario's parameter.
+
+    Parameters
+    ----------
+    path : str
+        Such as ``"plane.mu"``, ``"duration"`` or ``"hoop.parts.0.mass"``.
+
+    Returns
+    -------
+    parameter : Parameter
+        path, description and unit; the unit is "1" for a pure number and "" for a word.
+
+    Raises
+    ------
+    ValueError
+        If a scenario has no such parameter.
+
+    Examples
+    --------
+    >>> parameter("start.speed").unit
+    'm/s'
+    """
+    for known in _candidates(path):
+        return known
+    raise InputError(f"{path} is not a parameter of a scenario; known are {', '.join(paths())}.")
+
+
+def paths() -> list[str]:
+    """Paths of all numbers and words in a scenario, parts of a hoop apart.
+
+    Returns
+    -------
+    paths : list of str
+        In the order of a scenario file.
+    """
+    found = ["duration"]
+    for section, models in _SECTIONS.items():
+        for model in models:
+            found += [path for name in model.model_fields if (path := f"{section}.{name}") not in found]
+    return found
+
+
+def _candidates(path: str) -> Iterator[Parameter]:
+    steps = path.split(".")
+    if path == "duration":
+        yield Parameter(path, "Duration of the motion", "s")
+    models: Sequence[type[Frozen]] = ()
+    if len(steps) == 2:
+        models = _SECTIONS.get(steps[0], ())
+    elif len(steps) == 4 and steps[:2] == ["hoop", "parts"] and steps[2].isdecimal():
+        models = _PARTS
+    for model in models:
+        field = model.model_fields.get(steps[-1])
+        if field is not None:
+            extra = field.json_schema_extra
+            unit = str(extra.get("unit", "1")) if isinstance(extra, dict) else "1"
+            yield Parameter(path, field.description or "", unit)
+
+
+def replaced(scenario: Scenario, path: str, value: Any) -> dict[str, Any]:
+    """Keys of the scenario with another value at a path, ready to be validated."""
+    data = scenario.to_dict()
+    section, _, rest = path.partition(".")
+    if not rest:
+        data[section] = value
+        return data
+    if path == "contact.model":
+        # The two models share hardly a key.
+        data["contact"] = {"model": value}
+        return data
+    table = data.setdefault(section, {})
+    if not isinstance(table, dict):
+        raise InputError(f"{path} is not a parameter of a scenario: {section} has no parts.")
+    ended = [key for key in _ENDS.get(path, ()) if key in table]
+    if ended:
+        table.update(_spelt_out(scenario, path))
+        for key in _ENDS[path]:
+            table.pop(key, None)
+    _put(table, rest.split("."), value, path)
+    return data
+
+
+def _spelt_out(scenario: Scenario, path: str) -> dict[str, Any]:
+    """The same section given the other way, where that keeps what the path does not name."""
+    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
+    if path in ("hoop.eccentricity", "hoop.inertia_ratio"):
+        return {"mass": hoop.mass, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio}
+    if path == "hoop.load_fraction":
+        return {"mass": hoop.mass}
+    if path in ("plane.mu_static", "plane.mu_kinetic"):
+        return {"mu_static": plane.mu_static, "mu_kinetic": plane.mu_kinetic}
+    if path in ("start.height", "start.vx", "start.vy", "start.omega"):
+        state = start.state(hoop)
+        return {"height": state.height, "vx": state.vx, "vy": state.vy, "omega": state.omega}
+    return {}
+
+
+def _put(table: Mapping[str, Any], steps: Sequence[str], value: Any, path: str) -> None:
+    node: Any = table
+    for step in steps[:-1]:
+        if isinstance(node, list) and step.isdecimal() and int(step) < len(node):
+            node = node[int(step)]
+        elif isinstance(node, dict) and step in node:
+            node = node[step]
+        else:
+            raise InputError(f"{path} is not there to be replaced: the scenario has no {step!r}.")
+    last = steps[-1]
+    if isinstance(node, dict):
+        node[last] = value
+    elif isinstance(node, list) and last.isdecimal() and int(last) < len(node):
+        node[int(last)] = value
+    else:
+        raise InputError(f"{path} is not there to be replaced: the scenario has no {last!r}.")

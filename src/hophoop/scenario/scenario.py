@@ -1,0 +1,301 @@
+"""One motion to be: hoop, plane, start, duration and contact, with its files and links."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+from pydantic import Field, ValidationError, model_validator
+
+from hophoop.physics.body import Body, ImpactLaw
+from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
+from hophoop.scenario.formats import query_text, read_query, read_text, toml_text
+from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
+from hophoop.scenario.paths import parameter, paths, replaced
+
+
+class Scenario(Frozen):
+    """Everything that a motion needs, validated, frozen and written to files and links.
+
+    Without arguments it is the reference case: three quarters of the mass in the load, R = 1 m, m = 1 kg,
+    μ = 1, plastic landings, rolling at 3.1 m/s with the load at the top, for 6 s.
+
+    Parameters
+    ----------
+    hoop : Hoop
+    plane : Plane
+    start : Start
+    duration : float, default 6
+        Above 0 [s].
+    contact : Rigid or Compliant, default Rigid()
+
+    Raises
+    ------
+    ValueError
+        If duration is not positive, or the parts do not go together: the massless hoop needs a level plane
+        and rigid contact, and compliant contact a finite friction.
+
+    Examples
+    --------
+    >>> scenario = Scenario(start=Start.rolling(2.8)).replace("plane.mu", 0.5)
+    >>> scenario.to_query()
+    'plane.mu=0.5&start.speed=2.8'
+    >>> Scenario.from_query("plane.mu=0.5&start.speed=2.8") == scenario
+    True
+    """
+
+    duration: Positive = quantity(6.0, "Duration of the motion", "s")
+    hoop: Hoop = Field(default_factory=Hoop, description="The hoop")
+    plane: Plane = Field(default_factory=Plane, description="The plane")
+    start: Start = Field(default_factory=lambda: Start.rolling(3.1), description="The start")
+    contact: Contact = Field(default_factory=Rigid, description="The contact model")
+
+    @model_validator(mode="after")
+    def _fitting(self) -> Scenario:
+        compliant = isinstance(self.contact, Compliant)
+        if self.hoop.massless and self.plane.slope != 0.0:
+            raise refuse(
+                f"plane.slope = {self.plane.slope!r} must be 0 for the massless hoop "
+                "(hoop.inertia_ratio = 0)."
+            )
+        if self.hoop.massless and compliant:
+            raise refuse(
+                "contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0)."
+            )
+        if compliant and self.plane.mu_static == math.inf:
+            raise refuse("plane.mu_static = inf must be finite with contact.model = 'compliant'.")
+        return self
+
+    @classmethod
+    def load(cls, path: str | Path) -> Scenario:
+        """Read a scenario file.
+
+        Parameters
+        ----------
+        path : str or Path
+            A TOML or JSON file (by its ending, else by its first character), or '-' for standard input.
+
+        Returns
+        -------
+        scenario : Scenario
+
+        Raises
+        ------
+        ValueError
+            If the text is not TOML or JSON, or not a scenario.
+        OSError
+            If the file cannot be read.
+        """
+        if str(path) == "-":
+            return cls.loads(sys.stdin.read(), name="standard input")
+        file = Path(path)
+        try:
+            text = file.read_text(encoding="utf-8-sig")
+        except UnicodeDecodeError:
+            raise InputError(f"{file} is not a text file in UTF-8.") from None
+        known = {".toml": "toml", ".json": "json"}
+        return cls.loads(text, known.get(file.suffix.lower()), name=str(file))
+
+    @classmethod
+    def loads(cls, text: str, format: str | None = None, name: str = "the text") -> Scenario:
+        """Read a scenario from a text.
+
+        Parameters
+        ----------
+        text : str
+            TOML or JSON.
+        format : {'toml', 'json'}, optional
+            Which of them; by default a text that starts with a brace is JSON.
+        name : str, default 'the text'
+            What an error calls it.
+
+        Returns
+        -------
+        scenario : Scenario
+
+        Raises
+        ------
+        ValueError
+            If the text is not TOML or JSON, or not a scenario.
+        """
+        return cls.from_dict(read_text(text, format, name))
+
+    @classmethod
+    def from_dict(cls, keys: dict[str, Any]) -> Scenario:
+        """Build a scenario from the keys of a scenario file.
+
+        Parameters
+        ----------
+        keys : dict
+            As `to_dict` gives them; what is left out has its default.
+
+        Returns
+        -------
+        scenario : Scenario
+
+        Raises
+        ------
+        ValueError
+            If a key is unknown or a value not allowed.
+        """
+        try:
+            return cls.model_validate(keys)
+        except ValidationError as error:
+            raise InputError.of(error) from None
+
+    def save(self, path: str | Path) -> None:
+        """Write a scenario file that `load` reads back as an equal scenario.
+
+        Parameters
+        ----------
+        path : str or Path
+            Ends in .toml or .json.
+
+        Raises
+        ------
+        ValueError
+            If it ends otherwise.
+        OSError
+            If the file cannot be written.
+        """
+        file = Path(path)
+        if file.suffix.lower() == ".toml":
+            text = self.to_toml()
+        elif file.suffix.lower() == ".json":
+            text = json.dumps(self.to_dict(), indent=2, ensure_ascii=False) + "\n"
+        else:
+            raise InputError(f"{file} must end in .toml or .json.")
+        file.write_text(text, encoding="utf-8")
+
+    def to_toml(self) -> str:
+        """The scenario as a TOML text, with units as comments.
+
+        Returns
+        -------
+        text : str
+            What `loads` reads back as an equal scenario.
+        """
+        return toml_text(self.to_dict(), {path: parameter(path).unit for path in paths()})
+
+    def to_query(self) -> str:
+        """The scenario as the query of a link; equal scenarios have equal queries.
+
+        Returns
+        -------
+        query : str
+            URL-safe, with readable keys such as ``plane.mu=0.5&start.speed=3.1``; what is as in `Scenario()`
+            is left out, so that the reference case is empty.
+        """
+        usual = Scenario().to_dict()
+        brief: dict[str, Any] = {}
+        for name, value in self.to_dict().items():
+            if value == usual[name]:
+                continue
+            if not isinstance(value, dict):
+                brief[name] = value
+                continue
+            bare = type(getattr(self, name))().to_dict()
+            kept = {key: item for key, item in value.items() if key == "model" or bare.get(key) != item}
+            # A section left out altogether would be read as the usual one.
+            brief[name] = kept or value
+        return query_text(brief)
+
+    @classmethod
+    def from_query(cls, query: str) -> Scenario:
+        """Read the query of a link.
+
+        Parameters
+        ----------
+        query : str
+            As `to_query` writes it, with or without a leading question mark.
+
+        Returns
+        -------
+        scenario : Scenario
+
+        Raises
+        ------
+        ValueError
+            If a key is unknown or given twice, or a value not allowed.
+        """
+        return cls.from_dict(read_query(query))
+
+    def replace(self, path: str, value: Any) -> Scenario:
+        """The same scenario but for one parameter.
+
+        Parameters
+        ----------
+        path : str
+            Such as ``"plane.mu"``, ``"start.speed"``, ``"hoop.parts.0.mass"`` or, for a whole section,
+            ``"hoop"``. Naming a parameter in another way than it was given changes the way:
+            ``"start.speed"`` makes any start a rolling one, ``"start.omega"`` turns a rolling start into the
+            equal free one first.
+        value : float, int, str or model
+            The new value, in SI units.
+
+        Returns
+        -------
+        scenario : Scenario
+
+        Raises
+        ------
+        ValueError
+            If there is no such parameter, or the value is not allowed.
+        """
+        return type(self).from_dict(replaced(self, path, value))
+
+    def to_body(self) -> Body:
+        """Hoop and plane as the kernels take them, see `to_body`.
+
+        Returns
+        -------
+        body : Body
+            In units of R, m and √(R/g).
+        """
+        return to_body(self.hoop, self.plane)
+
+
+def to_body(hoop: Hoop, plane: Plane) -> Body:
+    """Hoop and plane as the kernels take them.
+
+    Parameters
+    ----------
+    hoop : Hoop
+    plane : Plane
+
+    Returns
+    -------
+    body : Body
+        In units of R, m and √(R/g); see `time_unit` for g = 0.
+    """
+    weight = 1.0 if plane.gravity > 0.0 else 0.0
+    return Body(
+        eps=hoop.eccentricity,
+        kap=hoop.inertia_ratio,
+        mu_s=plane.mu_static,
+        mu_k=plane.mu_kinetic,
+        gn=weight * math.cos(plane.slope),
+        gt=weight * math.sin(plane.slope),
+        rest=plane.restitution,
+        law=int(ImpactLaw[plane.impact_law.upper()]),
+        strike=plane.painleve == "impact",
+    )
+
+
+def time_unit(hoop: Hoop, plane: Plane) -> float:
+    """Unit of time of the kernels.
+
+    Parameters
+    ----------
+    hoop : Hoop
+    plane : Plane
+
+    Returns
+    -------
+    unit : float
+        √(R/g), or √(R / (1 m/s²)) without gravity [s].
+    """
+    return math.sqrt(hoop.radius / (plane.gravity if plane.gravity > 0.0 else 1.0))

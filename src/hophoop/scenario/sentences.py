@@ -1,0 +1,112 @@
+"""One clear sentence out of a failed validation: which field, which value, what is allowed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from pydantic import ValidationError
+
+# Where a model's fields stand in a scenario.
+_PLACES = {"Scenario": "", "Rigid": "contact", "Compliant": "contact", "PointMass": "point_mass"}
+
+_LIMITS = {
+    "greater_than": ("greater than", "gt"),
+    "greater_than_equal": ("at least", "ge"),
+    "less_than": ("less than", "lt"),
+    "less_than_equal": ("at most", "le"),
+}
+
+_TAGS = {"rigid", "compliant", "ring", "disk", "point_mass", "rod"}
+
+
+def sentence(error: BaseException) -> str:
+    """Say in one sentence what is wrong with the input.
+
+    Parameters
+    ----------
+    error : Exception
+        What was raised: pydantic's ``ValidationError``, or any other, whose own message is then used.
+
+    Returns
+    -------
+    sentence : str
+        Names the field by its path in a scenario, its value and what is allowed.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> from hophoop.scenario import sentence
+    >>> try:
+    ...     hh.Plane(mu_kinetic=1.2)
+    ... except ValueError as error:
+    ...     print(sentence(error))
+    plane.mu_kinetic = 1.2 must not exceed plane.mu_static = 1.0.
+    """
+    if isinstance(error, OSError) and error.strerror and error.filename is not None:
+        return f"{error.filename}: {error.strerror}."
+    if not isinstance(error, ValidationError):
+        # KeyError and the like show their argument only; a name says more than nothing.
+        return str(error) or type(error).__name__
+    findings = error.errors(include_url=False)
+    first = _say(error.title, findings[0])
+    others = len(findings) - 1
+    if others == 0:
+        return first
+    return f"{first.removesuffix('.')} (and {others} more {'problem' if others == 1 else 'problems'})."
+
+
+def _say(title: str, finding: Mapping[str, Any]) -> str:
+    place = _path(title, finding["loc"])
+    kind, value, context = finding["type"], finding["input"], finding.get("ctx", {})
+    given = f"{place} = {_show(value)}"
+    if kind == "sentence":
+        return str(context["sentence"])
+    if kind in ("number", "friction", "whole"):
+        return f"{given} {finding['msg']}."
+    if kind in _LIMITS:
+        words, key = _LIMITS[kind]
+        return f"{given} must be {words} {context[key]:g}."
+    if kind == "finite_number":
+        return f"{given} must be a finite number."
+    if kind == "missing":
+        return f"{place} is missing."
+    if kind == "literal_error":
+        return f"{given} must be {context['expected']}."
+    if kind == "union_tag_invalid":
+        return _tag(place, context)
+    if kind == "union_tag_not_found" and isinstance(value, Mapping):
+        return f"{place}.shape is missing."
+    if kind in ("model_type", "model_attributes_type", "dict_type", "union_tag_not_found"):
+        return f"{given} must be a table of keys."
+    if kind in ("tuple_type", "list_type"):
+        return f"{given} must be a list."
+    message = finding["msg"]
+    return f"{given}: {message[:1].lower()}{message[1:]}."
+
+
+def _path(title: str, loc: Sequence[str | int]) -> str:
+    parts = [_PLACES.get(title, title.lower())]
+    for step in loc:
+        # The name of a union's branch is pydantic's, not the user's.
+        if step in _TAGS:
+            continue
+        parts.append(str(step))
+    return ".".join(part for part in parts if part) or "the scenario"
+
+
+def _tag(place: str, context: Mapping[str, Any]) -> str:
+    key = "model" if place == "contact" else "shape"
+    expected = [word.strip(" '") for word in str(context["expected_tags"]).split(",")]
+    return f"{place}.{key} = {_show(context['tag'])} must be {_either(expected)}."
+
+
+def _either(words: Sequence[str]) -> str:
+    quoted = [f"'{word}'" for word in words]
+    return quoted[0] if len(quoted) == 1 else f"{', '.join(quoted[:-1])} or {quoted[-1]}"
+
+
+def _show(value: Any) -> str:
+    # NumPy's scalars would name their type.
+    text = repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)
+    return text if len(text) <= 60 else text[:57] + "..."
