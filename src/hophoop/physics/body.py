@@ -1,0 +1,81 @@
+"""The body as kernels see it, and the words for modes, events and ends.
+
+Kernels work in units of R (length), m (mass) and √(R/g) (time); where g = 0 the time unit is the
+one that makes R / (1 m/s²) equal to 1.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import NamedTuple
+
+
+class Body(NamedTuple):
+    """Dimensionless parameters of hoop and plane."""
+
+    eps: float  # eccentricity
+    kap: float  # moment of inertia about G over m R²
+    mu_s: float  # static friction
+    mu_k: float  # kinetic friction
+    gn: float  # gravity into the plane (cos β, or 0)
+    gt: float  # gravity along the plane, downhill positive (sin β, or 0)
+    rest: float  # restitution e
+    law: int  # ImpactLaw
+    strike: bool  # indeterminate Painlevé: impact (True) or flight
+
+
+class Mode(IntEnum):
+    """How the rim and the plane meet."""
+
+    ROLL = 0
+    SPIN = 1
+    SKID = 2
+    FLIGHT = 3
+    SKIM = 4
+
+
+MODE_LETTERS = "RSKHM"
+MODE_NAMES = ("roll", "spin", "skid", "flight", "skim")
+
+
+class Event(IntEnum):
+    """Kinds of events, in the order in which simultaneous ones are written."""
+
+    START = 0
+    SLIP_START = 1
+    STICK = 2
+    SLIP_REVERSAL = 3
+    TAKEOFF = 4
+    IMPACT = 5
+    TURN = 6
+    APEX = 7
+    BOUNCE_LIMIT = 8
+    PAINLEVE_INCONSISTENT = 9
+    PAINLEVE_INDETERMINATE = 10
+    JAM = 11
+    KANE_GAIN = 12
+    SKIM = 13
+    REST = 14
+    END = 15
+
+
+EVENT_NAMES = tuple(event.name.lower() for event in Event)
+
+
+class Status(IntEnum):
+    """How a motion ended; `BUFFER` is internal (the arrays were too small, run again)."""
+
+    COMPLETED = 0
+    AT_REST = 1
+    JAMMED = 2
+    UNDETERMINED = 3
+    EVENT_LIMIT = 4
+    BUFFER = 5
+
+
+class ImpactLaw(IntEnum):
+    """What ends the restitution of an impact."""
+
+    NEWTON = 0
+    POISSON = 1
+    STRONGE = 2

@@ -1,0 +1,73 @@
+"""Contact-space quantities: W, f, p_σ, and the forces in roll and slip (physics.md, 'Equations of motion')."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+
+
+@jit
+def free_acceleration(body, s, c, u):
+    """(f_t, f_n): acceleration of the lowest rim point without contact force; u = θ̇²."""
+    return body.gt + body.eps * s * u, -body.gn + body.eps * c * u
+
+
+@jit
+def delassus(body, s, c):
+    """(W_tt, W_nn, W_tn): acceleration of the lowest rim point per unit force; needs κ > 0."""
+    arm = 1.0 + body.eps * c
+    lever = body.eps * s
+    return 1.0 + arm * arm / body.kap, 1.0 + lever * lever / body.kap, -lever * arm / body.kap
+
+
+@jit
+def slip_torque_arm(body, s, c, sigma):
+    """q = ε sin θ + σ μk (1 + ε cos θ): torque about G over N in slip."""
+    return body.eps * s + sigma * body.mu_k * (1.0 + body.eps * c)
+
+
+@jit
+def slip_stiffness(body, s, c, sigma):
+    """κ p_σ = κ + ε sin θ · q; Painlevé's paradox where it is not positive."""
+    return body.kap + body.eps * s * slip_torque_arm(body, s, c, sigma)
+
+
+@jit
+def rolling_inertia(body, c):
+    """D = 1 + κ + ε² + 2 ε cos θ: moment of inertia about the contact point."""
+    return 1.0 + body.kap + body.eps * body.eps + 2.0 * body.eps * c
+
+
+@jit
+def rolling_acceleration(body, s, c, u):
+    """θ̈ in rolling."""
+    torque = body.eps * s * (u + body.gn) + body.gt * (1.0 + body.eps * c)
+    return torque / rolling_inertia(body, c)
+
+
+@jit
+def rolling_forces(body, s, c, u):
+    """(F, N) in rolling, without division by κ."""
+    alpha = rolling_acceleration(body, s, c, u)
+    friction = alpha * (1.0 + body.eps * c) - body.eps * s * u - body.gt
+    normal = body.gn - body.eps * s * alpha - body.eps * c * u
+    return friction, normal
+
+
+@jit
+def cone_weights(mu):
+    """(a, b) with a N ≥ b abs(F) inside the friction cone; (1, 0) where μ is infinite."""
+    if math.isinf(mu):
+        return 1.0, 0.0
+    norm = math.sqrt(1.0 + mu * mu)
+    return mu / norm, 1.0 / norm
+
+
+@jit
+def slip_motion(body, s, c, u, sigma):
+    """(θ̈, N, v̇_t) in slip of direction σ."""
+    q = slip_torque_arm(body, s, c, sigma)
+    load = (body.gn - body.eps * c * u) / (body.kap + body.eps * s * q)
+    friction_part = sigma * body.mu_k * body.kap + (1.0 + body.eps * c) * q
+    return q * load, body.kap * load, body.gt + body.eps * s * u - load * friction_part

@@ -1,0 +1,136 @@
+"""Flight: G is a projectile and θ̇ constant; the gap is a parabola plus a cosine, written without cancellation."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._collocation import (
+    NODES,
+    NOT_FOUND,
+    ORDER,
+    coefficients,
+    cosine_deficit,
+    first_fall,
+    first_fall_after,
+    series_value,
+    sine_deficit,
+)
+from hophoop._jit import jit
+
+PHASE = 2.4  # rad of rotation in one panel; its Chebyshev tail is below 1e-16
+
+
+@jit
+def flight_gap(body, s, c, om, y, vn, fn, tau):
+    """(gap, its rate) after the time tau; fn is the initial f_n, exactly 0 after a lift-off from slip."""
+    phi = om * tau
+    sd = sine_deficit(phi)
+    versine = 2.0 * math.sin(0.5 * phi) ** 2
+    gap = y + vn * tau + 0.5 * fn * tau * tau - body.eps * (c * cosine_deficit(phi) + s * sd)
+    rate = vn + fn * tau - body.eps * om * (c * sd + s * versine)
+    return gap, rate
+
+
+@jit
+def flight_state(body, x, th, vt, om, s, c, tau):
+    """(x, θ, v_t) after the time tau."""
+    th_end = th + om * tau
+    phi = om * tau
+    sine = math.sin(phi)
+    versine = 2.0 * math.sin(0.5 * phi) ** 2
+    ds = c * sine - s * versine
+    dc = -s * sine - c * versine
+    # G moves on a parabola: ẋ_G = v_t + θ̇ (1 + ε cos θ)
+    x_end = x + (vt + om * (1.0 + body.eps * c)) * tau + 0.5 * body.gt * tau * tau - body.eps * ds
+    vt_end = vt + body.gt * tau - body.eps * om * dc
+    return x_end, th_end, vt_end
+
+
+@jit
+def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
+    """First contact of a flight and its highest centre.
+
+    Parameters
+    ----------
+    order : int
+        How many leading derivatives of the gap vanish at the start (0 for a start above the plane).
+    limit : float
+        Longest time to look at.
+
+    Returns
+    -------
+    landing : float
+        Time of the first contact with approach, or -1.
+    apex : float
+        Time at which the centre is highest, or -1 if it is so at an end of the flight.
+    """
+    s = math.sin(th)
+    c = math.cos(th)
+    apex = -1.0
+    highest = y
+    # Beyond `never` the parabola has left the reach of the cosine for good.
+    rise = vn - body.eps * s * om
+    reach = 2.0 * body.eps + y
+    never = limit
+    if body.gn > 0.0:
+        drop = (rise + math.sqrt(rise * rise + 2.0 * body.gn * reach)) / body.gn
+        never = min(limit, 1.001 * drop + 1e-300)
+    elif rise > 0.0:
+        never = min(limit, 2.0 * reach / rise + 1e-300)
+    elif rise == 0.0 and om != 0.0:
+        never = min(limit, 7.0 / abs(om))
+    start = 0.0
+    while start < never:
+        length = never - start
+        if om != 0.0:
+            length = min(length, PHASE / abs(om))
+        end = start + length
+        for i in range(ORDER):
+            tau = start + 0.5 * length * (1.0 + NODES[i])
+            gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
+            # known leading zeros are divided out on the first panel
+            scale = 1.0
+            if start == 0.0:
+                for _ in range(order):
+                    scale *= 0.5 * (1.0 + NODES[i])
+            values[0, i] = gap / scale
+            if start == 0.0 and order > 0:
+                scale /= 0.5 * (1.0 + NODES[i])
+            values[1, i] = rate / scale
+        coefficients(values[0], series)
+        if start > 0.0 and series_value(series, -1.0) <= 0.0:
+            return start, apex
+        size = 0.0
+        for i in range(ORDER):
+            size = max(size, abs(values[0, i]))
+        xi = first_fall(series, 4e-16 * size, stack)
+        landing = -1.0
+        if xi != NOT_FOUND:
+            landing = start + 0.5 * length * (1.0 + xi)
+            for _ in range(3):  # polish on the gap itself
+                gap, rate = flight_gap(body, s, c, om, y, vn, fn, landing)
+                if rate >= 0.0:
+                    break
+                better = landing - gap / rate
+                if not abs(better - landing) < 0.01 * length or better <= 0.0:
+                    break
+                landing = better
+        # A panel turns by less than π, so the rate, a line plus a cosine, falls through zero at most twice.
+        coefficients(values[1], series)
+        begin = -2.0
+        for _ in range(2):
+            xi = first_fall_after(series, begin, 0.0, stack)
+            if xi == NOT_FOUND:
+                break
+            begin = xi
+            top = start + 0.5 * length * (1.0 + xi)
+            if landing >= 0.0 and top >= landing:
+                break
+            gap, rate = flight_gap(body, s, c, om, y, vn, fn, top)
+            if gap > highest:
+                highest = gap
+                apex = top
+        if landing >= 0.0:
+            return landing, apex
+        start = end
+    return -1.0, apex

@@ -1,0 +1,117 @@
+"""Impact: Routh's incremental impulse with Coulomb friction and three laws of restitution.
+
+The normal impulse p grows from 0. While the slip keeps its state, both velocities are linear in p, so an
+impact is at most two straight pieces (slip until it stops, then stick or reversed slip), and every integral
+over it is elementary.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+from hophoop.physics.body import ImpactLaw
+from hophoop.physics.contact import delassus
+
+NEWTON, POISSON = int(ImpactLaw.NEWTON), int(ImpactLaw.POISSON)
+
+
+@jit
+def impulse_ratio(body, W_tt, W_nn, W_tn, vt):
+    """(r, stops): tangential per normal impulse in the present state, and whether that state is stick."""
+    if vt > 0.0:
+        return -body.mu_k, False
+    if vt < 0.0:
+        return body.mu_k, False
+    stick = -W_tn / W_tt
+    if abs(stick) <= body.mu_s:
+        return stick, True
+    return (-body.mu_k if W_tn > 0.0 else body.mu_k), False
+
+
+@jit
+def impact(body, rest, s, c, vt, vn):
+    """Velocities after an impact at angle θ.
+
+    Parameters
+    ----------
+    rest : float
+        Restitution e.
+    vt, vn : float
+        Slip and separation velocity before; vn = 0 with p_σ ≤ 0 is the impact without collision.
+
+    Returns
+    -------
+    vt, vn, p_n, p_t, loss_n, loss_t : float
+        Velocities after, impulses, and the losses −∫ v_n dP_n and −∫ v_t dP_t.
+    """
+    W_tt, W_nn, W_tn = delassus(body, s, c)
+    collision = vn < 0.0
+    approach = vn
+    p_n = 0.0
+    p_t = 0.0
+    work_n = 0.0
+    work_t = 0.0
+    # Restitution runs until its own measure is used up; compression has goal 0.
+    compression = True
+    target = 0.0
+    todo = math.inf
+    for _ in range(8):
+        r, stick = impulse_ratio(body, W_tt, W_nn, W_tn, vt)
+        kt = 0.0 if stick else W_tn + W_tt * r
+        kn = W_nn + W_tn * r
+        # piece: until the slip stops ...
+        step = math.inf
+        if vt != 0.0 and not math.isinf(r) and vt * kt < 0.0:
+            step = -vt / kt
+        stops = True
+        if math.isinf(r):  # infinite friction stops the slip with a tangential impulse alone
+            p_side = -vt / W_tt
+            work_t += 0.5 * vt * p_side
+            p_t += p_side
+            vn += W_tn * p_side
+            vt = 0.0
+            if vn > 0.0:  # the jerk along the plane alone lifts the hoop
+                break
+            continue
+        # ... or the phase ends
+        if compression:
+            length = -vn / kn if kn > 0.0 else math.inf
+        elif body.law == NEWTON:
+            length = (target - vn) / kn if kn > 0.0 else math.inf
+        elif body.law == POISSON:
+            length = todo
+        else:
+            length = (-vn + math.sqrt(vn * vn + 2.0 * kn * todo)) / kn
+        if length <= step:
+            step = length
+            stops = False
+        gain_n = vn * step + 0.5 * kn * step * step
+        work_n += gain_n
+        work_t += r * (vt * step + 0.5 * kt * step * step)
+        p_n += step
+        p_t += r * step
+        if not compression:
+            todo -= step if body.law == POISSON else gain_n
+        vn += kn * step
+        if stops:
+            vt = 0.0
+            continue
+        vt = 0.0 if stick else vt + kt * step
+        if not compression:
+            if body.law == NEWTON:
+                vn = target
+            break
+        vn = 0.0
+        if rest == 0.0 or (body.law == NEWTON and not collision):
+            break
+        compression = False
+        target = -rest * approach
+        todo = rest * p_n if body.law == POISSON else -rest * rest * work_n
+    return vt, vn, p_n, p_t, -work_n, -work_t
+
+
+@jit
+def spin_change(body, s, c, p_n, p_t):
+    """Change of θ̇ by an impulse at the contact."""
+    return (body.eps * s * p_n - (1.0 + body.eps * c) * p_t) / body.kap

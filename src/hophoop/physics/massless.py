@@ -1,0 +1,55 @@
+"""The massless hoop, γ = 1 (physics.md, 'Massless hoop').
+
+While it rolls, the formulas of `roll` hold with κ = 0. When the contact force is lost the load falls freely
+and the rim skims the plane, so that θ follows from the height of the load alone.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+
+
+@jit
+def skim_duration(body, c, sink):
+    """Time until the load strikes the plane, from cos θ and its rate of sinking."""
+    return (-sink + math.sqrt(sink * sink + 2.0 * body.gn * (1.0 + c))) / body.gn
+
+
+@jit
+def skim_state(body, x, th, vt, om, way, tau):
+    """(x, θ, v_t, θ̇) after skimming for the time tau; θ̇ is infinite where the load strikes the plane."""
+    s = math.sin(th)
+    c = math.cos(th)
+    sink = s * om
+    speed = vt + om * (1.0 + c)  # of the load, along the plane
+    fallen = sink * tau + 0.5 * body.gn * tau * tau
+    versine = (2.0 * math.sin(0.5 * th) ** 2) + fallen  # 1 − cos θ
+    half = math.asin(math.sqrt(min(max(0.5 * versine, 0.0), 1.0)))
+    turns = 2.0 * math.pi * math.floor(0.5 * th / math.pi)
+    th_end = turns + 2.0 * half if way > 0 else turns + 2.0 * math.pi - 2.0 * half
+    if way < 0 and s == 0.0 and c > 0.0:
+        th_end -= 2.0 * math.pi
+    s_end = math.sin(2.0 * half)
+    rate = sink + body.gn * tau
+    if s_end > 0.0 and versine > 0.0:
+        om_end = way * rate / s_end
+    else:
+        om_end = way * math.sqrt(body.gn)
+    if versine >= 2.0:
+        om_end = way * math.inf
+    along = speed + body.gt * tau
+    x_end = x + s + speed * tau + 0.5 * body.gt * tau * tau - math.sin(th_end)
+    return x_end, th_end, along - om_end * (2.0 - versine), om_end
+
+
+@jit
+def strike(body, vx, vy):
+    """(v_x after, p_n, p_t) of the load that strikes the plane without rebound: a particle with friction."""
+    p_n = -vy
+    limit = body.mu_s * p_n
+    if abs(vx) <= limit:
+        return 0.0, p_n, -vx
+    p_t = -math.copysign(body.mu_k * p_n, vx)
+    return vx + p_t, p_n, p_t

@@ -1,0 +1,132 @@
+"""The one rule that picks the next mode (physics.md, 'Modes'), used at the start and after every event."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+from hophoop.physics.body import Mode
+from hophoop.physics.contact import (
+    cone_weights,
+    free_acceleration,
+    rolling_forces,
+    slip_motion,
+    slip_stiffness,
+)
+from hophoop.physics.jets import candidate_series, leading_sign
+
+ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
+# Answers beyond the modes: what rule 4 records before the motion goes on.
+INCONSISTENT, INDETERMINATE, UNDECIDED = 10, 11, 12
+
+TIE = 1e-13  # below this, beside gravity and centrifugal acceleration, a quantity counts as zero
+
+
+@jit
+def slip_mode(sigma):
+    """SKID for sliding ahead (v_t > 0), SPIN for over-rotating."""
+    return SKID if sigma > 0 else SPIN
+
+
+@jit
+def slip_direction(mode):
+    """σ = sign(v_t) of a slip mode, 0 of any other."""
+    if mode == SKID:
+        return 1
+    if mode == SPIN:
+        return -1
+    return 0
+
+
+@jit
+def opening_sign(body, th, om):
+    """Sign of f_n, or of its first derivative in free motion that is not zero."""
+    s = math.sin(th)
+    c = math.cos(th)
+    u = om * om
+    scale = body.gn + body.eps * u
+    f_n = free_acceleration(body, s, c, u)[1]
+    if abs(f_n) > TIE * scale:
+        return 1 if f_n > 0.0 else -1
+    first = -body.eps * s * om * u
+    if abs(first) > TIE * scale * abs(om):
+        return 1 if first > 0.0 else -1
+    second = -body.eps * c * u * u
+    if abs(second) > TIE * scale * u:
+        return 1 if second > 0.0 else -1
+    return 0
+
+
+@jit
+def can_roll(body, th, om):
+    """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    s = math.sin(th)
+    c = math.cos(th)
+    u = om * om
+    friction, normal = rolling_forces(body, s, c, u)
+    a, b = cone_weights(body.mu_s)
+    tie = TIE * (body.gn + abs(body.gt) + u)
+    margin = a * normal - b * abs(friction)
+    if normal > tie and margin > tie:
+        return True
+    if normal < -tie or margin < -tie:
+        return False
+    series_n, series_p, series_m, _ = candidate_series(body, th, om, 0)
+    scale = body.gn + abs(body.gt) + u
+    return (
+        leading_sign(series_n, scale) > 0
+        and leading_sign(series_p, scale) >= 0
+        and leading_sign(series_m, scale) >= 0
+    )
+
+
+@jit
+def can_start_slip(body, th, om, sigma):
+    """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    s = math.sin(th)
+    c = math.cos(th)
+    u = om * om
+    scale = body.gn + abs(body.gt) + u
+    tie = TIE * scale
+    if slip_stiffness(body, s, c, sigma) <= 0.0:
+        return False
+    _, normal, slip = slip_motion(body, s, c, u, sigma)
+    if normal < -tie or sigma * slip < -tie:
+        return False
+    if normal > tie and sigma * slip > tie:
+        return True
+    series_n, _, _, series_v = candidate_series(body, th, om, sigma)
+    return leading_sign(series_n, scale) > 0 and sigma * leading_sign(series_v, scale) > 0
+
+
+@jit
+def next_mode(body, th, om, vt):
+    """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4.
+
+    Returns a mode, or INCONSISTENT or INDETERMINATE where Painlevé's paradox stands in the way.
+    """
+    if vt == 0.0:
+        if can_roll(body, th, om):
+            return ROLL
+        if not math.isinf(body.mu_k):
+            for sigma in (-1, 1):
+                if can_start_slip(body, th, om, sigma):
+                    return slip_mode(sigma)
+        if opening_sign(body, th, om) >= 0:
+            return FLIGHT
+        # μ = ∞: rolling would need to pull and free motion would enter the plane
+        return UNDECIDED
+    sigma = 1 if vt > 0.0 else -1
+    s = math.sin(th)
+    c = math.cos(th)
+    opening = opening_sign(body, th, om)
+    if math.isinf(body.mu_k):  # infinite friction stops any slip at once
+        return FLIGHT if opening >= 0 else INCONSISTENT
+    stiffness = slip_stiffness(body, s, c, sigma)
+    if abs(stiffness) <= 4e-16 * (1.0 + body.mu_k):
+        stiffness = 0.0
+    if stiffness > 0.0:
+        return slip_mode(sigma) if opening < 0 else FLIGHT
+    if opening < 0:
+        return INCONSISTENT
+    return INDETERMINATE if stiffness < 0.0 else FLIGHT

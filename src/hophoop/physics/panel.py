@@ -1,0 +1,100 @@
+"""A piece of rolling or slipping: θ at the nodes of a panel, and what both modes share.
+
+Time follows from θ by quadrature, dt = dθ/θ̇. Where θ̇ → 0 that is singular, so a panel that ends (`ARRIVE`)
+or begins (`LEAVE`) at a turning point θ_m uses s with θ = θ_m ∓ s² and has dt/ds = 2/√(θ̇²/s²), which is smooth.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from hophoop._collocation import NODES, ORDER, SINES, VERSINES, WIDTHS
+from hophoop._jit import jit
+
+LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
+
+# Rows of the scratch array of a panel: values at the nodes.
+SINE, COSINE, D_SINE, D_COSINE, OFFSET, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, LOSS, A, B = range(15)
+ROWS = 15
+
+RESOLVED = 4e-14  # size of the last Chebyshev coefficients at which a panel is accepted
+
+
+class Panel(NamedTuple):
+    """What is needed to compute everything on a panel again, to the last bit."""
+
+    sigma: int  # 0 roll, ±1 slip
+    kind: int  # LINEAR, ARRIVE or LEAVE
+    level: int  # of a LINEAR panel's width
+    way: float  # ±1, the sign of θ̇
+    ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point to come (ARRIVE)
+    extent: float  # abs(Δθ) over the panel
+    u: float  # θ̇² at `ref`
+    vt: float  # slip velocity at the start
+
+
+class Totals(NamedTuple):
+    """Changes over a whole panel."""
+
+    fine: bool
+    time: float
+    u: float
+    vt: float
+    loss: float
+
+
+@jit
+def fill_geometry(panel, work):
+    """sin θ, cos θ, their exact differences from `ref`, θ − ref and abs(dθ/dξ) at the nodes."""
+    s0 = math.sin(panel.ref)
+    c0 = math.cos(panel.ref)
+    for i in range(ORDER):
+        if panel.kind == LINEAR:
+            sine = SINES[panel.level, i]
+            versine = VERSINES[panel.level, i]
+            offset = panel.extent * 0.5 * (1.0 + NODES[i])
+            stretch = 0.5 * panel.extent
+        else:
+            part = 0.5 * (1.0 - NODES[i] if panel.kind == ARRIVE else 1.0 + NODES[i])
+            offset = panel.extent * part * part
+            sine = math.sin(offset)
+            versine = 2.0 * math.sin(0.5 * offset) ** 2
+            stretch = panel.extent * part
+        way = -panel.way if panel.kind == ARRIVE else panel.way
+        sine *= way
+        ds = c0 * sine - s0 * versine
+        dc = -s0 * sine - c0 * versine
+        work[SINE, i] = s0 + ds
+        work[COSINE, i] = c0 + dc
+        work[D_SINE, i] = ds
+        work[D_COSINE, i] = dc
+        work[OFFSET, i] = way * offset
+        work[STRETCH, i] = stretch
+
+
+@jit
+def angle_at(panel, xi):
+    """θ − ref at ξ."""
+    if panel.kind == LINEAR:
+        return panel.way * panel.extent * 0.5 * (1.0 + xi)
+    if panel.kind == ARRIVE:
+        part = 0.5 * (1.0 - xi)
+        return -panel.way * panel.extent * part * part
+    part = 0.5 * (1.0 + xi)
+    return panel.way * panel.extent * part * part
+
+
+@jit
+def place_of(panel, offset):
+    """ξ where abs(θ − ref) = offset."""
+    if panel.kind == LINEAR:
+        return 2.0 * offset / panel.extent - 1.0
+    part = math.sqrt(offset / panel.extent)
+    return 1.0 - 2.0 * part if panel.kind == ARRIVE else 2.0 * part - 1.0
+
+
+@jit
+def linear_panel(sigma, level, way, th, u, vt):
+    """A panel of standard width from θ onwards."""
+    return Panel(sigma, LINEAR, level, way, th, WIDTHS[level], u, vt)

@@ -1,0 +1,82 @@
+"""Rolling: θ̇²(θ) in closed form, time by quadrature (physics.md, 'Rolling in closed form')."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._collocation import ORDER, antiderivative, resolved
+from hophoop._jit import jit
+from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
+from hophoop.physics.panel import (
+    A,
+    ARRIVE,
+    B,
+    COSINE,
+    D_COSINE,
+    D_SINE,
+    LINEAR,
+    NORMAL,
+    OFFSET,
+    RATE,
+    RESOLVED,
+    SINE,
+    STRETCH,
+    TIME,
+    U,
+    Totals,
+    fill_geometry,
+)
+
+
+@jit
+def rolling_energy_change(body, ds, dc, offset):
+    """Change of D θ̇² when sin θ, cos θ and θ change by these."""
+    return 2.0 * (body.eps * (body.gt * ds - body.gn * dc) + body.gt * offset)
+
+
+@jit
+def rolling_u(body, th0, u0, offset):
+    """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
+    s0 = math.sin(th0)
+    c0 = math.cos(th0)
+    sine = math.sin(offset)
+    versine = 2.0 * math.sin(0.5 * offset) ** 2
+    ds = c0 * sine - s0 * versine
+    dc = -s0 * sine - c0 * versine
+    start = rolling_inertia(body, c0) * u0
+    return (start + rolling_energy_change(body, ds, dc, offset)) / rolling_inertia(body, c0 + dc)
+
+
+@jit
+def solve_roll(body, panel, work):
+    """Fill `work` for a rolling panel.
+
+    The row A holds D θ̇², which is smooth also where it turns negative beyond a turning point.
+    """
+    fill_geometry(panel, work)
+    start = rolling_inertia(body, math.cos(panel.ref)) * panel.u
+    for i in range(ORDER):
+        energy = start + rolling_energy_change(body, work[D_SINE, i], work[D_COSINE, i], work[OFFSET, i])
+        u = energy / rolling_inertia(body, work[COSINE, i])
+        work[A, i] = energy
+        work[U, i] = u
+        work[RATE, i] = work[STRETCH, i] / math.sqrt(u) if u > 0.0 else math.nan
+    if not resolved(work[RATE], RESOLVED, 0.0):
+        return Totals(False, 0.0, 0.0, 0.0, 0.0)
+    time = antiderivative(work[RATE], work[TIME])
+    if panel.kind == ARRIVE:
+        u = 0.0
+    else:
+        u = rolling_u(body, panel.ref, panel.u, panel.way * panel.extent)
+    return Totals(panel.kind != LINEAR or u > 0.0, time, u, 0.0, 0.0)
+
+
+@jit
+def roll_margins(body, work):
+    """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
+    a, b = cone_weights(body.mu_s)
+    for i in range(ORDER):
+        friction, normal = rolling_forces(body, work[SINE, i], work[COSINE, i], work[U, i])
+        work[NORMAL, i] = normal
+        work[A, i] = a * normal - b * friction
+        work[B, i] = a * normal + b * friction

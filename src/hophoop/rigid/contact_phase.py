@@ -1,0 +1,297 @@
+"""Rolling and slipping, panel by panel, up to the first event inside a panel."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._collocation import (
+    LEVELS,
+    NODES,
+    NOT_FOUND,
+    ORDER,
+    WIDTHS,
+    coefficients,
+    dot,
+    first_fall,
+    lagrange,
+    series_value,
+)
+from hophoop._jit import jit
+from hophoop.physics.body import Mode
+from hophoop.physics.contact import rolling_acceleration, slip_motion
+from hophoop.physics.modes import slip_direction
+from hophoop.physics.panel import (
+    ARRIVE,
+    COSINE,
+    LEAVE,
+    LINEAR,
+    LOSS,
+    SLIP,
+    TIME,
+    A,
+    B,
+    Panel,
+    U,
+    angle_at,
+    linear_panel,
+    place_of,
+)
+from hophoop.physics.roll import roll_margins, rolling_u, solve_roll
+from hophoop.physics.slip import slip_displacement, solve_slip
+from hophoop.rigid.state import State, revised, write_segment
+
+ROLL = int(Mode.ROLL)
+# What ended a panel.
+ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
+
+START_LEVEL = 1
+FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
+SMALLEST_EXTENT = 1e-40
+STILL_ACCELERATION = 1e-15
+
+
+@jit
+def angular_acceleration(body, sigma, th, u):
+    """θ̈ in rolling (sigma = 0) or slip."""
+    s = math.sin(th)
+    c = math.cos(th)
+    if sigma == 0:
+        return rolling_acceleration(body, s, c, u)
+    return slip_motion(body, s, c, u, sigma)[0]
+
+
+@jit
+def solve(body, panel, work):
+    """Fill the panel in its mode."""
+    if panel.sigma == 0:
+        return solve_roll(body, panel, work)
+    return solve_slip(body, panel, work)
+
+
+@jit
+def choose_panel(body, sigma, state, level, extent, scratch):
+    """The widest panel from here that is resolved.
+
+    Returns (panel, totals, level for the next one); totals.fine is False where there is none.
+    """
+    work = scratch.work
+    if state.om == 0.0:
+        alpha = angular_acceleration(body, sigma, state.th, 0.0)
+        way = 1.0 if alpha > 0.0 else -1.0
+        while True:
+            panel = Panel(sigma, LEAVE, 0, way, state.th, extent, 0.0, state.vt)
+            totals = solve(body, panel, work)
+            if totals.fine or extent < SMALLEST_EXTENT:
+                return panel, totals, START_LEVEL
+            extent *= 0.5
+    u = state.om * state.om
+    way = 1.0 if state.om > 0.0 else -1.0
+    while True:
+        panel = linear_panel(sigma, level, way, state.th, u, state.vt)
+        totals = solve(body, panel, work)
+        if totals.fine:
+            return panel, totals, max(level - 1, 0)
+        # a turning point ahead?
+        row = A if sigma == 0 else U
+        if sigma == 0 or not math.isnan(totals.u):
+            coefficients(work[row], scratch.series)
+            xi = first_fall(scratch.series, 0.0, scratch.stack)
+            if xi != NOT_FOUND:
+                ahead = way * panel.extent * 0.5 * (1.0 + xi)
+                arrival = Panel(sigma, ARRIVE, level, way, state.th + ahead, abs(ahead), 0.0, state.vt)
+                totals = solve(body, arrival, work)
+                if totals.fine:
+                    return arrival, totals, START_LEVEL
+        level += 2
+        if level >= LEVELS:
+            return panel, totals, level
+
+
+@jit
+def fall_of(row, state_is_fresh, scratch):
+    """Where in the panel a margin falls through zero; at its very start if it is negative there already."""
+    coefficients(row, scratch.series)
+    if not state_is_fresh and series_value(scratch.series, -1.0) <= 0.0:
+        return -1.0
+    return first_fall(scratch.series, 0.0, scratch.stack)
+
+
+@jit
+def earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target, scratch):
+    """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
+
+    Simultaneous events: the cone (roll), then lift-off before the end of slip, then the limits.
+    """
+    work = scratch.work
+    xi = NOT_FOUND
+    what = ON
+    if panel.sigma == 0:
+        roll_margins(body, work)
+        found = fall_of(work[A], fresh, scratch)
+        if found < xi:
+            xi = found
+            what = CONE_AHEAD  # F > 0
+        found = fall_of(work[B], fresh, scratch)
+        if found < xi:
+            xi = found
+            what = CONE_BACK
+    else:
+        for i in range(ORDER):
+            work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
+            value = panel.sigma * work[SLIP, i]
+            if fresh:
+                for _ in range(zeros):
+                    value /= 0.5 * (1.0 + NODES[i])
+            work[B, i] = value
+        found = fall_of(work[A], fresh, scratch)
+        if found < xi:
+            xi = found
+            what = LIFT
+        found = fall_of(work[B], fresh, scratch)
+        if found < xi:
+            xi = found
+            what = STOP
+    if not math.isnan(angle_target):
+        offset = panel.way * (angle_target - panel.ref)
+        if panel.kind == ARRIVE:
+            offset = -offset
+        if 0.0 <= offset <= panel.extent:
+            found = place_of(panel, offset)
+            if found < xi and not (fresh and found <= -1.0):
+                xi = found
+                what = FULL_ANGLE
+    left = t_end - state.t
+    if totals.time >= left:
+        for i in range(ORDER):
+            work[A, i] = left - work[TIME, i]
+        coefficients(work[A], scratch.series)
+        found = first_fall(scratch.series, 0.0, scratch.stack)
+        if left <= 0.0:
+            found = -1.0
+        elif found == NOT_FOUND:
+            found = 1.0
+        if found < xi:
+            xi = found
+            what = LIMIT
+    if xi == NOT_FOUND:
+        xi = 1.0
+        what = TURNED if panel.kind == ARRIVE else ON
+    return xi, what
+
+
+@jit
+def state_on_panel(body, panel, totals, state, xi, scratch):
+    """The state at ξ of a solved panel that began in `state`."""
+    work = scratch.work
+    if xi <= -1.0:
+        return state
+    if xi >= 1.0:
+        tau = totals.time
+        u = totals.u
+        vt = totals.vt
+        loss = totals.loss
+        offset = angle_at(panel, 1.0)
+    else:
+        offset = angle_at(panel, xi)
+        lagrange(xi, scratch.weights)
+        tau = dot(scratch.weights, work[TIME])
+        if panel.sigma == 0:
+            u = rolling_u(body, panel.ref, panel.u, offset)
+            vt = 0.0
+            loss = 0.0
+        else:
+            u = dot(scratch.weights, work[U])
+            vt = dot(scratch.weights, work[SLIP])
+            loss = dot(scratch.weights, work[LOSS])
+    om = panel.way * math.sqrt(max(u, 0.0))
+    turned = offset - angle_at(panel, -1.0)
+    if panel.sigma == 0:
+        x = state.x + turned
+    else:
+        s0 = math.sin(state.th)
+        c0 = math.cos(state.th)
+        sine = math.sin(turned)
+        versine = 2.0 * math.sin(0.5 * turned) ** 2
+        ds = c0 * sine - s0 * versine
+        dc = -s0 * sine - c0 * versine
+        x = state.x + slip_displacement(body, panel.sigma, state.vt, state.om, s0, c0, ds, dc, tau)
+    return State(
+        state.t + tau,
+        x,
+        0.0,
+        panel.ref + offset,
+        vt,
+        0.0,
+        om,
+        state.friction + loss,
+        state.impact_n,
+        state.impact_t,
+    )
+
+
+@jit
+def advance_contact(body, mode, state, fresh, zeros, level, t_end, angle_target, scratch, segments, count):
+    """Roll or slip over one panel or up to the first event in it.
+
+    Parameters
+    ----------
+    fresh : bool
+        Whether the phase begins here; margins that are zero at its begin are no events then.
+    zeros : int
+        How often v_t is zero at the begin of a fresh slip phase.
+
+    Returns
+    -------
+    what, state, level, count
+    """
+    sigma = slip_direction(mode)
+    if state.om == 0.0:
+        if body.kap == 0.0 and (sigma != 0 or math.cos(state.th) <= -1.0):
+            return STILL, state, level, count  # the massless hoop with its load on the plane
+        alpha = angular_acceleration(body, sigma, state.th, 0.0)
+        if abs(alpha) <= STILL_ACCELERATION * (1.0 + abs(state.th)):
+            return STILL, state, level, count
+    panel, totals, level = choose_panel(body, sigma, state, level, FIRST_EXTENT, scratch)
+    if not totals.fine:
+        return STUCK, state, level, count
+    xi, what = earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target, scratch)
+    after = state_on_panel(body, panel, totals, state, xi, scratch)
+    if what == STOP:
+        after = revised(after, after.t, after.th, 0.0, after.om)
+    elif what == LIMIT:
+        after = revised(after, t_end, after.th, after.vt, after.om)
+    elif what == FULL_ANGLE:
+        after = revised(after, after.t, angle_target, after.vt, after.om)
+    if xi > -1.0:
+        count = write_segment(
+            segments,
+            count,
+            mode,
+            panel.kind,
+            sigma,
+            panel.level,
+            panel.way,
+            panel.ref,
+            panel.extent,
+            panel.u,
+            xi,
+            0.0,
+            state,
+            after.t,
+        )
+    return what, after, level, count
+
+
+@jit
+def equilibrium_is_stable(body, th):
+    """Whether rest in rolling contact at the angle th has a minimum of the potential energy."""
+    return body.eps * (body.gn * math.cos(th) - body.gt * math.sin(th)) < 0.0
+
+
+@jit
+def frozen_end(body, sigma, vt):
+    """(v̇_t, time until v_t = 0) of slip without rotation; the time is infinite where it never stops."""
+    rate = body.gt - sigma * body.mu_k * body.gn
+    if vt * rate < 0.0:
+        return rate, -vt / rate
+    return rate, math.inf

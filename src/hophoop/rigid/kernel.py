@@ -1,0 +1,384 @@
+"""The event loop of the rigid hoop, in nopython mode: phases between events, events between phases."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+from hophoop.physics.body import Event, Mode, Status
+from hophoop.physics.contact import free_acceleration
+from hophoop.physics.flight import first_landing, flight_gap, flight_state
+from hophoop.physics.massless import skim_duration, skim_state, strike
+from hophoop.physics.modes import UNDECIDED, slip_direction, slip_mode
+from hophoop.physics.panel import FLY, HOLD, SKIMMING
+from hophoop.rigid.contact_phase import (
+    CONE_AHEAD,
+    CONE_BACK,
+    FULL_ANGLE,
+    LIFT,
+    LIMIT,
+    ON,
+    START_LEVEL,
+    STILL,
+    STOP,
+    STUCK,
+    TURNED,
+    advance_contact,
+    equilibrium_is_stable,
+    frozen_end,
+)
+from hophoop.rigid.state import Cause, State, quiet, revised, write_event, write_segment
+from hophoop.rigid.transitions import collide, settle
+
+ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+START, SLIP_START, STICK, TAKEOFF = (
+    int(kind) for kind in (Event.START, Event.SLIP_START, Event.STICK, Event.TAKEOFF)
+)
+IMPACT, TURN, APEX, BOUNCE_LIMIT = (
+    int(kind) for kind in (Event.IMPACT, Event.TURN, Event.APEX, Event.BOUNCE_LIMIT)
+)
+JAM, SKIM_START, REST, END = (int(kind) for kind in (Event.JAM, Event.SKIM, Event.REST, Event.END))
+COMPLETED, AT_REST, JAMMED = (int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED))
+UNDETERMINED, EVENT_LIMIT, BUFFER = (
+    int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER)
+)
+
+STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
+# A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
+CLOSING = 1e-12
+
+
+@jit
+def fly(body, state, opening, zeros, t_end, angle_target, events, count, segments, pieces, scratch):
+    """Fly until landing, the limit of time or of angle.
+
+    `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
+    derivatives of the gap that vanish there.
+
+    Returns (what, state just before the impact, count, pieces): what is STOP for a landing.
+    """
+    limit = t_end - state.t
+    what = LIMIT
+    if not math.isnan(angle_target) and state.om != 0.0:
+        until = (angle_target - state.th) / state.om
+        if 0.0 < until < limit:
+            limit = until
+            what = FULL_ANGLE
+    landing, apex = first_landing(
+        body,
+        state.th,
+        state.om,
+        state.y,
+        state.vn,
+        opening,
+        zeros,
+        limit,
+        scratch.values,
+        scratch.series,
+        scratch.stack,
+    )
+    tau = limit
+    if 0.0 <= landing <= limit:
+        tau = landing
+        what = STOP
+    s = math.sin(state.th)
+    c = math.cos(state.th)
+    for step in range(2):
+        at = tau
+        if step == 0:
+            if not 0.0 < apex < tau:
+                continue
+            at = apex
+        y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, at)
+        x, th, vt = flight_state(body, state.x, state.th, state.vt, state.om, s, c, at)
+        t = state.t + at
+        if step == 0:
+            vn = 0.0
+        elif what == STOP:
+            y = 0.0
+            vn = min(vn, 0.0)
+        elif what == LIMIT:
+            t = t_end
+        else:
+            th = angle_target
+        after = State(t, x, y, th, vt, vn, state.om, state.friction, state.impact_n, state.impact_t)
+        if step == 0:
+            count = write_event(events, count, quiet(APEX, FLIGHT, after), FLIGHT, after, 0.0, -1)
+    pieces = write_segment(
+        segments, pieces, FLIGHT, FLY, 0, zeros, 0.0, 0.0, 0.0, 0.0, 0.0, opening, state, after.t
+    )
+    return what, after, count, pieces
+
+
+@jit
+def skim(body, state, t_end, segments, pieces):
+    """The massless hoop after the loss of its contact force: (whether the load strikes, state, v_x, pieces).
+
+    The last answer but one is the speed of the load along the plane.
+    """
+    way = 1.0 if state.om > 0.0 else -1.0
+    c = math.cos(state.th)
+    along = state.vt + state.om * (1.0 + c)
+    duration = skim_duration(body, c, math.sin(state.th) * state.om)
+    strikes = state.t + duration <= t_end
+    tau = duration if strikes else t_end - state.t
+    x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, way, tau)
+    pieces = write_segment(
+        segments, pieces, SKIM, SKIMMING, 0, 0, way, 0.0, 0.0, 0.0, 0.0, 0.0, state, state.t + tau
+    )
+    t = state.t + tau if strikes else t_end
+    if strikes:
+        x = state.x + math.sin(state.th) + along * tau + 0.5 * body.gt * tau * tau
+        th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)
+        vt = along + body.gt * tau
+    after = State(t, x, 0.0, th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t)
+    return strikes, after, math.sin(state.th) * state.om + body.gn * tau, pieces
+
+
+@jit
+def hold(body, mode, state, t_end, segments, pieces):
+    """Slip without rotation: until v_t = 0 or the end of time; (what, state, pieces)."""
+    sigma = slip_direction(mode)
+    rate, until = frozen_end(body, sigma, state.vt)
+    what = STOP
+    tau = until
+    if not state.t + until <= t_end:
+        what = LIMIT
+        tau = t_end - state.t
+    slid = state.vt * tau + 0.5 * rate * tau * tau
+    vt = 0.0 if what == STOP else state.vt + rate * tau
+    t = state.t + tau if what == STOP else t_end
+    friction = state.friction + sigma * body.mu_k * body.gn * slid
+    after = State(t, state.x + slid, 0.0, state.th, vt, 0.0, 0.0, friction, state.impact_n, state.impact_t)
+    pieces = write_segment(
+        segments, pieces, mode, HOLD, sigma, 0, 0.0, state.th, 0.0, 0.0, 0.0, rate, state, after.t
+    )
+    return what, after, pieces
+
+
+@jit
+def is_last_bounce(body, state, after, last):
+    """Whether the bounces that would follow take less than `CLOSING` of the time so far."""
+    if not (last > 0.0 and 0.0 < after.vn < last):
+        return False
+    pull = -free_acceleration(body, math.sin(state.th), math.cos(state.th), after.om * after.om)[1]
+    if pull <= 0.0:
+        return False
+    ratio = after.vn / last
+    return 2.0 * after.vn / (pull * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
+
+
+@jit
+def run(body, start, t_end, angle_span, stop, events, segments, scratch):
+    """The motion from a state to the end of time, to an end that the physics sets, or to a limit.
+
+    Parameters
+    ----------
+    body : Body
+    start : State
+        At t = 0; the rim is at the plane (y = 0) or above it.
+    t_end : float
+        Duration; everything is in kernel units.
+    angle_span : float
+        The motion also ends when θ has changed by this much (nan: no such limit).
+    stop : int
+        Sum of STOP_AT_TURN, STOP_AT_TAKEOFF.
+    events, segments : ndarray of records.EVENT, records.SEGMENT
+        Filled; segments may have length 0 where only the events are wanted.
+    scratch : records.Scratch
+
+    Returns
+    -------
+    status, number of events, number of segments : int
+        With Status.BUFFER or EVENT_LIMIT the arrays were full.
+    """
+    state = start
+    count = 0
+    pieces = 0
+    mode = FLIGHT
+    opening = 0.0
+    zeros = 0
+    last_bounce = 0.0
+    status = COMPLETED
+    massless = body.kap == 0.0
+    target_ahead = math.nan
+    target_back = math.nan
+    if not math.isnan(angle_span):
+        target_ahead = state.th + angle_span
+        target_back = state.th - angle_span
+    # The start.
+    if state.y > 0.0 or state.vn != 0.0:
+        count = write_event(events, count, quiet(START, FLIGHT, state), FLIGHT, state, 0.0, -1)
+        if massless:
+            status = UNDETERMINED
+        if state.y == 0.0 and state.vn < 0.0 and not massless:
+            state, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
+            last_bounce = state.vn
+            mode, state, count = settle(body, state, cause, events, count)
+    else:
+        cause = quiet(START, -1, state)
+        if massless and state.vt != 0.0:
+            status = UNDETERMINED
+            count = write_event(events, count, cause, slip_mode(1 if state.vt > 0.0 else -1), state, 0.0, -1)
+        elif massless:
+            # next_mode needs κ > 0 beyond rolling; without mass only rolling and skimming exist
+            mode = ROLL
+            count = write_event(events, count, cause, ROLL, state, 0.0, -1)
+        else:
+            mode, state, count = settle(body, state, cause, events, count)
+    if mode == UNDECIDED:
+        status = UNDETERMINED
+    slip_zeros = 1
+    fresh = True
+    level = START_LEVEL
+    new_phase = True
+    while status == COMPLETED:
+        if count < 0:
+            return EVENT_LIMIT, events.shape[0], pieces
+        if pieces < 0:
+            return BUFFER, count, segments.shape[0]
+        target = target_ahead if state.om >= 0.0 else target_back
+        if mode == FLIGHT:
+            if stop & STOP_AT_TAKEOFF and state.t > 0.0:
+                break
+            if new_phase:
+                if state.y > 0.0:
+                    zeros = 0
+                elif state.vn > 0.0:
+                    zeros = 1
+                else:
+                    zeros = 2
+                opening = free_acceleration(
+                    body, math.sin(state.th), math.cos(state.th), state.om * state.om
+                )[1]
+                if zeros == 2 and opening <= 1e-13 * (body.gn + state.om * state.om):
+                    opening = 0.0
+                    zeros = 3
+            what, state, count, pieces = fly(
+                body, state, opening, zeros, t_end, target, events, count, segments, pieces, scratch
+            )
+            if what != STOP:
+                break
+            after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
+            if is_last_bounce(body, state, after, last_bounce):
+                after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
+            last_bounce = after.vn
+            mode, state, count = settle(body, after, cause, events, count)
+            if mode == UNDECIDED:
+                status = UNDETERMINED
+            slip_zeros = 1
+            fresh = True
+            level = START_LEVEL
+            new_phase = True
+            continue
+        if mode == SKIM:
+            strikes, after, sink, pieces = skim(body, state, t_end, segments, pieces)
+            if not strikes:
+                state = after
+                break
+            along, p_n, p_t = strike(body, after.vt, -sink)
+            lost_n = after.impact_n + 0.5 * sink * sink
+            lost_t = after.impact_t + 0.5 * (after.vt * after.vt - along * along)
+            landed = State(after.t, after.x, 0.0, after.th, along, 0.0, 0.0, after.friction, lost_n, lost_t)
+            cause = Cause(IMPACT, SKIM, after.vt, -sink, math.nan, p_n, p_t, 0.0, 1)
+            state = landed
+            mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)
+            if body.rest > 0.0:
+                status = UNDETERMINED
+                mode = FLIGHT
+            count = write_event(events, count, cause, mode, state, 0.0, -1)
+            fresh = True
+            new_phase = True
+            continue
+        was = mode
+        what, state, level, pieces = advance_contact(
+            body, mode, state, fresh, slip_zeros, level, t_end, target, scratch, segments, pieces
+        )
+        fresh = False
+        if what == ON:
+            continue
+        if what == TURNED:
+            count = write_event(events, count, quiet(TURN, mode, state), mode, state, 0.0, -1)
+            if stop & STOP_AT_TURN:
+                break
+        elif what == LIMIT or what == FULL_ANGLE:
+            break
+        elif what == STILL:
+            if mode == ROLL:
+                stable = 1 if equilibrium_is_stable(body, state.th) else 0
+                count = write_event(events, count, quiet(REST, ROLL, state), ROLL, state, 0.0, stable)
+                pieces = write_segment(
+                    segments, pieces, ROLL, HOLD, 0, 0, 0.0, state.th, 0.0, 0.0, 0.0, 0.0, state, t_end
+                )
+                state = revised(state, t_end, state.th, 0.0, 0.0)
+                status = AT_REST
+            else:
+                what, state, pieces = hold(body, mode, state, t_end, segments, pieces)
+                if what == LIMIT:
+                    break
+                if massless:
+                    mode = ROLL
+                    count = write_event(events, count, quiet(STICK, was, state), ROLL, state, 0.0, -1)
+                else:
+                    mode, state, count = settle(body, state, quiet(STICK, was, state), events, count)
+                fresh = True
+        elif what == STUCK:
+            if mode == ROLL:
+                status = UNDETERMINED
+            else:
+                count = write_event(events, count, quiet(JAM, mode, state), mode, state, 0.0, -1)
+                status = JAMMED
+        elif what == LIFT:
+            mode = FLIGHT
+            count = write_event(events, count, quiet(TAKEOFF, was, state), FLIGHT, state, 0.0, -1)
+            zeros = 3
+            opening = 0.0
+            new_phase = False
+            continue
+        elif what == STOP:
+            mode, state, count = settle(body, state, quiet(STICK, was, state), events, count)
+            slip_zeros = 1
+            fresh = True
+        elif massless:
+            # the contact force is lost: the load falls freely and the rim skims
+            if math.sin(state.th) * state.om > 0.0 or math.cos(state.th) == 1.0:
+                mode = SKIM
+                if math.sin(state.th) == 0.0:
+                    jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
+                    state = revised(state, state.t, state.th, state.vt - 2.0 * jump, state.om + jump)
+                count = write_event(events, count, quiet(SKIM_START, ROLL, state), SKIM, state, 0.0, -1)
+            else:
+                status = UNDETERMINED
+        elif math.isinf(body.mu_s):
+            opens = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
+            if opens >= 0.0:
+                mode = FLIGHT
+                count = write_event(events, count, quiet(TAKEOFF, ROLL, state), FLIGHT, state, 0.0, -1)
+                new_phase = True
+                continue
+            status = UNDETERMINED  # the quasi-jump: N = 0, but free motion would enter the plane
+        else:
+            # rule 2: slip against the friction that was at its limit
+            opens = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
+            if opens >= 0.0:
+                mode = FLIGHT
+                count = write_event(events, count, quiet(TAKEOFF, ROLL, state), FLIGHT, state, 0.0, -1)
+                new_phase = True
+                continue
+            mode = slip_mode(-1 if what == CONE_AHEAD else 1)
+            slip_zeros = 2 if body.mu_s == body.mu_k else 1
+            count = write_event(events, count, quiet(SLIP_START, ROLL, state), mode, state, 0.0, -1)
+            fresh = True
+        if mode == UNDECIDED:
+            status = UNDETERMINED
+        new_phase = True
+        if fresh:
+            level = START_LEVEL
+    if count >= 0:
+        last = mode if mode <= SKIM else ROLL
+        count = write_event(events, count, quiet(END, last, state), last, state, 0.0, -1)
+    if count < 0:
+        return EVENT_LIMIT, events.shape[0], pieces
+    if pieces < 0:
+        return BUFFER, count, segments.shape[0]
+    return status, count, pieces

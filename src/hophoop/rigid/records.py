@@ -1,0 +1,55 @@
+"""What the kernel writes: one record an event, one a segment; and its scratch arrays."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hophoop._collocation import DEPTH, ORDER
+from hophoop._jit import jit
+from hophoop.physics.panel import ROWS
+
+_STATE = ["x", "height", "angle", "vx", "vy", "omega"]
+_ENERGY = ["friction", "impact_normal", "impact_tangential"]
+
+# Kernel units (R, m, √(R/g)). `slip` is v_t after the event, kept because ẋ − Rθ̇ loses its digits near 0;
+# energies are those dissipated from the start to just after the event; `gain` is Kane's.
+EVENT = np.dtype(
+    [("t", "f8"), ("kind", "i8"), ("before_mode", "i8"), ("after_mode", "i8")]
+    + [(name, "f8") for name in _STATE]
+    + [("slip", "f8"), ("before_vx", "f8"), ("before_vy", "f8"), ("before_omega", "f8"), ("before_slip", "f8")]
+    + [("impulse_normal", "f8"), ("impulse_tangential", "f8")]
+    + [(name, "f8") for name in _ENERGY]
+    + [("gain", "f8"), ("collision", "i8"), ("stable", "i8")]
+)
+
+# All that is needed to compute the motion inside the segment again, bit for bit.
+SEGMENT = np.dtype(
+    [("t", "f8"), ("t_end", "f8"), ("mode", "i8"), ("kind", "i8"), ("sigma", "i8"), ("level", "i8")]
+    + [("way", "f8"), ("ref", "f8"), ("extent", "f8"), ("u", "f8"), ("xi", "f8"), ("opening", "f8")]
+    + [("x", "f8"), ("height", "f8"), ("angle", "f8"), ("vy", "f8"), ("omega", "f8"), ("slip", "f8")]
+    + [(name, "f8") for name in _ENERGY]
+)
+
+
+class Scratch(NamedTuple):
+    """Arrays that the kernel works in; one set a thread."""
+
+    work: np.ndarray
+    values: np.ndarray
+    series: np.ndarray
+    weights: np.ndarray
+    stack: np.ndarray
+
+
+@jit
+def new_scratch():
+    """A fresh set of scratch arrays."""
+    return Scratch(
+        np.zeros((ROWS, ORDER)),
+        np.zeros((2, ORDER)),
+        np.zeros(ORDER),
+        np.zeros(ORDER),
+        np.zeros((DEPTH + 3, ORDER + 2)),
+    )

@@ -1,0 +1,152 @@
+"""The state at any time of a computed rigid motion: its panels are solved again, so memory stays small."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop._collocation import NOT_FOUND, ORDER, coefficients, first_fall
+from hophoop._jit import jit
+from hophoop.physics.body import Mode
+from hophoop.physics.contact import rolling_forces, slip_motion
+from hophoop.physics.flight import flight_gap, flight_state
+from hophoop.physics.massless import skim_state
+from hophoop.physics.panel import FLY, HOLD, LINEAR, SKIMMING, TIME, Panel, Totals
+from hophoop.rigid.contact_phase import solve, state_on_panel
+from hophoop.rigid.records import new_scratch
+from hophoop.rigid.state import State
+from hophoop.scenario import Scenario
+from hophoop.scenario.scenario import to_body
+
+FLIGHT = int(Mode.FLIGHT)
+# Columns of a sample, in kernel units.
+COLUMNS = (
+    "mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
+    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential",
+)  # fmt: skip
+
+
+@jit
+def state_of(segment):
+    """The state in which a segment begins."""
+    return State(
+        segment.t,
+        segment.x,
+        segment.height,
+        segment.angle,
+        segment.slip,
+        segment.vy,
+        segment.omega,
+        segment.friction,
+        segment.impact_normal,
+        segment.impact_tangential,
+    )
+
+
+@jit
+def find_segment(segments, t, left):
+    """Index of the segment that holds the time t; at a border the earlier one if `left`."""
+    low = 0
+    high = segments.shape[0]
+    while high - low > 1:
+        middle = (low + high) // 2
+        begin = segments[middle].t
+        if begin < t or (begin == t and not left):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@jit
+def place_on_panel(panel_time, segment, tau, scratch):
+    """ξ at the time tau after the begin of the panel."""
+    if tau <= 0.0:
+        return -1.0
+    for i in range(ORDER):
+        scratch.values[0, i] = tau - panel_time[i]
+    coefficients(scratch.values[0], scratch.series)
+    xi = first_fall(scratch.series, 0.0, scratch.stack)
+    if xi == NOT_FOUND:
+        xi = segment.xi
+    return min(xi, segment.xi)
+
+
+@jit
+def contact_force(body, sigma, th, om):
+    """(F, N) in rolling (sigma = 0) or slip."""
+    s = math.sin(th)
+    c = math.cos(th)
+    if sigma == 0:
+        return rolling_forces(body, s, c, om * om)
+    normal = slip_motion(body, s, c, om * om, sigma)[1]
+    return -sigma * body.mu_k * normal, normal
+
+
+@jit
+def sample(body, segments, times, left, out):
+    """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
+    scratch = new_scratch()
+    solved = -1
+    totals = Totals(False, 0.0, 0.0, 0.0, 0.0)
+    panel = Panel(0, LINEAR, 0, 1.0, 0.0, 1.0, 0.0, 0.0)
+    for k in range(times.shape[0]):
+        index = find_segment(segments, times[k], left)
+        segment = segments[index]
+        state = state_of(segment)
+        tau = min(times[k], segment.t_end) - segment.t
+        friction = 0.0
+        normal = 0.0
+        if segment.kind == FLY:
+            s = math.sin(state.th)
+            c = math.cos(state.th)
+            y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, segment.opening, tau)
+            x, th, vt = flight_state(body, state.x, state.th, state.vt, state.om, s, c, tau)
+            now = State(times[k], x, max(y, 0.0), th, vt, vn, state.om, state.friction, state.impact_n, state.impact_t)
+        elif segment.kind == HOLD:
+            rate = segment.opening
+            slid = state.vt * tau + 0.5 * rate * tau * tau
+            loss = segment.sigma * body.mu_k * body.gn * slid if segment.sigma != 0 else 0.0
+            vt = state.vt + rate * tau
+            now = State(
+                times[k], state.x + slid, 0.0, state.th, vt, 0.0, 0.0,
+                state.friction + loss, state.impact_n, state.impact_t,
+            )  # fmt: skip
+            normal = body.gn
+            friction = -segment.sigma * body.mu_k * body.gn if segment.sigma != 0 else -body.gt
+        elif segment.kind == SKIMMING:
+            x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, segment.way, tau)
+            now = State(times[k], x, 0.0, th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t)
+        else:
+            if index != solved:
+                panel = Panel(
+                    segment.sigma, segment.kind, segment.level, segment.way,
+                    segment.ref, segment.extent, segment.u, segment.slip,
+                )  # fmt: skip
+                totals = solve(body, panel, scratch.work)
+                solved = index
+            xi = place_on_panel(scratch.work[TIME], segment, tau, scratch)
+            now = state_on_panel(body, panel, totals, state, xi, scratch)
+            friction, normal = contact_force(body, segment.sigma, now.th, now.om)
+        row = out[k]
+        row[0] = segment.mode
+        row[1] = now.x
+        row[2] = now.y
+        row[3] = now.th
+        row[4] = now.vt + now.om
+        row[5] = now.vn
+        row[6] = now.om
+        row[7] = now.vt
+        row[8] = friction
+        row[9] = normal
+        row[10] = now.friction
+        row[11] = now.impact_n
+        row[12] = now.impact_t
+
+
+def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
+    """`sample` into a fresh array, for a scenario."""
+    out = np.empty((times.size, len(COLUMNS)))
+    sample(to_body(scenario.hoop, scenario.plane), segments, times, left, out)
+    return out

@@ -1,0 +1,114 @@
+"""The state that passes through the event loop, and how events and segments are written."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from hophoop._jit import jit
+
+
+class State(NamedTuple):
+    """Position, velocities (v_t in place of ẋ, so that small slip keeps its digits) and energy lost so far."""
+
+    t: float
+    x: float
+    y: float
+    th: float
+    vt: float
+    vn: float
+    om: float
+    friction: float
+    impact_n: float
+    impact_t: float
+
+
+class Cause(NamedTuple):
+    """An event to be written once the mode after it is known: the mode and velocities before it, its impulse."""
+
+    kind: int
+    mode: int
+    vt: float
+    vn: float
+    om: float
+    p_n: float
+    p_t: float
+    gain: float
+    collision: int
+
+
+@jit
+def quiet(kind, mode, state):
+    """A cause without a jump."""
+    return Cause(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
+
+
+@jit
+def write_event(events, count, cause, mode, state, gain, stable):
+    """Append an event; returns the new count, or -1 where the array is full."""
+    if count < 0 or count >= events.shape[0]:
+        return -1
+    row = events[count]
+    row.t = state.t
+    row.kind = cause.kind
+    row.before_mode = cause.mode
+    row.after_mode = mode
+    row.x = state.x
+    row.height = state.y
+    row.angle = state.th
+    row.vx = state.vt + state.om
+    row.vy = state.vn
+    row.omega = state.om
+    row.slip = state.vt
+    row.before_vx = cause.vt + cause.om
+    row.before_vy = cause.vn
+    row.before_omega = cause.om
+    row.before_slip = cause.vt
+    row.impulse_normal = cause.p_n
+    row.impulse_tangential = cause.p_t
+    row.friction = state.friction
+    row.impact_normal = state.impact_n
+    row.impact_tangential = state.impact_t
+    row.gain = gain
+    row.collision = cause.collision
+    row.stable = stable
+    return count + 1
+
+
+@jit
+def write_segment(segments, count, mode, kind, sigma, level, way, ref, extent, u, xi, opening, state, t_end):
+    """Append a segment that starts in `state`; an array of length 0 keeps none; -1 where it is full."""
+    if segments.shape[0] == 0:
+        return count
+    if count < 0 or count >= segments.shape[0]:
+        return -1
+    row = segments[count]
+    row.t = state.t
+    row.t_end = t_end
+    row.mode = mode
+    row.kind = kind
+    row.sigma = sigma
+    row.level = level
+    row.way = way
+    row.ref = ref
+    row.extent = extent
+    row.u = u
+    row.xi = xi
+    row.opening = opening
+    row.x = state.x
+    row.height = state.y
+    row.angle = state.th
+    row.vy = state.vn
+    row.omega = state.om
+    row.slip = state.vt
+    row.friction = state.friction
+    row.impact_normal = state.impact_n
+    row.impact_tangential = state.impact_t
+    return count + 1
+
+
+@jit
+def revised(state, t, th, vt, om):
+    """The state with another time, angle, slip velocity and angular velocity."""
+    return State(
+        t, state.x, state.y, th, vt, state.vn, om, state.friction, state.impact_n, state.impact_t
+    )

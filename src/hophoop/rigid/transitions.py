@@ -1,0 +1,78 @@
+"""From an event to the next mode: impacts, the mode rule, and the paradoxes that it meets."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+from hophoop.physics.body import Event, Mode
+from hophoop.physics.impact import impact, spin_change
+from hophoop.physics.modes import INCONSISTENT, INDETERMINATE, UNDECIDED, next_mode, slip_mode
+from hophoop.rigid.state import Cause, State, quiet, write_event
+
+ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
+STICK, SLIP_REVERSAL, TAKEOFF = int(Event.STICK), int(Event.SLIP_REVERSAL), int(Event.TAKEOFF)
+IMPACT, KANE_GAIN = int(Event.IMPACT), int(Event.KANE_GAIN)
+PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
+PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
+
+GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
+
+
+@jit
+def collide(body, rest, state, kind, mode, collision):
+    """(state after, cause) of an impact."""
+    s = math.sin(state.th)
+    c = math.cos(state.th)
+    vt, vn, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn)
+    om = state.om + spin_change(body, s, c, p_n, p_t)
+    gain = -(loss_n + loss_t)
+    if gain <= GAIN_FLOOR * (abs(loss_n) + abs(loss_t) + state.vn * state.vn):
+        gain = 0.0
+    cause = Cause(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
+    losses_n = state.impact_n + loss_n
+    losses_t = state.impact_t + loss_t
+    after = State(
+        state.t, state.x, state.y, state.th, vt, vn, om, state.friction, losses_n, losses_t
+    )
+    return after, cause
+
+
+@jit
+def write_cause(events, count, cause, mode, state):
+    """The event, and Kane's gain after it where there is one."""
+    count = write_event(events, count, cause, mode, state, 0.0, -1)
+    if cause.gain > 0.0:
+        count = write_event(events, count, quiet(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
+    return count
+
+
+@jit
+def settle(body, state, cause, events, count):
+    """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
+
+    Returns (mode, state, count); the mode is UNDECIDED where the model has no answer.
+    """
+    for _ in range(8):
+        if state.vn > 0.0:
+            return FLIGHT, state, write_cause(events, count, cause, FLIGHT, state)
+        mode = next_mode(body, state.th, state.om, state.vt)
+        named = mode
+        if mode > SKIM:
+            named = ROLL if state.vt == 0.0 else slip_mode(1 if state.vt > 0.0 else -1)
+        if cause.kind == STICK and named != ROLL:
+            cause = quiet(TAKEOFF if named == FLIGHT else SLIP_REVERSAL, cause.mode, state)
+        count = write_cause(events, count, cause, named, state)
+        if mode <= SKIM or mode == UNDECIDED:
+            return mode, state, count
+        if mode == INDETERMINATE:
+            after = named if body.strike else FLIGHT
+            paradox = quiet(PAINLEVE_INDETERMINATE, named, state)
+            count = write_event(events, count, paradox, after, state, 0.0, -1)
+            if not body.strike:
+                return FLIGHT, state, count
+        else:
+            paradox = quiet(PAINLEVE_INCONSISTENT, named, state)
+            count = write_event(events, count, paradox, named, state, 0.0, -1)
+        state, cause = collide(body, body.rest, state, IMPACT, named, 0)
+    return UNDECIDED, state, count

@@ -1,0 +1,139 @@
+"""simulate(hoop, plane, start, …) → Trajectory, with either contact model."""
+
+from __future__ import annotations
+
+import math
+from importlib import import_module
+from typing import overload
+
+import numpy as np
+
+import hophoop
+from hophoop._jit import announce_compilation
+from hophoop.physics.body import Status
+from hophoop.rigid.kernel import run
+from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
+from hophoop.rigid.state import State
+from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
+from hophoop.scenario.scenario import time_unit, to_body
+from hophoop.trajectory import Trajectory
+
+FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
+
+
+@overload
+def simulate(scenario: Scenario, /) -> Trajectory: ...
+
+
+@overload
+def simulate(
+    hoop: Hoop, plane: Plane, start: Start, duration: float = ..., contact: Rigid | Compliant = ...
+) -> Trajectory: ...
+
+
+def simulate(
+    hoop: Hoop | Scenario,
+    plane: Plane | None = None,
+    start: Start | None = None,
+    duration: float = 6.0,
+    contact: Rigid | Compliant | None = None,
+) -> Trajectory:
+    """Compute a motion.
+
+    Parameters
+    ----------
+    hoop : Hoop or Scenario
+        A whole scenario, or the hoop with the arguments that follow.
+    plane : Plane, optional
+        The reference plane by default.
+    start : Start, optional
+        At rest with the load at the top by default.
+    duration : float, default 6
+        Above 0 [s].
+    contact : Rigid or Compliant, default Rigid()
+
+    Returns
+    -------
+    motion : Trajectory
+        Also where the motion has no answer: see its `status`.
+
+    Raises
+    ------
+    ValueError
+        If the duration is not positive or the parts do not go together.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(3.1), duration=2.0)
+    >>> motion.sequence
+    'RKRSHRS'
+    >>> round(motion.find("takeoff")[0].t, 9)
+    1.044713027
+    """
+    if isinstance(hoop, Scenario):
+        scenario = hoop
+    else:
+        scenario = Scenario(
+            hoop=hoop,
+            plane=Plane() if plane is None else plane,
+            start=Start() if start is None else start,
+            duration=duration,
+            contact=Rigid() if contact is None else contact,
+        )
+    if isinstance(scenario.contact, Compliant):
+        status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario)
+    else:
+        status, events, segments = _simulate_rigid(scenario, scenario.contact)
+    return Trajectory(scenario, status, events, segments, hophoop.__version__)
+
+
+def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray]:
+    hoop, plane = scenario.hoop, scenario.plane
+    second = time_unit(hoop, plane)
+    given = scenario.start.state(hoop)
+    speed = hoop.radius / second
+    start = State(
+        0.0,
+        given.x / hoop.radius,
+        given.height / hoop.radius,
+        given.angle,
+        given.slip / speed,
+        given.vy / speed,
+        given.omega * second,
+        0.0,
+        0.0,
+        0.0,
+    )
+    body = to_body(hoop, plane)
+    announce_compilation(run)
+    scratch = new_scratch()
+    events_size = min(FIRST_EVENTS, contact.max_events)
+    segments_size = FIRST_SEGMENTS
+    while True:
+        events = np.empty(events_size, EVENT)
+        segments = np.empty(segments_size, SEGMENT)
+        status, count, pieces = run(
+            body, start, scenario.duration / second, math.nan, 0, events, segments, scratch
+        )
+        if status == Status.BUFFER:
+            segments_size *= 4
+        elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
+            events_size = min(4 * events_size, contact.max_events)
+        else:
+            break
+    if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state
+        pieces = 1
+        _hold_at(events[0], segments[0])
+    return status, events[:count].copy(), segments[:pieces].copy()
+
+
+def _hold_at(event: np.void, segment: np.void) -> None:
+    from hophoop.physics.panel import HOLD
+
+    for name in segment.dtype.names or ():
+        segment[name] = event[name] if name in (event.dtype.names or ()) else 0
+    segment["t_end"] = event["t"]
+    segment["mode"] = event["after_mode"]
+    segment["kind"] = HOLD
+    segment["ref"] = event["angle"]

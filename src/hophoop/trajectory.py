@@ -1,0 +1,548 @@
+"""Trajectory: the result of a simulation, its events, samples at any time and energy ledger, in SI units."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
+from hophoop.scenario import Scenario
+from hophoop.scenario.scenario import time_unit
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """Velocities just before an event: vx, vy of the centre [m/s], omega [rad/s], slip = v_t [m/s]."""
+
+    vx: float
+    vy: float
+    omega: float
+    slip: float
+
+
+@dataclass(frozen=True)
+class EventRecord:
+    """One event; the state is the one just after it.
+
+    Attributes
+    ----------
+    t : float
+        Time [s].
+    kind : str
+        One of the kinds of the file format, such as 'slip_start'.
+    from_mode, to_mode : str or None
+        Letters of the modes before and after.
+    x, height, angle : float
+        Centre along the plane [m], gap [m], θ [rad].
+    vx, vy, omega, slip : float
+        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
+    before : Velocity
+        Velocities just before.
+    impulse_normal, impulse_tangential : float
+        Of an impact [N s], else 0.
+    friction, impact_normal, impact_tangential : float
+        Energy lost from the start to just after the event [J].
+    collision : bool or None
+        Of an impact: whether the rim approached the plane (False: impact without collision).
+    gain : float
+        Energy created by Newton's law in a `kane_gain` [J], else 0.
+    stable : bool or None
+        Of a `rest`: whether the equilibrium is stable.
+    """
+
+    t: float
+    kind: str
+    from_mode: str | None
+    to_mode: str
+    x: float
+    height: float
+    angle: float
+    vx: float
+    vy: float
+    omega: float
+    slip: float
+    before: Velocity
+    impulse_normal: float
+    impulse_tangential: float
+    friction: float
+    impact_normal: float
+    impact_tangential: float
+    collision: bool | None
+    gain: float
+    stable: bool | None
+
+
+@dataclass(frozen=True)
+class Sample:
+    """The motion at one time or many; every field is a scalar or an array of the shape of t.
+
+    Attributes
+    ----------
+    t : float or ndarray
+        Time [s].
+    mode : str or ndarray of str
+        Letter of the mode: R roll, S spin, K skid, H flight, M skim.
+    x, height, angle : float or ndarray
+        Centre along the plane [m], gap [m], θ [rad].
+    vx, vy, omega, slip : float or ndarray
+        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
+    friction_force, normal_force : float or ndarray
+        F and N [N].
+    kinetic, potential : float or ndarray
+        Energies; the potential is zero with the load at the top in contact at x = 0 [J].
+    friction, impact_normal, impact_tangential : float or ndarray
+        Energy lost so far in slip and in the two parts of impacts [J].
+    spring, damping : float or ndarray
+        Energy stored in, and lost so far in the normal direction by, a compliant contact [J]; 0 in rigid contact.
+    """
+
+    t: Any
+    mode: Any
+    x: Any
+    height: Any
+    angle: Any
+    vx: Any
+    vy: Any
+    omega: Any
+    slip: Any
+    friction_force: Any
+    normal_force: Any
+    kinetic: Any
+    potential: Any
+    friction: Any
+    impact_normal: Any
+    impact_tangential: Any
+    spring: Any
+    damping: Any
+
+    @property
+    def total(self) -> Any:
+        """Kinetic and potential energy [J]."""
+        return self.kinetic + self.potential
+
+    def utilization(self, mu: float) -> Any:
+        """Share of the available friction that is used, abs(F)/(μ N); nan in flight.
+
+        Parameters
+        ----------
+        mu : float
+            Coefficient of friction [1].
+
+        Returns
+        -------
+        utilization : float or ndarray
+            From 0 to 1 [1].
+        """
+        normal = np.asarray(self.normal_force)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = np.where(normal > 0.0, np.abs(self.friction_force) / (mu * normal), np.nan)
+        return share if share.ndim else float(share)
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Where the energy went, from the start to the end [J].
+
+    `residual` is what does not add up: kinetic + potential + losses now, minus kinetic + potential at the
+    start; `range` is the size of the energies that took part, to judge it by.
+    """
+
+    kinetic: float
+    potential: float
+    friction: float
+    impact_normal: float
+    impact_tangential: float
+    spring: float
+    damping: float
+    residual: float
+    range: float
+
+
+class Trajectory:
+    """A computed motion: exact events, and the state at any time between them.
+
+    Made by `hophoop.simulate`. Nothing is interpolated from a table: sampling solves the piece of motion
+    that holds the time again.
+    """
+
+    def __init__(
+        self, scenario: Scenario, status: int, events: np.ndarray, segments: np.ndarray, version: str
+    ) -> None:
+        self.scenario = scenario
+        self.version = version
+        self._status = status
+        self._events = events
+        self._segments = segments
+
+    # --- what happened -------------------------------------------------------------------------
+
+    @property
+    def status(self) -> str:
+        """How the motion ended: completed, at_rest, jammed, undetermined or event_limit."""
+        return Status(self._status).name.lower()
+
+    @property
+    def ok(self) -> bool:
+        """Whether the motion reached its end: completed or at rest."""
+        return self._status in (Status.COMPLETED, Status.AT_REST)
+
+    @cached_property
+    def sequence(self) -> str:
+        """One letter a phase: R roll, S spin, K skid, H flight (hop), M skim."""
+        marks = [row for row in self._events if row["kind"] not in _PASSING]
+        letters = []
+        for row, following in zip(marks, marks[1:], strict=False):
+            if following["t"] > row["t"]:
+                letters.append(MODE_LETTERS[row["after_mode"]])
+        if not letters and len(self._events):
+            letters = [MODE_LETTERS[self._events[-1]["after_mode"]]]
+        return "".join(letters)
+
+    @cached_property
+    def events(self) -> tuple[EventRecord, ...]:
+        """All events in order."""
+        return tuple(self._event_record(row) for row in self._events)
+
+    def find(self, kind: str) -> tuple[EventRecord, ...]:
+        """The events of one kind.
+
+        Parameters
+        ----------
+        kind : str
+            Such as 'takeoff'.
+
+        Returns
+        -------
+        events : tuple of EventRecord
+
+        Raises
+        ------
+        ValueError
+            If there is no such kind.
+        """
+        if kind not in EVENT_NAMES:
+            raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_NAMES)}.")
+        return tuple(event for event in self.events if event.kind == kind)
+
+    @property
+    def duration(self) -> float:
+        """Time from the start to the end of the motion, however it ended [s]."""
+        return self._seconds(float(self._segments["t_end"][-1]))
+
+    # --- the motion ----------------------------------------------------------------------------
+
+    def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
+        """The motion at any time.
+
+        Parameters
+        ----------
+        t : float or array_like
+            Times from 0 to `duration` [s].
+        side : {'right', 'left'}
+            At an impact: just after or just before it.
+
+        Returns
+        -------
+        sample : Sample
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion, or `side` is neither.
+        """
+        if side not in ("left", "right"):
+            raise ValueError(f"side = {side!r} must be 'left' or 'right'.")
+        times = np.asarray(t, dtype=float)
+        end = self.duration
+        bad = ~((times >= 0.0) & (times <= end * (1 + 1e-15)))
+        if bad.any():
+            raise ValueError(f"t = {times[bad].flat[0]!r} must be from 0 to the motion's end at {end!r} s.")
+        raw = self._sample(np.minimum(times.ravel() / self._units.time, self._segments["t_end"][-1]), side == "left")
+        columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
+        unit = self._units
+        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name != "mode"}
+        values["mode"] = _LETTERS[columns["mode"].astype(int)]
+        values["t"] = times
+        kinetic, potential = self._energies(columns)
+        values["kinetic"] = kinetic
+        values["potential"] = potential
+        for name in ("spring", "damping"):
+            values.setdefault(name, np.zeros(times.shape))
+        if times.ndim == 0:
+            values = {name: value.item() for name, value in values.items()}
+        return Sample(**{field.name: values[field.name] for field in fields(Sample)})
+
+    def times(self, n: int = 1000) -> Floats:
+        """Equally spaced times over the motion, both ends included.
+
+        Parameters
+        ----------
+        n : int, default 1000
+            How many, at least 2.
+
+        Returns
+        -------
+        t : ndarray, shape (n,)
+            [s].
+
+        Raises
+        ------
+        ValueError
+            If n is below 2.
+        """
+        if n < 2:
+            raise ValueError(f"n = {n!r} must be at least 2.")
+        return np.linspace(0.0, self.duration, n)
+
+    @cached_property
+    def ledger(self) -> Ledger:
+        """Energies at the end, all that was lost on the way, and what does not add up."""
+        start = self.at(0.0, side="left") if len(self._segments) else self.at(0.0)
+        first = self._events[0]
+        unit = self._units
+        begin_kinetic, begin_potential = self._energies(
+            {
+                "x": first["x"],
+                "height": first["height"],
+                "angle": first["angle"],
+                "slip": first["slip"],
+                "vy": first["vy"],
+                "omega": first["omega"],
+            }
+        )
+        last = self.at(self.duration)
+        lost = self._events[-1]
+        friction, normal, tangential = (
+            float(lost[name]) * unit.energy for name in ("friction", "impact_normal", "impact_tangential")
+        )
+        residual = (last.total + last.spring + last.damping + friction + normal + tangential) - (
+            float(begin_kinetic) + float(begin_potential) + start.spring
+        )
+        weight = self.scenario.hoop.mass * self.scenario.plane.gravity * self.scenario.hoop.radius
+        size = max(abs(float(begin_kinetic)), last.kinetic, abs(last.potential), friction, weight)
+        return Ledger(
+            last.kinetic, last.potential, friction, normal, tangential, last.spring, last.damping, residual, size
+        )
+
+    # --- other forms ---------------------------------------------------------------------------
+
+    def to_dict(self) -> dict[str, Any]:
+        """The motion as the JSON of the file format: scenario, status, sequence, events, final state, energy.
+
+        Returns
+        -------
+        result : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        final = self.events[-1]
+        ledger = self.ledger
+        energy = {
+            name: getattr(ledger, name)
+            for name in ("kinetic", "potential", "friction", "impact_normal", "impact_tangential", "residual")
+        }
+        if self.scenario.contact.model != "rigid":
+            energy |= {"spring": ledger.spring, "damping": ledger.damping}
+        return {
+            "schema": "hophoop/1",
+            "version": self.version,
+            "scenario": self.scenario.to_dict(),
+            "status": self.status,
+            "sequence": self.sequence,
+            "events": [_event_dict(event) for event in self.events],
+            "final": {"t": final.t, "mode": final.to_mode, **_state_dict(final)},
+            "energy": energy,
+        }
+
+    def to_xarray(self, n: int = 1000, t: ArrayLike | None = None) -> xarray.Dataset:
+        """The motion as an xarray.Dataset over time.
+
+        Parameters
+        ----------
+        n : int, default 1000
+            Number of equally spaced times.
+        t : array_like, optional
+            Times to use instead [s].
+
+        Returns
+        -------
+        dataset : xarray.Dataset
+            Every variable has units and long_name.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion or n is below 2.
+        ImportError
+            If xarray is missing.
+        """
+        return _io().to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
+
+    def save(self, path: str | Path) -> None:
+        """Write the motion to a file that `hophoop.load` reads back, sampling alike to the last bit.
+
+        Parameters
+        ----------
+        path : str or Path
+            Ends in .nc (netCDF) or .zarr.
+
+        Raises
+        ------
+        ValueError
+            If it ends otherwise.
+        ImportError
+            If the library that writes it is missing.
+        """
+        _io().save(self, path)
+
+    def _repr_html_(self) -> str:
+        return importlib.import_module("hophoop.plots").notebook(self)
+
+    def __repr__(self) -> str:
+        return (
+            f"<Trajectory {self.sequence} {self.status}: {len(self._events)} events in {self.duration:.6g} s>"
+        )
+
+    # --- inside --------------------------------------------------------------------------------
+
+    @cached_property
+    def _model(self) -> Any:
+        return importlib.import_module(f"hophoop.{self.scenario.contact.model}.sampling")
+
+    @cached_property
+    def _units(self) -> Units:
+        return Units.of_scenario(self.scenario)
+
+    def _sample(self, times: Floats, left: bool) -> Floats:
+        result: Floats = self._model.sampled(self.scenario, self._segments, times, left)
+        return result
+
+    def _seconds(self, t: float) -> float:
+        # the end of the motion is the duration asked for, not its rounding through kernel units
+        if t == self.scenario.duration / self._units.time:
+            return self.scenario.duration
+        return t * self._units.time
+
+    def _energies(self, columns: dict[str, Any]) -> tuple[Any, Any]:
+        hoop, plane = self.scenario.hoop, self.scenario.plane
+        eps, kap = hoop.eccentricity, hoop.inertia_ratio
+        weight = 1.0 if plane.gravity > 0.0 else 0.0
+        sine, cosine = np.sin(columns["angle"]), np.cos(columns["angle"])
+        omega = columns["omega"]
+        with np.errstate(invalid="ignore"):
+            # from v_t, which keeps its digits: ẋ_G = v_t + θ̇ (1 + ε cos θ)
+            along = columns["slip"] + omega * (1.0 + eps * cosine)
+            up = columns["vy"] - eps * omega * sine
+            kinetic = 0.5 * (along**2 + up**2 + kap * omega**2)
+        drop = columns["height"] - 2.0 * eps * np.sin(0.5 * columns["angle"]) ** 2
+        potential = weight * (
+            math.cos(plane.slope) * drop - math.sin(plane.slope) * (columns["x"] + eps * sine)
+        )
+        return kinetic * self._units.energy, potential * self._units.energy
+
+    def _event_record(self, row: np.void) -> EventRecord:
+        unit = self._units
+        value = {name: float(row[name]) * unit.of(name) for name in _EVENT_NUMBERS}
+        before = Velocity(
+            *(float(row[f"before_{name}"]) * unit.of(name) for name in ("vx", "vy", "omega", "slip"))
+        )
+        before_mode = int(row["before_mode"])
+        return EventRecord(
+            t=self._seconds(float(row["t"])),
+            kind=EVENT_NAMES[row["kind"]],
+            from_mode=MODE_LETTERS[before_mode] if before_mode >= 0 else None,
+            to_mode=MODE_LETTERS[row["after_mode"]],
+            before=before,
+            collision=None if row["collision"] < 0 else bool(row["collision"]),
+            stable=None if row["stable"] < 0 else bool(row["stable"]),
+            **value,
+        )
+
+
+@dataclass(frozen=True)
+class Units:
+    """SI values of the kernel's units."""
+
+    length: float
+    time: float
+    mass: float
+
+    @classmethod
+    def of_scenario(cls, scenario: Scenario) -> Units:
+        """The units of a scenario."""
+        return cls(scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane), scenario.hoop.mass)
+
+    @property
+    def energy(self) -> float:
+        """Unit of energy [J]."""
+        return self.mass * (self.length / self.time) ** 2
+
+    def of(self, name: str) -> float:
+        """Unit of a quantity by its name."""
+        if name in ("x", "height"):
+            return self.length
+        if name in ("vx", "vy", "slip"):
+            return self.length / self.time
+        if name == "omega":
+            return 1.0 / self.time
+        if name in ("friction_force", "normal_force"):
+            return self.mass * self.length / self.time**2
+        if name in ("impulse_normal", "impulse_tangential"):
+            return self.mass * self.length / self.time
+        if name == "angle":
+            return 1.0
+        return self.energy
+
+
+_PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
+_LETTERS = np.array(list(MODE_LETTERS))
+_EVENT_NUMBERS = (
+    "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",
+    "friction", "impact_normal", "impact_tangential", "gain",
+)  # fmt: skip
+_JSON_STATE: Sequence[str] = ("x", "height", "angle", "vx", "vy", "omega")
+
+
+def _number(value: float) -> float | None:
+    # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
+    return value if math.isfinite(value) else None
+
+
+def _state_dict(event: EventRecord) -> dict[str, float | None]:
+    return {name: _number(getattr(event, name)) for name in _JSON_STATE}
+
+
+def _event_dict(event: EventRecord) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "t": event.t,
+        "kind": event.kind,
+        "from": event.from_mode,
+        "to": event.to_mode,
+        **_state_dict(event),
+        "before": {name: _number(getattr(event.before, name)) for name in ("vx", "vy", "omega")},
+        "impulse": {"normal": event.impulse_normal, "tangential": event.impulse_tangential},
+    }
+    if event.collision is False:
+        result["collision"] = False
+    if event.kind == "kane_gain":
+        result["gain"] = event.gain
+    if event.stable is not None:
+        result["stable"] = event.stable
+    return result
+
+
+def _io() -> Any:
+    # files stand above results in the layers; these methods only hand over
+    return importlib.import_module("hophoop.io")
