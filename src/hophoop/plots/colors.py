@@ -1,0 +1,80 @@
+"""One meaning for each colour, in plots, films, maps and the lab. The set is that of Okabe and Ito (2008),
+told apart with every kind of colour blindness; modes also differ in lightness.
+
+Plain strings and numbers, without Matplotlib, so that any front end can use them.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+# Okabe and Ito's eight
+BLACK: Final = "#000000"
+ORANGE: Final = "#E69F00"
+SKY: Final = "#56B4E9"
+GREEN: Final = "#009E73"
+YELLOW: Final = "#F0E442"
+BLUE: Final = "#0072B2"
+VERMILION: Final = "#D55E00"
+PURPLE: Final = "#CC79A7"
+
+GRAY: Final = "#6E6E6E"
+LIGHT_GRAY: Final = "#D9D9D9"
+
+MODES: Final[dict[str, str]] = {
+    "R": BLUE,  # roll
+    "S": ORANGE,  # spin
+    "K": PURPLE,  # skid
+    "H": VERMILION,  # flight (hop)
+    "M": YELLOW,  # skim of the massless hoop
+}
+"""Colour of each mode, by its letter."""
+
+MODE_NAMES: Final[dict[str, str]] = {"R": "roll", "S": "spin", "K": "skid", "H": "flight", "M": "skim"}
+"""Word for each mode, by its letter."""
+
+LOAD: Final = BLACK  # trace of the load, and the load itself
+GRAVITY_CENTER: Final = GREEN  # trace of the centre of gravity in contact
+GRAVITY_CENTER_AIRBORNE: Final = "#CC1F1A"  # the same while airborne: red, as in the article
+
+# Quantities in plots against time or angle
+CENTER_SPEED: Final = BLUE  # v, velocity of the centre
+ROTATION_SPEED: Final = ORANGE  # Rθ̇
+KINETIC: Final = BLUE
+POTENTIAL: Final = GREEN
+TOTAL: Final = BLACK
+FRICTION_LOSS: Final = VERMILION
+IMPACT_LOSS: Final = PURPLE
+NORMAL_FORCE: Final = BLUE
+FRICTION_FORCE: Final = VERMILION
+LIMIT: Final = GRAY  # a limit that is not to be crossed, such as full use of friction
+
+RING_SPEED_MAP: Final = "viridis"
+"""Matplotlib's name of the colour map by which the ring's points show their speed."""
+
+SHADE: Final = 0.16
+"""Opacity of a mode's colour as a background."""
+
+
+def mode_color(mode: str) -> str:
+    """Colour of a mode.
+
+    Parameters
+    ----------
+    mode : str
+        Letter of the mode: R, S, K, H or M.
+
+    Returns
+    -------
+    color : str
+        As ``#RRGGBB``.
+
+    Raises
+    ------
+    ValueError
+        If there is no such mode.
+    """
+    try:
+        return MODES[mode]
+    except KeyError:
+        raise ValueError(f"mode = {mode!r} must be one of {', '.join(MODES)}.") from None
