@@ -3,7 +3,7 @@
 from hophoop.scenario.base import InputError
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start, State
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
-from hophoop.scenario.paths import Parameter, parameter, paths
+from hophoop.scenario.paths import ParameterInfo, parameter, paths
 from hophoop.scenario.scenario import Scenario, time_unit, to_body
 from hophoop.scenario.sentences import sentence
 
@@ -20,7 +20,7 @@ __all__ = [
     "Compliant",
     "Scenario",
     "InputError",
-    "Parameter",
+    "ParameterInfo",
     "parameter",
     "paths",
     "sentence",

@@ -31,7 +31,16 @@ class InputError(ValueError):
 
     @classmethod
     def of(cls, error: ValidationError) -> InputError:
-        """Put pydantic's finding into one sentence."""
+        """Put what pydantic found into one sentence.
+
+        Parameters
+        ----------
+        error : pydantic.ValidationError
+
+        Returns
+        -------
+        error : InputError
+        """
         return cls(sentence(error), list(error.errors(include_url=False)))
 
 

@@ -244,7 +244,21 @@ _FRICTIONS = ("mu_static", "mu_kinetic")
 
 
 class State(NamedTuple):
-    """Position and velocities of a hoop at one instant."""
+    """Position and velocities of a hoop at one instant.
+
+    Attributes
+    ----------
+    x, height : float
+        Place of the centre along the plane, and gap between rim and plane [m].
+    angle : float
+        θ [rad].
+    vx, vy : float
+        Velocity of the centre along the plane and away from it [m/s].
+    omega : float
+        Angular velocity [rad/s].
+    slip : float
+        Slip velocity [m/s]. It is kept apart, since a rolling start has exactly 0 and not v − R (v/R).
+    """
 
     x: float
     height: float
@@ -252,7 +266,7 @@ class State(NamedTuple):
     vx: float
     vy: float
     omega: float
-    slip: float  # v_t, kept apart: a rolling start has exactly 0, not v − R (v/R)
+    slip: float
 
 
 class Start(Frozen):

@@ -39,15 +39,25 @@ _ENDS: dict[str, Sequence[str]] = {
 }
 
 
-class Parameter(NamedTuple):
-    """What a path stands for."""
+class ParameterInfo(NamedTuple):
+    """What a path stands for.
+
+    Attributes
+    ----------
+    path : str
+        Such as ``"plane.mu"``.
+    description : str
+        Its meaning, in a few words.
+    unit : str
+        Its unit; "1" for a pure number, "" for a word.
+    """
 
     path: str
     description: str
     unit: str
 
 
-def parameter(path: str) -> Parameter:
+def parameter(path: str) -> ParameterInfo:
     """Meaning and unit of a scenario's parameter.
 
     Parameters
@@ -57,7 +67,7 @@ def parameter(path: str) -> Parameter:
 
     Returns
     -------
-    parameter : Parameter
+    parameter : ParameterInfo
         path, description and unit; the unit is "1" for a pure number and "" for a word.
 
     Raises
@@ -90,10 +100,10 @@ def paths() -> list[str]:
     return found
 
 
-def _candidates(path: str) -> Iterator[Parameter]:
+def _candidates(path: str) -> Iterator[ParameterInfo]:
     steps = path.split(".")
     if path == "duration":
-        yield Parameter(path, "Duration of the motion", "s")
+        yield ParameterInfo(path, "Duration of the motion", "s")
     models: Sequence[type[Frozen]] = ()
     if len(steps) == 2:
         models = _SECTIONS.get(steps[0], ())
@@ -104,7 +114,7 @@ def _candidates(path: str) -> Iterator[Parameter]:
         if field is not None:
             extra = field.json_schema_extra
             unit = str(extra.get("unit", "1")) if isinstance(extra, dict) else "1"
-            yield Parameter(path, field.description or "", unit)
+            yield ParameterInfo(path, field.description or "", unit)
 
 
 def replaced(scenario: Scenario, path: str, value: Any) -> dict[str, Any]:
