@@ -1,0 +1,83 @@
+"""Bridge between the oracles' cases and the program's public face."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import hophoop as hh
+from oracles.cases import Case
+
+DATA = Path(__file__).resolve().parent / "data"
+STATE = ("x", "height", "angle", "vx", "vy", "omega")
+
+
+def simulate(case: Case, duration: float | None = None) -> hh.Trajectory:
+    """The program's motion for a case."""
+    hoop = hh.Hoop(
+        radius=case.radius,
+        mass=case.mass,
+        eccentricity=case.eccentricity,
+        inertia_ratio=case.inertia_ratio,
+    )
+    plane = hh.Plane(
+        gravity=case.gravity,
+        slope=case.slope,
+        mu_static=case.mu_static,
+        mu_kinetic=case.mu_kinetic,
+        restitution=case.restitution,
+        impact_law=case.impact_law,
+        painleve=case.painleve,
+    )
+    if case.rolling:
+        start = hh.Start.rolling(speed=case.vx, angle=case.angle, x=case.x)
+    else:
+        start = hh.Start(
+            x=case.x, height=case.height, angle=case.angle, vx=case.vx, vy=case.vy, omega=case.omega
+        )
+    return hh.simulate(hoop, plane, start, duration=duration or case.duration)
+
+
+def reference(name: str) -> dict[str, Any]:
+    """A reference motion, its numbers as floats."""
+
+    def numbers(thing: Any) -> Any:
+        if isinstance(thing, dict):
+            return {key: numbers(item) for key, item in thing.items()}
+        if isinstance(thing, list):
+            return [numbers(item) for item in thing]
+        try:
+            return float(thing) if isinstance(thing, str) else thing
+        except ValueError:
+            return thing
+
+    document: dict[str, Any] = numbers(json.loads((DATA / f"{name}.json").read_text(encoding="utf-8")))
+    return document
+
+
+def essential(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Events without the marks of beginning and end and without notes that leave the motion as it is."""
+    return [event for event in events if event["kind"] not in ("start", "end", "kane_gain", "bounce_limit")]
+
+
+def program_events(motion: hh.Trajectory) -> list[dict[str, Any]]:
+    """The program's events in the oracles' form."""
+    listed = []
+    for event in motion.events:
+        listed.append(
+            {
+                "t": event.t,
+                "kind": event.kind,
+                "from": event.from_mode,
+                "to": event.to_mode,
+                **{name: getattr(event, name) for name in STATE},
+                "before": {name: getattr(event.before, name) for name in ("vx", "vy", "omega")},
+                "impulse": {"normal": event.impulse_normal, "tangential": event.impulse_tangential},
+                "friction": event.friction,
+                "impact_normal": event.impact_normal,
+                "impact_tangential": event.impact_tangential,
+                "collision": event.collision,
+            }
+        )
+    return listed

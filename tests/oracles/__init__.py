@@ -1,0 +1,13 @@
+"""Independent solutions of the rolling hoop, against which ``hophoop`` is measured.
+
+Nothing in this package imports ``hophoop``. The equations of motion are rederived from the Lagrangian in
+coordinates (x, y, θ) of the rim's centre, with the contact force as a multiplier in one augmented linear
+system, and never reduced to the contact-space formulas that the program uses.
+
+* :mod:`oracles.cases`     the scenarios of the reference data
+* :mod:`oracles.mechanics` mass matrix, forces, energies: plain numbers and arrays
+* :mod:`oracles.hybrid`    SciPy's DOP853 with event location: double precision, any scenario
+* :mod:`oracles.precise`   Taylor series in mpmath: as many digits as wanted
+* :mod:`oracles.elliptic`  rolling time by elliptic integrals
+* :mod:`oracles.rational`  impacts in exact fractions
+"""

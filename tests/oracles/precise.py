@@ -1,0 +1,397 @@
+"""The hybrid motion of the hoop to as many digits as wanted, by Taylor series in mpmath.
+
+Every piece between events is a chain of power series (:mod:`oracles.series`); events are roots of the series
+of the event functions. Functions that vanish at the start of a piece (slip velocity after rolling ends, gap
+after lift-off) have their leading zero coefficients divided out before roots are looked for, which also
+decides each tie of the mode rule: the first non-zero coefficient of the candidate motion is the first
+non-zero time derivative.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from mpmath import mp, mpf
+
+from .cases import Case
+from .mechanics import DIRECTION, FLIGHT, ROLL, SKID, SPIN
+from .series import Parameters, Piece, Series, derivative, expand, leading, value
+
+STATE = ("x", "height", "angle", "vx", "vy", "omega")
+
+
+@dataclass
+class Solution:
+    """Pieces and events of one motion."""
+
+    case: Case
+    parameters: Parameters
+    pieces: list[Piece] = field(default_factory=list)
+    events: list[dict[str, Any]] = field(default_factory=list)
+    sequence: str = ""
+    status: str = "completed"
+    end: mpf = field(default_factory=mpf)
+    losses_normal: mpf = field(default_factory=mpf)
+    losses_tangential: mpf = field(default_factory=mpf)
+
+    def at(self, t: mpf) -> dict[str, Any]:
+        """State, mode and forces at time t (right limit at an event)."""
+        if not 0 <= t <= self.end:
+            raise ValueError(f"t = {t} is outside the motion, 0 to {self.end}")
+        for piece in reversed(self.pieces):
+            if piece.start <= t:
+                break
+        tau = t - piece.start
+        sample = dict(zip(STATE, piece.state(tau), strict=True))
+        return {
+            "t": t,
+            "mode": piece.mode,
+            **sample,
+            "friction": value(piece.friction, tau),
+            "normal": value(piece.normal, tau),
+            "work": value(piece.work, tau),
+        }
+
+
+def slip_velocity(p: Parameters, state: tuple[mpf, ...]) -> mpf:
+    """Velocity of the rim's lowest point; exactly zero where the state was set to roll."""
+    return state[3] - p.radius * state[5]
+
+
+def choose(p: Parameters, state: tuple[mpf, ...], order: int = 12) -> tuple[str, str]:
+    """Mode that follows from contact at rest off the plane, and the Painlevé event if there is one."""
+    unit, weight, speed = p.time_scale, p.force_scale, p.speed_scale
+
+    def sign(series: Series, scale: mpf) -> int:
+        return int(mp.sign(leading(series, scale, unit)[1]))
+
+    vt = slip_velocity(p, state)
+    if vt == 0:
+        piece = expand(p, ROLL, mpf(0), state, mpf(0), order)
+        upper = [p.mu_static * n - f for n, f in zip(piece.normal, piece.friction, strict=True)]
+        lower = [p.mu_static * n + f for n, f in zip(piece.normal, piece.friction, strict=True)]
+        if sign(piece.normal, weight) > 0 and sign(upper, weight) >= 0 and sign(lower, weight) >= 0:
+            return ROLL, ""
+        for mode in (SKID, SPIN):
+            if normal_response(p, state[2], mode) <= 0:
+                continue
+            piece = expand(p, mode, mpf(0), state, mpf(0), order)
+            slip = [u - p.radius * w for u, w in zip(piece.vx, piece.omega, strict=True)]
+            if sign(piece.normal, weight) > 0 and sign(slip, speed) == DIRECTION[mode]:
+                return mode, ""
+        return FLIGHT, ""
+    mode = SKID if vt > 0 else SPIN
+    response = normal_response(p, state[2], mode)
+    if response > 0:
+        piece = expand(p, mode, mpf(0), state, mpf(0), order)
+        return (mode if sign(piece.normal, weight) > 0 else FLIGHT), ""
+    if p.free_normal_acceleration(state[2], state[5]) < 0:
+        return "impact", "painleve_inconsistent"
+    if p.case.painleve == "impact":
+        return "impact", "painleve_indeterminate"
+    return FLIGHT, "painleve_indeterminate"
+
+
+def normal_response(p: Parameters, angle: mpf, mode: str) -> mpf:
+    """Acceleration off the plane per unit normal force, with the friction of slip in `mode`."""
+    return p.response(angle, -DIRECTION[mode] * p.mu_kinetic, mpf(1))[1]
+
+
+def impact(p: Parameters, state: tuple[mpf, ...]) -> dict[str, Any]:
+    """Velocities after an impact: the straight pieces of the velocity over the growing normal impulse."""
+    angle, velocity = state[2], [state[3], state[4], state[5]]
+    along = p.response(angle, mpf(1), mpf(0))
+    off = p.response(angle, mpf(0), mpf(1))
+    slip_per_tangential = along[0] - p.radius * along[2]
+    slip_per_normal = off[0] - p.radius * off[2]
+    holding = -slip_per_normal / slip_per_tangential  # ratio of impulses that keeps the slip at zero
+    stuck = slip_velocity(p, state) == 0
+    vt, vn = slip_velocity(p, state), state[4]
+    approach, impulse, tangential = vn, mpf(0), mpf(0)
+    work, loss_tangential = mpf(0), mpf(0)  # work = ∫ v_n dp
+    compressing, impulse_compression, work_compression = True, mpf(0), mpf(0)
+    e, law = p.restitution, p.case.impact_law
+    while True:
+        if stuck and abs(holding) <= p.mu_static:
+            ratio = holding
+        else:
+            # slip that starts from rest goes where the normal impulse alone drives it
+            direction = mp.sign(vt) if not stuck else mp.sign(slip_per_normal)
+            ratio = -direction * p.mu_kinetic
+        change = [off[i] + ratio * along[i] for i in range(3)]
+        rate_t, rate_n = change[0] - p.radius * change[2], change[1]
+        if stuck and ratio == holding:
+            rate_t = mpf(0)
+        to_rest = -vt / rate_t if vt * rate_t < 0 else mp.inf
+        if compressing:
+            to_end = -vn / rate_n if rate_n > 0 else mp.inf
+        elif law == "newton":
+            to_end = (-e * approach - vn) / rate_n
+        elif law == "poisson":
+            to_end = (1 + e) * impulse_compression - impulse
+        else:  # vn·d + rate_n d²/2 = wanted, the stable root
+            wanted = -(e**2) * work_compression - (work - work_compression)
+            to_end = 2 * wanted / (vn + mp.sqrt(vn**2 + 2 * rate_n * wanted)) if wanted > 0 else mpf(0)
+        step = min(to_rest, to_end)
+        if step == mp.inf:
+            raise RuntimeError("the impact never ends")
+        loss_tangential -= ratio * step * (vt + rate_t * step / 2)
+        work += step * (vn + rate_n * step / 2)
+        velocity = [velocity[i] + change[i] * step for i in range(3)]
+        vt, vn = vt + rate_t * step, vn + rate_n * step
+        impulse, tangential = impulse + step, tangential + ratio * step
+        stopped = to_rest <= to_end
+        if stopped:
+            vt, stuck = mpf(0), True
+        elif vt != 0:
+            stuck = False
+        if to_end <= to_rest:
+            if compressing:
+                compressing, vn = False, mpf(0)
+                impulse_compression, work_compression = impulse, work
+                # nothing rebounds: e = 0, or Newton's law where nothing approached
+                if e == 0 or (law == "newton" and approach == 0):
+                    break
+            else:
+                break
+    if vt == 0:
+        velocity[0] = p.radius * velocity[2]
+    velocity[1] = mpf(0) if vn == 0 else velocity[1]
+    return {
+        "velocity": tuple(velocity),
+        "impulse": {"normal": impulse, "tangential": tangential},
+        "loss_normal": -work,
+        "loss_tangential": loss_tangential,
+    }
+
+
+def event_functions(p: Parameters, piece: Piece) -> dict[str, tuple[Series, mpf, bool]]:
+    """Event name → (series, its scale, whether only a fall through zero counts)."""
+    n, f = piece.normal, piece.friction
+    if piece.mode == FLIGHT:
+        return {"impact": (piece.y, p.radius, True), "apex": (piece.vy, p.speed_scale, True)}
+    turn = {"turn": (piece.omega, p.speed_scale / p.radius, False)}
+    if piece.mode == ROLL:
+        upper = [p.mu_static * a - b for a, b in zip(n, f, strict=True)]
+        lower = [p.mu_static * a + b for a, b in zip(n, f, strict=True)]
+        return {"slip+": (upper, p.force_scale, True), "slip-": (lower, p.force_scale, True), **turn}
+    slip = [u - p.radius * w for u, w in zip(piece.vx, piece.omega, strict=True)]
+    ahead = [DIRECTION[piece.mode] * u for u in slip]
+    return {"rest": (ahead, p.speed_scale, True), "takeoff": (n, p.force_scale, True), **turn}
+
+
+def roots(
+    series: Series, scale: mpf, unit: mpf, span: mpf, fresh: bool, samples: int = 96
+) -> list[tuple[mpf, int]]:
+    """Roots in (0, span] and the sign of the slope there; leading zeros are divided out when `fresh`."""
+    if fresh:
+        zeros, _ = leading(series, scale, unit)
+        if zeros < 0:
+            return []
+        series = series[zeros:]
+    slope = derivative(series)
+    grid = np.linspace(0.0, 1.0, samples + 1)
+    scaled = np.array([float(c * span**k) for k, c in enumerate(series)])
+    values = np.polynomial.polynomial.polyval(grid, scaled)
+    scaled_slope = scaled[1:] * np.arange(1, len(scaled))
+    slopes = np.polynomial.polynomial.polyval(grid, scaled_slope)
+    brackets = []
+    for i in range(samples):
+        left, right = span * mpf(grid[i]), span * mpf(grid[i + 1])
+        if values[i] * values[i + 1] < 0:
+            brackets.append((left, right))
+        elif slopes[i] * slopes[i + 1] < 0 and values[i] * slopes[i] < 0:
+            # an extremum that points at zero: does it reach it?
+            extremum = refine(slope, left, right)
+            if value(series, extremum) * values[i] < 0:
+                brackets += [(left, extremum), (extremum, right)]
+    found = []
+    for left, right in brackets:
+        root = refine(series, left, right)
+        found.append((root, int(mp.sign(value(slope, root)))))
+    return found
+
+
+def refine(series: Series, left: mpf, right: mpf) -> mpf:
+    """Root of a series in a bracket: bisection to start, then Newton's method kept inside the bracket."""
+    slope = derivative(series)
+    sign = mp.sign(value(series, left))
+    root = (left + right) / 2
+    for _ in range(300):
+        here = value(series, root)
+        if mp.sign(here) == sign:
+            left = root
+        else:
+            right = root
+        step = -here / value(slope, root)
+        if abs(step) < abs(root) * mpf(10) ** (-mp.dps + 2):
+            return root + step
+        root = root + step if left < root + step < right else (left + right) / 2
+    return root
+
+
+def initial_state(p: Parameters) -> tuple[mpf, ...]:
+    """State of the case at t = 0; a rolling start has the slip velocity zero to the last digit."""
+    case = p.case
+    omega = mpf(case.vx) / p.radius if case.rolling else mpf(case.omega)
+    vx = p.radius * omega if case.rolling else mpf(case.vx)
+    return mpf(case.x), mpf(case.height), mpf(case.angle), vx, mpf(case.vy), omega
+
+
+def settle(
+    p: Parameters, solution: Solution, t: mpf, state: tuple[mpf, ...], mode: str, forced: str = ""
+) -> tuple[str, tuple[mpf, ...]]:
+    """Impact if the state moves into the plane, then the mode rule; the mode and state that follow."""
+
+    def record(kind: str, old: str, new: str, **more: Any) -> None:
+        solution.events.append({"t": t, "kind": kind, "from": old, "to": new, **as_state(state), **more})
+
+    def collide(collision: bool) -> None:
+        nonlocal state
+        before = {"vx": state[3], "vy": state[4], "omega": state[5]}
+        result = impact(p, state)
+        state = (*state[:3], *result["velocity"])
+        solution.losses_normal += result["loss_normal"]
+        solution.losses_tangential += result["loss_tangential"]
+        more = {key: result[key] for key in ("impulse", "loss_normal", "loss_tangential")}
+        record("impact", mode, "?", before=before, collision=collision, **more)
+
+    def follow() -> str:
+        return FLIGHT if state[4] > 0 else choose(p, state)[0]
+
+    if forced:
+        record("slip_start" if forced in DIRECTION else "takeoff", mode, forced)
+        return forced, state
+    if state[4] < 0:
+        collide(True)
+    elif state[4] > 0:
+        if mode == "start":
+            record("start", mode, FLIGHT)
+        return FLIGHT, state
+    following, painleve = choose(p, state) if state[4] == 0 else (FLIGHT, "")
+    if painleve:
+        record(painleve, mode, following)
+        if following == "impact":
+            collide(False)
+            following = follow()
+    pending = [event for event in solution.events if event["to"] in ("?", "impact")]
+    for event in pending:
+        event["to"] = following
+    if pending:
+        return following, state
+    kind = {ROLL: "stick", FLIGHT: "takeoff"}.get(following, "slip_reversal")
+    if mode == "start":
+        kind = "start"
+    if not painleve:
+        record(kind, mode, following)
+    return following, state
+
+
+def as_state(state: tuple[mpf, ...]) -> dict[str, mpf]:
+    """Names for the six numbers of a state."""
+    return dict(zip(STATE, state, strict=True))
+
+
+def solve(case: Case, digits: int = 40, order: int | None = None) -> Solution:
+    """Solve a case to about `digits` − 8 digits, until its duration or its number of events is reached."""
+    with mp.workdps(digits + 10):
+        p = Parameters(case)
+        return _solve(case, p, order or digits)
+
+
+def _solve(case: Case, p: Parameters, order: int) -> Solution:
+    solution = Solution(case, p)
+    t, work, state = mpf(0), mpf(0), initial_state(p)
+    duration = mpf(case.duration)
+    if state[1] > 0:
+        mode = FLIGHT
+        solution.events.append({"t": t, "kind": "start", "from": "start", "to": mode, **as_state(state)})
+    else:
+        mode, state = settle(p, solution, t, state, "start")
+    solution.sequence = mode
+    fresh = True
+    while t < duration:
+        piece = expand(p, mode, t, state, work, order)
+        solution.pieces.append(piece)
+        span = min(piece.span, duration - t)
+        if span < p.time_scale * mpf(10) ** -7:
+            if span == duration - t:
+                break
+            solution.status = "jammed"
+            break
+        candidates = []
+        for name, (series, scale, falling) in event_functions(p, piece).items():
+            for root, slope in roots(series, scale, p.time_scale, span, fresh):
+                if not falling or slope < 0:
+                    candidates.append((root, name))
+        if not candidates:
+            t, state, work = t + span, piece.state(span), value(piece.work, span)
+            fresh = False
+            continue
+        tau, name = min(candidates)
+        t, work = t + tau, value(piece.work, tau)
+        x, y, angle, vx, vy, omega = piece.state(tau)
+        if mode != FLIGHT:
+            y, vy = mpf(0), mpf(0)
+        if mode == ROLL:
+            vx = p.radius * omega
+        fresh = True
+        if name == "turn":
+            omega, vx = mpf(0), (mpf(0) if mode == ROLL else vx)
+            state = (x, y, angle, vx, vy, omega)
+            solution.events.append({"t": t, "kind": "turn", "from": mode, "to": mode, **as_state(state)})
+        elif name == "apex":
+            state = (x, y, angle, vx, mpf(0), omega)
+            solution.events.append({"t": t, "kind": "apex", "from": mode, "to": mode, **as_state(state)})
+        else:
+            forced = ""
+            if name == "rest":
+                vx = p.radius * omega
+            elif name == "impact":
+                y = mpf(0)
+            elif name == "takeoff":
+                forced = FLIGHT
+            else:  # the edge of the friction cone: F > 0 at "slip+" drives the slip backwards
+                forced = SPIN if name == "slip+" else SKID
+                if p.free_normal_acceleration(angle, omega) >= 0:
+                    forced = FLIGHT
+            mode, state = settle(p, solution, t, (x, y, angle, vx, vy, omega), mode, forced)
+            solution.sequence += mode
+        if len(solution.events) > case.max_events:
+            solution.status = "event_limit"
+            break
+    solution.end = t
+    last = (
+        solution.at(t) if solution.status == "completed" else {"mode": mode, **as_state(state), "work": work}
+    )
+    solution.events.append({**last, "t": t, "kind": "end", "from": mode, "to": mode})
+    return solution
+
+
+def energy(solution: Solution, state: dict[str, Any]) -> tuple[mpf, mpf]:
+    """Kinetic and potential energy of a state."""
+    p = solution.parameters
+    velocity = mp.matrix([state["vx"], state["vy"], state["omega"]])
+    kinetic = (velocity.T * p.mass_matrix(state["angle"]) * velocity)[0] / 2
+    along = state["x"] + p.arm * mp.sin(state["angle"])
+    off = state["height"] + p.arm * (mp.cos(state["angle"]) - 1)
+    return kinetic, p.mass * p.gravity * (off * p.down - along * p.along)
+
+
+def ledger(solution: Solution) -> dict[str, mpf]:
+    """Energy balance at the end of the motion, with its residual."""
+    start, end = solution.events[0], solution.events[-1]
+    if "before" in start:  # an impact at t = 0: the account starts before it
+        start = {**start, **start["before"]}
+    before, after = energy(solution, start), energy(solution, end)
+    lost = end["work"] + solution.losses_normal + solution.losses_tangential
+    return {
+        "kinetic": after[0],
+        "potential": after[1],
+        "friction": end["work"],
+        "impact_normal": solution.losses_normal,
+        "impact_tangential": solution.losses_tangential,
+        "residual": sum(after) + lost - sum(before),
+    }
