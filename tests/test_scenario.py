@@ -406,6 +406,13 @@ def test_saved_files(tmp_path, monkeypatch):
         assert hh.Scenario.load("-") == scenario
 
 
+def test_equal_scenarios_have_equal_links():
+    zero, minus = hh.Scenario(start=hh.Start(x=0.0)), hh.Scenario(start=hh.Start(x=-0.0))
+    assert zero == minus
+    assert zero.to_query() == minus.to_query()
+    assert hh.Scenario(plane=hh.Plane(mu=-0.0)).to_query() == hh.Scenario(plane=hh.Plane(mu=0)).to_query()
+
+
 def test_links_are_short_and_readable():
     assert hh.Scenario().to_query() == ""
     scenario = hh.Scenario(start=hh.Start.rolling(2.0), plane=hh.Plane(mu=0.3))

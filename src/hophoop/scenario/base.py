@@ -142,7 +142,7 @@ def _number(value: Any) -> float:
     if not scalar or isinstance(value, bool | np.bool_):
         raise PydanticCustomError("number", "must be a number")
     try:
-        return float(value)
+        return float(value) + 0.0  # no −0.0: equal scenarios are equal to the last character of their link
     except (TypeError, ValueError, OverflowError):
         raise PydanticCustomError("number", "must be a number") from None
 

@@ -119,12 +119,10 @@ def read_query(query: str) -> dict[str, Any]:
 
 
 def _query_number(text: str) -> Any:
-    for kind in (int, float):
-        try:
-            return kind(text)
-        except ValueError:
-            continue
-    return text
+    try:
+        return float(text)
+    except ValueError:
+        return text
 
 
 def _numbered(parts: Mapping[str, Any]) -> list[Any]:
