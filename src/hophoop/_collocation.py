@@ -77,8 +77,8 @@ def coefficients(values, out):
 
 
 @jit
-def resolved(values, tolerance, scale):
-    """Whether the last Chebyshev coefficients are below `tolerance` times `scale` or the largest value."""
+def tail(values, scale):
+    """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
     a = 0.0
     b = 0.0
     c = 0.0
@@ -88,8 +88,8 @@ def resolved(values, tolerance, scale):
         a += TAIL[0, i] * value
         b += TAIL[1, i] * value
         c += TAIL[2, i] * value
-    # false for nan and inf as well
-    return max(abs(a), abs(b), abs(c)) <= tolerance * scale < np.inf
+    ratio = max(abs(a), abs(b), abs(c)) / scale
+    return ratio if ratio < np.inf else np.inf
 
 
 @jit

@@ -15,10 +15,10 @@ from hophoop._jit import jit
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 
 # Rows of the scratch array of a panel: values at the nodes.
-SINE, COSINE, D_SINE, D_COSINE, OFFSET, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, LOSS, A, B = range(15)
-ROWS = 15
+SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, LOSS, A, B = range(12)
+ROWS = 12
 
-RESOLVED = 4e-14  # size of the last Chebyshev coefficients at which a panel is accepted
+RESOLVED = 2e-13  # size of the last Chebyshev coefficients at which a panel is accepted
 
 
 class Panel(NamedTuple):
@@ -37,7 +37,7 @@ class Panel(NamedTuple):
 class Totals(NamedTuple):
     """Changes over a whole panel."""
 
-    fine: bool
+    tail: float  # size of the last Chebyshev coefficients, the panel's error measure
     time: float
     u: float
     vt: float
@@ -46,31 +46,31 @@ class Totals(NamedTuple):
 
 @jit
 def fill_geometry(panel, work):
-    """sin θ, cos θ, their exact differences from `ref`, θ − ref and abs(dθ/dξ) at the nodes."""
+    """Rows A and B: sin θ − sin θ_ref and cos θ − cos θ_ref at the nodes, exact for small steps; STRETCH: abs(dθ/dξ)."""
     s0 = math.sin(panel.ref)
     c0 = math.cos(panel.ref)
+    ds = work[A]
+    dc = work[B]
+    stretch = work[STRETCH]
+    if panel.kind == LINEAR:
+        way = panel.way
+        half = 0.5 * panel.extent
+        sines = SINES[panel.level]
+        versines = VERSINES[panel.level]
+        for i in range(ORDER):
+            sine = way * sines[i]
+            ds[i] = c0 * sine - s0 * versines[i]
+            dc[i] = -s0 * sine - c0 * versines[i]
+            stretch[i] = half
+        return
     for i in range(ORDER):
-        if panel.kind == LINEAR:
-            sine = SINES[panel.level, i]
-            versine = VERSINES[panel.level, i]
-            offset = panel.extent * 0.5 * (1.0 + NODES[i])
-            stretch = 0.5 * panel.extent
-        else:
-            part = 0.5 * (1.0 - NODES[i] if panel.kind == ARRIVE else 1.0 + NODES[i])
-            offset = panel.extent * part * part
-            sine = math.sin(offset)
-            versine = 2.0 * math.sin(0.5 * offset) ** 2
-            stretch = panel.extent * part
-        way = -panel.way if panel.kind == ARRIVE else panel.way
-        sine *= way
-        ds = c0 * sine - s0 * versine
-        dc = -s0 * sine - c0 * versine
-        work[SINE, i] = s0 + ds
-        work[COSINE, i] = c0 + dc
-        work[D_SINE, i] = ds
-        work[D_COSINE, i] = dc
-        work[OFFSET, i] = way * offset
-        work[STRETCH, i] = stretch
+        part = 0.5 * (1.0 - NODES[i] if panel.kind == ARRIVE else 1.0 + NODES[i])
+        offset = panel.extent * part * part
+        sine = math.sin(offset) * (-panel.way if panel.kind == ARRIVE else panel.way)
+        versine = 2.0 * math.sin(0.5 * offset) ** 2
+        ds[i] = c0 * sine - s0 * versine
+        dc[i] = -s0 * sine - c0 * versine
+        stretch[i] = panel.extent * part
 
 
 @jit

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import ORDER, antiderivative, resolved
+from hophoop._collocation import NODES, ORDER, antiderivative, tail
 from hophoop._jit import jit
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.panel import (
@@ -12,11 +12,7 @@ from hophoop.physics.panel import (
     ARRIVE,
     B,
     COSINE,
-    D_COSINE,
-    D_SINE,
-    LINEAR,
     NORMAL,
-    OFFSET,
     RATE,
     RESOLVED,
     SINE,
@@ -24,6 +20,7 @@ from hophoop.physics.panel import (
     TIME,
     U,
     Totals,
+    angle_at,
     fill_geometry,
 )
 
@@ -54,21 +51,40 @@ def solve_roll(body, panel, work):
     The row A holds D θ̇², which is smooth also where it turns negative beyond a turning point.
     """
     fill_geometry(panel, work)
-    start = rolling_inertia(body, math.cos(panel.ref)) * panel.u
+    s0 = math.sin(panel.ref)
+    c0 = math.cos(panel.ref)
+    start = rolling_inertia(body, c0) * panel.u
+    sines = work[SINE]
+    cosines = work[COSINE]
+    us = work[U]
+    rates = work[RATE]
+    stretch = work[STRETCH]
+    energies = work[A]
+    dcs = work[B]
     for i in range(ORDER):
-        energy = start + rolling_energy_change(body, work[D_SINE, i], work[D_COSINE, i], work[OFFSET, i])
-        u = energy / rolling_inertia(body, work[COSINE, i])
-        work[A, i] = energy
-        work[U, i] = u
-        work[RATE, i] = work[STRETCH, i] / math.sqrt(u) if u > 0.0 else math.nan
-    if not resolved(work[RATE], RESOLVED, 0.0):
-        return Totals(False, 0.0, 0.0, 0.0, 0.0)
-    time = antiderivative(work[RATE], work[TIME])
+        ds = energies[i]
+        dc = dcs[i]
+        offset = angle_at(panel, NODES[i]) if body.gt != 0.0 else 0.0
+        c = c0 + dc
+        energy = start + rolling_energy_change(body, ds, dc, offset)
+        u = energy / rolling_inertia(body, c)
+        sines[i] = s0 + ds
+        cosines[i] = c
+        energies[i] = energy
+        us[i] = u
+    for i in range(ORDER):
+        rates[i] = stretch[i] / math.sqrt(max(us[i], 0.0))  # infinite beyond a turning point
+    size = tail(rates, 0.0)
+    if not size <= RESOLVED:
+        return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0)
+    time = antiderivative(rates, work[TIME])
     if panel.kind == ARRIVE:
         u = 0.0
     else:
         u = rolling_u(body, panel.ref, panel.u, panel.way * panel.extent)
-    return Totals(panel.kind != LINEAR or u > 0.0, time, u, 0.0, 0.0)
+        if not u > 0.0:
+            size = math.inf
+    return Totals(size, time, u, 0.0, 0.0)
 
 
 @jit

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import ORDER, REMAINDER_T, WEIGHTS, antiderivative, product, resolved
+from hophoop._collocation import ORDER, REMAINDER_T, WEIGHTS, antiderivative, product, tail
 from hophoop._jit import jit
-from hophoop.physics.contact import slip_motion, slip_stiffness, slip_torque_arm
+from hophoop.physics.contact import slip_motion, slip_torque_arm
 from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
-    LINEAR,
     LOSS,
     NORMAL,
     RATE,
@@ -48,51 +47,74 @@ def _from_reference(panel, values, out):
 def solve_slip(body, panel, work):
     """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
 
-    Where the panel reaches beyond a turning point only the row U is meaningful (and the answer is not fine).
+    Where the panel reaches beyond a turning point only the row U is meaningful, and the tail is infinite.
     """
     fill_geometry(panel, work)
     sigma = panel.sigma
+    s0 = math.sin(panel.ref)
+    c0 = math.cos(panel.ref)
+    eps = body.eps
+    sines = work[SINE]
+    cosines = work[COSINE]
+    stretch = work[STRETCH]
+    damping = work[A]
+    drive = work[B]
+    growth = work[NORMAL]
+    integral = work[TIME]
+    lowest = math.inf
     for i in range(ORDER):
-        s = work[SINE, i]
-        c = work[COSINE, i]
+        s = s0 + damping[i]
+        c = c0 + drive[i]
         q = slip_torque_arm(body, s, c, sigma)
-        stiffness = slip_stiffness(body, s, c, sigma)
-        if not stiffness > 0.0:
-            return Totals(False, 0.0, math.nan, 0.0, 0.0)
-        work[A, i] = -2.0 * q * body.eps * c / stiffness * work[STRETCH, i]
-        work[B, i] = 2.0 * q * body.gn / stiffness * work[STRETCH, i]
-    if not resolved(work[A], RESOLVED, 0.5):
-        return Totals(False, 0.0, math.nan, 0.0, 0.0)
-    exponent = _from_reference(panel, work[A], work[TIME])
+        stiffness = body.kap + eps * s * q
+        lowest = min(lowest, stiffness)
+        share = 2.0 * q / stiffness * stretch[i]
+        sines[i] = s
+        cosines[i] = c
+        damping[i] = -eps * c * share
+        drive[i] = body.gn * share
+    if not lowest > 0.0:
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0)
+    size = tail(damping, 0.5)
+    if not size <= RESOLVED:
+        return Totals(size, 0.0, math.nan, 0.0, 0.0)
+    exponent = _from_reference(panel, damping, integral)
     for i in range(ORDER):
-        growth = math.exp(work[TIME, i])
-        work[NORMAL, i] = growth
-        work[B, i] /= growth
-    driven = _from_reference(panel, work[B], work[TIME])
+        factor = math.exp(integral[i])
+        growth[i] = factor
+        drive[i] /= factor
+    driven = _from_reference(panel, drive, integral)
+    us = work[U]
+    lowest = math.inf
     for i in range(ORDER):
-        work[U, i] = work[NORMAL, i] * (panel.u + work[TIME, i])
+        u = growth[i] * (panel.u + integral[i])
+        lowest = min(lowest, u)
+        us[i] = u
     u_far = math.exp(exponent) * (panel.u + driven)
+    if not (lowest > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
+        return Totals(math.inf, 0.0, u_far, 0.0, 0.0)
+    rates = work[RATE]
+    normals = work[NORMAL]
+    slip_rates = work[SLIP_RATE]
     for i in range(ORDER):
-        u = work[U, i]
-        if not u > 0.0:
-            return Totals(False, 0.0, u_far, 0.0, 0.0)
-        _, normal, slip_rate = slip_motion(body, work[SINE, i], work[COSINE, i], u, sigma)
-        rate = work[STRETCH, i] / math.sqrt(u)
-        work[RATE, i] = rate
-        work[NORMAL, i] = normal
-        work[SLIP_RATE, i] = slip_rate * rate
-    if not (resolved(work[RATE], RESOLVED, 0.0) and resolved(work[NORMAL], RESOLVED, body.gn + panel.u)):
-        return Totals(False, 0.0, u_far, 0.0, 0.0)
-    if panel.kind == LINEAR and not u_far > 0.0:
-        return Totals(False, 0.0, u_far, 0.0, 0.0)
-    time = antiderivative(work[RATE], work[TIME])
-    vt = panel.vt + antiderivative(work[SLIP_RATE], work[SLIP])
+        _, normal, slip_rate = slip_motion(body, sines[i], cosines[i], us[i], sigma)
+        rate = stretch[i] / math.sqrt(us[i])
+        rates[i] = rate
+        normals[i] = normal
+        slip_rates[i] = slip_rate * rate
+    size = max(size, tail(rates, 0.0), tail(normals, body.gn + panel.u))
+    if not size <= RESOLVED:
+        return Totals(size, 0.0, u_far, 0.0, 0.0)
+    time = antiderivative(rates, work[TIME])
+    slips = work[SLIP]
+    vt = panel.vt + antiderivative(slip_rates, slips)
+    power = work[A]
     for i in range(ORDER):
-        work[SLIP, i] += panel.vt
-        # power of friction; no abs(), so that it stays smooth beyond the end of the slip
-        work[A, i] = sigma * body.mu_k * work[NORMAL, i] * work[SLIP, i] * work[RATE, i]
-    loss = antiderivative(work[A], work[LOSS])
-    return Totals(True, time, 0.0 if panel.kind == ARRIVE else u_far, vt, loss)
+        slips[i] += panel.vt
+        # no abs(), so that it stays smooth beyond the end of the slip
+        power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
+    loss = antiderivative(power, work[LOSS])
+    return Totals(size, time, 0.0 if panel.kind == ARRIVE else u_far, vt, loss)
 
 
 @jit

@@ -9,7 +9,6 @@ from hophoop._collocation import (
     NODES,
     NOT_FOUND,
     ORDER,
-    WIDTHS,
     coefficients,
     dot,
     first_fall,
@@ -24,8 +23,8 @@ from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
     LEAVE,
-    LINEAR,
     LOSS,
+    RESOLVED,
     SLIP,
     TIME,
     A,
@@ -44,7 +43,9 @@ ROLL = int(Mode.ROLL)
 # What ended a panel.
 ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
 
-START_LEVEL = 1
+START_LEVEL = 2
+GAIN_OF_A_LEVEL = 8.0  # a panel narrower by √2 has a last coefficient smaller by about 2^8
+WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
 SMALLEST_EXTENT = 1e-40
 STILL_ACCELERATION = 1e-15
@@ -69,10 +70,42 @@ def solve(body, panel, work):
 
 
 @jit
-def choose_panel(body, sigma, state, level, extent, scratch):
-    """The widest panel from here that is resolved.
+def narrower(level, size):
+    """Level to try after a panel whose last coefficients were `size`."""
+    if not size < 1.0:
+        return level + 3
+    return level + max(1, min(4, math.ceil(math.log2(size / RESOLVED) / GAIN_OF_A_LEVEL)))
 
-    Returns (panel, totals, level for the next one); totals.fine is False where there is none.
+
+@jit
+def turning_point_ahead(body, panel, totals, scratch):
+    """Angle from here to the first zero of θ̇², or 0 where none is near.
+
+    Where a panel loses most of θ̇² but does not reach the zero, wider ones are searched: panels that
+    fit before it would shrink towards it for ever.
+    """
+    for _ in range(4):
+        if panel.sigma == 0:
+            coefficients(scratch.work[A], scratch.series)
+        elif math.isnan(totals.u):
+            return 0.0
+        else:
+            coefficients(scratch.work[U], scratch.series)
+        xi = first_fall(scratch.series, 0.0, scratch.stack)
+        if xi != NOT_FOUND:
+            return panel.extent * 0.5 * (1.0 + xi)
+        if panel.level == 0:
+            return 0.0
+        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, panel.ref, panel.u, panel.vt)
+        totals = solve(body, panel, scratch.work)
+    return 0.0
+
+
+@jit
+def choose_panel(body, sigma, state, level, extent, scratch):
+    """A panel from here, as wide as is resolved.
+
+    Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
     """
     work = scratch.work
     if state.om == 0.0:
@@ -81,7 +114,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         while True:
             panel = Panel(sigma, LEAVE, 0, way, state.th, extent, 0.0, state.vt)
             totals = solve(body, panel, work)
-            if totals.fine or extent < SMALLEST_EXTENT:
+            if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
             extent *= 0.5
     u = state.om * state.om
@@ -89,20 +122,17 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     while True:
         panel = linear_panel(sigma, level, way, state.th, u, state.vt)
         totals = solve(body, panel, work)
-        if totals.fine:
-            return panel, totals, max(level - 1, 0)
-        # a turning point ahead?
-        row = A if sigma == 0 else U
-        if sigma == 0 or not math.isnan(totals.u):
-            coefficients(work[row], scratch.series)
-            xi = first_fall(scratch.series, 0.0, scratch.stack)
-            if xi != NOT_FOUND:
-                ahead = way * panel.extent * 0.5 * (1.0 + xi)
-                arrival = Panel(sigma, ARRIVE, level, way, state.th + ahead, abs(ahead), 0.0, state.vt)
+        if totals.tail <= RESOLVED:
+            return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
+        size = totals.tail
+        if not work[U, ORDER - 1] > 0.8 * u:
+            ahead = turning_point_ahead(body, panel, totals, scratch)
+            if ahead > 0.0:
+                arrival = Panel(sigma, ARRIVE, level, way, state.th + way * ahead, ahead, 0.0, state.vt)
                 totals = solve(body, arrival, work)
-                if totals.fine:
+                if totals.tail <= RESOLVED:
                     return arrival, totals, START_LEVEL
-        level += 2
+        level = narrower(level, size)
         if level >= LEVELS:
             return panel, totals, level
 
@@ -252,7 +282,7 @@ def advance_contact(body, mode, state, fresh, zeros, level, t_end, angle_target,
         if abs(alpha) <= STILL_ACCELERATION * (1.0 + abs(state.th)):
             return STILL, state, level, count
     panel, totals, level = choose_panel(body, sigma, state, level, FIRST_EXTENT, scratch)
-    if not totals.fine:
+    if not totals.tail <= RESOLVED:
         return STUCK, state, level, count
     xi, what = earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target, scratch)
     after = state_on_panel(body, panel, totals, state, xi, scratch)

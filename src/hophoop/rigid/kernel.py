@@ -228,7 +228,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             mode, state, count = settle(body, state, cause, events, count)
     if mode == UNDECIDED:
         status = UNDETERMINED
-    slip_zeros = 1
+    slip_zeros = 1 if state.vt == 0.0 else 0
     fresh = True
     level = START_LEVEL
     new_phase = True
@@ -266,7 +266,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             mode, state, count = settle(body, after, cause, events, count)
             if mode == UNDECIDED:
                 status = UNDETERMINED
-            slip_zeros = 1
+            slip_zeros = 1 if state.vt == 0.0 else 0
             fresh = True
             level = START_LEVEL
             new_phase = True
@@ -337,7 +337,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             continue
         elif what == STOP:
             mode, state, count = settle(body, state, quiet(STICK, was, state), events, count)
-            slip_zeros = 1
+            slip_zeros = 1 if state.vt == 0.0 else 0
             fresh = True
         elif massless:
             # the contact force is lost: the load falls freely and the rim skims

@@ -31,16 +31,16 @@ COLUMNS = (
 def state_of(segment):
     """The state in which a segment begins."""
     return State(
-        segment.t,
-        segment.x,
-        segment.height,
-        segment.angle,
-        segment.slip,
-        segment.vy,
-        segment.omega,
-        segment.friction,
-        segment.impact_normal,
-        segment.impact_tangential,
+        segment["t"],
+        segment["x"],
+        segment["height"],
+        segment["angle"],
+        segment["slip"],
+        segment["vy"],
+        segment["omega"],
+        segment["friction"],
+        segment["impact_normal"],
+        segment["impact_tangential"],
     )
 
 
@@ -51,7 +51,7 @@ def find_segment(segments, t, left):
     high = segments.shape[0]
     while high - low > 1:
         middle = (low + high) // 2
-        begin = segments[middle].t
+        begin = segments[middle]["t"]
         if begin < t or (begin == t and not left):
             low = middle
         else:
@@ -69,8 +69,8 @@ def place_on_panel(panel_time, segment, tau, scratch):
     coefficients(scratch.values[0], scratch.series)
     xi = first_fall(scratch.series, 0.0, scratch.stack)
     if xi == NOT_FOUND:
-        xi = segment.xi
-    return min(xi, segment.xi)
+        xi = segment["xi"]
+    return min(xi, segment["xi"])
 
 
 @jit
@@ -89,48 +89,48 @@ def sample(body, segments, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     scratch = new_scratch()
     solved = -1
-    totals = Totals(False, 0.0, 0.0, 0.0, 0.0)
+    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0)
     panel = Panel(0, LINEAR, 0, 1.0, 0.0, 1.0, 0.0, 0.0)
     for k in range(times.shape[0]):
         index = find_segment(segments, times[k], left)
         segment = segments[index]
         state = state_of(segment)
-        tau = min(times[k], segment.t_end) - segment.t
+        tau = min(times[k], segment["t_end"]) - segment["t"]
         friction = 0.0
         normal = 0.0
-        if segment.kind == FLY:
+        if segment["kind"] == FLY:
             s = math.sin(state.th)
             c = math.cos(state.th)
-            y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, segment.opening, tau)
+            y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, segment["opening"], tau)
             x, th, vt = flight_state(body, state.x, state.th, state.vt, state.om, s, c, tau)
             now = State(times[k], x, max(y, 0.0), th, vt, vn, state.om, state.friction, state.impact_n, state.impact_t)
-        elif segment.kind == HOLD:
-            rate = segment.opening
+        elif segment["kind"] == HOLD:
+            rate = segment["opening"]
             slid = state.vt * tau + 0.5 * rate * tau * tau
-            loss = segment.sigma * body.mu_k * body.gn * slid if segment.sigma != 0 else 0.0
+            loss = segment["sigma"] * body.mu_k * body.gn * slid if segment["sigma"] != 0 else 0.0
             vt = state.vt + rate * tau
             now = State(
                 times[k], state.x + slid, 0.0, state.th, vt, 0.0, 0.0,
                 state.friction + loss, state.impact_n, state.impact_t,
             )  # fmt: skip
             normal = body.gn
-            friction = -segment.sigma * body.mu_k * body.gn if segment.sigma != 0 else -body.gt
-        elif segment.kind == SKIMMING:
-            x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, segment.way, tau)
+            friction = -segment["sigma"] * body.mu_k * body.gn if segment["sigma"] != 0 else -body.gt
+        elif segment["kind"] == SKIMMING:
+            x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, segment["way"], tau)
             now = State(times[k], x, 0.0, th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t)
         else:
             if index != solved:
                 panel = Panel(
-                    segment.sigma, segment.kind, segment.level, segment.way,
-                    segment.ref, segment.extent, segment.u, segment.slip,
+                    segment["sigma"], segment["kind"], segment["level"], segment["way"],
+                    segment["ref"], segment["extent"], segment["u"], segment["slip"],
                 )  # fmt: skip
                 totals = solve(body, panel, scratch.work)
                 solved = index
             xi = place_on_panel(scratch.work[TIME], segment, tau, scratch)
             now = state_on_panel(body, panel, totals, state, xi, scratch)
-            friction, normal = contact_force(body, segment.sigma, now.th, now.om)
+            friction, normal = contact_force(body, segment["sigma"], now.th, now.om)
         row = out[k]
-        row[0] = segment.mode
+        row[0] = segment["mode"]
         row[1] = now.x
         row[2] = now.y
         row[3] = now.th

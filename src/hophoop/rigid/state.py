@@ -48,29 +48,29 @@ def write_event(events, count, cause, mode, state, gain, stable):
     if count < 0 or count >= events.shape[0]:
         return -1
     row = events[count]
-    row.t = state.t
-    row.kind = cause.kind
-    row.before_mode = cause.mode
-    row.after_mode = mode
-    row.x = state.x
-    row.height = state.y
-    row.angle = state.th
-    row.vx = state.vt + state.om
-    row.vy = state.vn
-    row.omega = state.om
-    row.slip = state.vt
-    row.before_vx = cause.vt + cause.om
-    row.before_vy = cause.vn
-    row.before_omega = cause.om
-    row.before_slip = cause.vt
-    row.impulse_normal = cause.p_n
-    row.impulse_tangential = cause.p_t
-    row.friction = state.friction
-    row.impact_normal = state.impact_n
-    row.impact_tangential = state.impact_t
-    row.gain = gain
-    row.collision = cause.collision
-    row.stable = stable
+    row["t"] = state.t
+    row["kind"] = cause.kind
+    row["before_mode"] = cause.mode
+    row["after_mode"] = mode
+    row["x"] = state.x
+    row["height"] = state.y
+    row["angle"] = state.th
+    row["vx"] = state.vt + state.om
+    row["vy"] = state.vn
+    row["omega"] = state.om
+    row["slip"] = state.vt
+    row["before_vx"] = cause.vt + cause.om
+    row["before_vy"] = cause.vn
+    row["before_omega"] = cause.om
+    row["before_slip"] = cause.vt
+    row["impulse_normal"] = cause.p_n
+    row["impulse_tangential"] = cause.p_t
+    row["friction"] = state.friction
+    row["impact_normal"] = state.impact_n
+    row["impact_tangential"] = state.impact_t
+    row["gain"] = gain
+    row["collision"] = cause.collision
+    row["stable"] = stable
     return count + 1
 
 
@@ -82,27 +82,27 @@ def write_segment(segments, count, mode, kind, sigma, level, way, ref, extent, u
     if count < 0 or count >= segments.shape[0]:
         return -1
     row = segments[count]
-    row.t = state.t
-    row.t_end = t_end
-    row.mode = mode
-    row.kind = kind
-    row.sigma = sigma
-    row.level = level
-    row.way = way
-    row.ref = ref
-    row.extent = extent
-    row.u = u
-    row.xi = xi
-    row.opening = opening
-    row.x = state.x
-    row.height = state.y
-    row.angle = state.th
-    row.vy = state.vn
-    row.omega = state.om
-    row.slip = state.vt
-    row.friction = state.friction
-    row.impact_normal = state.impact_n
-    row.impact_tangential = state.impact_t
+    row["t"] = state.t
+    row["t_end"] = t_end
+    row["mode"] = mode
+    row["kind"] = kind
+    row["sigma"] = sigma
+    row["level"] = level
+    row["way"] = way
+    row["ref"] = ref
+    row["extent"] = extent
+    row["u"] = u
+    row["xi"] = xi
+    row["opening"] = opening
+    row["x"] = state.x
+    row["height"] = state.y
+    row["angle"] = state.th
+    row["vy"] = state.vn
+    row["omega"] = state.om
+    row["slip"] = state.vt
+    row["friction"] = state.friction
+    row["impact_normal"] = state.impact_n
+    row["impact_tangential"] = state.impact_t
     return count + 1
 
 
