@@ -1,6 +1,24 @@
 """Sphinx configuration; CI builds with warnings as errors."""
 
+from pybtex.plugin import register_plugin
+from pybtex.style.formatting.plain import Style
+from pybtex.style.labels import BaseLabelStyle
+
 import hophoop
+
+
+class KeyLabels(BaseLabelStyle):
+    """The bibliography's labels are the keys that docstrings cite."""
+
+    def format_labels(self, sorted_entries):
+        return [entry.key for entry in sorted_entries]
+
+
+class ByKey(Style):
+    default_label_style = KeyLabels
+
+
+register_plugin("pybtex.style.formatting", "by_key", ByKey)
 
 project = "hophoop"
 author = "The hophoop developers"
@@ -29,6 +47,7 @@ numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
 
 bibtex_bibfiles = ["references.bib"]
+bibtex_default_style = "by_key"
 bibtex_reference_style = "author_year"
 
 html_theme = "furo"
