@@ -146,7 +146,8 @@ def needs():
 def test_extras_hold_what_is_needed_of_them():
     for place, module, extra in needs():
         assert extra in PROJECT["optional-dependencies"], place
-        if extra != "engines":  # not installed for the tests
+        # Engines are not installed for the tests, and rooms of our own need no installing.
+        if extra != "engines" and not module.startswith("hophoop."):
             assert module.partition(".")[0] in extra_modules(extra), f"{place}: {module} is not in {extra}"
 
 
@@ -202,6 +203,10 @@ def public_objects(room):
         if inspect.isclass(value):
             found |= {f"{name}.{method}": member for method, member in own_members(value)}
     return found
+
+
+def is_from(value, module):
+    return (getattr(value, "__module__", None) or "").startswith(module)
 
 
 def own_members(cls):
@@ -318,7 +323,7 @@ REFERENCES = set(
 @pytest.mark.parametrize("room", [room for room in ROOMS if any(SOURCE.glob(f"{room}*"))])
 def test_docstrings_are_whole(room):
     objects = public_objects(room)
-    assert objects
+    assert objects, f"hophoop.{room} names nothing public: give it an __all__"
     assert {name: found for name, value in objects.items() if (found := complaints(value))} == {}
 
 
