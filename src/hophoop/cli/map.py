@@ -1,0 +1,85 @@
+"""`hophoop map`: a map over two or more parameters, into a file and a picture."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def map(
+    file: Annotated[
+        str | None, typer.Argument(metavar="[FILE]", help="Scenario to vary; '-' is standard input.")
+    ] = None,
+    axis: Annotated[
+        list[str] | None,
+        typer.Option(help="path=first:last:count, path=first:last:count:log or path=a,b,c; twice or more."),
+    ] = None,
+    quantity: Annotated[
+        list[str] | None,
+        typer.Option(help="What the map holds, such as sequence or hop_height; may be repeated."),
+    ] = None,
+    span: Annotated[
+        str,
+        typer.Option(help="first_revolution, takeoff, reversal, duration or revolutions:N."),
+    ] = "first_revolution",
+    out: Annotated[
+        Path | None, typer.Option(help="Where the map goes: a name ending in .zarr or .nc.")
+    ] = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Take up a map that was stopped.")] = False,
+    plot: Annotated[
+        Path | None, typer.Option(help="Draw the map's first quantity into this picture.")
+    ] = None,
+    threads: Annotated[int | None, typer.Option(help="How many cores; all by default.")] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="Start a Dask cluster of so many processes here.")
+    ] = None,
+    scheduler: Annotated[str | None, typer.Option(help="Address of a running Dask scheduler.")] = None,
+    gpu: Annotated[bool, typer.Option("--gpu", help="Compute on a GPU.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
+) -> None:
+    """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
+    from hophoop.maps.axes import parse_axis
+    from hophoop.maps.sweep import sweep
+    from hophoop.scenario import InputError, Scenario
+
+    if out is None and plot is None:
+        raise InputError("--out or --plot must say where the map goes.")
+    if resume and out is None:
+        raise InputError("--out must name the map to take up with --resume.")
+    base = Scenario() if file is None else Scenario.load(file)
+    axes = {}
+    for text in axis or ():
+        path, values = parse_axis(text)
+        if path in axes:
+            raise InputError(f"--axis names {path} twice.")
+        axes[path] = values
+    if plot is not None and len(axes) != 2:
+        raise InputError(f"--plot needs a map of two axes, not {len(axes)}.")
+    quantities = quantity or ["sequence"]
+    try:
+        dataset = sweep(
+            base,
+            axes,
+            quantities,
+            span,
+            out=out,
+            resume=resume,
+            threads=threads,
+            workers=workers,
+            scheduler=scheduler,
+            device="gpu" if gpu else "cpu",
+            progress=not quiet,
+        )
+    except KeyboardInterrupt:
+        kept = f"; what is done is kept in {out}, and --resume goes on" if out is not None else ""
+        typer.echo(f"Stopped{kept}.", err=True)
+        raise typer.Exit(130) from None
+    if plot is not None:
+        from hophoop.plots.maps import motion_map
+
+        axes_drawn = motion_map(dataset, quantities[0])
+        axes_drawn.figure.savefig(plot)
+    if out is not None:
+        typer.echo(f"{dataset[quantities[0]].size:,} motions in {out}", err=True)

@@ -1,0 +1,23 @@
+"""Maps: reduced quantities of millions of motions over any parameters of a scenario.
+
+xarray and Zarr are in the extra ``maps``, Dask in ``cluster``; both are loaded when a map is made.
+"""
+
+from hophoop.maps.axes import linear, logarithmic, scenario_at
+from hophoop.maps.evaluate import points
+from hophoop.maps.quantities import QUANTITIES, SPANS, Quantity, words_of
+from hophoop.maps.store import open_map
+from hophoop.maps.sweep import sweep
+
+__all__ = [
+    "sweep",
+    "points",
+    "open_map",
+    "words_of",
+    "linear",
+    "logarithmic",
+    "scenario_at",
+    "QUANTITIES",
+    "SPANS",
+    "Quantity",
+]

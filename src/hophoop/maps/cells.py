@@ -1,0 +1,177 @@
+"""From scenarios to the kernel's cells: all cells of a chunk at once, as `scenario_at` would make each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.maps.axes import ordered, scenario_at
+from hophoop.maps.kernel import (
+    ALLOWED,
+    ANGLE,
+    CELL,
+    DURATION,
+    ECCENTRICITY,
+    GRAVITY,
+    HEIGHT,
+    INERTIA_RATIO,
+    LAW,
+    MASS,
+    MAX_EVENTS,
+    MU_KINETIC,
+    MU_STATIC,
+    OMEGA,
+    RADIUS,
+    RESTITUTION,
+    SLIP,
+    SLOPE,
+    STRIKE,
+    VY,
+    X,
+)
+from hophoop.physics.body import ImpactLaw
+from hophoop.scenario import Scenario
+from hophoop.scenario.models import Rigid
+
+Array = NDArray[Any]
+
+# Parameters whose value is one number of the cell.
+_PLAIN = {
+    "duration": DURATION,
+    "hoop.radius": RADIUS,
+    "hoop.mass": MASS,
+    "hoop.eccentricity": ECCENTRICITY,
+    "hoop.inertia_ratio": INERTIA_RATIO,
+    "plane.gravity": GRAVITY,
+    "plane.slope": SLOPE,
+    "plane.mu_static": MU_STATIC,
+    "plane.mu_kinetic": MU_KINETIC,
+    "plane.restitution": RESTITUTION,
+    "start.x": X,
+    "start.angle": ANGLE,
+    "contact.max_events": MAX_EVENTS,
+}
+_DEFINES_HOOP = {"hoop.load_fraction", "hoop.eccentricity", "hoop.inertia_ratio"}
+
+
+def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArray[np.float64]:
+    """Cells of the kernel.
+
+    Parameters
+    ----------
+    base : Scenario
+        With rigid contact.
+    values : mapping of str to ndarray, shape (count,)
+        Values of the varied parameters, by path [SI].
+    count : int
+        How many cells.
+
+    Returns
+    -------
+    cells : ndarray, shape (len(CELL), count)
+        Rows as `kernel.CELL` names them [SI]; those whose values do not go together are marked.
+    """
+    cells = np.zeros((len(CELL), count))
+    _put_base(cells, base)
+    paths = ordered(list(values))
+    hoop = [path for path in paths if path.startswith("hoop.")]
+    if hoop and _is_made_of_parts(base, hoop):
+        _put_hoops(cells, base, {path: values[path] for path in hoop})
+        paths = [path for path in paths if path not in hoop]
+    start = base.start
+    rolling = start.speed is not None
+    free = {"height": cells[HEIGHT], "vx": np.full(count, start.vx), "vy": cells[VY], "omega": cells[OMEGA]}
+    touched = False
+    for path in paths:
+        array = values[path]
+        if path in _PLAIN:
+            cells[_PLAIN[path]] = array
+        elif path == "hoop.load_fraction":
+            cells[ECCENTRICITY] = array
+            cells[INERTIA_RATIO] = (1.0 - array) * (1.0 + array)
+        elif path == "plane.mu":
+            cells[MU_STATIC] = array
+            cells[MU_KINETIC] = array
+        elif path == "plane.impact_law":
+            cells[LAW] = [int(ImpactLaw[word.upper()]) for word in array]
+        elif path == "plane.painleve":
+            cells[STRIKE] = array == "impact"
+        elif path == "start.speed":
+            rolling = True
+            free["vx"] = array
+        else:
+            name = path.partition(".")[2]
+            if rolling and not touched:
+                free["omega"] = free["vx"] / cells[RADIUS]
+            rolling, touched = False, True
+            free[name] = array
+    if rolling:
+        cells[HEIGHT] = 0.0
+        cells[VY] = 0.0
+        cells[OMEGA] = free["vx"] / cells[RADIUS]
+        cells[SLIP] = 0.0
+    else:
+        cells[HEIGHT] = free["height"]
+        cells[VY] = free["vy"]
+        cells[OMEGA] = free["omega"]
+        cells[SLIP] = free["vx"] - cells[RADIUS] * cells[OMEGA]
+    _mark(cells)
+    return cells
+
+
+def _put_base(cells: Array, base: Scenario) -> None:
+    hoop, plane, start = base.hoop, base.plane, base.start
+    assert isinstance(base.contact, Rigid)
+    cells[RADIUS] = hoop.radius
+    cells[MASS] = hoop.mass
+    cells[ECCENTRICITY] = hoop.eccentricity
+    cells[INERTIA_RATIO] = hoop.inertia_ratio
+    cells[GRAVITY] = plane.gravity
+    cells[SLOPE] = plane.slope
+    cells[MU_STATIC] = plane.mu_static
+    cells[MU_KINETIC] = plane.mu_kinetic
+    cells[RESTITUTION] = plane.restitution
+    cells[LAW] = int(ImpactLaw[plane.impact_law.upper()])
+    cells[STRIKE] = plane.painleve == "impact"
+    cells[X] = start.x
+    cells[HEIGHT] = start.height
+    cells[ANGLE] = start.angle
+    cells[VY] = start.vy
+    cells[OMEGA] = start.state(hoop).omega
+    cells[DURATION] = base.duration
+    cells[MAX_EVENTS] = base.contact.max_events
+    cells[ALLOWED] = 1.0
+
+
+def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:
+    """Whether radius and mass mean parts, so that ε and κ follow from them."""
+    if any(path.startswith("hoop.parts") for path in paths):
+        return True
+    return base.hoop.parts is not None and not _DEFINES_HOOP & set(paths)
+
+
+def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> None:
+    """Hoops made of parts, each combination once."""
+    table = np.stack(list(values.values()))
+    combinations, place = np.unique(table, axis=1, return_inverse=True)
+    made = np.zeros((5, combinations.shape[1]))
+    for i, combination in enumerate(combinations.T):
+        try:
+            hoop = scenario_at(base, dict(zip(values, combination, strict=True))).hoop
+        except ValueError:
+            continue
+        made[:, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, 1.0
+    place = place.reshape(-1)
+    for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, ALLOWED), made, strict=True):
+        cells[row] = column[place]
+
+
+def _mark(cells: Array) -> None:
+    """The rules that tie parameters together, as the scenario's validators have them."""
+    massless = cells[INERTIA_RATIO] == 0.0
+    bad = cells[MU_KINETIC] > cells[MU_STATIC]
+    bad |= massless & ((cells[ECCENTRICITY] != 1.0) | (cells[SLOPE] != 0.0))
+    cells[ALLOWED][bad] = 0.0

@@ -1,0 +1,84 @@
+"""The same sweep over a Dask cluster: workers compute chunks and write them into the store themselves."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from hophoop._extras import need
+from hophoop.maps.store import compute_chunk
+
+# Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
+WAITING = 4
+# How many workers may die over one chunk before the sweep gives up.
+DEATHS = 10
+
+
+def compute_on_cluster(
+    path: Path,
+    indices: Sequence[int],
+    scheduler: str | None,
+    workers: int | None,
+    device: str,
+    report: Callable[[int], None],
+) -> None:
+    """Compute chunks on the workers of a cluster; the store's own marks say what is there.
+
+    Parameters
+    ----------
+    path : Path
+        The store, which the workers see under the same name.
+    indices : sequence of int
+        Chunks to compute.
+    scheduler : str or None
+        Address of a running scheduler; None starts a cluster on this machine.
+    workers : int or None
+        How many processes the cluster on this machine has.
+    device : {'cpu', 'gpu'}
+    report : callable
+        Called with the cells of every chunk that is done.
+
+    Raises
+    ------
+    OSError
+        If no scheduler answers at that address.
+    """
+    need("distributed", "cluster")
+    # one thread a worker: the cluster is what runs in parallel
+    how = "gpu" if device == "gpu" else "serial"
+    place = str(path.resolve())
+    with _client(scheduler, workers) as client:
+        as_completed = need("distributed", "cluster").as_completed
+        queue = iter(indices)
+        running = as_completed(raise_errors=True)
+
+        def submit() -> None:
+            index = next(queue, None)
+            if index is not None:
+                running.add(client.submit(compute_chunk, place, index, how, pure=False, retries=DEATHS))
+
+        for _ in range(WAITING * max(1, sum(client.nthreads().values()))):
+            submit()
+        for future in running:
+            report(future.result())
+            future.release()
+            submit()
+
+
+@contextlib.contextmanager
+def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
+    distributed = need("distributed", "cluster")
+    if scheduler is not None:
+        with distributed.Client(scheduler) as client:
+            client.wait_for_workers(1, timeout=60)
+            yield client
+        return
+    with (
+        distributed.LocalCluster(
+            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield client

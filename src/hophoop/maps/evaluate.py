@@ -1,0 +1,268 @@
+"""Running cells: what a plan is, one chunk of it, and scattered points."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+import hophoop
+from hophoop._jit import announce_compilation
+from hophoop.maps import kernel
+from hophoop.maps.axes import (
+    Axis,
+    Chunk,
+    chunk_at,
+    chunk_count,
+    chunk_shape,
+    chunk_values,
+    make_axes,
+    ordered,
+)
+from hophoop.maps.cells import make_cells
+from hophoop.maps.quantities import Quantity, Span, choose_quantities, make_span, unpack, wanted_of
+from hophoop.physics.panel import RESOLVED
+from hophoop.scenario import InputError, Scenario, parameter
+
+CHUNK_CELLS = 65536
+
+
+class Results(NamedTuple):
+    """What the kernel gives, one row a cell."""
+
+    numbers: NDArray[np.float64]
+    words: NDArray[np.int32]
+    keys: NDArray[np.uint64]
+
+    def of(self, quantity: Quantity) -> NDArray[Any]:
+        """One quantity, but for the sequence, which stays packed in `keys`."""
+        source = self.words if quantity.is_code else self.numbers
+        return source[:, quantity.column].astype(quantity.dtype)
+
+
+class Plan(NamedTuple):
+    """A map to be: everything that its content depends on."""
+
+    base: Scenario
+    axes: tuple[Axis, ...]
+    quantities: tuple[Quantity, ...]
+    span: Span
+    chunk: tuple[int, ...]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Cells along each axis."""
+        return tuple(axis.values.size for axis in self.axes)
+
+    @property
+    def parts(self) -> int:
+        """How many chunks it has."""
+        return chunk_count(self.shape, self.chunk)
+
+    def part(self, index: int) -> Chunk:
+        """One of its chunks."""
+        return chunk_at(index, self.shape, self.chunk)
+
+    def to_text(self) -> str:
+        """The plan as JSON, with what made it; equal plans have equal texts."""
+        return json.dumps(
+            {
+                "hophoop": hophoop.__version__,
+                "tolerance": RESOLVED,
+                "scenario": self.base.to_dict(),
+                "axes": {axis.path: _json(axis.values) for axis in self.axes},
+                "quantities": [quantity.name for quantity in self.quantities],
+                "span": self.span.name,
+                "chunk": list(self.chunk),
+            }
+        )
+
+    @classmethod
+    def from_text(cls, text: str) -> Plan:
+        """Read `to_text` back."""
+        data = json.loads(text)
+        base = Scenario.from_dict(data["scenario"])
+        axes = []
+        for path, values in data["axes"].items():
+            _, description, unit = parameter(path)
+            axes.append(Axis(path, np.array(values, str if unit == "" else float), unit, description))
+        return cls(
+            base,
+            tuple(axes),
+            choose_quantities(data["quantities"]),
+            make_span(data["span"]),
+            tuple(data["chunk"]),
+        )
+
+
+def _json(values: NDArray[Any]) -> list[Any]:
+    # JSON has no infinity; NumPy reads the word back as a number
+    return ["inf" if value == np.inf else value for value in values.tolist()]
+
+
+def make_plan(
+    base: Scenario | None,
+    axes: Mapping[str, ArrayLike],
+    quantities: Sequence[str],
+    span: str,
+    chunk_cells: int = CHUNK_CELLS,
+) -> Plan:
+    """A checked plan of a map.
+
+    Parameters
+    ----------
+    base : Scenario or None
+        None is the article's hoop.
+    axes : mapping of str to array_like
+        Values by path [SI].
+    quantities : sequence of str
+    span : str
+    chunk_cells : int, default 65536
+        About how many cells are computed and written at a time.
+
+    Returns
+    -------
+    plan : Plan
+
+    Raises
+    ------
+    ValueError
+        If something in it is not allowed.
+    """
+    base = Scenario() if base is None else base
+    if chunk_cells < 1:
+        raise InputError(f"chunk_cells = {chunk_cells!r} must be at least 1.")
+    made = make_axes(base, axes)
+    shape = tuple(axis.values.size for axis in made)
+    return Plan(base, made, choose_quantities(quantities), make_span(span), chunk_shape(shape, chunk_cells))
+
+
+def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str = "cpu") -> Results:
+    """Run the kernel on all cells.
+
+    Parameters
+    ----------
+    cells : ndarray, shape (len(CELL), n)
+        [SI].
+    span : Span
+    wanted : int
+        Sum of the kernel's flags.
+    device : {'cpu', 'serial', 'gpu'}
+        All cores, this thread only, or a GPU.
+
+    Returns
+    -------
+    results : Results
+    """
+    count = cells.shape[1]
+    results = Results(
+        np.empty((count, len(kernel.NUMBERS))),
+        np.empty((count, len(kernel.WORDS)), np.int32),
+        np.empty((count, kernel.KEYS), np.uint64),
+    )
+    if device == "gpu":
+        from hophoop.maps.gpu import evaluate_on_gpu
+
+        evaluate_on_gpu(cells, span, wanted, results)
+    elif device == "serial":
+        kernel.evaluate_block(cells, 0, count, span.angle, span.stop, span.timed, wanted, *results)
+    else:
+        announce_compilation(kernel.evaluate)
+        kernel.evaluate(cells, span.angle, span.stop, span.timed, wanted, *results)
+    return results
+
+
+def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, Results]:
+    """Compute one chunk of a plan."""
+    chunk = plan.part(index)
+    values = chunk_values(plan.axes, chunk)
+    cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
+    return chunk, run_cells(cells, plan.span, wanted_of(plan.quantities), device)
+
+
+def points(
+    base: Scenario | None,
+    values: Mapping[str, ArrayLike],
+    quantities: Sequence[str] = ("sequence",),
+    span: str = "first_revolution",
+) -> dict[str, NDArray[Any]]:
+    """Reduced quantities of many motions that form no grid.
+
+    Parameters
+    ----------
+    base : Scenario or None
+        What is varied; None is the article's hoop.
+    values : mapping of str to array_like
+        Values of the varied parameters by path, arrays that broadcast to one shape [SI].
+    quantities : sequence of str
+        As in `sweep`.
+    span : str
+        As in `sweep`.
+
+    Returns
+    -------
+    results : dict of str to ndarray
+        One array a quantity, in its unit of `QUANTITIES` [SI]; sequences and other codes as words, empty
+        for a cell whose values do not go together.
+
+    Raises
+    ------
+    ValueError
+        If a parameter, a quantity or the span is unknown.
+
+    Examples
+    --------
+    >>> points(None, {"start.speed": [0.1, 2.8, 3.1, 5.0]})["sequence"].tolist()
+    ['RKRSR', 'RKRSH', 'RKRSH', 'H']
+    """
+    base = Scenario() if base is None else base
+    chosen = choose_quantities(quantities)
+    arrays = {}
+    for path, array in values.items():
+        info = parameter(path)
+        arrays[path] = np.asarray(array, dtype=str if info.unit == "" else float)
+    spread = np.broadcast_arrays(*arrays.values())
+    shape = spread[0].shape if spread else (1,)
+    flat = {path: array.reshape(-1) for path, array in zip(arrays, spread, strict=True)}
+    count = int(np.prod(shape))
+    # few points are not worth waking all threads
+    device = "serial" if count <= kernel.BLOCK else "cpu"
+    raw = run_cells(
+        make_cells(base, {path: flat[path] for path in ordered(list(flat))}, count),
+        make_span(span),
+        wanted_of(chosen),
+        device,
+    )
+    results = {}
+    for quantity in chosen:
+        if quantity.name == "sequence":
+            unique, place = np.unique(raw.keys, axis=0, return_inverse=True)
+            column = np.array([unpack(key) for key in unique], dtype=str)[place.reshape(-1)]
+        else:
+            column = raw.of(quantity)
+            if quantity.words:
+                column = np.array([*quantity.words, ""])[column]
+        results[quantity.name] = column.reshape(shape)
+    return results
+
+
+@contextlib.contextmanager
+def thread_limit(threads: int | None) -> Iterator[None]:
+    """Use so many threads within; None leaves the number as it is."""
+    import numba
+
+    if threads is None:
+        yield
+        return
+    if not 1 <= threads <= numba.config.NUMBA_NUM_THREADS:
+        raise InputError(f"threads = {threads!r} must be from 1 to {numba.config.NUMBA_NUM_THREADS}.")
+    before = numba.get_num_threads()
+    numba.set_num_threads(threads)
+    try:
+        yield
+    finally:
+        numba.set_num_threads(before)

@@ -1,0 +1,377 @@
+"""Many motions in nopython mode: a cell is a column of numbers in, a row of reduced quantities out."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import prange
+
+from hophoop._jit import jit, parallel_jit
+from hophoop.physics.body import Body, Event, Mode, Status
+from hophoop.physics.contact import free_acceleration, rolling_forces
+from hophoop.physics.roll import rolling_u
+from hophoop.rigid.contact_phase import STOP
+from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, run
+from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
+from hophoop.rigid.state import State
+from hophoop.rigid.transitions import collide
+
+# Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
+CELL = (
+    "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
+    "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
+    "allowed",
+)  # fmt: skip
+(
+    RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
+    RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
+    ALLOWED,
+) = range(len(CELL))  # fmt: skip
+
+# Columns of the results, in SI units.
+NUMBERS = (
+    "time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost",
+    "greatest_utilisation", "takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance",
+    "landing_angle", "landing_loss",
+)  # fmt: skip
+(
+    TIME, END_ANGLE, END_SPEED, DISTANCE, DISTANCE_ROLLED, REVOLUTIONS_TO_ROLLING, ENERGY_LOST,
+    GREATEST_UTILISATION, TAKEOFF_TIME, TAKEOFF_ANGLE, HOP_HEIGHT, FLIGHT_TIME, FLIGHT_DISTANCE,
+    LANDING_ANGLE, LANDING_LOSS,
+) = range(len(NUMBERS))  # fmt: skip
+WORDS = ("status", "ending", "first_event", "hop", "painleve")
+STATUS_WORD, ENDING_WORD, FIRST_EVENT_WORD, HOP_WORD, PAINLEVE_WORD = range(len(WORDS))
+
+# How a span ended; `status` says it too where the physics ended it.
+ENDINGS = ("duration", "revolutions", "reversal", "takeoff", "rest", "jam", "undetermined", "event_limit")
+BY_TIME, BY_ANGLE, BY_REVERSAL, BY_TAKEOFF, BY_REST, BY_JAM, BY_DOUBT, BY_EVENTS = range(len(ENDINGS))
+NOT_ALLOWED = -1
+
+# A sequence is packed into whole numbers, three bits a letter (0: no letter), 21 letters each.
+LETTERS_A_KEY, KEYS = 21, 4
+LONGEST = LETTERS_A_KEY * KEYS - 1
+MORE = 7  # the letter that says that the sequence was longer
+
+FLIGHT_WANTED, UTILISATION_WANTED = 1, 2
+
+BLOCK = 64  # cells that share one set of scratch arrays
+FIRST_EVENTS = 64
+# Stands for no limit of time: a motion that slides for ever must end too. In kernel units.
+FOREVER = 1e9
+SAMPLES_A_RADIAN = 24
+
+ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
+START, SLIP_START, TAKEOFF, IMPACT, TURN = (
+    int(kind) for kind in (Event.START, Event.SLIP_START, Event.TAKEOFF, Event.IMPACT, Event.TURN)
+)
+APEX, KANE_GAIN, JAM, REST = int(Event.APEX), int(Event.KANE_GAIN), int(Event.JAM), int(Event.REST)
+INCONSISTENT, INDETERMINATE = int(Event.PAINLEVE_INCONSISTENT), int(Event.PAINLEVE_INDETERMINATE)
+AT_REST, JAMMED = int(Status.AT_REST), int(Status.JAMMED)
+UNDETERMINED, EVENT_LIMIT = int(Status.UNDETERMINED), int(Status.EVENT_LIMIT)
+
+
+@jit
+def body_of(cells, k):
+    """Body of a cell, as `scenario.to_body` makes it."""
+    weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
+    return Body(
+        cells[ECCENTRICITY, k],
+        cells[INERTIA_RATIO, k],
+        cells[MU_STATIC, k],
+        cells[MU_KINETIC, k],
+        weight * math.cos(cells[SLOPE, k]),
+        weight * math.sin(cells[SLOPE, k]),
+        cells[RESTITUTION, k],
+        int(cells[LAW, k]),
+        cells[STRIKE, k] != 0.0,
+    )
+
+
+@jit
+def second_of(cells, k):
+    """Unit of time of a cell, as `scenario.time_unit` gives it."""
+    gravity = cells[GRAVITY, k]
+    return math.sqrt(cells[RADIUS, k] / (gravity if gravity > 0.0 else 1.0))
+
+
+@jit
+def start_of(cells, k, second):
+    """Start of a cell in kernel units."""
+    radius = cells[RADIUS, k]
+    speed = radius / second
+    return State(
+        0.0,
+        cells[X, k] / radius,
+        cells[HEIGHT, k] / radius,
+        cells[ANGLE, k],
+        cells[SLIP, k] / speed,
+        cells[VY, k] / speed,
+        cells[OMEGA, k] * second,
+        0.0,
+        0.0,
+        0.0,
+    )
+
+
+@jit
+def state_of_event(row):
+    """The state just after an event."""
+    return State(
+        row.t, row.x, row.height, row.angle, row.slip, row.vy, row.omega,
+        row.friction, row.impact_normal, row.impact_tangential,
+    )  # fmt: skip
+
+
+@jit
+def is_passing(kind):
+    """Whether an event leaves the phase as it is."""
+    return kind in (TURN, APEX, KANE_GAIN, REST)
+
+
+@jit
+def leaves_plane(row):
+    """Whether the rim leaves the plane at this event."""
+    return row.after_mode == FLIGHT and row.height == 0.0 and not row.vy < 0.0 and not is_passing(row.kind)
+
+
+@jit
+def add_letter(keys, k, length, mode):
+    """Append a mode to the packed sequence; returns its new length."""
+    if length > LONGEST:
+        return length
+    letter = np.uint64(MORE if length == LONGEST else mode + 1)
+    place = np.uint64(3 * (length % LETTERS_A_KEY))
+    keys[k, length // LETTERS_A_KEY] |= letter << place
+    return length + 1
+
+
+@jit
+def friction_need(body, th0, u0, offset):
+    """abs(F)/N at an angle that rolling reaches."""
+    u = max(rolling_u(body, th0, u0, offset), 0.0)
+    friction, normal = rolling_forces(body, math.sin(th0 + offset), math.cos(th0 + offset), u)
+    if friction == 0.0:
+        return 0.0
+    return abs(friction) / normal if normal > 0.0 else math.inf
+
+
+@jit
+def greatest_need(body, th0, u0, turned):
+    """Greatest abs(F)/N of a rolling arc: samples, then golden section beside the greatest."""
+    count = 2 + int(abs(turned) * SAMPLES_A_RADIAN)
+    step = turned / count
+    best = 0
+    greatest = -1.0
+    for i in range(count + 1):
+        need = friction_need(body, th0, u0, step * i)
+        if need > greatest:
+            greatest = need
+            best = i
+    low = step * max(best - 1, 0)
+    high = step * min(best + 1, count)
+    part = 0.5 * (math.sqrt(5.0) - 1.0)
+    for _ in range(44):
+        a = high - part * (high - low)
+        b = low + part * (high - low)
+        at_a = friction_need(body, th0, u0, a)
+        at_b = friction_need(body, th0, u0, b)
+        if at_a > at_b:
+            high = b
+        else:
+            low = a
+        greatest = max(greatest, at_a, at_b)
+    return greatest
+
+
+@jit
+def greatest_utilisation(body, events, last):
+    """Greatest abs(F)/(μs N) in contact, from the events up to `last`; nan without contact."""
+    result = math.nan
+    for i in range(last + 1):
+        row = events[i]
+        if row.kind == SLIP_START or (row.kind == TAKEOFF and row.before_mode == ROLL):
+            return 0.0 if math.isinf(body.mu_s) else 1.0
+    for i in range(last):
+        row = events[i]
+        if not events[i + 1].t > row.t:
+            continue
+        used = math.nan
+        if row.after_mode == ROLL:
+            need = greatest_need(body, row.angle, row.omega * row.omega, events[i + 1].angle - row.angle)
+            used = need / body.mu_s if body.mu_s > 0.0 else 0.0
+        elif row.after_mode == SPIN or row.after_mode == SKID:
+            used = body.mu_k / body.mu_s if body.mu_s > 0.0 else 1.0
+        if not used <= result and not math.isnan(used):
+            result = min(used, 1.0)
+    return result
+
+
+@jit
+def reduce_flight(body, row, unit, second, energy, passing, scratch, numbers, k):
+    """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
+    numbers[k, TAKEOFF_TIME] = row.t * second
+    numbers[k, TAKEOFF_ANGLE] = row.angle
+    state = state_of_event(row)
+    if body.gn == 0.0:
+        return
+    opening = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
+    if state.vn > 0.0:
+        zeros = 1
+    elif opening > 1e-13 * (body.gn + state.om * state.om):
+        zeros = 2
+    else:
+        zeros = 3
+        opening = 0.0
+    segments = np.empty(0, SEGMENT)
+    what, landed, apexes, _ = fly(
+        body, state, opening, zeros, FOREVER, math.nan, passing, 0, segments, 0, scratch
+    )
+    if what != STOP:
+        return
+    numbers[k, HOP_HEIGHT] = (passing[0].height if apexes > 0 else 0.0) * unit
+    numbers[k, FLIGHT_TIME] = (landed.t - state.t) * second
+    numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * unit
+    numbers[k, LANDING_ANGLE] = landed.th
+    after, _ = collide(body, body.rest, landed, IMPACT, FLIGHT, 1)
+    numbers[k, LANDING_LOSS] = (
+        (after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)
+    ) * energy
+
+
+@jit
+def ending_of(status, events, count, stop, cut, t_end):
+    """Which limit or event ended the span."""
+    if cut:
+        return BY_TAKEOFF
+    if status == AT_REST:
+        return BY_REST
+    if status == JAMMED:
+        return BY_JAM
+    if status == UNDETERMINED:
+        return BY_DOUBT
+    if status == EVENT_LIMIT:
+        return BY_EVENTS
+    end = events[count - 1]
+    if count > 1:
+        before = events[count - 2]
+        if before.t == end.t:
+            if stop & STOP_AT_TURN and before.kind == TURN:
+                return BY_REVERSAL
+            if stop & STOP_AT_TAKEOFF and before.after_mode == FLIGHT:
+                return BY_TAKEOFF
+    return BY_TIME if end.t >= t_end else BY_ANGLE
+
+
+@jit
+def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, scratch,
+                  numbers, words, keys, k):  # fmt: skip
+    """Row k of the results, from the events of one motion."""
+    hop = -1
+    cut = False
+    for i in range(count):
+        if leaves_plane(events[i]):
+            hop = i
+            break
+    # the kernel looks for a take-off after the start only
+    if hop >= 0 and stop & STOP_AT_TAKEOFF and events[hop].t == 0.0:
+        cut = True
+        count = hop + 1
+    last = count - 1
+    ending = ending_of(status, events, count, stop, cut, t_end)
+    painleve = 0
+    first = -1
+    rolled = 0.0
+    rolling_since = math.nan
+    mode = -1
+    mark = -1
+    length = 0
+    ended = events[last].t
+    for i in range(count):
+        row = events[i]
+        if i > 0 and first < 0 and row.kind != APEX:
+            first = row.kind
+        if row.kind == INCONSISTENT or row.kind == INDETERMINATE or row.kind == JAM:
+            painleve = 1
+        if row.kind == REST:
+            ended = row.t
+        if i < last and row.after_mode == ROLL:
+            rolled += abs(events[i + 1].x - row.x)
+        if is_passing(row.kind):
+            continue
+        if mark >= 0 and row.t > events[mark].t:
+            length = add_letter(keys, k, length, events[mark].after_mode)
+        mark = i
+        if row.after_mode == ROLL and mode != ROLL:
+            rolling_since = row.angle
+        mode = row.after_mode
+    if ending == BY_TAKEOFF or length == 0:
+        length = add_letter(keys, k, length, events[last].after_mode)
+    begin = events[0]
+    end = events[last]
+    words[k, STATUS_WORD] = 0 if cut else status
+    words[k, ENDING_WORD] = ending
+    words[k, FIRST_EVENT_WORD] = TAKEOFF if cut and first < 0 else first
+    words[k, HOP_WORD] = 1 if hop >= 0 else 0
+    words[k, PAINLEVE_WORD] = painleve
+    numbers[k, TIME] = ended * second
+    numbers[k, END_ANGLE] = end.angle
+    numbers[k, END_SPEED] = end.vx * unit / second
+    numbers[k, DISTANCE] = (end.x - begin.x) * unit
+    numbers[k, DISTANCE_ROLLED] = rolled * unit
+    if mode == ROLL and ending <= BY_REST:
+        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin.angle) / (2.0 * math.pi)
+    lost = end.friction + end.impact_normal + end.impact_tangential
+    numbers[k, ENERGY_LOST] = lost * energy
+    if wanted & UTILISATION_WANTED:
+        numbers[k, GREATEST_UTILISATION] = greatest_utilisation(body, events, last)
+    if hop >= 0 and wanted & FLIGHT_WANTED:
+        reduce_flight(body, events[hop], unit, second, energy, passing, scratch, numbers, k)
+
+
+@jit
+def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, numbers, words, keys):
+    """Cells from `low` to `high`, one after the other."""
+    scratch = new_scratch()
+    usual = np.empty(FIRST_EVENTS, EVENT)
+    passing = np.empty(2, EVENT)
+    segments = np.empty(0, SEGMENT)
+    for k in range(low, high):
+        for i in range(len(NUMBERS)):
+            numbers[k, i] = math.nan
+        for i in range(len(WORDS)):
+            words[k, i] = NOT_ALLOWED
+        for i in range(KEYS):
+            keys[k, i] = np.uint64(0)
+        if cells[ALLOWED, k] == 0.0:
+            continue
+        second = second_of(cells, k)
+        unit = cells[RADIUS, k]
+        energy = cells[MASS, k] * (unit / second) ** 2
+        body = body_of(cells, k)
+        start = start_of(cells, k, second)
+        t_end = cells[DURATION, k] / second if timed else FOREVER
+        most = int(cells[MAX_EVENTS, k])
+        events = usual
+        if most < FIRST_EVENTS:
+            events = np.empty(most, EVENT)
+        while True:
+            status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch)
+            if status != EVENT_LIMIT or events.shape[0] >= most:
+                break
+            events = np.empty(min(4 * events.shape[0], most), EVENT)
+        reduce_motion(
+            body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, scratch,
+            numbers, words, keys, k,
+        )  # fmt: skip
+
+
+@parallel_jit
+def evaluate(cells, angle_span, stop, timed, wanted, numbers, words, keys):
+    """All cells, spread over the cores; what a cell gives does not depend on which core takes it."""
+    count = cells.shape[1]
+    for block in prange((count + BLOCK - 1) // BLOCK):
+        low = block * BLOCK
+        evaluate_block(
+            cells, low, min(low + BLOCK, count), angle_span, stop, timed, wanted, numbers, words, keys
+        )
