@@ -1,0 +1,315 @@
+"""What each frame of a film shows: which instant of the motion, and what lies behind the hoop. Draws nothing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.physics.body import EVENT_NAMES
+from hophoop.plots.pose import Floats, event_times, poses_of, rim_speeds
+from hophoop.scenario.scenario import time_unit
+from hophoop.trajectory import Trajectory
+
+STEPS = ("time", "angle")
+# Points of a trace a unit of time √(R/g); at the reference hoop some 310 a second.
+TRACE_DENSITY = 100
+MAX_TRACE_POINTS = 200_000
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How film time and the motion's time belong together.
+
+    Attributes
+    ----------
+    fps : float
+        Frames a second of film [1/s].
+    speed : float
+        Seconds of motion a second of film, away from slow motion [1].
+    slow_at : tuple of str or float
+        Kinds of events, or times [s], around which the film is slow.
+    slow_factor : float
+        How many times slower there [1].
+    slow_width : float or None
+        How long before and after the film is slow, in the motion's time; None takes √(R/g)/2 [s].
+    start, end : float or None
+        Part of the motion that is shown [s].
+    step : {'time', 'angle'}
+        What several motions have in common at each frame.
+    """
+
+    fps: float = 60.0
+    speed: float = 1.0
+    slow_at: tuple[str | float, ...] = ()
+    slow_factor: float = 8.0
+    slow_width: float | None = None
+    start: float = 0.0
+    end: float | None = None
+    step: str = "time"
+
+    def __post_init__(self) -> None:
+        for name, most in (("fps", 1000.0), ("speed", math.inf), ("slow_factor", math.inf)):
+            value = getattr(self, name)
+            if not (0.0 < value <= most and math.isfinite(value)):
+                limit = f" and at most {most:g}" if math.isfinite(most) else ""
+                raise ValueError(f"{name} = {value!r} must be a positive number{limit}.")
+        if self.slow_width is not None and not (0.0 < self.slow_width < math.inf):
+            raise ValueError(f"slow_width = {self.slow_width!r} must be positive (s).")
+        if self.step not in STEPS:
+            raise ValueError(f"step = {self.step!r} must be one of {', '.join(STEPS)}.")
+        for mark in self.slow_at:
+            if isinstance(mark, str) and mark not in EVENT_NAMES:
+                raise ValueError(f"slow_at = {mark!r} is not a time or one of {', '.join(EVENT_NAMES)}.")
+
+
+@dataclass(frozen=True)
+class Clock:
+    """The instant that each frame shows.
+
+    Attributes
+    ----------
+    times : tuple of ndarray, shape (frames,)
+        For each motion, its time at each frame [s].
+    rate : ndarray, shape (frames,)
+        Seconds of motion a second of film [1].
+    """
+
+    times: tuple[Floats, ...]
+    rate: Floats
+
+    @property
+    def count(self) -> int:
+        """Number of frames."""
+        return len(self.rate)
+
+
+def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
+    """The instant of each motion that each frame shows.
+
+    A motion that has ended holds its last state. In step in angle, the first motion runs as in step in
+    time, and each other one shows the first instant at which it has turned as far.
+
+    Parameters
+    ----------
+    motions : sequence of Trajectory
+    timing : Timing
+
+    Returns
+    -------
+    clock : Clock
+
+    Raises
+    ------
+    ValueError
+        If there is no motion, or the part to show is outside of it.
+    """
+    if not motions:
+        raise ValueError("motions = () must hold at least one motion.")
+    leaders = motions if timing.step == "time" else motions[:1]
+    longest = max(motion.duration for motion in leaders)
+    end = longest if timing.end is None else timing.end
+    if not 0.0 <= timing.start <= longest:
+        raise ValueError(f"start = {timing.start!r} must be from 0 to the motion's end at {longest!r} s.")
+    if not timing.start <= end <= longest * (1 + 1e-12):
+        raise ValueError(
+            f"end = {end!r} must be from start = {timing.start!r} to the motion's end at {longest!r} s."
+        )
+    times, rate = _film_times(leaders, timing, min(end, longest))
+    if timing.step == "time":
+        return Clock(tuple(np.minimum(times, motion.duration) for motion in motions), rate)
+    shown = (times, *(_times_at_turn(motions[0], times, other) for other in motions[1:]))
+    return Clock(shown, rate)
+
+
+def _film_times(motions: Sequence[Trajectory], timing: Timing, end: float) -> tuple[Floats, Floats]:
+    first = timing.start
+    marks = _slow_marks(motions, timing)
+    if not marks.size:
+        count = math.floor((end - first) / timing.speed * timing.fps + 1e-9) + 1
+        times = np.minimum(first + np.arange(count) * (timing.speed / timing.fps), end)
+        return times, np.full(count, timing.speed)
+    width = timing.slow_width or 0.5 * _second(motions[0])
+    # The film's own time is the integral of 1/rate; a grid far finer than a frame and a bump holds it.
+    step = min(0.1 * timing.speed / timing.fps, width / 50.0)
+    grid = np.linspace(first, end, max(2, math.ceil((end - first) / step) + 1))
+    nearest = _distance(grid, marks) / width
+    # 1 within half the width, then a cosine down to 0: the change of pace does not jerk
+    bump = 0.5 + 0.5 * np.cos(math.pi * np.clip(2.0 * nearest - 1.0, 0.0, 1.0))
+    pace = timing.speed * timing.slow_factor**-bump
+    film = np.concatenate([[0.0], np.cumsum(np.diff(grid) * 0.5 * (1.0 / pace[1:] + 1.0 / pace[:-1]))])
+    count = math.floor(film[-1] * timing.fps + 1e-9) + 1
+    moments = np.arange(count) / timing.fps
+    return np.interp(moments, film, grid), np.interp(moments, film, pace)
+
+
+def _slow_marks(motions: Sequence[Trajectory], timing: Timing) -> Floats:
+    marks: list[float] = []
+    for mark in timing.slow_at:
+        if isinstance(mark, str):
+            marks += [event.t for motion in motions for event in motion.find(mark)]
+        else:
+            marks.append(float(mark))
+    return np.unique(np.asarray(marks, dtype=float))
+
+
+def _distance(grid: Floats, marks: Floats) -> Floats:
+    after = np.clip(np.searchsorted(marks, grid), 0, marks.size - 1)
+    before = np.maximum(after - 1, 0)
+    return np.minimum(np.abs(grid - marks[after]), np.abs(grid - marks[before]))
+
+
+def _second(motion: Trajectory) -> float:
+    return time_unit(motion.scenario.hoop, motion.scenario.plane)
+
+
+def _times_at_turn(leader: Trajectory, times: Floats, other: Trajectory) -> Floats:
+    """First times at which another motion has turned as far as the leader has at its times."""
+    start = leader.at(0.0).angle
+    grid = np.unique(np.concatenate([leader.times(_grid_size(leader)), times]))
+    turned = np.abs(leader.at(grid).angle - start)
+    wanted = np.maximum.accumulate(turned)[np.searchsorted(grid, times)]
+    track = other.times(_grid_size(other))
+    begin = other.at(0.0).angle
+    reached = np.maximum.accumulate(np.abs(other.at(track).angle - begin))
+    after = np.clip(np.searchsorted(reached, wanted), 1, len(track) - 1)
+    low, high = track[after - 1].copy(), track[after].copy()
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        short = np.abs(other.at(middle).angle - begin) < wanted
+        low, high = np.where(short, middle, low), np.where(short, high, middle)
+    found = np.where(wanted > reached[-1], other.duration, high)
+    return np.where(wanted <= 0.0, 0.0, found)
+
+
+def _grid_size(motion: Trajectory) -> int:
+    return int(min(MAX_TRACE_POINTS, max(64, 60 * motion.duration / _second(motion))))
+
+
+@dataclass(frozen=True)
+class Trace:
+    """The paths of the load and of the centre of gravity over a whole motion.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Time [s]; all events are among them.
+    load, gravity_center : ndarray, shape (n, 2)
+        World coordinates [m].
+    runs : list of (int, int, bool)
+        Pieces from a first to a last index, airborne or not, in order; each starts where the former ends.
+    """
+
+    t: Floats
+    load: Floats
+    gravity_center: Floats
+    runs: list[tuple[int, int, bool]]
+
+
+def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Trace:
+    """The paths of the load and of the centre of gravity.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    start, end : float, optional
+        Part of the motion [s].
+
+    Returns
+    -------
+    trace : Trace
+    """
+    end = motion.duration if end is None else min(end, motion.duration)
+    count = int(min(MAX_TRACE_POINTS, max(32, TRACE_DENSITY * (end - start) / _second(motion))))
+    marks = event_times(motion)
+    marks = marks[(marks >= start) & (marks <= end)]
+    t = np.unique(np.concatenate([np.linspace(start, end, count), marks]))
+    poses = poses_of(motion, t)
+    # The mode at a time is that which follows it, so the stretch after point i is airborne if i is.
+    airborne = poses.mode[:-1] == "H" if len(t) > 1 else np.zeros(0, dtype=bool)
+    edges = np.flatnonzero(np.diff(airborne.astype(int))) + 1
+    bounds = [0, *edges.tolist(), len(airborne)]
+    runs = [(a, b, bool(airborne[a])) for a, b in zip(bounds, bounds[1:], strict=False) if b > a]
+    return Trace(t, poses.load, poses.gravity_center, runs)
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How far a motion reaches, to fit a view and its scales.
+
+    Attributes
+    ----------
+    along : tuple of float
+        Least and greatest place of the centre along the plane [m].
+    height : float
+        Greatest gap under the rim [m].
+    speed : float
+        Greatest speed of a point of the rim [m/s].
+    force : float
+        Greatest contact force but for short peaks [N].
+    """
+
+    along: tuple[float, float]
+    height: float
+    speed: float
+    force: float
+
+
+def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Extent:
+    """How far a motion reaches in a part of it.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    start, end : float, optional
+        Part of the motion [s].
+
+    Returns
+    -------
+    extent : Extent
+    """
+    radius = motion.scenario.hoop.radius
+    end = motion.duration if end is None else min(end, motion.duration)
+    count = int(min(20_000, max(200, 60 * (end - start) / _second(motion))))
+    poses = poses_of(motion, np.linspace(start, end, count))
+    around = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
+    weight = motion.scenario.hoop.mass * motion.scenario.plane.gravity
+    forces = np.hypot(*np.moveaxis(poses.normal_force, -1, 0))
+    # A compliant contact answers an impact with a peak of a few samples: it is not what the scale is for.
+    usual = float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
+    return Extent(
+        along=(float(np.min(poses.sample.x)), float(np.max(poses.sample.x))),
+        height=float(np.max(poses.sample.height)),
+        speed=float(rim_speeds(poses, around, radius).max()),
+        force=max(usual, weight),
+    )
+
+
+def follow(times: Floats, places: Floats, seconds: float) -> Floats:
+    """A camera's smooth way after something that moves by fits and starts.
+
+    Parameters
+    ----------
+    times : ndarray, shape (n,)
+        Equally spaced times of the film [s].
+    places : ndarray, shape (n,)
+        Where it is [m].
+    seconds : float
+        Width of the smoothing, a standard deviation [s].
+
+    Returns
+    -------
+    smooth : ndarray, shape (n,)
+        [m].
+    """
+    if len(times) < 3:
+        return places.copy()
+    sigma = max(seconds / (times[1] - times[0]), 1e-9)
+    reach = math.ceil(3.0 * sigma)
+    kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / sigma) ** 2)
+    # Continued beyond both ends by reflection in the end point, so that it neither lags nor runs ahead there.
+    padded = np.pad(places, reach, mode="reflect", reflect_type="odd")
+    return np.convolve(padded, kernel / kernel.sum(), mode="valid")

@@ -1,0 +1,145 @@
+"""How a film looks: its size, theme, camera and parts, checked once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from hophoop.animate.themes import theme_of
+from hophoop.scenario import Scenario
+from hophoop.trajectory import Trajectory
+
+CAMERAS = ("follow", "hold")
+LAYOUTS = ("side", "overlay")
+PANELS = ("velocity", "energy", "forces", "utilization", "phase")
+MAX_SIDE = 16384
+
+
+@dataclass(frozen=True)
+class Look:
+    """How a film in 2D looks.
+
+    Attributes
+    ----------
+    size : (int, int)
+        Width and height in pixels [1].
+    theme : {'light', 'dark', 'print'}
+    camera : {'follow', 'hold'}
+        Goes along with the hoop, or shows the whole way at once.
+    panels : tuple of str
+        Plots that run along: velocity, energy, forces, utilization, phase.
+    layout : {'side', 'overlay'}
+        Several motions in a view each, or all in one.
+    labels : tuple of str or None
+        A line for each motion; None says its parameters.
+    traces, forces : bool
+        Whether to draw the traces and the contact forces.
+    """
+
+    size: tuple[int, int] = (1280, 720)
+    theme: str = "light"
+    camera: str = "follow"
+    panels: tuple[str, ...] = ()
+    layout: str = "side"
+    labels: tuple[str, ...] | None = None
+    traces: bool = True
+    forces: bool = True
+
+    def __post_init__(self) -> None:
+        check_size(self.size)
+        theme_of(self.theme)
+        one_of("camera", self.camera, CAMERAS)
+        one_of("layout", self.layout, LAYOUTS)
+        for panel in self.panels:
+            one_of("panels", panel, PANELS)
+
+
+def check_size(size: tuple[int, int]) -> None:
+    """Refuse a size that is not two whole numbers of pixels."""
+    good = len(size) == 2 and all(isinstance(side, int) and 64 <= side <= MAX_SIDE for side in size)
+    if not good:
+        raise ValueError(f"size = {size!r} must be a width and a height from 64 to {MAX_SIDE} pixels.")
+
+
+def one_of(name: str, value: str, allowed: Sequence[str]) -> None:
+    """Refuse a word that is not among those allowed."""
+    if value not in allowed:
+        raise ValueError(f"{name} = {value!r} must be one of {', '.join(allowed)}.")
+
+
+def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tuple[str, ...]:
+    """A line of text for each motion.
+
+    Parameters
+    ----------
+    motions : sequence of Trajectory
+    labels : sequence of str or None
+        As given by the user.
+
+    Returns
+    -------
+    labels : tuple of str
+
+    Raises
+    ------
+    ValueError
+        If there are not as many labels as motions.
+    """
+    if labels is None:
+        return tuple(describe(motion.scenario) for motion in motions)
+    if len(labels) != len(motions):
+        raise ValueError(f"labels holds {len(labels)} texts; the film shows {len(motions)} motions.")
+    return tuple(labels)
+
+
+def describe(scenario: Scenario) -> str:
+    """The parameters of a scenario that matter most, in a line.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    line : str
+        Such as 'v₀ = 3.1 m/s, μ = 1, γ = 0.75'.
+    """
+    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
+    words = []
+    if start.speed is not None:
+        words.append(f"v₀ = {start.speed:g} m/s")
+        if start.angle:
+            words.append(f"θ₀ = {math.degrees(start.angle):.4g}°")
+    if plane.mu_static == plane.mu_kinetic:
+        words.append(f"μ = {plane.mu_static:g}".replace("inf", "∞"))
+    else:
+        words.append(f"μs = {plane.mu_static:g}, μk = {plane.mu_kinetic:g}".replace("inf", "∞"))
+    if hoop.load_fraction is not None:
+        words.append(f"γ = {hoop.load_fraction:g}")
+    else:
+        words.append(f"ε = {hoop.eccentricity:.4g}, κ = {hoop.inertia_ratio:.4g}")
+    if plane.slope:
+        words.append(f"β = {math.degrees(plane.slope):.3g}°")
+    if plane.restitution:
+        words.append(f"e = {plane.restitution:g}")
+    if scenario.contact.model != "rigid":
+        words.append(f"{scenario.contact.model} contact")
+    return ", ".join(words)
+
+
+def nice(value: float) -> float:
+    """The greatest of 1, 2, 5 times a power of ten that is not above a value.
+
+    Parameters
+    ----------
+    value : float
+        Above 0 [1].
+
+    Returns
+    -------
+    nice : float
+        [1].
+    """
+    power = 10.0 ** math.floor(math.log10(value))
+    return max(step for step in (1.0, 2.0, 5.0) if step * power <= value * (1.0 + 1e-9)) * power

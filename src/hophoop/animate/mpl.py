@@ -1,0 +1,434 @@
+"""Films in 2D: pictures of one or several motions, by Matplotlib's Agg renderer."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from hophoop._extras import need
+from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle
+from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, extent, trace
+from hophoop.animate.look import Look, labels_of, nice
+from hophoop.animate.panels import Panels
+from hophoop.animate.themes import Theme, theme_of
+from hophoop.animate.views import BELOW, View, followed, grid, held, project
+from hophoop.plots import colors
+from hophoop.plots.pose import Floats, Poses, load_distance, part_side, poses_of, rim_speeds, to_world
+from hophoop.scenario import Disk, PointMass, Ring, Rod
+from hophoop.trajectory import Trajectory
+
+MODE_WORDS = {"R": "rolling", "S": "spinning", "K": "skidding", "H": "in flight", "M": "skimming"}
+PIECES = 96  # of the ring, a colour each
+BLOCK = 256  # frames whose poses are computed together
+TRACE_POINTS = 6000  # the last ones are drawn
+# Length of the greatest force's arrow, in radii
+FORCE_LENGTH = 1.3
+RING, LOAD = 0.05, 0.085  # widths in radii
+FADE = 0.45  # opacity of all but the first of motions in one view
+
+
+@dataclass
+class _Actor:
+    """One motion in the film, with all that its drawing needs."""
+
+    motion: Trajectory
+    times: Floats
+    label: str
+    extent: Extent
+    trace: Trace
+    view: View
+    alpha: float
+    block: int = -1
+    poses: Poses | None = None
+    speeds: Floats | None = None
+
+
+class Film2D:
+    """The pictures of a film in 2D: `draw(k)` gives the k-th.
+
+    Parameters
+    ----------
+    motions : sequence of Trajectory
+    timing : Timing
+    look : Look
+
+    Raises
+    ------
+    ValueError
+        If labels or times do not fit the motions.
+    ImportError
+        If Matplotlib is missing.
+    """
+
+    def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look) -> None:
+        self.clock: Clock = clock(motions, timing)
+        self.fps = timing.fps
+        self.look = look
+        self.theme: Theme = theme_of(look.theme)
+        self.canvas = Canvas(look.size, self.theme.background)
+        self._speed_map = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP]
+        labels = labels_of(motions, look.labels)
+        ends = [min(float(times[-1]), motion.duration) for times, motion in zip(self.clock.times, motions, strict=True)]
+        extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
+        self.top_speed = max((size.speed for size in extents), default=0.0) or 1.0
+        self._force = max(size.force for size in extents) or 1.0
+        self._around = np.linspace(0.0, 2.0 * math.pi, PIECES, endpoint=False)
+        stage = self._lay_out(len(motions))
+        views = self._views(stage, motions, extents)
+        self.actors = [
+            _Actor(
+                motion=motion,
+                times=self.clock.times[i],
+                label=labels[i],
+                extent=extents[i],
+                trace=trace(motion, timing.start, ends[i]),
+                view=views[i],
+                alpha=FADE if look.layout == "overlay" and i else 1.0,
+            )
+            for i, motion in enumerate(motions)
+        ]
+        self._force_scale = min(
+            FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors
+        ) / self._force  # pixels a newton
+        self.panels = Panels(self.canvas, self._panel_area, self.theme, motions, look.panels, timing.start, max(ends))
+        self._draw_heading()
+        self._background: Bytes = self.canvas.pixels.copy()
+
+    @property
+    def count(self) -> int:
+        """Number of pictures."""
+        return self.clock.count
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        return self.look.size
+
+    def draw(self, k: int) -> Bytes:
+        """The k-th picture, height × width × RGBA; valid until the next is drawn.
+
+        Parameters
+        ----------
+        k : int
+            From 0 to count − 1.
+
+        Returns
+        -------
+        picture : ndarray of uint8, shape (height, width, 4)
+            Values from 0 to 255 [1].
+        """
+        canvas = self.canvas
+        canvas.restore(self._background)
+        overlay = self.look.layout == "overlay"
+        for i, actor in enumerate(self.actors):
+            self._prepare(actor, k)
+            if i == 0 or not overlay:
+                canvas.clip(actor.view.rectangle)
+                self._draw_plane(actor, k)
+                canvas.clip(None)
+        # the first of an overlay lies on top
+        for actor in reversed(self.actors):
+            canvas.clip(actor.view.rectangle)
+            self._draw_hoop(actor, k)
+            canvas.clip(None)
+        for i, actor in enumerate(self.actors):
+            self._draw_words(actor, k, i if overlay else 0)
+        self.panels.draw([(actor.times[k], actor.poses, k % BLOCK) for actor in self.actors])
+        return canvas.pixels
+
+    def pixel_of(self, k: int, actor: int, point: Floats) -> Points:
+        """Where a point of the world [m] lies in the k-th picture: column and row from the top left [pixels]."""
+        x, y = project(self.actors[actor].view.matrix(k), np.asarray(point))
+        return np.array([x, self.look.size[1] - y])
+
+    # --- layout --------------------------------------------------------------------------------
+
+    def _lay_out(self, motions: int) -> Rectangle:
+        width, height = self.look.size
+        u = self.canvas.unit
+        self._wide = width / u >= 1000.0
+        self._head = (84.0 if self._wide else 128.0) * u
+        self._view_head = 0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 22.0 * (motions - 1)) * u
+        foot = 30.0 * u
+        body = height - self._head - foot
+        if not self.look.panels:
+            self._panel_area: Rectangle = (0.0, 0.0, 0.0, 0.0)
+            return 0.0, foot, width, body
+        if width >= 1.1 * height:
+            share = round(0.38 * width)
+            self._panel_area = (width - share, foot, share, body)
+            return 0.0, foot, width - share, body
+        share = round(0.5 * body)
+        self._panel_area = (0.0, foot, width, share)
+        return 0.0, foot + share, width, body - share
+
+    def _views(self, stage: Rectangle, motions: Sequence[Trajectory], extents: Sequence[Extent]) -> list[View]:
+        look, gap = self.look, 10.0 * self.canvas.unit
+        if look.layout == "overlay":
+            radius = max(motion.scenario.hoop.radius for motion in motions)
+            whole = Extent(
+                (min(size.along[0] for size in extents), max(size.along[1] for size in extents)),
+                max(size.height for size in extents),
+                self.top_speed,
+                self._force,
+            )
+            left, bottom, width, height = stage
+            places = np.mean([self._places(motion, i) for i, motion in enumerate(motions)], axis=0)
+            return [self._view((left, bottom, width, height - self._view_head), whole, radius, motions[0], places)] * len(
+                motions
+            )
+        if look.camera == "hold":
+            wanted = max(
+                (size.along[1] - size.along[0] + 2.7 * m.scenario.hoop.radius)
+                / (size.height + 3.0 * m.scenario.hoop.radius)
+                for size, m in zip(extents, motions, strict=True)
+            )
+        else:
+            wanted = 1.5
+        rectangles = grid(stage, len(motions), wanted, gap)
+        views = []
+        for i, (motion, size) in enumerate(zip(motions, extents, strict=True)):
+            left, bottom, width, height = rectangles[i]
+            inner = (left, bottom, width, height - self._view_head)
+            views.append(
+                self._view(inner, size, motion.scenario.hoop.radius, motion, self._places(motion, i))
+            )
+        return views
+
+    def _view(
+        self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory, places: Floats
+    ) -> View:
+        slope = motion.scenario.plane.slope
+        if self.look.camera == "hold":
+            return held(rectangle, size, radius, slope)
+        return followed(rectangle, size, radius, slope, places, self.fps)
+
+    def _places(self, motion: Trajectory, i: int) -> Floats:
+        return np.asarray(motion.at(self.clock.times[i]).x)
+
+    def _prepare(self, actor: _Actor, k: int) -> None:
+        if actor.block != k // BLOCK:
+            actor.block = k // BLOCK
+            actor.poses = poses_of(actor.motion, actor.times[actor.block * BLOCK : (actor.block + 1) * BLOCK])
+            actor.speeds = rim_speeds(actor.poses, self._around, actor.motion.scenario.hoop.radius)
+
+    # --- what moves ----------------------------------------------------------------------------
+
+    def _draw_plane(self, actor: _Actor, k: int) -> None:
+        canvas, theme, view = self.canvas, self.theme, actor.view
+        matrix = view.matrix(k)
+        radius, slope = actor.motion.scenario.hoop.radius, view.slope
+        left, bottom, width, height = view.rectangle
+        # The stretch of the plane that the view can show, along the plane from the world's origin
+        middle = (np.array([left + 0.5 * width, bottom + 0.5 * height]) - matrix[:2, 2]) / view.scale
+        here = float(middle @ to_world(1.0, 0.0, slope))
+        reach = math.hypot(width, height) / view.scale
+        edge = to_world([here - reach, here + reach], [0.0, 0.0], slope)
+        deep = to_world([here + reach, here - reach], [-2.0 * reach, -2.0 * reach], slope)
+        canvas.polygon(project(matrix, np.vstack([edge, deep])), theme.ground)
+        canvas.line(project(matrix, edge), theme.ink, 1.6)
+        step = nice(200.0 * canvas.unit / view.scale)
+        first, last = math.ceil((here - reach) / step), math.floor((here + reach) / step)
+        marks = np.arange(first, last + 1) * step
+        tops = project(matrix, to_world(marks, np.zeros_like(marks), slope))
+        ends = project(matrix, to_world(marks, np.full_like(marks, -0.09 * radius), slope))
+        below = project(matrix, to_world(marks, np.full_like(marks, -0.24 * radius), slope))
+        for place, top, end, under in zip(marks, tops, ends, below, strict=True):
+            if left - 40 < top[0] < left + width + 40:
+                canvas.line(np.array([top, end]), theme.muted, 1.2)
+                if BELOW * radius * view.scale > 24.0 * canvas.unit:
+                    canvas.text(
+                        under[0], under[1], f"{place:g} m".replace("-", "−"), theme.muted, 13.0, "center",
+                        vertical="center",
+                    )
+
+    def _draw_hoop(self, actor: _Actor, k: int) -> None:
+        poses, speeds, view, theme, canvas = actor.poses, actor.speeds, actor.view, self.theme, self.canvas
+        assert poses is not None and speeds is not None
+        i = k % BLOCK
+        matrix = view.matrix(k)
+        hoop = actor.motion.scenario.hoop
+        size = hoop.radius * view.scale
+        width = RING * size / canvas.unit
+        alpha = actor.alpha
+        center = project(matrix, poses.center[i])
+        load, heavy, contact = (
+            project(matrix, points[i]) for points in (poses.load, poses.gravity_center, poses.contact)
+        )
+        if self.look.traces:
+            self._draw_traces(actor, poses, i, matrix)
+        airborne = poses.mode[i] == "H"
+        heavy_color = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
+        if hoop.parts is not None:
+            self._draw_parts(actor, poses, i, center, view.scale)
+        else:
+            canvas.line(np.array([center, load]), theme.muted, 1.2, 0.7 * alpha)
+        # the ring is drawn within the rim, so that its outer edge touches the plane
+        angle = self._around + view.slope
+        outer = np.stack([np.sin(angle), np.cos(angle)], axis=-1)
+        shades = self._speed_map(np.clip(speeds[i] / self.top_speed, 0.0, 1.0))
+        shades[:, 3] = alpha
+        line = size * (1.0 - 0.5 * RING)
+        canvas.disc(center, line, None, theme.outline, width + 1.6, alpha)
+        if alpha == 1.0:
+            canvas.segments(center + line * outer, shades, width)
+        else:
+            canvas.segments(center + line * outer, self._mixed(shades, alpha), width)
+        if hoop.parts is None:
+            canvas.disc(load, LOAD * size, theme.load, theme.background, 1.5, alpha)
+        canvas.disc(heavy, 0.042 * size, heavy_color, theme.background, 1.2, alpha)
+        if self.look.forces:
+            for force, color in (
+                (poses.normal_force[i], colors.NORMAL_FORCE),
+                (poses.friction_force[i], colors.FRICTION_FORCE),
+            ):
+                if alpha == 1.0:
+                    canvas.arrow(contact, contact + force * self._force_scale, color, theme.background, 7.0)
+
+    def _mixed(self, shades: Floats, alpha: float) -> Floats:
+        # Pieces of the ring overlap, where opacity would add up: mixed with the background instead.
+        back = np.array([int(self.theme.background[j : j + 2], 16) / 255.0 for j in (1, 3, 5)])
+        mixed = shades.copy()
+        mixed[:, :3] = alpha * shades[:, :3] + (1.0 - alpha) * back
+        mixed[:, 3] = 1.0
+        return mixed
+
+    def _draw_traces(self, actor: _Actor, poses: Poses, i: int, matrix: Points) -> None:
+        canvas, track = self.canvas, actor.trace
+        past = int(np.searchsorted(track.t, poses.t[i]))
+        first = max(0, past - TRACE_POINTS)
+        if past == 0:
+            return
+        path = np.vstack([track.load[first:past], poses.load[i : i + 1]])
+        canvas.line(path, self.theme.load, 1.7, 0.85 * actor.alpha, matrix=matrix)
+        for a, b, airborne in track.runs:
+            if a >= past or b <= first:
+                continue
+            part = track.gravity_center[max(a, first) : min(b + 1, past)]
+            if b + 1 > past or b == len(track.t) - 1:
+                part = np.vstack([part, poses.gravity_center[i : i + 1]])
+            color = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
+            canvas.line(part, color, 2.6, actor.alpha, matrix=matrix)
+
+    def _draw_parts(self, actor: _Actor, poses: Poses, i: int, center: Points, scale: float) -> None:
+        canvas, theme = self.canvas, self.theme
+        hoop = actor.motion.scenario.hoop
+        side = part_side(hoop)
+        tilt = poses.angle[i] + actor.view.slope
+        along = np.array([math.sin(tilt), math.cos(tilt)])
+        across = np.array([along[1], -along[0]])
+        for part in sorted(hoop.parts or (), key=lambda part: not isinstance(part, Ring)):
+            middle = center + side * part.at * scale * along
+            if isinstance(part, Ring):
+                mean = 0.5 * (part.inner_radius + part.outer_radius) * scale
+                thick = max((part.outer_radius - part.inner_radius) * scale / canvas.unit, 1.0)
+                canvas.disc(center, mean, None, theme.muted, thick, 0.35 * actor.alpha)
+            elif isinstance(part, Disk):
+                canvas.disc(middle, part.radius * scale, theme.load, theme.background, 1.2, 0.8 * actor.alpha)
+            elif isinstance(part, PointMass):
+                canvas.disc(
+                    middle, LOAD * hoop.radius * scale, theme.load, theme.background, 1.5, actor.alpha
+                )
+            elif isinstance(part, Rod):
+                half = 0.5 * part.length * scale * (along if part.direction == "along" else across)
+                canvas.line(np.array([middle - half, middle + half]), theme.load, 4.0, 0.8 * actor.alpha)
+
+    # --- words ---------------------------------------------------------------------------------
+
+    def _draw_words(self, actor: _Actor, k: int, row: int) -> None:
+        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
+        poses = actor.poses
+        assert poses is not None
+        i = k % BLOCK
+        left, bottom, width, height = actor.view.rectangle
+        several = len(self.actors) > 1
+        if not several:
+            x, y = 22.0 * u, self.look.size[1] - 64.0 * u
+        elif self.look.layout == "side":
+            x, y = left + 22.0 * u, bottom + height + 8.0 * u
+        else:
+            x, y = 22.0 * u, self.look.size[1] - (64.0 + 22.0 * row) * u
+        mode = str(poses.mode[i])
+        color = colors.mode_color(mode)
+        ended = actor.times[k] >= actor.motion.duration and k > 0 and k < self.count - 1
+        canvas.disc(np.array([x + 7.0 * u, y + 6.0 * u]), 7.0 * u, color, theme.ink, 0.8)
+        canvas.text(x + 22.0 * u, y, "ended" if ended else MODE_WORDS[mode], theme.ink, 18.0, weight="bold")
+        seconds = f"t = {actor.times[k]:.3f} s"
+        turned = f"θ = {math.degrees(poses.angle[i]):.1f}°".replace("-", "−")
+        columns = [(140.0, seconds), (268.0, turned)]
+        if several and self.look.layout == "overlay":
+            columns.append((390.0, actor.label))
+        elif width / u > 520.0 or not several:
+            columns.append((390.0, f"v = {poses.velocity[i, 0]:.2f} m/s".replace("-", "−")))
+        for offset, words in columns:
+            canvas.text(x + offset * u, y, words, theme.ink, 15.0)
+        if row == 0 and self.clock.rate[k] < 0.985 or self.clock.rate[k] > 1.015:
+            self._draw_pace(k)
+
+    def _draw_pace(self, k: int) -> None:
+        u, rate = self.canvas.unit, float(self.clock.rate[k])
+        words = f"slow motion ×1/{1.0 / rate:.1f}" if rate < 1.0 else f"×{rate:.1f}"
+        area = self.actors[0].view.rectangle
+        self.canvas.text(area[0] + 22.0 * u, 10.0 * u, words, self.theme.ink, 14.0, weight="bold")
+
+    def _draw_heading(self) -> None:
+        """What stays: label, colour bar, key of the arrows and of the traces."""
+        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
+        width, height = self.look.size
+        if len(self.actors) == 1:
+            canvas.text(22.0 * u, height - 32.0 * u, self.actors[0].label, theme.muted, 16.0)
+        elif self.look.layout == "side":
+            for actor in self.actors:
+                left, bottom, _, high = actor.view.rectangle
+                canvas.text(left + 22.0 * u, bottom + high + 36.0 * u, actor.label, theme.muted, 15.0)
+        right = width - 24.0 * u
+        top = height - (20.0 if self._wide else 84.0) * u
+        self._draw_color_bar(right - 270.0 * u, top - 26.0 * u, 270.0 * u, 12.0 * u)
+        if self.look.forces:
+            self._draw_force_key(right - 480.0 * u, top - 20.0 * u)
+        if self.look.traces:
+            self._draw_trace_key()
+
+    def _draw_color_bar(self, x: float, y: float, width: float, height: float) -> None:
+        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
+        columns = round(width)
+        shades = self._speed_map(np.linspace(0.0, 1.0, columns))
+        a, b = round(x), canvas.size[1] - round(y + height)
+        canvas.pixels[b : b + round(height), a : a + columns] = np.round(255 * shades)[None].astype(np.uint8)
+        frame = np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]])
+        canvas.polygon(frame, None, theme.ink, 0.8)
+        canvas.text(x, y + height + 7.0 * u, "speed of the ring's points, m/s", theme.ink, 13.0)
+        step = nice(self.top_speed / 3.0)
+        for value in np.arange(0.0, self.top_speed * (1.0 + 1e-9), step):
+            place = x + width * value / self.top_speed
+            canvas.line(np.array([[place, y], [place, y - 4.0 * u]]), theme.ink, 0.8)
+            canvas.text(place, y - 8.0 * u, f"{value:g}", theme.ink, 12.0, "center", vertical="top")
+
+    def _draw_force_key(self, x: float, y: float) -> None:
+        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
+        newtons = nice(min(130.0 * u / self._force_scale, self._force))
+        length = newtons * self._force_scale
+        for row, (color, words) in enumerate(
+            ((colors.NORMAL_FORCE, "normal"), (colors.FRICTION_FORCE, "friction"))
+        ):
+            level = y - 20.0 * u * row
+            canvas.text(x - 8.0 * u, level, words, theme.ink, 13.0, "right", vertical="center")
+            tail = np.array([x, level])
+            canvas.arrow(tail, tail + [length, 0.0], color, theme.background, 7.0)
+        canvas.text(x, y - 48.0 * u, f"{newtons:g} N", theme.ink, 12.0)
+
+    def _draw_trace_key(self) -> None:
+        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
+        words = (
+            (theme.load, "load", 78.0),
+            (colors.GRAVITY_CENTER, "centre of gravity", 178.0),
+            (colors.GRAVITY_CENTER_AIRBORNE, "airborne", 116.0),
+        )
+        x = canvas.size[0] - 20.0 * u - sum(room for _, _, room in words) * u
+        for color, word, room in words:
+            canvas.line(np.array([[x, 15.0 * u], [x + 26.0 * u, 15.0 * u]]), color, 3.0)
+            canvas.text(x + 33.0 * u, 15.0 * u, word, theme.ink, 13.0, vertical="center")
+            x += room * u

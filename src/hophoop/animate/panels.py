@@ -1,0 +1,232 @@
+"""Plots that run along with a film in 2D: drawn once by Matplotlib, then uncovered as time goes on."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from hophoop.animate.canvas import Bytes, Canvas, Rectangle
+from hophoop.animate.themes import Theme
+from hophoop.plots import colors
+from hophoop.plots.pose import Floats, Poses
+from hophoop.trajectory import Trajectory
+
+POINTS = 1500
+# How much of a curve shows where the film has not yet been
+AHEAD = 0.28
+
+
+class Panels:
+    """The side panels of a film.
+
+    Parameters
+    ----------
+    canvas : Canvas
+        Its figure gets the axes, and its picture the finished panels.
+    area : tuple of float
+        Left, bottom, width, height [pixels].
+    theme : Theme
+    motions : sequence of Trajectory
+        The first is plotted.
+    names : sequence of str
+    start, end : float
+        Part of the motion [s].
+    """
+
+    def __init__(
+        self,
+        canvas: Canvas,
+        area: Rectangle,
+        theme: Theme,
+        motions: Sequence[Trajectory],
+        names: Sequence[str],
+        start: float,
+        end: float,
+    ) -> None:
+        self._canvas, self._theme = canvas, theme
+        self._axes: list[tuple[str, Any]] = []
+        if not names:
+            return
+        motion = motions[0]
+        times = np.linspace(start, min(end, motion.duration), POINTS)
+        left, bottom, width, height = area
+        unit = canvas.unit
+        gap, margin = 14.0 * unit, 62.0 * unit
+        time_axis = 34.0 * unit
+        # only the lowest of the panels over time says so
+        high = (height - time_axis * (1 + ("phase" in names)) - gap * (len(names) - 1)) / len(names)
+        y = bottom + height
+        for index, name in enumerate(names):
+            y -= high
+            last_over_time = name != "phase" and not any(other != "phase" for other in names[index + 1 :])
+            place = (
+                (left + margin) / canvas.size[0],
+                y / canvas.size[1],
+                (width - margin - 20.0 * unit) / canvas.size[0],
+                high / canvas.size[1],
+            )
+            axes = canvas.figure.add_axes(place)
+            self._style(axes)
+            DRAWN[name](axes, motion, times)
+            if name == "phase" or last_over_time:
+                y -= time_axis
+            elif name != "phase":
+                axes.tick_params(labelbottom=False)
+                axes.set_xlabel("")
+            self._axes.append((name, axes))
+            y -= gap
+        self._paint()
+
+    def _style(self, axes: Any) -> None:
+        theme = self._theme
+        axes.set_facecolor(theme.background)
+        axes.tick_params(colors=theme.ink, labelsize=11)
+        for spine in axes.spines.values():
+            spine.set_color(theme.muted)
+        axes.grid(True, color=theme.muted, alpha=0.22, linewidth=0.8)
+        axes.xaxis.label.set_color(theme.ink)
+        axes.yaxis.label.set_color(theme.ink)
+
+    def _paint(self) -> None:
+        canvas, theme = self._canvas, self._theme
+        for _, axes in self._axes:
+            axes.xaxis.label.set_size(12)
+            axes.yaxis.label.set_size(12)
+            legend = axes.get_legend()
+            for line in axes.get_lines():
+                if line.get_color() == colors.BLACK:
+                    line.set_color(theme.ink)
+            if legend is not None:
+                legend.get_frame().set_facecolor(theme.background)
+                legend.get_frame().set_edgecolor("none")
+                for words in legend.get_texts():
+                    words.set_color(theme.ink)
+                for handle in legend.legend_handles:
+                    if handle.get_color() == colors.BLACK:
+                        handle.set_color(theme.ink)
+        canvas.render()
+        self._full: Bytes = canvas.pixels.copy()
+        for _, axes in self._axes:
+            for line in axes.get_lines():
+                line.set_visible(False)
+        canvas.render()
+        bare = canvas.pixels.astype(np.float32)
+        for _, axes in self._axes:
+            for line in axes.get_lines():
+                line.set_visible(True)
+        faded = bare + AHEAD * (self._full.astype(np.float32) - bare)
+        canvas.pixels[...] = np.round(faded).astype(np.uint8)
+
+    def draw(self, now: Sequence[tuple[float, Poses | None, int]]) -> None:
+        """Uncover the curves up to now: for each motion its time, its poses and which of them."""
+        if not self._axes:
+            return
+        canvas = self._canvas
+        t, poses, i = now[0]
+        assert poses is not None
+        for name, axes in self._axes:
+            box = axes.bbox
+            if name == "phase":
+                here = np.array([math.degrees(poses.angle[i]), poses.omega[i]])
+                self._draw_way(axes, t, here)
+                continue
+            x = float(axes.transData.transform((t, 0.0))[0])
+            a, b = math.ceil(box.x0), min(math.floor(x), math.floor(box.x1))
+            top, low = canvas.size[1] - math.floor(box.y1), canvas.size[1] - math.ceil(box.y0)
+            if b > a:
+                canvas.pixels[top:low, a:b] = self._full[top:low, a:b]
+            canvas.clip((box.x0, box.y0, box.width, box.height))
+            canvas.line(np.array([[x, box.y0], [x, box.y1]]), self._theme.muted, 1.0)
+            for line in axes.get_lines():
+                value = _value(line, t)
+                if math.isfinite(value):
+                    spot = axes.transData.transform((t, value))
+                    canvas.disc(spot, 4.0 * canvas.unit, line.get_color(), self._theme.background, 1.0)
+            canvas.clip(None)
+
+    def _draw_way(self, axes: Any, t: float, here: Floats) -> None:
+        canvas, box = self._canvas, axes.bbox
+        line = axes.get_lines()[0]
+        past = int(np.searchsorted(line.hophoop_times, t))
+        way = np.vstack([np.column_stack(line.get_data())[:past], here])
+        canvas.clip((box.x0, box.y0, box.width, box.height))
+        canvas.line(axes.transData.transform(way), self._theme.ink, 1.6)
+        canvas.disc(axes.transData.transform(here), 5.5 * canvas.unit, colors.VERMILION, self._theme.background, 1.2)
+        canvas.clip(None)
+
+
+def _value(line: Any, t: float) -> float:
+    x, y = line.get_xdata(), line.get_ydata()
+    return float(np.interp(t, x, y)) if len(x) > 1 else math.nan
+
+
+def _legend(axes: Any) -> None:
+    axes.legend(fontsize=11, loc="upper left", frameon=True, framealpha=0.75, ncols=4, borderpad=0.2,
+                handlelength=1.4, columnspacing=1.0)
+
+
+def _velocity(axes: Any, motion: Trajectory, times: Floats) -> None:
+    sample = motion.at(times)
+    axes.plot(times, sample.vx, color=colors.CENTER_SPEED, linewidth=1.8, label="v")
+    axes.plot(times, motion.scenario.hoop.radius * sample.omega, color=colors.ROTATION_SPEED, linewidth=1.8,
+              label="Rθ̇")
+    axes.set_ylabel("velocity, m/s")
+    _over_time(axes, times)
+
+
+def _energy(axes: Any, motion: Trajectory, times: Floats) -> None:
+    sample = motion.at(times)
+    for values, color, label in (
+        (sample.kinetic, colors.KINETIC, "kinetic"),
+        (sample.potential, colors.POTENTIAL, "potential"),
+        (sample.total, colors.TOTAL, "sum"),
+        (sample.friction, colors.FRICTION_LOSS, "friction"),
+    ):
+        axes.plot(times, values, color=color, linewidth=1.8, label=label)
+    axes.set_ylabel("energy, J")
+    _over_time(axes, times)
+
+
+def _forces(axes: Any, motion: Trajectory, times: Floats) -> None:
+    sample = motion.at(times)
+    axes.plot(times, sample.normal_force, color=colors.NORMAL_FORCE, linewidth=1.8, label="normal")
+    axes.plot(times, sample.friction_force, color=colors.FRICTION_FORCE, linewidth=1.8, label="friction")
+    axes.set_ylabel("force, N")
+    _over_time(axes, times)
+
+
+def _utilization(axes: Any, motion: Trajectory, times: Floats) -> None:
+    share = motion.at(times).utilization(motion.scenario.plane.mu_static)
+    axes.plot(times, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
+    axes.set_ylim(0.0, 1.12)
+    axes.set_ylabel("friction in use")
+    _over_time(axes, times)
+
+
+def _phase(axes: Any, motion: Trajectory, times: Floats) -> None:
+    sample = motion.at(times)
+    (line,) = axes.plot(np.degrees(sample.angle), sample.omega, color=colors.BLACK, linewidth=1.6)
+    line.hophoop_times = times
+    axes.set_xlabel("θ, °")
+    axes.set_ylabel("θ̇, rad/s")
+
+
+def _over_time(axes: Any, times: Floats) -> None:
+    axes.set_xlim(times[0], times[-1] if times[-1] > times[0] else times[0] + 1.0)
+    axes.set_xlabel("t, s")
+    low, high = axes.get_ylim()
+    if axes.get_ylabel() != "friction in use":
+        axes.set_ylim(low, high + 0.18 * (high - low))
+    _legend(axes)
+
+
+DRAWN = {
+    "velocity": _velocity,
+    "energy": _energy,
+    "forces": _forces,
+    "utilization": _utilization,
+    "phase": _phase,
+}

@@ -1,0 +1,59 @@
+"""Backgrounds and inks of films. What a colour means is said in `hophoop.plots.colors` alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from hophoop.plots import colors
+
+
+@dataclass(frozen=True)
+class Theme:
+    """Colours of what has no meaning of its own.
+
+    Attributes
+    ----------
+    background, ground, ink, muted : str
+        Colours of the picture, the plane, text and lines, and what stands back.
+    load : str
+        Of the load and its trace: black, or white where the background is black.
+    outline : str
+        Around the ring, so that the ends of the colour map stay visible.
+    """
+
+    background: str
+    ground: str
+    ink: str
+    muted: str
+    load: str
+    outline: str
+
+
+THEMES: Final[dict[str, Theme]] = {
+    "light": Theme("#FCFCFB", "#E7E5E0", "#1B1B1B", colors.GRAY, colors.LOAD, "#3A3A3A"),
+    "dark": Theme("#14161A", "#2A2E35", "#F2F2F2", "#A6ABB3", "#FFFFFF", "#E0E0E0"),
+    "print": Theme("#FFFFFF", "#FFFFFF", "#000000", "#4D4D4D", colors.LOAD, "#000000"),
+}
+
+
+def theme_of(name: str) -> Theme:
+    """A theme by its name.
+
+    Parameters
+    ----------
+    name : {'light', 'dark', 'print'}
+
+    Returns
+    -------
+    theme : Theme
+
+    Raises
+    ------
+    ValueError
+        If there is no such theme.
+    """
+    try:
+        return THEMES[name]
+    except KeyError:
+        raise ValueError(f"theme = {name!r} must be one of {', '.join(THEMES)}.") from None

@@ -1,0 +1,113 @@
+"""Views of a film in 2D: where a view lies in the picture, and how the world lies in it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from hophoop.animate.canvas import Points, Rectangle
+from hophoop.animate.frames import Extent, follow
+from hophoop.plots.pose import Floats, to_world
+
+# In radii: what a view shows under the plane, above a hoop on it, and before and behind it.
+BELOW, ABOVE, BESIDE = 0.55, 0.4, 1.35
+LEAST_WIDTH = 3.4
+# The following camera's inertia [s of film]
+CALM = 0.45
+
+
+@dataclass(frozen=True)
+class View:
+    """A part of the picture with its own camera.
+
+    Attributes
+    ----------
+    rectangle : tuple of float
+        Left, bottom, width, height [pixels].
+    scale : float
+        Pixels a metre.
+    slope : float
+        [rad].
+    camera : ndarray, shape (frames, 2) or (1, 2)
+        The world's point at the anchor for each frame, or for all [m].
+    anchor : tuple of float
+        [pixels].
+    """
+
+    rectangle: Rectangle
+    scale: float
+    slope: float
+    camera: Floats
+    anchor: tuple[float, float]
+
+    def matrix(self, frame: int) -> Points:
+        """World to pixels, 3 × 3."""
+        x, y = self.camera[min(frame, len(self.camera) - 1)]
+        s = self.scale
+        return np.array([[s, 0.0, self.anchor[0] - s * x], [0.0, s, self.anchor[1] - s * y], [0.0, 0.0, 1.0]])
+
+
+def project(matrix: Points, points: Floats) -> Points:
+    """Points of the world in pixels."""
+    return points * matrix[0, 0] + matrix[:2, 2]
+
+
+def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> View:
+    """A view of the whole way."""
+    left, bottom, width, height = rectangle
+    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    top = extent.height + (2.0 + ABOVE) * radius
+    corners = to_world([low, high, low, high], [-BELOW * radius, -BELOW * radius, top, top], slope)
+    least, most = corners.min(axis=0), corners.max(axis=0)
+    scale = min(width / (most[0] - least[0]), height / (most[1] - least[1]))
+    middle = 0.5 * (least + most)
+    return View(
+        rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height)
+    )
+
+
+def followed(
+    rectangle: Rectangle, extent: Extent, radius: float, slope: float, places: Floats, fps: float
+) -> View:
+    """A view that goes along with the hoop; `places` are its centre's, along the plane, at each frame."""
+    left, bottom, width, height = rectangle
+    scale = min(
+        height / (extent.height + (2.0 + BELOW + ABOVE) * radius), width / (LEAST_WIDTH * radius)
+    )
+    half = 0.5 * width / scale / math.cos(slope)
+    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    if high - low <= 2.0 * half:
+        along = np.full(1, 0.5 * (low + high))
+    else:
+        along = np.clip(follow(np.arange(len(places)) / fps, places, CALM), low + half, high - half)
+        # However fast it goes, the hoop stays in the picture.
+        room = max(half - BESIDE * radius, 0.0)
+        along = np.clip(along, places - room, places + room)
+    used = scale * (extent.height + (2.0 + BELOW + ABOVE) * radius)
+    floor = bottom + 0.5 * (height - used) + BELOW * radius * scale
+    return View(
+        rectangle, scale, slope, to_world(along, np.zeros_like(along), slope), (left + 0.5 * width, floor)
+    )
+
+
+def grid(area: Rectangle, count: int, ratio: float, gap: float) -> list[Rectangle]:
+    """Rectangles for several views, in the rows and columns that leave each the most room.
+
+    `ratio` is the width over the height that a view would like to have.
+    """
+    left, bottom, width, height = area
+
+    def room(columns: int) -> float:
+        rows = math.ceil(count / columns)
+        return min((width - gap * (columns - 1)) / columns / ratio, (height - gap * (rows - 1)) / rows)
+
+    columns = max(range(1, count + 1), key=room)
+    rows = math.ceil(count / columns)
+    wide = (width - gap * (columns - 1)) / columns
+    high = (height - gap * (rows - 1)) / rows
+    return [
+        (left + (i % columns) * (wide + gap), bottom + (rows - 1 - i // columns) * (high + gap), wide, high)
+        for i in range(count)
+    ]
