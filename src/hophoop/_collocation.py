@@ -51,23 +51,34 @@ NOT_FOUND = 2.0  # a ξ outside the panel
 
 @jit
 def product(matrix_t, values, out):
-    """out = matrix · values, with the matrix given transposed."""
-    for i in range(ORDER):
-        out[i] = 0.0
-    for j in range(ORDER):
-        factor = values[j]
+    """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers."""
+    for j in range(0, ORDER, 8):
+        v0, v1, v2, v3 = values[j], values[j + 1], values[j + 2], values[j + 3]
+        v4, v5, v6, v7 = values[j + 4], values[j + 5], values[j + 6], values[j + 7]
         for i in range(ORDER):
-            out[i] += matrix_t[j, i] * factor
+            low = (matrix_t[j, i] * v0 + matrix_t[j + 1, i] * v1) + (
+                matrix_t[j + 2, i] * v2 + matrix_t[j + 3, i] * v3
+            )
+            high = (matrix_t[j + 4, i] * v4 + matrix_t[j + 5, i] * v5) + (
+                matrix_t[j + 6, i] * v6 + matrix_t[j + 7, i] * v7
+            )
+            out[i] = low + high if j == 0 else out[i] + (low + high)
+
+
+@jit
+def total(values):
+    """Integral of the function over the panel, by Gauss."""
+    result = 0.0
+    for i in range(ORDER):
+        result += WEIGHTS[i] * values[i]
+    return result
 
 
 @jit
 def antiderivative(values, out):
     """Integrals of the function from −1 to every node; returns the one over the whole panel."""
     product(ANTIDERIVATIVE_T, values, out)
-    total = 0.0
-    for i in range(ORDER):
-        total += WEIGHTS[i] * values[i]
-    return total
+    return total(values)
 
 
 @jit
@@ -103,6 +114,24 @@ def series_value(series, xi):
 
 
 @jit
+def left_value(series):
+    """The series at ξ = −1."""
+    result = 0.0
+    for k in range(0, ORDER, 2):
+        result += series[k] - series[k + 1]
+    return result
+
+
+@jit
+def right_value(series):
+    """The series at ξ = 1."""
+    result = 0.0
+    for k in range(ORDER):
+        result += series[k]
+    return result
+
+
+@jit
 def lagrange(xi, out):
     """Weights that interpolate node values at ξ."""
     before = 1.0
@@ -118,42 +147,47 @@ def lagrange(xi, out):
 @jit
 def dot(a, b):
     """Sum of products in a fixed order."""
-    total = 0.0
+    result = 0.0
     for i in range(ORDER):
-        total += a[i] * b[i]
-    return total
+        result += a[i] * b[i]
+    return result
 
 
 @jit
-def _bracketed(series, low, high):
-    """Root of a monotone series with series(low) > 0 ≥ series(high): secant steps kept inside the bracket."""
-    f_low = series_value(series, low)
-    f_high = series_value(series, high)
-    side = 0
-    for _ in range(200):
-        if f_high == 0.0:
-            return high
-        middle = (low * f_high - high * f_low) / (f_high - f_low)
-        if not low < middle < high:
-            middle = 0.5 * (low + high)
-            if not low < middle < high:
-                return high
-        f_middle = series_value(series, middle)
-        if f_middle > 0.0:
-            if high - middle < 1e-16:
-                return middle
-            low, f_low = middle, f_middle
-            if side == 1:
-                f_high *= 0.5  # Illinois
-            side = 1
+def value_and_slope(series, xi):
+    """The Chebyshev series and its derivative at ξ, by one pass of Clenshaw's recurrence."""
+    b1 = 0.0
+    b2 = 0.0
+    d1 = 0.0
+    d2 = 0.0
+    double = 2.0 * xi
+    for k in range(ORDER - 1, 0, -1):
+        d1, d2 = double * d1 - d2 + 2.0 * b1, d1
+        b1, b2 = double * b1 - b2 + series[k], b1
+    return xi * b1 - b2 + series[0], xi * d1 - d2 + b1
+
+
+@jit
+def _bracketed(series):
+    """Root of a monotone series with series(−1) > 0 ≥ series(1): Newton's steps kept inside the bracket."""
+    low = -1.0
+    high = 1.0
+    f_low = left_value(series)
+    f_high = right_value(series)
+    xi = low + (high - low) * f_low / (f_low - f_high)
+    for _ in range(100):
+        value, slope = value_and_slope(series, xi)
+        if value > 0.0:
+            low = xi
         else:
-            if f_middle == 0.0 or middle - low < 1e-16:
-                return middle
-            high, f_high = middle, f_middle
-            if side == -1:
-                f_low *= 0.5
-            side = -1
-    return high
+            high = xi
+        better = xi - value / slope
+        if not low <= better <= high:
+            better = 0.5 * (low + high)
+        if abs(better - xi) <= 2e-16:
+            return better
+        xi = better
+    return xi
 
 
 @jit
@@ -169,10 +203,10 @@ def first_fall(series, floor, stack):
 @jit
 def first_fall_after(series, begin, floor, stack):
     """`first_fall`, of those beyond ξ = `begin`."""
-    total = 0.0
+    spread = 0.0
     for k in range(1, ORDER):
-        total += abs(series[k])
-    if abs(series[0]) > total:
+        spread += abs(series[k])
+    if abs(series[0]) > spread:
         return NOT_FOUND
     for k in range(ORDER):
         stack[0, k] = series[k]
@@ -183,10 +217,10 @@ def first_fall_after(series, begin, floor, stack):
         row = stack[top]
         low = row[ORDER]
         high = row[ORDER + 1]
-        total = 0.0
+        spread = 0.0
         for k in range(1, ORDER):
-            total += abs(row[k])
-        if abs(row[0]) > total:
+            spread += abs(row[k])
+        if abs(row[0]) > spread:
             top -= 1
             continue
         # derivative series, from the top coefficient down
@@ -200,12 +234,12 @@ def first_fall_after(series, begin, floor, stack):
             else:
                 first = 0.5 * d0
             d2, d1 = d1, d0
-        f_low = series_value(row, -1.0)
-        f_high = series_value(row, 1.0)
+        f_low = left_value(row)
+        f_high = right_value(row)
         width = high - low
         if abs(first) > slope or width < 1e-15 or top >= DEPTH:
             if f_low > 0.0 and f_high <= 0.0 and f_high <= -floor:
-                root = low + 0.5 * (1.0 + _bracketed(row, -1.0, 1.0)) * width
+                root = low + 0.5 * (1.0 + _bracketed(row)) * width
                 if root > begin + 1e-14:
                     return root
             top -= 1
@@ -231,31 +265,25 @@ WIDTHS = WIDEST * 0.5 ** (np.arange(LEVELS) / 2)
 _offsets = WIDTHS[:, None] * (1.0 + NODES[None, :]) / 2
 SINES = np.sin(_offsets)
 VERSINES = 2.0 * np.sin(_offsets / 2) ** 2
+FAR_SINES = np.sin(WIDTHS)
+FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
+
+
+_SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
+_COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
 
 
 @jit
-def sine_deficit(phi):
-    """φ − sin φ without cancellation."""
-    if abs(phi) > 0.9:
-        return phi - math.sin(phi)
+def turn_deficits(phi):
+    """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
     square = phi * phi
-    term = phi * square / 6.0
-    total = term
-    for k in range(2, 10):
-        term *= -square / ((2 * k) * (2 * k + 1))
-        total += term
-    return total
-
-
-@jit
-def cosine_deficit(phi):
-    """cos φ − 1 + φ²/2 without cancellation."""
-    if abs(phi) > 0.9:
-        return math.cos(phi) - 1.0 + 0.5 * phi * phi
-    square = phi * phi
-    term = square * square / 24.0
-    total = term
-    for k in range(3, 11):
-        term *= -square / ((2 * k - 1) * (2 * k))
-        total += term
-    return total
+    if square > 0.81:
+        versine = 2.0 * math.sin(0.5 * phi) ** 2
+        return phi - math.sin(phi), 0.5 * square - versine, versine
+    sine = 0.0
+    cosine = 0.0
+    for k in range(8, -1, -1):
+        sine = sine * square + _SINE_TERMS[k]
+        cosine = cosine * square + _COSINE_TERMS[k]
+    cosine *= square * square
+    return sine * square * phi, cosine, 0.5 * square - cosine

@@ -9,25 +9,22 @@ from hophoop._collocation import (
     NOT_FOUND,
     ORDER,
     coefficients,
-    cosine_deficit,
     first_fall,
     first_fall_after,
-    series_value,
-    sine_deficit,
+    left_value,
+    turn_deficits,
 )
 from hophoop._jit import jit
 
-PHASE = 2.4  # rad of rotation in one panel; its Chebyshev tail is below 1e-16
+PHASE = 4.0  # rad of rotation in one panel: its series is good to 1e-11, and roots are polished
 
 
 @jit
 def flight_gap(body, s, c, om, y, vn, fn, tau):
     """(gap, its rate) after the time tau; fn is the initial f_n, exactly 0 after a lift-off from slip."""
-    phi = om * tau
-    sd = sine_deficit(phi)
-    versine = 2.0 * math.sin(0.5 * phi) ** 2
-    gap = y + vn * tau + 0.5 * fn * tau * tau - body.eps * (c * cosine_deficit(phi) + s * sd)
-    rate = vn + fn * tau - body.eps * om * (c * sd + s * versine)
+    sine_part, cosine_part, versine = turn_deficits(om * tau)
+    gap = y + vn * tau + 0.5 * fn * tau * tau - body.eps * (c * cosine_part + s * sine_part)
+    rate = vn + fn * tau - body.eps * om * (c * sine_part + s * versine)
     return gap, rate
 
 
@@ -44,6 +41,22 @@ def flight_state(body, x, th, vt, om, s, c, tau):
     x_end = x + (vt + om * (1.0 + body.eps * c)) * tau + 0.5 * body.gt * tau * tau - body.eps * ds
     vt_end = vt + body.gt * tau - body.eps * om * dc
     return x_end, th_end, vt_end
+
+
+@jit
+def polished(body, s, c, om, y, vn, fn, tau, reach):
+    """A landing time improved on the gap itself, by Newton; left alone where a step would be large."""
+    for _ in range(3):
+        gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
+        if rate >= 0.0:
+            return tau
+        better = tau - gap / rate
+        if not abs(better - tau) < reach or better <= 0.0:
+            return tau
+        if better == tau:
+            return tau
+        tau = better
+    return tau
 
 
 @jit
@@ -98,7 +111,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
                 scale /= 0.5 * (1.0 + NODES[i])
             values[1, i] = rate / scale
         coefficients(values[0], series)
-        if start > 0.0 and series_value(series, -1.0) <= 0.0:
+        if start > 0.0 and left_value(series) <= 0.0:
             return start, apex
         size = 0.0
         for i in range(ORDER):
@@ -107,15 +120,8 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
         landing = -1.0
         if xi != NOT_FOUND:
             landing = start + 0.5 * length * (1.0 + xi)
-            for _ in range(3):  # polish on the gap itself
-                gap, rate = flight_gap(body, s, c, om, y, vn, fn, landing)
-                if rate >= 0.0:
-                    break
-                better = landing - gap / rate
-                if not abs(better - landing) < 0.01 * length or better <= 0.0:
-                    break
-                landing = better
-        # A panel turns by less than π, so the rate, a line plus a cosine, falls through zero at most twice.
+            landing = polished(body, s, c, om, y, vn, fn, landing, 0.01 * length)
+        # A panel turns by less than 2π, so the rate, a line plus a sine, falls through zero at most twice.
         coefficients(values[1], series)
         begin = -2.0
         for _ in range(2):
@@ -126,7 +132,12 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
             top = start + 0.5 * length * (1.0 + xi)
             if landing >= 0.0 and top >= landing:
                 break
-            gap, rate = flight_gap(body, s, c, om, y, vn, fn, top)
+            for _ in range(2):
+                bend = -body.gn + body.eps * om * om * math.cos(th + om * top)
+                better = top - flight_gap(body, s, c, om, y, vn, fn, top)[1] / bend
+                if abs(better - top) < 0.01 * length:
+                    top = better
+            gap = flight_gap(body, s, c, om, y, vn, fn, top)[0]
             if gap > highest:
                 highest = gap
                 apex = top

@@ -9,14 +9,23 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._collocation import NODES, ORDER, SINES, VERSINES, WIDTHS
+from hophoop._collocation import (
+    FAR_SINES,
+    FAR_VERSINES,
+    NODES,
+    ORDER,
+    SINES,
+    VERSINES,
+    WIDTHS,
+    antiderivative,
+)
 from hophoop._jit import jit
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 
 # Rows of the scratch array of a panel: values at the nodes.
-SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, LOSS, A, B = range(12)
-ROWS = 12
+SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, A, B = range(13)
+ROWS = 13
 
 RESOLVED = 2e-13  # size of the last Chebyshev coefficients at which a panel is accepted
 
@@ -29,6 +38,8 @@ class Panel(NamedTuple):
     level: int  # of a LINEAR panel's width
     way: float  # ±1, the sign of θ̇
     ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point to come (ARRIVE)
+    sine: float  # sin θ and cos θ there
+    cosine: float
     extent: float  # abs(Δθ) over the panel
     u: float  # θ̇² at `ref`
     vt: float  # slip velocity at the start
@@ -47,8 +58,8 @@ class Totals(NamedTuple):
 @jit
 def fill_geometry(panel, work):
     """Rows A and B: sin θ − sin θ_ref and cos θ − cos θ_ref at the nodes, exact for small steps; STRETCH: abs(dθ/dξ)."""
-    s0 = math.sin(panel.ref)
-    c0 = math.cos(panel.ref)
+    s0 = panel.sine
+    c0 = panel.cosine
     ds = work[A]
     dc = work[B]
     stretch = work[STRETCH]
@@ -97,4 +108,34 @@ def place_of(panel, offset):
 @jit
 def linear_panel(sigma, level, way, th, u, vt):
     """A panel of standard width from θ onwards."""
-    return Panel(sigma, LINEAR, level, way, th, WIDTHS[level], u, vt)
+    return Panel(sigma, LINEAR, level, way, th, math.sin(th), math.cos(th), WIDTHS[level], u, vt)
+
+
+@jit
+def turning_panel(sigma, kind, way, th, extent, vt):
+    """A panel that ends (ARRIVE) or begins (LEAVE) at the turning point th."""
+    return Panel(sigma, kind, 0, way, th, math.sin(th), math.cos(th), extent, 0.0, vt)
+
+
+@jit
+def turn(s, c, angle):
+    """(sin, cos) of θ + angle minus those of θ, without cancellation."""
+    sine = math.sin(angle)
+    versine = 2.0 * math.sin(0.5 * angle) ** 2
+    return c * sine - s * versine, -s * sine - c * versine
+
+
+@jit
+def turn_over(panel):
+    """`turn` from ref over the whole of a LINEAR panel, from the tables."""
+    sine = panel.way * FAR_SINES[panel.level]
+    versine = FAR_VERSINES[panel.level]
+    return panel.cosine * sine - panel.sine * versine, -panel.sine * sine - panel.cosine * versine
+
+
+@jit
+def fill_inside(panel, work):
+    """The rows TIME and LOSS of a solved panel, which only a place inside it needs."""
+    antiderivative(work[RATE], work[TIME])
+    if panel.sigma != 0:
+        antiderivative(work[POWER], work[LOSS])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NODES, ORDER, antiderivative, tail
+from hophoop._collocation import NODES, ORDER, tail, total
 from hophoop._jit import jit
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.panel import (
@@ -12,16 +12,18 @@ from hophoop.physics.panel import (
     ARRIVE,
     B,
     COSINE,
+    LINEAR,
     NORMAL,
     RATE,
     RESOLVED,
     SINE,
     STRETCH,
-    TIME,
     U,
     Totals,
     angle_at,
     fill_geometry,
+    turn,
+    turn_over,
 )
 
 
@@ -36,12 +38,16 @@ def rolling_u(body, th0, u0, offset):
     """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
     s0 = math.sin(th0)
     c0 = math.cos(th0)
-    sine = math.sin(offset)
-    versine = 2.0 * math.sin(0.5 * offset) ** 2
-    ds = c0 * sine - s0 * versine
-    dc = -s0 * sine - c0 * versine
-    start = rolling_inertia(body, c0) * u0
-    return (start + rolling_energy_change(body, ds, dc, offset)) / rolling_inertia(body, c0 + dc)
+    ds, dc = turn(s0, c0, offset)
+    energy = rolling_inertia(body, c0) * u0 + rolling_energy_change(body, ds, dc, offset)
+    return energy / rolling_inertia(body, c0 + dc)
+
+
+@jit
+def u_on_panel(body, panel, ds, dc, offset):
+    """θ̇² on a rolling panel, from sin θ − sin θ_ref, cos θ − cos θ_ref and θ − θ_ref."""
+    energy = rolling_inertia(body, panel.cosine) * panel.u + rolling_energy_change(body, ds, dc, offset)
+    return energy / rolling_inertia(body, panel.cosine + dc)
 
 
 @jit
@@ -51,8 +57,8 @@ def solve_roll(body, panel, work):
     The row A holds D θ̇², which is smooth also where it turns negative beyond a turning point.
     """
     fill_geometry(panel, work)
-    s0 = math.sin(panel.ref)
-    c0 = math.cos(panel.ref)
+    s0 = panel.sine
+    c0 = panel.cosine
     start = rolling_inertia(body, c0) * panel.u
     sines = work[SINE]
     cosines = work[COSINE]
@@ -77,11 +83,16 @@ def solve_roll(body, panel, work):
     size = tail(rates, 0.0)
     if not size <= RESOLVED:
         return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0)
-    time = antiderivative(rates, work[TIME])
+    time = total(rates)
     if panel.kind == ARRIVE:
         u = 0.0
     else:
-        u = rolling_u(body, panel.ref, panel.u, panel.way * panel.extent)
+        offset = panel.way * panel.extent
+        if panel.kind == LINEAR:
+            ds, dc = turn_over(panel)
+        else:
+            ds, dc = turn(s0, c0, offset)
+        u = u_on_panel(body, panel, ds, dc, offset)
         if not u > 0.0:
             size = math.inf
     return Totals(size, time, u, 0.0, 0.0)

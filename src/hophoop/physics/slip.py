@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import ORDER, REMAINDER_T, WEIGHTS, antiderivative, product, tail
+from hophoop._collocation import ANTIDERIVATIVE_T, ORDER, REMAINDER_T, antiderivative, product, tail, total
 from hophoop._jit import jit
 from hophoop.physics.contact import slip_motion, slip_torque_arm
 from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
-    LOSS,
     NORMAL,
+    POWER,
     RATE,
     RESOLVED,
     SINE,
@@ -32,15 +32,13 @@ def _from_reference(panel, values, out):
     """∫ values dξ from `ref` to each node, signed along θ; returns the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
         product(REMAINDER_T, values, out)
-        total = 0.0
-        for i in range(ORDER):
-            out[i] *= -panel.way
-            total += WEIGHTS[i] * values[i]
-        return -panel.way * total
-    total = antiderivative(values, out)
+        way = -panel.way
+    else:
+        product(ANTIDERIVATIVE_T, values, out)
+        way = panel.way
     for i in range(ORDER):
-        out[i] *= panel.way
-    return panel.way * total
+        out[i] *= way
+    return way * total(values)
 
 
 @jit
@@ -51,8 +49,8 @@ def solve_slip(body, panel, work):
     """
     fill_geometry(panel, work)
     sigma = panel.sigma
-    s0 = math.sin(panel.ref)
-    c0 = math.cos(panel.ref)
+    s0 = panel.sine
+    c0 = panel.cosine
     eps = body.eps
     sines = work[SINE]
     cosines = work[COSINE]
@@ -105,16 +103,15 @@ def solve_slip(body, panel, work):
     size = max(size, tail(rates, 0.0), tail(normals, body.gn + panel.u))
     if not size <= RESOLVED:
         return Totals(size, 0.0, u_far, 0.0, 0.0)
-    time = antiderivative(rates, work[TIME])
+    time = total(rates)
     slips = work[SLIP]
     vt = panel.vt + antiderivative(slip_rates, slips)
-    power = work[A]
+    power = work[POWER]
     for i in range(ORDER):
         slips[i] += panel.vt
         # no abs(), so that it stays smooth beyond the end of the slip
         power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
-    loss = antiderivative(power, work[LOSS])
-    return Totals(size, time, 0.0 if panel.kind == ARRIVE else u_far, vt, loss)
+    return Totals(size, time, 0.0 if panel.kind == ARRIVE else u_far, vt, total(power))
 
 
 @jit

@@ -9,11 +9,12 @@ from hophoop._collocation import (
     NODES,
     NOT_FOUND,
     ORDER,
+    antiderivative,
     coefficients,
     dot,
     first_fall,
     lagrange,
-    series_value,
+    left_value,
 )
 from hophoop._jit import jit
 from hophoop.physics.body import Mode
@@ -23,19 +24,24 @@ from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
     LEAVE,
+    LINEAR,
     LOSS,
+    RATE,
     RESOLVED,
     SLIP,
     TIME,
     A,
     B,
-    Panel,
     U,
     angle_at,
+    fill_inside,
     linear_panel,
     place_of,
+    turn,
+    turn_over,
+    turning_panel,
 )
-from hophoop.physics.roll import roll_margins, rolling_u, solve_roll
+from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
 from hophoop.rigid.state import State, revised, write_segment
 
@@ -112,7 +118,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         alpha = angular_acceleration(body, sigma, state.th, 0.0)
         way = 1.0 if alpha > 0.0 else -1.0
         while True:
-            panel = Panel(sigma, LEAVE, 0, way, state.th, extent, 0.0, state.vt)
+            panel = turning_panel(sigma, LEAVE, way, state.th, extent, state.vt)
             totals = solve(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
@@ -128,7 +134,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         if not work[U, ORDER - 1] > 0.8 * u:
             ahead = turning_point_ahead(body, panel, totals, scratch)
             if ahead > 0.0:
-                arrival = Panel(sigma, ARRIVE, level, way, state.th + way * ahead, ahead, 0.0, state.vt)
+                arrival = turning_panel(sigma, ARRIVE, way, state.th + way * ahead, ahead, state.vt)
                 totals = solve(body, arrival, work)
                 if totals.tail <= RESOLVED:
                     return arrival, totals, START_LEVEL
@@ -141,7 +147,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
 def fall_of(row, state_is_fresh, scratch):
     """Where in the panel a margin falls through zero; at its very start if it is negative there already."""
     coefficients(row, scratch.series)
-    if not state_is_fresh and series_value(scratch.series, -1.0) <= 0.0:
+    if not state_is_fresh and left_value(scratch.series) <= 0.0:
         return -1.0
     return first_fall(scratch.series, 0.0, scratch.stack)
 
@@ -192,6 +198,7 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target
                 what = FULL_ANGLE
     left = t_end - state.t
     if totals.time >= left:
+        antiderivative(work[RATE], work[TIME])
         for i in range(ORDER):
             work[A, i] = left - work[TIME, i]
         coefficients(work[A], scratch.series)
@@ -215,35 +222,41 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     work = scratch.work
     if xi <= -1.0:
         return state
-    if xi >= 1.0:
-        tau = totals.time
-        u = totals.u
-        vt = totals.vt
-        loss = totals.loss
-        offset = angle_at(panel, 1.0)
+    offset = angle_at(panel, xi)
+    inside = xi < 1.0
+    if panel.kind == LINEAR and not inside:
+        ds, dc = turn_over(panel)
     else:
-        offset = angle_at(panel, xi)
+        ds, dc = turn(panel.sine, panel.cosine, offset)
+    if inside:
+        fill_inside(panel, work)
         lagrange(xi, scratch.weights)
         tau = dot(scratch.weights, work[TIME])
         if panel.sigma == 0:
-            u = rolling_u(body, panel.ref, panel.u, offset)
+            u = u_on_panel(body, panel, ds, dc, offset)
             vt = 0.0
             loss = 0.0
         else:
             u = dot(scratch.weights, work[U])
             vt = dot(scratch.weights, work[SLIP])
             loss = dot(scratch.weights, work[LOSS])
-    om = panel.way * math.sqrt(max(u, 0.0))
-    turned = offset - angle_at(panel, -1.0)
-    if panel.sigma == 0:
-        x = state.x + turned
     else:
-        s0 = math.sin(state.th)
-        c0 = math.cos(state.th)
-        sine = math.sin(turned)
-        versine = 2.0 * math.sin(0.5 * turned) ** 2
-        ds = c0 * sine - s0 * versine
-        dc = -s0 * sine - c0 * versine
+        tau = totals.time
+        u = totals.u
+        vt = totals.vt
+        loss = totals.loss
+    om = panel.way * math.sqrt(max(u, 0.0))
+    if panel.sigma == 0:
+        x = state.x + (offset - angle_at(panel, -1.0))
+    else:
+        s0 = panel.sine
+        c0 = panel.cosine
+        if panel.kind == ARRIVE:  # from the start of the panel, not from its reference
+            back = turn(s0, c0, angle_at(panel, -1.0))
+            s0 += back[0]
+            c0 += back[1]
+            ds -= back[0]
+            dc -= back[1]
         x = state.x + slip_displacement(body, panel.sigma, state.vt, state.om, s0, c0, ds, dc, tau)
     return State(
         state.t + tau,
