@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
-from hophoop._jit import jit
+from hophoop._jit import lean_jit
 
 ORDER = 16
 NODES, WEIGHTS = legendre.leggauss(ORDER)
@@ -49,7 +49,7 @@ DEPTH = 60  # halvings of a panel before a multiple root is given up
 NOT_FOUND = 2.0  # a ξ outside the panel
 
 
-@jit
+@lean_jit
 def product(matrix_t, values, out):
     """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers."""
     for j in range(0, ORDER, 8):
@@ -65,7 +65,7 @@ def product(matrix_t, values, out):
             out[i] = low + high if j == 0 else out[i] + (low + high)
 
 
-@jit
+@lean_jit
 def total(values):
     """Integral of the function over the panel, by Gauss."""
     result = 0.0
@@ -74,20 +74,20 @@ def total(values):
     return result
 
 
-@jit
+@lean_jit
 def antiderivative(values, out):
     """Integrals of the function from −1 to every node; returns the one over the whole panel."""
     product(ANTIDERIVATIVE_T, values, out)
     return total(values)
 
 
-@jit
+@lean_jit
 def coefficients(values, out):
     """Chebyshev coefficients of the function with these values at the nodes."""
     product(SERIES_T, values, out)
 
 
-@jit
+@lean_jit
 def tail(values, scale):
     """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
     a = 0.0
@@ -103,7 +103,7 @@ def tail(values, scale):
     return ratio if ratio < np.inf else np.inf
 
 
-@jit
+@lean_jit
 def series_value(series, xi):
     """Clenshaw's sum of the Chebyshev series at ξ."""
     b1 = 0.0
@@ -113,7 +113,7 @@ def series_value(series, xi):
     return xi * b1 - b2 + series[0]
 
 
-@jit
+@lean_jit
 def left_value(series):
     """The series at ξ = −1."""
     result = 0.0
@@ -122,7 +122,7 @@ def left_value(series):
     return result
 
 
-@jit
+@lean_jit
 def right_value(series):
     """The series at ξ = 1."""
     result = 0.0
@@ -131,7 +131,7 @@ def right_value(series):
     return result
 
 
-@jit
+@lean_jit
 def lagrange(xi, out):
     """Weights that interpolate node values at ξ."""
     before = 1.0
@@ -144,7 +144,7 @@ def lagrange(xi, out):
             out[j] += current * SERIES_T[j, k]
 
 
-@jit
+@lean_jit
 def dot(a, b):
     """Sum of products in a fixed order."""
     result = 0.0
@@ -153,7 +153,7 @@ def dot(a, b):
     return result
 
 
-@jit
+@lean_jit
 def value_and_slope(series, xi):
     """The Chebyshev series and its derivative at ξ, by one pass of Clenshaw's recurrence."""
     b1 = 0.0
@@ -167,7 +167,7 @@ def value_and_slope(series, xi):
     return xi * b1 - b2 + series[0], xi * d1 - d2 + b1
 
 
-@jit
+@lean_jit
 def _bracketed(series):
     """Root of a monotone series with series(−1) > 0 ≥ series(1): Newton's steps kept inside the bracket."""
     low = -1.0
@@ -190,7 +190,7 @@ def _bracketed(series):
     return xi
 
 
-@jit
+@lean_jit
 def first_fall(series, floor, stack):
     """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
 
@@ -200,7 +200,7 @@ def first_fall(series, floor, stack):
     return first_fall_after(series, -2.0, floor, stack)
 
 
-@jit
+@lean_jit
 def first_fall_after(series, begin, floor, stack):
     """`first_fall`, of those beyond ξ = `begin`."""
     spread = 0.0
@@ -273,7 +273,7 @@ _SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9
 _COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
 
 
-@jit
+@lean_jit
 def turn_deficits(phi):
     """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
     square = phi * phi

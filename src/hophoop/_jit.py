@@ -54,27 +54,31 @@ def cache_folder() -> Path:
     return Path(tempfile.mkdtemp(prefix="hophoop-"))
 
 
-def jit(function: Function) -> Function:
-    """Compile in nopython mode, keep the result on disk, release the interpreter lock."""
+def _compiled(function: Function, **options: Any) -> Function:
     before = config.CACHE_DIR
     # Read by Numba at decoration only, so other packages keep their own setting.
     config.CACHE_DIR = str(cache_folder())
     try:
-        return numba.njit(cache=True, error_model="numpy", nogil=True)(function)  # type: ignore[no-any-return]
+        return numba.njit(  # type: ignore[no-any-return]
+            cache=True, error_model="numpy", nogil=True, **options
+        )(function)
     finally:
         config.CACHE_DIR = before
+
+
+def jit(function: Function) -> Function:
+    """Compile in nopython mode, keep the result on disk, release the interpreter lock."""
+    return _compiled(function)
+
+
+def lean_jit(function: Function) -> Function:
+    """`jit` for functions that make no arrays: without reference counts, which cost a fifth of a motion's time."""
+    return _compiled(function, _nrt=False)
 
 
 def parallel_jit(function: Function) -> Function:
     """`jit` with `numba.prange` loops spread over the cores."""
-    before = config.CACHE_DIR
-    config.CACHE_DIR = str(cache_folder())
-    try:
-        return numba.njit(cache=True, error_model="numpy", nogil=True, parallel=True)(  # type: ignore[no-any-return]
-            function
-        )
-    finally:
-        config.CACHE_DIR = before
+    return _compiled(function, parallel=True)
 
 
 def announce_compilation(function: Any) -> None:

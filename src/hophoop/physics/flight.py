@@ -14,12 +14,12 @@ from hophoop._collocation import (
     left_value,
     turn_deficits,
 )
-from hophoop._jit import jit
+from hophoop._jit import lean_jit
 
 PHASE = 4.0  # rad of rotation in one panel: its series is good to 1e-11, and roots are polished
 
 
-@jit
+@lean_jit
 def flight_gap(body, s, c, om, y, vn, fn, tau):
     """(gap, its rate) after the time tau; fn is the initial f_n, exactly 0 after a lift-off from slip."""
     sine_part, cosine_part, versine = turn_deficits(om * tau)
@@ -28,7 +28,7 @@ def flight_gap(body, s, c, om, y, vn, fn, tau):
     return gap, rate
 
 
-@jit
+@lean_jit
 def flight_state(body, x, th, vt, om, s, c, tau):
     """(x, θ, v_t) after the time tau."""
     th_end = th + om * tau
@@ -43,7 +43,7 @@ def flight_state(body, x, th, vt, om, s, c, tau):
     return x_end, th_end, vt_end
 
 
-@jit
+@lean_jit
 def polished(body, s, c, om, y, vn, fn, tau, reach):
     """A landing time improved on the gap itself, by Newton; left alone where a step would be large."""
     for _ in range(3):
@@ -59,7 +59,7 @@ def polished(body, s, c, om, y, vn, fn, tau, reach):
     return tau
 
 
-@jit
+@lean_jit
 def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
     """First contact of a flight and its highest centre.
 

@@ -19,7 +19,7 @@ from hophoop._collocation import (
     WIDTHS,
     antiderivative,
 )
-from hophoop._jit import jit
+from hophoop._jit import lean_jit
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 
@@ -55,7 +55,7 @@ class Totals(NamedTuple):
     loss: float
 
 
-@jit
+@lean_jit
 def fill_geometry(panel, work):
     """Rows A and B: sin θ − sin θ_ref and cos θ − cos θ_ref at the nodes, exact for small steps; STRETCH: abs(dθ/dξ)."""
     s0 = panel.sine
@@ -84,7 +84,7 @@ def fill_geometry(panel, work):
         stretch[i] = panel.extent * part
 
 
-@jit
+@lean_jit
 def angle_at(panel, xi):
     """θ − ref at ξ."""
     if panel.kind == LINEAR:
@@ -96,7 +96,7 @@ def angle_at(panel, xi):
     return panel.way * panel.extent * part * part
 
 
-@jit
+@lean_jit
 def place_of(panel, offset):
     """ξ where abs(θ − ref) = offset."""
     if panel.kind == LINEAR:
@@ -105,19 +105,19 @@ def place_of(panel, offset):
     return 1.0 - 2.0 * part if panel.kind == ARRIVE else 2.0 * part - 1.0
 
 
-@jit
+@lean_jit
 def linear_panel(sigma, level, way, th, u, vt):
     """A panel of standard width from θ onwards."""
     return Panel(sigma, LINEAR, level, way, th, math.sin(th), math.cos(th), WIDTHS[level], u, vt)
 
 
-@jit
+@lean_jit
 def turning_panel(sigma, kind, way, th, extent, vt):
     """A panel that ends (ARRIVE) or begins (LEAVE) at the turning point th."""
     return Panel(sigma, kind, 0, way, th, math.sin(th), math.cos(th), extent, 0.0, vt)
 
 
-@jit
+@lean_jit
 def turn(s, c, angle):
     """(sin, cos) of θ + angle minus those of θ, without cancellation."""
     sine = math.sin(angle)
@@ -125,7 +125,7 @@ def turn(s, c, angle):
     return c * sine - s * versine, -s * sine - c * versine
 
 
-@jit
+@lean_jit
 def turn_over(panel):
     """`turn` from ref over the whole of a LINEAR panel, from the tables."""
     sine = panel.way * FAR_SINES[panel.level]
@@ -133,7 +133,7 @@ def turn_over(panel):
     return panel.cosine * sine - panel.sine * versine, -panel.sine * sine - panel.cosine * versine
 
 
-@jit
+@lean_jit
 def fill_inside(panel, work):
     """The rows TIME and LOSS of a solved panel, which only a place inside it needs."""
     antiderivative(work[RATE], work[TIME])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._collocation import NODES, ORDER, tail, total
-from hophoop._jit import jit
+from hophoop._jit import lean_jit
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.panel import (
     A,
@@ -27,13 +27,13 @@ from hophoop.physics.panel import (
 )
 
 
-@jit
+@lean_jit
 def rolling_energy_change(body, ds, dc, offset):
     """Change of D θ̇² when sin θ, cos θ and θ change by these."""
     return 2.0 * (body.eps * (body.gt * ds - body.gn * dc) + body.gt * offset)
 
 
-@jit
+@lean_jit
 def rolling_u(body, th0, u0, offset):
     """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
     s0 = math.sin(th0)
@@ -43,14 +43,14 @@ def rolling_u(body, th0, u0, offset):
     return energy / rolling_inertia(body, c0 + dc)
 
 
-@jit
+@lean_jit
 def u_on_panel(body, panel, ds, dc, offset):
     """θ̇² on a rolling panel, from sin θ − sin θ_ref, cos θ − cos θ_ref and θ − θ_ref."""
     energy = rolling_inertia(body, panel.cosine) * panel.u + rolling_energy_change(body, ds, dc, offset)
     return energy / rolling_inertia(body, panel.cosine + dc)
 
 
-@jit
+@lean_jit
 def solve_roll(body, panel, work):
     """Fill `work` for a rolling panel.
 
@@ -98,7 +98,7 @@ def solve_roll(body, panel, work):
     return Totals(size, time, u, 0.0, 0.0)
 
 
-@jit
+@lean_jit
 def roll_margins(body, work):
     """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
     a, b = cone_weights(body.mu_s)

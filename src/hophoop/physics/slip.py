@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._collocation import ANTIDERIVATIVE_T, ORDER, REMAINDER_T, antiderivative, product, tail, total
-from hophoop._jit import jit
+from hophoop._jit import lean_jit
 from hophoop.physics.contact import slip_motion, slip_torque_arm
 from hophoop.physics.panel import (
     ARRIVE,
@@ -27,7 +27,7 @@ from hophoop.physics.panel import (
 )
 
 
-@jit
+@lean_jit
 def _from_reference(panel, values, out):
     """∫ values dξ from `ref` to each node, signed along θ; returns the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
@@ -41,7 +41,7 @@ def _from_reference(panel, values, out):
     return way * total(values)
 
 
-@jit
+@lean_jit
 def solve_slip(body, panel, work):
     """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
 
@@ -114,7 +114,7 @@ def solve_slip(body, panel, work):
     return Totals(size, time, 0.0 if panel.kind == ARRIVE else u_far, vt, total(power))
 
 
-@jit
+@lean_jit
 def slip_displacement(body, sigma, vt, om, s, c, ds, dc, tau):
     """Change of x over the time tau from a state of slip: gravity alone changes ẋ_G + σ μk ẏ_G."""
     pull = sigma * body.mu_k

@@ -16,7 +16,7 @@ from hophoop._collocation import (
     lagrange,
     left_value,
 )
-from hophoop._jit import jit
+from hophoop._jit import lean_jit
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import rolling_acceleration, slip_motion
 from hophoop.physics.modes import slip_direction
@@ -57,7 +57,7 @@ SMALLEST_EXTENT = 1e-40
 STILL_ACCELERATION = 1e-15
 
 
-@jit
+@lean_jit
 def angular_acceleration(body, sigma, th, u):
     """θ̈ in rolling (sigma = 0) or slip."""
     s = math.sin(th)
@@ -67,7 +67,7 @@ def angular_acceleration(body, sigma, th, u):
     return slip_motion(body, s, c, u, sigma)[0]
 
 
-@jit
+@lean_jit
 def solve(body, panel, work):
     """Fill the panel in its mode."""
     if panel.sigma == 0:
@@ -75,7 +75,7 @@ def solve(body, panel, work):
     return solve_slip(body, panel, work)
 
 
-@jit
+@lean_jit
 def narrower(level, size):
     """Level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:
@@ -83,7 +83,7 @@ def narrower(level, size):
     return level + max(1, min(4, math.ceil(math.log2(size / RESOLVED) / GAIN_OF_A_LEVEL)))
 
 
-@jit
+@lean_jit
 def turning_point_ahead(body, panel, totals, scratch):
     """Angle from here to the first zero of θ̇², or 0 where none is near.
 
@@ -107,7 +107,7 @@ def turning_point_ahead(body, panel, totals, scratch):
     return 0.0
 
 
-@jit
+@lean_jit
 def choose_panel(body, sigma, state, level, extent, scratch):
     """A panel from here, as wide as is resolved.
 
@@ -143,7 +143,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
             return panel, totals, level
 
 
-@jit
+@lean_jit
 def fall_of(row, state_is_fresh, scratch):
     """Where in the panel a margin falls through zero; at its very start if it is negative there already."""
     coefficients(row, scratch.series)
@@ -152,7 +152,7 @@ def fall_of(row, state_is_fresh, scratch):
     return first_fall(scratch.series, 0.0, scratch.stack)
 
 
-@jit
+@lean_jit
 def earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 
@@ -216,7 +216,7 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target
     return xi, what
 
 
-@jit
+@lean_jit
 def state_on_panel(body, panel, totals, state, xi, scratch):
     """The state at ξ of a solved panel that began in `state`."""
     work = scratch.work
@@ -272,7 +272,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     )
 
 
-@jit
+@lean_jit
 def advance_contact(body, mode, state, fresh, zeros, level, t_end, angle_target, scratch, segments, count):
     """Roll or slip over one panel or up to the first event in it.
 
@@ -325,13 +325,13 @@ def advance_contact(body, mode, state, fresh, zeros, level, t_end, angle_target,
     return what, after, level, count
 
 
-@jit
+@lean_jit
 def equilibrium_is_stable(body, th):
     """Whether rest in rolling contact at the angle th has a minimum of the potential energy."""
     return body.eps * (body.gn * math.cos(th) - body.gt * math.sin(th)) < 0.0
 
 
-@jit
+@lean_jit
 def frozen_end(body, sigma, vt):
     """(v̇_t, time until v_t = 0) of slip without rotation; the time is infinite where it never stops."""
     rate = body.gt - sigma * body.mu_k * body.gn
