@@ -1,0 +1,76 @@
+"""Closed forms and thresholds of the loaded hoop, vectorised over their arguments.
+
+Numbers and hoops and planes broadcast against each other; all are in SI units and radians. The formulas are those
+of `hophoop.physics`; nothing is restated here.
+"""
+
+from hophoop.theory.critical import (
+    CriticalSpeeds,
+    critical_speeds,
+    first_hop_speed,
+    first_slip_speed,
+    hop_angle,
+    immediate_hop_speed,
+    slip_angle,
+)
+from hophoop.theory.massless import ContactLoss, massless_loss
+from hophoop.theory.painleve import (
+    JamState,
+    PainleveMinimum,
+    jam_states,
+    painleve_minimum,
+    painleve_region,
+    painleve_threshold,
+)
+from hophoop.theory.phase_plane import RollingRange, lift_off_speed, mode_of, rolling_range
+from hophoop.theory.rest import Equilibrium, equilibria
+from hophoop.theory.rolling import (
+    Energies,
+    Forces,
+    NeededFriction,
+    friction_utilization,
+    max_rolling_speed,
+    needed_friction,
+    rocking_period,
+    rolling_energies,
+    rolling_forces,
+    rolling_period,
+    rolling_speed,
+    rolling_time,
+)
+
+__all__ = [
+    "rolling_speed",
+    "max_rolling_speed",
+    "rolling_forces",
+    "friction_utilization",
+    "rolling_energies",
+    "needed_friction",
+    "rolling_time",
+    "rolling_period",
+    "rocking_period",
+    "critical_speeds",
+    "first_slip_speed",
+    "first_hop_speed",
+    "immediate_hop_speed",
+    "slip_angle",
+    "hop_angle",
+    "mode_of",
+    "rolling_range",
+    "lift_off_speed",
+    "painleve_threshold",
+    "painleve_minimum",
+    "painleve_region",
+    "jam_states",
+    "equilibria",
+    "massless_loss",
+    "Forces",
+    "Energies",
+    "NeededFriction",
+    "CriticalSpeeds",
+    "RollingRange",
+    "PainleveMinimum",
+    "JamState",
+    "Equilibrium",
+    "ContactLoss",
+]

@@ -1,0 +1,195 @@
+"""Arcs of pure rolling: how far the hoop gets, and how long it takes.
+
+Everything follows from θ̇²(θ), which `physics.roll` knows in closed form. Times are quadratures on Gauss panels
+that are halved until their Chebyshev series is resolved.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop._collocation import NODES, ORDER, WEIGHTS, coefficients
+from hophoop._jit import jit
+from hophoop.physics.contact import rolling_acceleration
+from hophoop.physics.roll import rolling_u
+
+TURN = 2.0 * math.pi
+RESOLVED = 1e-14
+SMALLEST = 1e-300
+MOST_PANELS = 1_000_000
+
+
+@jit
+def is_resolved(series, scale, tolerance):
+    """Whether the last coefficients of a Chebyshev series are small beside the others and `scale`."""
+    for k in range(ORDER):
+        scale = max(scale, abs(series[k]))
+    end = max(abs(series[ORDER - 1]), abs(series[ORDER - 2]), abs(series[ORDER - 3]))
+    return end <= tolerance * scale < np.inf  # false for nan as well
+
+
+# --- hills and turning points ----------------------------------------------------------------------
+
+
+@jit
+def first_hilltop(body):
+    """Angle of a hilltop of the potential between −π and π, nan where the slope is too steep for one.
+
+    Hilltops stand at ε sin(θ + β) = −sin β, once a turn, each lower than the one uphill by the same amount.
+    """
+    weight = math.hypot(body.gn, body.gt)
+    if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
+        return math.nan
+    return math.asin(-body.gt / (body.eps * weight)) - math.atan2(body.gt, body.gn)
+
+
+@jit
+def first_valley(body):
+    """Angle of the valley after `first_hilltop`."""
+    weight = math.hypot(body.gn, body.gt)
+    if body.eps == 0.0 or weight == 0.0 or abs(body.gt) >= body.eps * weight:
+        return math.nan
+    return math.pi + math.asin(body.gt / (body.eps * weight)) - math.atan2(body.gt, body.gn)
+
+
+@jit
+def next_of(angle, start, way):
+    """The first of angle + 2πk strictly beyond `start` in the direction `way`."""
+    place = angle + TURN * math.floor((start - angle) / TURN)
+    for _ in range(4):
+        if way * (place - start) > 0.0:
+            break
+        place += way * TURN
+    if way * (place - way * TURN - start) > 0.0:
+        place -= way * TURN
+    return place
+
+
+@jit
+def blocking(body, ref, u_ref, end):
+    """The first angle between `ref` and `end`, hilltop or end, that the hoop does not reach; nan if none.
+
+    The highest hilltop on the way is its first or, uphill, each higher than the last.
+    """
+    way = 1.0 if end > ref else -1.0
+    hilltop = first_hilltop(body)
+    if not math.isnan(hilltop):
+        place = next_of(hilltop, ref, way)
+        while way * (end - place) > 0.0:
+            if rolling_u(body, ref, u_ref, place - ref) < 0.0:
+                return place
+            if way * body.gt >= 0.0:  # downhill or on the level the first is the highest
+                break
+            place += way * TURN
+    if rolling_u(body, ref, u_ref, end - ref) < 0.0:
+        return end
+    return math.nan
+
+
+@jit
+def turning_point(body, ref, u_ref, blocked):
+    """Where the hoop turns back before an angle that it does not reach, by bisection to the last bit."""
+    way = 1.0 if blocked > ref else -1.0
+    low = ref
+    valley = first_valley(body)
+    if not math.isnan(valley):
+        before = next_of(valley, blocked, -way)
+        if way * (before - ref) > 0.0:
+            low = before
+    high = blocked
+    while True:
+        middle = 0.5 * (low + high)
+        if middle == low or middle == high:
+            return low
+        if rolling_u(body, ref, u_ref, middle - ref) >= 0.0:
+            low = middle
+        else:
+            high = middle
+
+
+# --- times -----------------------------------------------------------------------------------------
+
+
+@jit
+def _rate(body, ref, u_ref, way, at):
+    """dt over d(offset); from rest the variable is the root of the offset, which takes the singularity out."""
+    if u_ref == 0.0:
+        return 2.0 * at / math.sqrt(rolling_u(body, ref, 0.0, way * at * at))
+    return 1.0 / math.sqrt(rolling_u(body, ref, u_ref, way * at))
+
+
+@jit
+def travel_time(body, ref, u_ref, way, distance):
+    """Time to roll this far from θ = ref with θ̇² = u_ref (0: from rest); nan where it does not get there."""
+    if distance == 0.0:
+        return 0.0
+    values = np.empty(ORDER)
+    series = np.empty(ORDER)
+    end = math.sqrt(distance) if u_ref == 0.0 else distance
+    total = 0.0
+    low = 0.0
+    width = 0.25 * end
+    for _ in range(MOST_PANELS):
+        width = min(width, end - low)
+        last = width == end - low
+        part = 0.0
+        for i in range(ORDER):
+            values[i] = _rate(body, ref, u_ref, way, low + 0.5 * width * (1.0 + NODES[i]))
+            part += WEIGHTS[i] * values[i]
+        coefficients(values, series)
+        if not is_resolved(series, 0.0, RESOLVED):
+            width *= 0.5
+            if width < SMALLEST or low + width == low:
+                return math.nan
+            continue
+        total += 0.5 * width * part
+        if last:
+            return total
+        low += width
+        width *= 2.0
+    return math.nan
+
+
+@jit
+def time_from_top(body, w, angle):
+    """Time from θ = 0, passed with θ̇² = w, to an angle; a past angle has a negative one if w > 0."""
+    way = 1.0 if angle > 0.0 else -1.0
+    if w == 0.0:
+        start = rolling_acceleration(body, 0.0, 1.0, 0.0)
+        if start == 0.0:
+            return math.inf
+        if start * angle < 0.0:
+            return math.nan
+    if body.gt == 0.0:
+        # each half turn is alike, and only from the top down are offsets exact where the hoop is slow
+        distance = abs(angle)
+        turns = math.floor(distance / TURN)
+        rest = distance - turns * TURN
+        half = travel_time(body, 0.0, w, 1.0, math.pi) if distance > math.pi else 0.0
+        if rest <= math.pi:
+            return 2.0 * half * turns + travel_time(body, 0.0, w, 1.0, rest)
+        return 2.0 * half * (turns + 1.0) - travel_time(body, 0.0, w, 1.0, max(TURN - rest, 0.0))
+    return travel_time(body, 0.0, w, way, abs(angle))
+
+
+@jit
+def rocking_time(body, angle):
+    """Period of rocking from rest at an angle; inf in an equilibrium, nan where the hoop rolls away."""
+    start = rolling_acceleration(body, math.sin(angle), math.cos(angle), 0.0)
+    if start == 0.0:
+        return math.inf
+    valley = first_valley(body)
+    if math.isnan(valley):
+        return math.nan
+    way = 1.0 if start > 0.0 else -1.0
+    bottom = next_of(valley, angle, way)
+    hilltop = next_of(first_hilltop(body), bottom, way)
+    if not rolling_u(body, angle, 0.0, hilltop - angle) < 0.0:
+        return math.nan if body.gt != 0.0 else math.inf
+    down = travel_time(body, angle, 0.0, way, abs(bottom - angle))
+    if body.gt == 0.0:
+        return 4.0 * down
+    far = turning_point(body, angle, 0.0, hilltop)
+    return 2.0 * (down + travel_time(body, far, 0.0, -way, abs(far - bottom)))

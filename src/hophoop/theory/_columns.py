@@ -1,0 +1,127 @@
+"""Arguments of theory, broadcast against each other and put into the kernels' units."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop._jit import jit
+from hophoop.physics.body import Body
+from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
+
+Floats = NDArray[np.float64]
+# One hoop or plane, or an array of them.
+Hoops = Hoop | Sequence[Hoop] | NDArray[np.object_]
+Planes = Plane | Sequence[Plane] | NDArray[np.object_]
+
+
+class Columns:
+    """Hoops, planes and numbers of one common shape, one row for each case.
+
+    `body` has a row of `Body` fields for each; `length`, `time` and `mass` are the kernels' units in SI.
+    """
+
+    def __init__(self, hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> None:
+        hoops, planes = _models(hoop, Hoop, "hoop"), _models(plane, Plane, "plane")
+        values = {name: _finite(name, value) for name, value in numbers.items()}
+        try:
+            self.shape = np.broadcast_shapes(
+                hoops.shape, planes.shape, *(value.shape for value in values.values())
+            )
+        except ValueError:
+            shapes = {"hoop": hoops.shape, "plane": planes.shape}
+            shapes |= {name: value.shape for name, value in values.items()}
+            said = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
+            raise InputError(f"The shapes of the arguments do not go together: {said}.") from None
+        rows, units = [], []
+        # Models are few beside numbers: each pair is translated once, then spread over the shape.
+        pairs = np.broadcast_arrays(hoops, planes)
+        for one, other in zip(pairs[0].ravel(), pairs[1].ravel(), strict=True):
+            rows.append(np.array(to_body(one, other), dtype=float))
+            units.append((one.radius, time_unit(one, other), one.mass))
+        pair_shape = pairs[0].shape
+        width = len(Body._fields)
+        self.body = self._spread(np.array(rows).reshape((*pair_shape, width)), (width,))
+        self.length, self.time, self.mass = np.moveaxis(
+            self._spread(np.array(units, dtype=float).reshape((*pair_shape, 3)), (3,)), -1, 0
+        )
+        self._values = {name: self._spread(value, ()) for name, value in values.items()}
+
+    def _spread(self, values: Floats, tail: tuple[int, ...]) -> Floats:
+        whole = np.broadcast_to(values, (*self.shape, *tail)).reshape((-1, *tail))
+        return np.ascontiguousarray(whole)
+
+    def __getitem__(self, name: str) -> Floats:
+        return self._values[name]
+
+    @property
+    def speed(self) -> Floats:
+        """Unit of speed [m/s]."""
+        result: Floats = self.length / self.time
+        return result
+
+    @property
+    def force(self) -> Floats:
+        """Unit of force [N]."""
+        result: Floats = self.mass * self.length / self.time**2
+        return result
+
+    def of_speed(self, name: str) -> Floats:
+        """A speed in the kernels' units."""
+        result: Floats = self._values[name] / self.speed
+        return result
+
+    def new(self, *tail: int) -> Floats:
+        """An array for a result, one row for each case."""
+        return np.empty((self.body.shape[0], *tail))
+
+    def shaped(self, values: Any) -> Any:
+        """A result in the common shape; a plain number where all arguments were."""
+        whole = np.asarray(values).reshape(self.shape)
+        return whole.item() if whole.ndim == 0 else whole
+
+    def require(self, good: Callable[[Any], Any], column: str, sentence: str) -> None:
+        """Refuse cases; `column` is a field of Body, and the sentence has a place {} for its value."""
+        values = self.body[:, Body._fields.index(column)]
+        bad = ~np.asarray(good(values), dtype=bool)
+        if bad.any():
+            raise InputError(sentence.format(f"{values[bad][0].item()!r}"))
+
+
+def _models(value: Any, kind: type, name: str) -> NDArray[np.object_]:
+    if isinstance(value, kind):
+        single = np.empty((), dtype=object)
+        single[()] = value
+        return single
+    many = np.array(value, dtype=object)
+    for one in many.ravel():
+        if not isinstance(one, kind):
+            raise InputError(f"{name} = {one!r} must be a {kind.__name__}, or an array of them.")
+    return many
+
+
+def _finite(name: str, value: ArrayLike) -> Floats:
+    try:
+        numbers = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(f"{name} = {value!r} must be a number or an array of numbers.") from None
+    if not np.isfinite(numbers).all():
+        raise InputError(f"{name} = {numbers[~np.isfinite(numbers)].flat[0]} must be a finite number.")
+    return numbers
+
+
+@jit
+def body_of(row):
+    """The Body that a row of `Columns.body` stands for."""
+    return Body(
+        row[0], row[1], row[2], row[3], row[4], row[5], row[6], int(row[7]), row[8] > 0.0
+    )
+
+
+def body_from(row: Floats) -> Body:
+    """`body_of` outside kernels, of the types that `to_body` gives."""
+    values = row.tolist()
+    return Body(*values[:7], law=int(values[7]), strike=values[8] > 0.0)

@@ -1,0 +1,108 @@
+"""The highest value of a smooth function of θ: certified on panels, not on a grid.
+
+The function is an angle atan2(·, ·) between −π and π, which stays smooth where a ratio would have a pole.
+Each panel is halved until its Chebyshev series is resolved; its maxima are where the derivative's series
+falls through zero. An error δ there changes the value by δ² only, so the value is right to rounding.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._collocation import NODES, NOT_FOUND, ORDER, coefficients, first_fall_after
+from hophoop._jit import jit
+from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
+from hophoop.physics.roll import rolling_u
+from hophoop.theory._arcs import is_resolved
+
+# What is maximised; side = +1 for friction that pushes ahead (F > 0), −1 back.
+FORCE_ANGLE, SPEED_ANGLE = 0, 1
+
+PANELS = 16
+RESOLVED = 1e-11
+NARROWEST = 1e-14  # rad
+MOST = 100_000
+
+
+@jit
+def force_angle(body, w, th, side):
+    """Angle between the contact force of rolling and the normal, F > 0 counted positive for side = 1."""
+    u = rolling_u(body, 0.0, w, th)
+    friction, normal = rolling_forces(body, math.sin(th), math.cos(th), u)
+    return math.atan2(side * friction, normal)
+
+
+@jit
+def cone_margin_line(body, th, side):
+    """(A, B): the margin to one side of the friction cone is A + B w, with w the square of v at θ = 0."""
+    s = math.sin(th)
+    c = math.cos(th)
+    a, b = cone_weights(body.mu_s)
+    from_rest = rolling_u(body, 0.0, 0.0, th)
+    growth = rolling_inertia(body, 1.0) / rolling_inertia(body, c)
+    friction0, normal0 = rolling_forces(body, s, c, 0.0)
+    friction1, normal1 = rolling_forces(body, s, c, 1.0)
+    steady = a * normal0 - b * side * friction0
+    rate = a * (normal1 - normal0) - b * side * (friction1 - friction0)
+    return steady + rate * from_rest, rate * growth
+
+
+@jit
+def searched(what, body, w, th, side):
+    """The function that is maximised."""
+    if what == FORCE_ANGLE:
+        return force_angle(body, w, th, side)
+    steady, rate = cone_margin_line(body, th, side)
+    return math.atan2(-rate, steady)
+
+
+@jit
+def derivative(series, out):
+    """Chebyshev series of the derivative with respect to ξ."""
+    above = 0.0
+    current = 0.0
+    for k in range(ORDER - 1, 0, -1):
+        following = above + 2.0 * k * series[k]
+        out[k - 1] = following
+        above, current = current, following
+    out[ORDER - 1] = 0.0
+    out[0] *= 0.5
+
+
+@jit
+def highest(what, body, w, begin, end, side, scratch):
+    """(largest value, θ where it is) on [begin, end]."""
+    slope = scratch.weights
+    best = searched(what, body, w, begin, side)
+    place = begin
+    at_end = searched(what, body, w, end, side)
+    if at_end > best:
+        best = at_end
+        place = end
+    low = begin
+    width = (end - begin) / PANELS
+    for _ in range(MOST):
+        width = min(width, end - low)
+        last = width == end - low
+        for i in range(ORDER):
+            scratch.values[0, i] = searched(what, body, w, low + 0.5 * width * (1.0 + NODES[i]), side)
+        coefficients(scratch.values[0], scratch.series)
+        if not is_resolved(scratch.series, 1.0, RESOLVED) and width > NARROWEST:
+            width *= 0.5
+            continue
+        derivative(scratch.series, slope)
+        xi = -2.0
+        while True:
+            xi = first_fall_after(slope, xi, 0.0, scratch.stack)
+            if xi == NOT_FOUND:
+                break
+            th = low + 0.5 * width * (1.0 + xi)
+            value = searched(what, body, w, th, side)
+            if value > best:
+                best = value
+                place = th
+        if last:
+            break
+        low += width
+        width *= 2.0
+    return best, place

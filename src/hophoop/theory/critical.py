@@ -1,0 +1,356 @@
+"""Critical speeds of a hoop that starts rolling with its load up: where slip, a hop, an immediate hop begin."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from hophoop._jit import announce_compilation, jit
+from hophoop.physics.body import Body, Mode
+from hophoop.physics.contact import free_acceleration
+from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, run
+from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
+from hophoop.rigid.state import State
+from hophoop.scenario import InputError, Plane
+from hophoop.theory._arcs import TURN
+from hophoop.theory._columns import Columns, Hoops, Planes, body_from, body_of
+from hophoop.theory._extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
+
+FLIGHT, SLIPS = int(Mode.FLIGHT), [int(Mode.SPIN), int(Mode.SKID)]
+ANY_TIME = 1e9  # the turn ends the motion
+TRIALS = 32  # speeds at which the outcome is looked at before the lowest change is bisected
+EVENTS = 4096
+
+
+class CriticalSpeeds(NamedTuple):
+    """Speeds of the centre at θ = 0 from which on something happens.
+
+    Attributes
+    ----------
+    first_slip : float or ndarray
+        Slip somewhere in the first turn [m/s].
+    first_hop : float or ndarray
+        A hop in the first turn [m/s].
+    immediate_hop : float or ndarray
+        The hoop leaves the plane at the start [m/s].
+    """
+
+    first_slip: Any
+    first_hop: Any
+    immediate_hop: Any
+
+
+# --- kernels ---------------------------------------------------------------------------------------
+
+
+@jit
+def _slip_speeds(bodies, out):
+    scratch = new_scratch()
+    for k in range(out.shape[0]):
+        body = body_of(bodies[k])
+        if math.isinf(body.mu_s):
+            out[k] = math.inf
+            continue
+        end = math.pi if body.gt == 0.0 else TURN  # on the level both halves of a turn are alike
+        best = math.inf
+        for side in (1.0, -1.0):
+            pull, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
+            if pull >= math.atan(body.mu_s):
+                best = 0.0  # even the smallest push
+                break
+            # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.
+            _, place = highest(SPEED_ANGLE, body, 0.0, 0.0, end, side, scratch)
+            steady, rate = cone_margin_line(body, place, side)
+            if rate < 0.0:
+                best = min(best, math.sqrt(max(steady, 0.0) / -rate))
+        out[k] = best
+
+
+@jit
+def _immediate_speed(body):
+    _, at_rest = free_acceleration(body, 0.0, 1.0, 0.0)
+    _, moving = free_acceleration(body, 0.0, 1.0, 1.0)
+    return math.sqrt(-at_rest / (moving - at_rest)) if moving > at_rest else math.inf
+
+
+@jit
+def _immediate_speeds(bodies, out):
+    for k in range(out.shape[0]):
+        out[k] = _immediate_speed(body_of(bodies[k]))
+
+
+# --- motions ---------------------------------------------------------------------------------------
+
+
+class _Trials:
+    """First turns of motions, called through the kernel that simulate() has compiled already."""
+
+    def __init__(self, turns: int = 1) -> None:
+        self.angle = turns * TURN
+        self.events = np.empty(EVENTS, EVENT)
+        self.segments = np.empty(16 * EVENTS, SEGMENT)
+        self.scratch = new_scratch()
+
+    def first_turns(self, body: Body, speed: float) -> np.ndarray:
+        """Events of the motion up to its first lift-off, its turning back or the end of the turns."""
+        start = State(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, float(speed), 0.0, 0.0, 0.0)
+        stop = STOP_AT_TURN | STOP_AT_TAKEOFF
+        _, count, _ = run(
+            body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch
+        )
+        return self.events[:count]
+
+    def hops(self, body: Body, speed: float) -> bool:
+        """Whether the hoop leaves the plane."""
+        return bool((self.first_turns(body, speed)["after_mode"] == FLIGHT).any())
+
+    def hop_speed(self, body: Body) -> float:
+        """The smallest speed with a hop, to the last bit."""
+        most = _immediate_speed(body)
+        if math.isinf(most) or most == 0.0:
+            return most
+        low, high = 0.0, most
+        for i in range(1, TRIALS):
+            speed = most * i / TRIALS
+            if self.hops(body, speed):
+                high = speed
+                break
+            low = speed
+        while low < (middle := 0.5 * (low + high)) < high:
+            if self.hops(body, middle):
+                high = middle
+            else:
+                low = middle
+        return high
+
+    def angles(self, body: Body, speed: float) -> tuple[float, float]:
+        """Angles of the first slip and the first lift-off, nan where there is none."""
+        events = self.first_turns(body, speed)
+        slips = events["angle"][np.isin(events["after_mode"], SLIPS)]
+        hops = events["angle"][events["after_mode"] == FLIGHT]
+        return (slips[0] if len(slips) else math.nan), (hops[0] if len(hops) else math.nan)
+
+
+# --- the public face -------------------------------------------------------------------------------
+
+
+def _cases(hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> Columns:
+    cases = Columns(hoop, plane, **numbers)
+    cases.require(lambda kap: kap > 0.0, "kap", "hoop.inertia_ratio = {} must be above 0; see massless_loss.")
+    cases.require(
+        lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0, so that the hoop rolls downhill or on the level."
+    )
+    return cases
+
+
+def first_slip_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
+    """Smallest speed at the top with which the hoop slips somewhere in its first turn.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    plane : Plane or array of Plane
+        Level, or sloping downhill.
+
+    Returns
+    -------
+    v0 : float or ndarray
+        Velocity of the centre at θ = 0 [m/s]; 0 where any push leads to slip, inf where friction is infinite.
+
+    Raises
+    ------
+    ValueError
+        If the hoop is massless or the plane slopes uphill.
+
+    Notes
+    -----
+    In rolling the contact force at an angle is linear in v0². The margin to the friction cone is a line
+    A(θ) + B(θ) v0², so that slip begins at the smallest −A/B over the turn: one extremum, and no search in v0.
+
+    References
+    ----------
+    "At some marginally higher initial velocity" than 2 m/s: :cite:t:`Sonnerlind2023`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.first_slip_speed(hh.Hoop.ideal(0.75), hh.Plane(mu=1.0)), 9)
+    2.043173912
+    """
+    cases = _cases(hoop, plane)
+    speeds = cases.new()
+    _slip_speeds(cases.body, speeds)
+    return cases.shaped(speeds * cases.speed)
+
+
+def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any:
+    """Smallest speed at the top with which the hoop leaves the plane within its first turns.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    plane : Plane or array of Plane
+        Level, or sloping downhill.
+    turns : int, default 1
+        How far the hoop is followed, at least 1 [turns].
+
+    Returns
+    -------
+    v0 : float or ndarray
+        Velocity of the centre at θ = 0 [m/s]; inf where no speed is enough (ε = 0).
+
+    Raises
+    ------
+    ValueError
+        If the hoop is massless, the plane slopes uphill, or turns is below 1.
+
+    Notes
+    -----
+    The exact motion decides at every speed that is tried. The lowest change of the outcome among 32 speeds up to
+    that of the immediate hop is bisected to the last bit.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.first_hop_speed(hh.Hoop.ideal(0.75), hh.Plane(mu=1.0)), 9)
+    2.908160226
+    """
+    if not (isinstance(turns, int | np.integer) and turns >= 1):
+        raise InputError(f"turns = {turns!r} must be a whole number of at least 1.")
+    cases = _cases(hoop, plane)
+    announce_compilation(run)
+    trials = _Trials(int(turns))
+    speeds = np.array([trials.hop_speed(body_from(row)) for row in cases.body])
+    return cases.shaped(speeds * cases.speed)
+
+
+def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
+    r"""Speed at the top from which on the hoop leaves the plane at once: √(gR cos β/ε).
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    v0 : float or ndarray
+        Velocity of the centre at θ = 0 [m/s]; inf where ε = 0.
+
+    Raises
+    ------
+    ValueError
+        If the shapes do not go together.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.immediate_hop_speed(hh.Hoop.ideal(0.75)), 9)
+    3.616628264
+    """
+    cases = Columns(hoop, plane)
+    speeds = cases.new()
+    _immediate_speeds(cases.body, speeds)
+    return cases.shaped(speeds * cases.speed)
+
+
+def critical_speeds(hoop: Hoops, plane: Planes = Plane()) -> CriticalSpeeds:
+    """The three critical speeds of a rolling start with the load up.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    plane : Plane or array of Plane
+        Level, or sloping downhill.
+
+    Returns
+    -------
+    speeds : CriticalSpeeds
+        first_slip, first_hop and immediate_hop [m/s].
+
+    Raises
+    ------
+    ValueError
+        If the hoop is massless or the plane slopes uphill.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> [round(speed, 6) for speed in hh.theory.critical_speeds(hh.Hoop.ideal(0.75))]
+    [2.043174, 2.90816, 3.616628]
+    """
+    return CriticalSpeeds(
+        first_slip_speed(hoop, plane), first_hop_speed(hoop, plane), immediate_hop_speed(hoop, plane)
+    )
+
+
+def slip_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+    """Angle at which a hoop that rolls from the top first slips.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+        Level, or sloping downhill.
+
+    Returns
+    -------
+    angle : float or ndarray
+        [rad]; nan where it does not slip within its first turn.
+
+    Raises
+    ------
+    ValueError
+        If the hoop is massless, the plane slopes uphill, or v0 is not finite.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.slip_angle(hh.Hoop.ideal(0.75), v0=3.1), 9)
+    0.869557554
+    """
+    return _first_angle(hoop, v0, plane, 0)
+
+
+def hop_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+    """Angle at which a hoop that rolls from the top first leaves the plane.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+        Level, or sloping downhill.
+
+    Returns
+    -------
+    angle : float or ndarray
+        [rad]; nan where it does not within its first turn.
+
+    Raises
+    ------
+    ValueError
+        If the hoop is massless, the plane slopes uphill, or v0 is not finite.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.hop_angle(hh.Hoop.ideal(0.75), v0=3.1), 9)
+    5.508908425
+    """
+    return _first_angle(hoop, v0, plane, 1)
+
+
+def _first_angle(hoop: Hoops, v0: ArrayLike, plane: Planes, which: int) -> Any:
+    cases = _cases(hoop, plane, v0=v0)
+    announce_compilation(run)
+    trials = _Trials()
+    rows = zip(cases.body, cases.of_speed("v0"), strict=True)
+    angles = np.array([trials.angles(body_from(row), speed)[which] for row, speed in rows])
+    return cases.shaped(angles)

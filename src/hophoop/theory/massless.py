@@ -1,0 +1,108 @@
+"""The massless hoop, γ = 1: where it loses its contact force."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from hophoop._jit import jit
+from hophoop.physics.contact import cone_weights
+from hophoop.physics.roll import rolling_u
+from hophoop.scenario import Hoop, Plane
+from hophoop.theory._columns import Columns, Planes, body_of
+
+
+class ContactLoss(NamedTuple):
+    """Where a massless hoop that rolls from the top loses its contact force.
+
+    Attributes
+    ----------
+    angle : float or ndarray
+        θ [rad].
+    omega : float or ndarray
+        θ̇ there [rad/s].
+    by_friction : bool or ndarray of bool
+        Whether tan(θ/2) reaches μs before N reaches zero.
+    """
+
+    angle: Any
+    omega: Any
+    by_friction: Any
+
+
+@jit
+def _losses(bodies, speeds, out):
+    for k in range(speeds.shape[0]):
+        body = body_of(bodies[k])
+        w = speeds[k] * speeds[k]
+        # F/N = tan(θ/2) is at its limit at 2 atan μs; before that N falls to zero where cos θ = w/gn.
+        if w >= body.gn:
+            angle = 0.0
+        else:
+            angle = math.acos(w / body.gn)
+        a, _ = cone_weights(body.mu_s)
+        slides = 2.0 * math.asin(min(a, 1.0))
+        by_friction = slides < angle
+        if by_friction:
+            angle = slides
+        out[k, 0] = math.copysign(angle, speeds[k])
+        out[k, 1] = math.copysign(math.sqrt(rolling_u(body, 0.0, w, angle)), speeds[k])
+        out[k, 2] = 1.0 if by_friction else 0.0
+
+
+def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane()) -> ContactLoss:
+    r"""Where the massless hoop (γ = 1) that rolls from the top loses its contact force.
+
+    Parameters
+    ----------
+    v0 : float or array_like
+        Velocity of the centre at the top; 0 stands for the smallest push [m/s].
+    radius : float or array_like, default 1
+        Rim radius [m].
+    plane : Plane or array of Plane
+        Level; its static friction counts.
+
+    Returns
+    -------
+    loss : ContactLoss
+        angle [rad], omega [rad/s], and whether friction was the reason.
+
+    Raises
+    ------
+    ValueError
+        If the plane slopes, a radius is not positive, or v0 is not finite.
+
+    Notes
+    -----
+    The force must point along the line from the contact to the load, F/N = tan(θ/2). N falls to zero where
+    :math:`\cos\theta = v_0^2/(gR)`, always with :math:`\dot\theta = \sqrt{g/R}`: at 90° from rest
+    (Littlewood), at once for :math:`v_0^2 \ge gR`.
+
+    References
+    ----------
+    :cite:t:`Littlewood1953`, :cite:t:`Tokieda1997`, :cite:t:`TheronDuPlessis2001`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> loss = hh.theory.massless_loss(v0=[0.0, 2.0], plane=hh.Plane(mu=2.0))
+    >>> loss.angle.round(6), loss.omega.round(6)
+    (array([1.570796, 1.150811]), array([3.132092, 3.132092]))
+    """
+    radii = np.asarray(radius, dtype=float)
+    hoops = np.empty(radii.shape, dtype=object)
+    for index in np.ndindex(radii.shape):
+        hoops[index] = Hoop.ideal(1.0, radius=radii[index])
+    cases = Columns(hoops, plane, v0=v0)
+    cases.require(lambda gt: gt == 0.0, "gt", "plane.slope must be 0 for the massless hoop.")
+    cases.require(lambda gn: gn > 0.0, "gn", "plane.gravity must be above 0 here.")
+    table = cases.new(3)
+    _losses(cases.body, cases.of_speed("v0"), table)
+    return ContactLoss(
+        cases.shaped(table[:, 0]),
+        cases.shaped(table[:, 1] / cases.time),
+        cases.shaped(table[:, 2] > 0.0),
+    )

@@ -1,0 +1,291 @@
+"""Painlevé's paradox: the friction it needs, where it is, and the states of the dynamic jam."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from hophoop._jit import jit
+from hophoop.physics.body import Body
+from hophoop.physics.contact import free_acceleration, slip_stiffness
+from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
+from hophoop.theory._arcs import TURN
+from hophoop.theory._columns import Columns, Hoops, body_of
+
+
+class PainleveMinimum(NamedTuple):
+    """The least friction with which the paradox exists at all.
+
+    Attributes
+    ----------
+    mu : float or ndarray
+        Kinetic friction [1]; inf where ε = 0.
+    angle : float or ndarray
+        θ where it is needed for spin; 2π − θ for skid [rad].
+    """
+
+    mu: Any
+    angle: Any
+
+
+@dataclass(frozen=True)
+class JamState:
+    """A state in which slip runs into p_σ = 0 and f_n = 0 together.
+
+    Attributes
+    ----------
+    mode : str
+        S spin or K skid.
+    angle : float
+        θ [rad].
+    omega : float
+        Magnitude of θ̇ [rad/s].
+    """
+
+    mode: str
+    angle: float
+    omega: float
+
+
+@jit
+def _threshold(body, th, sigma):
+    """μ at which p_σ = 0, inf where no friction makes it so: p_σ is linear in μ."""
+    s = math.sin(th)
+    c = math.cos(th)
+    smooth = slip_stiffness(_with_friction(body, 0.0), s, c, sigma)
+    rough = slip_stiffness(_with_friction(body, 1.0), s, c, sigma)
+    return smooth / (smooth - rough) if rough < smooth else math.inf
+
+
+@jit
+def _with_friction(body, mu):
+    return Body(body.eps, body.kap, mu, mu, body.gn, body.gt, body.rest, body.law, body.strike)
+
+
+@jit
+def _thresholds(bodies, angles, out):
+    for k in range(angles.shape[0]):
+        body = body_of(bodies[k])
+        out[k] = min(_threshold(body, angles[k], 1), _threshold(body, angles[k], -1))
+
+
+@jit
+def _regions(bodies, angles, frictions, out):
+    """σ of the direction in which p_σ ≤ 0, 0 where there is none."""
+    for k in range(angles.shape[0]):
+        body = _with_friction(body_of(bodies[k]), frictions[k])
+        s = math.sin(angles[k])
+        c = math.cos(angles[k])
+        out[k] = 0
+        for sigma in (-1, 1):
+            if slip_stiffness(body, s, c, sigma) <= 0.0:
+                out[k] = sigma
+
+
+@jit
+def _worst_angle(eps, kap):
+    """θ in [0, π/2] where the threshold is smallest: dμ/dθ = 0 is a cubic in cos θ, rising through its root."""
+    low = 0.0
+    high = 1.0
+    while True:
+        c = 0.5 * (low + high)
+        if c == low or c == high:
+            break
+        cubic = ((eps * eps * c + eps * (2.0 * kap + eps * eps)) * c + kap - eps * eps) * c
+        if cubic < eps * (kap + eps * eps):
+            low = c
+        else:
+            high = c
+    return math.acos(low)
+
+
+@jit
+def _minima(bodies, out):
+    for k in range(bodies.shape[0]):
+        body = body_of(bodies[k])
+        out[k, 1] = _worst_angle(body.eps, body.kap)
+        out[k, 0] = _threshold(body, out[k, 1], -1)
+
+
+@jit
+def _border(body, mu, high_side):
+    """θ in (0, π) where the threshold is μ, on either side of its minimum; nan where μ is below it."""
+    worst = _worst_angle(body.eps, body.kap)
+    if not _threshold(body, worst, -1) <= mu:
+        return math.nan
+    inside = worst
+    outside = math.pi if high_side else 0.0
+    while True:
+        middle = 0.5 * (inside + outside)
+        if middle == inside or middle == outside:
+            return inside
+        if _threshold(body, middle, -1) <= mu:
+            inside = middle
+        else:
+            outside = middle
+
+
+def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
+    r"""Kinetic friction from which on slip at an angle meets Painlevé's paradox, p_σ ≤ 0.
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle [rad]. The paradox is one of spin for sin θ > 0 and of skid for sin θ < 0, on any slope.
+    hoop : Hoop or array of Hoop
+
+    Returns
+    -------
+    mu : float or ndarray
+        [1]; inf where no friction is enough.
+
+    Raises
+    ------
+    ValueError
+        If theta is not finite or the shapes do not go together.
+
+    Notes
+    -----
+    :math:`\mu = (\kappa + \varepsilon^2 \sin^2\theta) / (\varepsilon |\sin\theta| (1 + \varepsilon \cos\theta))`.
+
+    References
+    ----------
+    The paradox in general: :cite:t:`Painleve1895`, :cite:t:`ChampneysVarkonyi2016`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.painleve_threshold(1.0, hh.Hoop.ideal(0.75)), 9)
+    0.942434192
+    """
+    cases = Columns(hoop, Plane(), theta=theta)
+    thresholds = cases.new()
+    _thresholds(cases.body, cases["theta"], thresholds)
+    return cases.shaped(thresholds)
+
+
+def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
+    r"""Least friction with which Painlevé's paradox exists at any angle.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+
+    Returns
+    -------
+    minimum : PainleveMinimum
+        mu [1] and angle [rad].
+
+    Raises
+    ------
+    ValueError
+        If hoop is not a Hoop or an array of them.
+
+    Notes
+    -----
+    For the ideal hoop :math:`\mu = \sqrt{1 - \gamma^2}/\gamma` at :math:`\cos\theta = \gamma`; in general cos θ is
+    the root of a cubic.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> mu, angle = hh.theory.painleve_minimum(hh.Hoop.ideal(0.75))
+    >>> round(mu, 6), round(angle, 6)
+    (0.881917, 0.722734)
+    """
+    cases = Columns(hoop, Plane())
+    both = cases.new(2)
+    _minima(cases.body, both)
+    return PainleveMinimum(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
+
+
+def painleve_region(theta: ArrayLike, mu: ArrayLike, hoop: Hoops) -> Any:
+    """In which direction slip at an angle meets Painlevé's paradox.
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle [rad].
+    mu : float or array_like
+        Kinetic friction, at least 0 [1].
+    hoop : Hoop or array of Hoop
+
+    Returns
+    -------
+    direction : int or ndarray of int
+        σ = sign(v_t) with p_σ ≤ 0: −1 spin, +1 skid, 0 where neither [1].
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite, mu is negative, or the shapes do not go together.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> hh.theory.painleve_region([0.7, -0.7, 2.0], 1.0, hh.Hoop.ideal(0.75))
+    array([-1,  1,  0])
+    """
+    cases = Columns(hoop, Plane(), theta=theta, mu=mu)
+    if (cases["mu"] < 0.0).any():
+        raise InputError(f"mu = {cases['mu'].min()!r} must be at least 0.")
+    directions = np.empty(cases.body.shape[0], dtype=np.int64)
+    _regions(cases.body, cases["theta"], cases["mu"], directions)
+    return cases.shaped(directions)
+
+
+def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:
+    """The states that a dynamic jam ends in: p_σ = 0 with θ̇² = g cos β/(εR cos θ).
+
+    Parameters
+    ----------
+    hoop : Hoop
+    plane : Plane
+        Its kinetic friction counts.
+
+    Returns
+    -------
+    states : tuple of JamState
+        By angle from 0 to 2π; empty where friction is too small. Which of them a motion can end in depends on
+        how it slips towards them.
+
+    Raises
+    ------
+    ValueError
+        If the hoop is massless.
+
+    References
+    ----------
+    :cite:t:`GenotBrogliato1999`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> for state in hh.theory.jam_states(hh.Hoop.ideal(0.75)):
+    ...     print(state.mode, round(state.angle, 6), round(state.omega, 6))
+    S 0.445561 3.807254
+    S 1.125235 5.509132
+    K 5.15795 5.509132
+    K 5.837624 3.807254
+    """
+    if hoop.massless:
+        raise InputError("hoop.inertia_ratio = 0 must be above 0: the massless hoop never slips.")
+    body = to_body(hoop, plane)
+    second = time_unit(hoop, plane)
+    found = []
+    if hoop.eccentricity > 0.0 and math.isfinite(plane.mu_kinetic):
+        for high_side in (False, True):
+            border = float(_border(body, plane.mu_kinetic, high_side))
+            if math.isnan(border):
+                continue
+            for mode, angle in (("S", border), ("K", TURN - border)):
+                sine, cosine = math.sin(angle), math.cos(angle)
+                _, at_rest = free_acceleration(body, sine, cosine, 0.0)
+                _, moving = free_acceleration(body, sine, cosine, 1.0)
+                if moving > at_rest:
+                    found.append(JamState(mode, angle, math.sqrt(-at_rest / (moving - at_rest)) / second))
+    return tuple(sorted(found, key=lambda state: state.angle))

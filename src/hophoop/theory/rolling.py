@@ -1,0 +1,499 @@
+"""Pure rolling: speed, forces, friction used and energies in closed form, time by quadrature.
+
+All motions are named by v0, the velocity of the centre at θ = 0. Friction has no say here: the formulas tell
+what rolling would be, and `friction_utilization` whether friction allows it. An angle counts as reached when it
+lies on the motion's past or future; v0 = 0 stands for the smallest push ahead.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from hophoop._jit import jit
+from hophoop.physics.contact import rolling_forces as forces_at
+from hophoop.physics.contact import rolling_inertia
+from hophoop.physics.roll import rolling_u
+from hophoop.rigid.records import new_scratch
+from hophoop.scenario import Plane
+from hophoop.theory._arcs import TURN, blocking, rocking_time, time_from_top, turning_point
+from hophoop.theory._columns import Columns, Floats, Hoops, Planes, body_of
+from hophoop.theory._extrema import FORCE_ANGLE, highest
+
+LEVEL_ONLY = "plane.slope must be 0 here, where the speed has a largest value."
+
+
+class Forces(NamedTuple):
+    """Contact force in rolling.
+
+    Attributes
+    ----------
+    friction : float or ndarray
+        F along +x [N].
+    normal : float or ndarray
+        N; where it is negative the plane would have to pull, so that the hoop does not roll there [N].
+    """
+
+    friction: Any
+    normal: Any
+
+
+class Energies(NamedTuple):
+    """Energies in rolling.
+
+    Attributes
+    ----------
+    kinetic : float or ndarray
+        W_k [J].
+    potential : float or ndarray
+        W_p, zero at θ = 0 [J].
+    """
+
+    kinetic: Any
+    potential: Any
+
+
+class NeededFriction(NamedTuple):
+    """The friction that rolling needs.
+
+    Attributes
+    ----------
+    mu : float or ndarray
+        Largest abs(F)/N; inf where N is not positive throughout, so that no friction is enough [1].
+    angle : float or ndarray
+        Where it is needed, or where N is first negative by most [rad].
+    """
+
+    mu: Any
+    angle: Any
+
+
+# --- kernels ---------------------------------------------------------------------------------------
+
+
+@jit
+def _speeds(bodies, angles, speeds, out):
+    for k in range(angles.shape[0]):
+        body = body_of(bodies[k])
+        w = speeds[k] * speeds[k]
+        u = rolling_u(body, 0.0, w, angles[k])
+        reached = math.isnan(blocking(body, 0.0, w, angles[k]))
+        out[k] = math.copysign(math.sqrt(u), speeds[k]) if reached else math.nan
+
+
+@jit
+def _forces(bodies, angles, rates, out):
+    for k in range(angles.shape[0]):
+        body = body_of(bodies[k])
+        rate = rates[k]
+        out[k, 0], out[k, 1] = forces_at(body, math.sin(angles[k]), math.cos(angles[k]), rate * rate)
+
+
+@jit
+def _kinetic(bodies, angles, rates, out):
+    for k in range(angles.shape[0]):
+        inertia = rolling_inertia(body_of(bodies[k]), math.cos(angles[k]))
+        out[k] = 0.5 * inertia * rates[k] * rates[k]
+
+
+@jit
+def _times(bodies, angles, speeds, out):
+    for k in range(angles.shape[0]):
+        body = body_of(bodies[k])
+        w = speeds[k] * speeds[k]
+        if angles[k] == 0.0:
+            out[k] = 0.0
+        elif math.isnan(blocking(body, 0.0, w, angles[k])):
+            time = time_from_top(body, w, angles[k])
+            out[k] = -time if speeds[k] * angles[k] < 0.0 else time
+        else:
+            out[k] = math.nan
+
+
+@jit
+def _rocking(bodies, angles, out):
+    for k in range(angles.shape[0]):
+        out[k] = rocking_time(body_of(bodies[k]), angles[k])
+
+
+@jit
+def _needed(bodies, speeds, out):
+    scratch = new_scratch()
+    for k in range(speeds.shape[0]):
+        body = body_of(bodies[k])
+        w = speeds[k] * speeds[k]
+        # on the level both halves of a turn are alike
+        end = math.copysign(math.pi if body.gt == 0.0 else TURN, speeds[k])
+        if body.kap == 0.0:  # rolling loses N at 90° at the latest
+            out[k, 0] = math.inf
+            out[k, 1] = math.copysign(math.pi, end)
+            continue
+        blocked = blocking(body, 0.0, w, end)
+        if not math.isnan(blocked):
+            end = turning_point(body, 0.0, w, blocked)
+        low = min(end, 0.0)
+        high = max(end, 0.0)
+        largest, place = highest(FORCE_ANGLE, body, w, low, high, 1.0, scratch)
+        other, elsewhere = highest(FORCE_ANGLE, body, w, low, high, -1.0, scratch)
+        if other > largest:
+            largest = other
+            place = elsewhere
+        out[k, 0] = math.tan(largest) if largest < 0.5 * math.pi else math.inf
+        out[k, 1] = place
+
+
+# --- the public face -------------------------------------------------------------------------------
+
+
+def _rates(cases: Columns) -> Floats:
+    """θ̇ of each case in the kernels' units."""
+    rates = cases.new()
+    _speeds(cases.body, cases["theta"], cases.of_speed("v0"), rates)
+    return rates
+
+
+def rolling_speed(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+    r"""Angular velocity of the rolling hoop, in closed form.
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle from the outward normal to C→G [rad].
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at theta = 0; 0 stands for the smallest push ahead [m/s].
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    omega : float or ndarray
+        Angular velocity [rad/s]; nan where the hoop does not get to theta.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite or the shapes do not go together.
+
+    Notes
+    -----
+    From the energy,
+    :math:`\tfrac12 (1 + \kappa + \varepsilon^2 + 2 \varepsilon \cos\theta) R^2 \dot\theta^2
+    + \varepsilon g R \cos(\theta + \beta) - g R \theta \sin\beta = \text{const}`.
+
+    References
+    ----------
+    The ideal hoop on the level: :cite:t:`Sonnerlind2023`; any loaded wheel: :cite:t:`Theron2000`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> hh.theory.rolling_speed([0.0, 3.141592653589793], hh.Hoop.ideal(0.75), v0=2.0).round(6)
+    array([2.      , 9.319871])
+    """
+    cases = Columns(hoop, plane, theta=theta, v0=v0)
+    return cases.shaped(_rates(cases) / cases.time)
+
+
+def max_rolling_speed(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+    """Largest angular velocity of the rolling hoop on the level: at the bottom, θ = π.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+        Without slope.
+
+    Returns
+    -------
+    omega : float or ndarray
+        Angular velocity of the sign of v0 [rad/s]; inf for the massless hoop.
+
+    Raises
+    ------
+    ValueError
+        If the plane slopes, or a number is not finite.
+
+    References
+    ----------
+    :cite:t:`Sonnerlind2023`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.max_rolling_speed(hh.Hoop.ideal(0.75), v0=0.1), 6)
+    7.676588
+    """
+    cases = Columns(hoop, plane, theta=math.pi, v0=v0)
+    cases.require(lambda gt: gt == 0.0, "gt", LEVEL_ONLY)
+    return cases.shaped(_rates(cases) / cases.time)
+
+
+def rolling_forces(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Forces:
+    """Friction and normal force of the rolling hoop.
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle [rad].
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    forces : Forces
+        friction along +x and normal force [N]; nan where the hoop does not get to theta.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite or the shapes do not go together.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> forces = hh.theory.rolling_forces(1.0, hh.Hoop.ideal(0.75), v0=2.0)
+    >>> round(forces.friction, 6), round(forces.normal, 6)
+    (0.764174, 4.378762)
+    """
+    cases = Columns(hoop, plane, theta=theta, v0=v0)
+    friction, normal = _force_columns(cases)
+    return Forces(cases.shaped(friction * cases.force), cases.shaped(normal * cases.force))
+
+
+def _force_columns(cases: Columns) -> tuple[Floats, Floats]:
+    both = cases.new(2)
+    _forces(cases.body, cases["theta"], _rates(cases), both)
+    return both[:, 0], both[:, 1]
+
+
+def friction_utilization(
+    theta: ArrayLike,
+    hoop: Hoops,
+    v0: ArrayLike,
+    plane: Planes = Plane(),
+) -> Any:
+    """Share of the static friction that rolling uses, abs(F)/(μs N).
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle [rad].
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    utilization : float or ndarray
+        Above 1 the hoop cannot roll there [1]; inf where N ≤ 0, nan where the hoop does not get to theta.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite or the shapes do not go together.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.friction_utilization(2.0, hh.Hoop.ideal(0.75), v0=0.1), 6)
+    0.29974
+    """
+    cases = Columns(hoop, plane, theta=theta, v0=v0)
+    friction, normal = _force_columns(cases)
+    limit = cases.body[:, 2] * normal
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(normal > 0.0, np.abs(friction) / limit, np.where(np.isnan(normal), np.nan, np.inf))
+    # no friction needed where there is none to have
+    return cases.shaped(np.where((friction == 0.0) & (normal > 0.0), 0.0, share))
+
+
+def rolling_energies(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Energies:
+    """Kinetic and potential energy of the rolling hoop; their sum does not depend on theta.
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle [rad].
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    energies : Energies
+        kinetic and potential, zero at θ = 0 [J]; nan where the hoop does not get to theta.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite or the shapes do not go together.
+
+    References
+    ----------
+    The ideal hoop on the level: :cite:t:`Sonnerlind2023`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> energies = hh.theory.rolling_energies(3.141592653589793, hh.Hoop.ideal(0.75), v0=0.0)
+    >>> round(energies.kinetic, 6), round(energies.potential, 6)
+    (14.715, -14.715)
+    """
+    cases = Columns(hoop, plane, theta=theta, v0=v0)
+    kinetic, start = cases.new(), cases.new()
+    _kinetic(cases.body, cases["theta"], _rates(cases), kinetic)
+    _kinetic(cases.body, np.zeros_like(kinetic), cases.of_speed("v0"), start)
+    energy = cases.force * cases.length
+    return Energies(cases.shaped(kinetic * energy), cases.shaped((start - kinetic) * energy))
+
+
+def needed_friction(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> NeededFriction:
+    """The static friction that a hoop needs to roll through its first turn from θ = 0.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0; 0 stands for the smallest push [m/s].
+    plane : Plane or array of Plane
+        Its own friction makes no difference. Where it slopes so that the hoop turns back before a whole turn,
+        the way up to there counts.
+
+    Returns
+    -------
+    needed : NeededFriction
+        mu, the largest abs(F)/N [1], and the angle where it is needed [rad].
+
+    Raises
+    ------
+    ValueError
+        If v0 is not finite or the shapes do not go together.
+
+    Notes
+    -----
+    The largest angle of the contact force to the normal is found on panels in θ whose series are resolved, at
+    the roots of the derivative.
+
+    References
+    ----------
+    38 % at v0 = 0.1 m/s: :cite:t:`Sonnerlind2023`.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> needed = hh.theory.needed_friction(hh.Hoop.ideal(0.75), v0=0.1)
+    >>> round(needed.mu, 6), round(needed.angle, 6)
+    (0.378154, 2.200825)
+    """
+    cases = Columns(hoop, plane, v0=v0)
+    both = cases.new(2)
+    _needed(cases.body, cases.of_speed("v0"), both)
+    return NeededFriction(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
+
+
+def rolling_time(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+    """Time in which the hoop rolls from θ = 0 to an angle.
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle; one that lies behind has a negative time [rad].
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    time : float or ndarray
+        [s]; nan where the hoop does not get to theta, inf where it stays at θ = 0 for ever.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite or the shapes do not go together.
+
+    Notes
+    -----
+    The integral ∫dθ/θ̇, elliptic on the level, is done on Gauss panels that are halved until they are resolved.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.rolling_time(3.141592653589793, hh.Hoop.ideal(0.75), v0=2.0), 9)
+    0.888579754
+    """
+    cases = Columns(hoop, plane, theta=theta, v0=v0)
+    times = cases.new()
+    _times(cases.body, cases["theta"], cases.of_speed("v0"), times)
+    return cases.shaped(times * cases.time)
+
+
+def rolling_period(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
+    """Time of the first whole turn that a hoop rolls from θ = 0; on the level each turn takes as long.
+
+    Parameters
+    ----------
+    hoop : Hoop or array of Hoop
+    v0 : float or array_like
+        Velocity of the centre at θ = 0 [m/s].
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    period : float or ndarray
+        [s]; nan where the hoop turns back, inf where it rests for ever at θ = 0.
+
+    Raises
+    ------
+    ValueError
+        If v0 is not finite or the shapes do not go together.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.rolling_period(hh.Hoop.ideal(0.75), v0=2.0), 9)
+    1.777159508
+    """
+    return rolling_time(np.where(np.asarray(v0, dtype=float) < 0.0, -TURN, TURN), hoop, v0, plane)
+
+
+def rocking_period(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Any:
+    """Period of the hoop that rocks to and fro, rolling, from rest at an angle.
+
+    Parameters
+    ----------
+    theta : float or array_like
+        Angle where it is let go [rad].
+    hoop : Hoop or array of Hoop
+    plane : Plane or array of Plane
+
+    Returns
+    -------
+    period : float or ndarray
+        [s]; inf where it stays for ever, nan where the hoop rolls away and never comes back.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite or the shapes do not go together.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.theory.rocking_period(1.5707963267948966, hh.Hoop.ideal(0.75)), 9)
+    3.062349059
+    """
+    cases = Columns(hoop, plane, theta=theta)
+    periods = cases.new()
+    _rocking(cases.body, cases["theta"], periods)
+    return cases.shaped(periods * cases.time)
