@@ -14,6 +14,7 @@ from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.scenario.models import Rigid
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
+_PLANE_FIRST = ("duration", "plane", "hoop", "start", "contact")
 # Chunks are about square over the last two axes, so that a map is read as fast by rows as by columns.
 SIDE = 256
 
@@ -201,18 +202,20 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
     return result
 
 
-def ordered(paths: Sequence[str]) -> list[str]:
+def ordered(paths: Sequence[str], sections: Sequence[str] = SECTIONS) -> list[str]:
     """Paths in the order in which a map puts values in: by section, within one as given.
 
     Parameters
     ----------
     paths : sequence of str
+    sections : sequence of str
+        In their order.
 
     Returns
     -------
     paths : list of str
     """
-    return sorted(paths, key=lambda path: SECTIONS.index(path.partition(".")[0]))
+    return sorted(paths, key=lambda path: sections.index(path.partition(".")[0]))
 
 
 def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
@@ -239,10 +242,26 @@ def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
     >>> scenario_at(Scenario(), {"start.speed": 2.5, "plane.mu": 0.5}).to_query()
     'plane.mu=0.5&start.speed=2.5'
     """
-    for path in ordered(list(values)):
-        value = values[path]
-        base = base.replace(path, value.item() if isinstance(value, np.generic) else value)
-    return base
+    paths = ordered(list(values))
+    refused = None
+    for order in _orders(paths):
+        scenario = base
+        try:
+            for path in order:
+                value = values[path]
+                scenario = scenario.replace(path, value.item() if isinstance(value, np.generic) else value)
+            return scenario
+        except ValueError as error:
+            refused = refused or error
+    assert refused is not None
+    raise refused
+
+
+def _orders(paths: list[str]) -> Iterator[list[str]]:
+    """Orders that end alike; what is allowed in the end may not be so on the way."""
+    for sections in (SECTIONS, _PLANE_FIRST):
+        yield ordered(paths, sections)
+        yield ordered(paths[::-1], sections)
 
 
 def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:

@@ -83,8 +83,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         paths = [path for path in paths if path not in hoop]
     start = base.start
     rolling = start.speed is not None
-    free = {"height": cells[HEIGHT], "vx": np.full(count, start.vx), "vy": cells[VY], "omega": cells[OMEGA]}
-    touched = False
+    free: dict[str, Any] = {name: getattr(start, name) for name in ("height", "vx", "vy", "omega")}
     for path in paths:
         array = values[path]
         if path in _PLAIN:
@@ -103,11 +102,10 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
             rolling = True
             free["vx"] = array
         else:
-            name = path.partition(".")[2]
-            if rolling and not touched:
-                free["omega"] = free["vx"] / cells[RADIUS]
-            rolling, touched = False, True
-            free[name] = array
+            if rolling:  # the rolling start as a free one, of which one number changes
+                free |= {"height": 0.0, "vy": 0.0, "omega": free["vx"] / cells[RADIUS]}
+            rolling = False
+            free[path.partition(".")[2]] = array
     if rolling:
         cells[HEIGHT] = 0.0
         cells[VY] = 0.0
@@ -157,13 +155,14 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
     """Hoops made of parts, each combination once."""
     table = np.stack(list(values.values()))
     combinations, place = np.unique(table, axis=1, return_inverse=True)
-    made = np.zeros((5, combinations.shape[1]))
+    made = np.ones((5, combinations.shape[1]))
     for i, combination in enumerate(combinations.T):
         try:
             hoop = scenario_at(base, dict(zip(values, combination, strict=True))).hoop
         except ValueError:
+            made[-1, i] = 0.0
             continue
-        made[:, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, 1.0
+        made[:4, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio
     place = place.reshape(-1)
     for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, ALLOWED), made, strict=True):
         cells[row] = column[place]

@@ -12,8 +12,10 @@ from hophoop.maps.store import compute_chunk
 
 # Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
 WAITING = 4
-# How many workers may die over one chunk before the sweep gives up.
-DEATHS = 10
+# How often a chunk is tried again after an error, such as of a file system; a worker's death is Dask's to mend.
+RETRIES = 2
+# How long to wait for an answer [s].
+PATIENCE = 10
 
 
 def compute_on_cluster(
@@ -57,7 +59,7 @@ def compute_on_cluster(
         def submit() -> None:
             index = next(queue, None)
             if index is not None:
-                running.add(client.submit(compute_chunk, place, index, how, pure=False, retries=DEATHS))
+                running.add(client.submit(compute_chunk, place, index, how, pure=False, retries=RETRIES))
 
         for _ in range(WAITING * max(1, sum(client.nthreads().values()))):
             submit()
@@ -71,8 +73,8 @@ def compute_on_cluster(
 def _client(scheduler: str | None, workers: int | None) -> Iterator[Any]:
     distributed = need("distributed", "cluster")
     if scheduler is not None:
-        with distributed.Client(scheduler) as client:
-            client.wait_for_workers(1, timeout=60)
+        with distributed.Client(scheduler, timeout=PATIENCE) as client:
+            client.wait_for_workers(1, timeout=6 * PATIENCE)
             yield client
         return
     with (

@@ -217,7 +217,7 @@ def points(
     Examples
     --------
     >>> points(None, {"start.speed": [0.1, 2.8, 3.1, 5.0]})["sequence"].tolist()
-    ['RKRSR', 'RKRSH', 'RKRSH', 'H']
+    ['R', 'RKRSR', 'RKRSH', 'H']
     """
     base = Scenario() if base is None else base
     chosen = choose_quantities(quantities)

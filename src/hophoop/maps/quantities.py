@@ -75,7 +75,7 @@ QUANTITIES: Mapping[str, Quantity] = {
         ),
         _code("status", "How the motion ended", _STATUSES),
         _code("ending", "What ended the span", kernel.ENDINGS),
-        _code("first_event", "First event after the start", EVENT_NAMES),
+        _code("first_event", "First event after the start but for the apex of a flight", EVENT_NAMES),
         _code("hop", "Whether the rim leaves the plane", ("no", "yes")),
         _code("painleve", "Whether Painlevé's paradox or the jam is met", ("no", "yes")),
         _number("time", "Time to the end of the span, or to rest", "s"),
