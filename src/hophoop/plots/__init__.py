@@ -4,5 +4,21 @@ Matplotlib is in the extra ``plots`` and loaded when a figure is drawn.
 """
 
 from hophoop.plots import colors
+from hophoop.plots.motion import contact_forces, energies, friction_utilization, gap, velocities
+from hophoop.plots.overview import notebook, overview
+from hophoop.plots.path import geometry, path
+from hophoop.plots.plane import phase_plane
 
-__all__ = ["colors"]
+__all__ = [
+    "velocities",
+    "energies",
+    "contact_forces",
+    "friction_utilization",
+    "gap",
+    "path",
+    "phase_plane",
+    "geometry",
+    "overview",
+    "notebook",
+    "colors",
+]

@@ -37,22 +37,22 @@ LOAD: Final = BLACK  # trace of the load, and the load itself
 GRAVITY_CENTER: Final = GREEN  # trace of the centre of gravity in contact
 GRAVITY_CENTER_AIRBORNE: Final = "#CC1F1A"  # the same while airborne: red, as in the article
 
-# Quantities in plots against time or angle
-CENTER_SPEED: Final = BLUE  # v, velocity of the centre
-ROTATION_SPEED: Final = ORANGE  # Rθ̇
-KINETIC: Final = BLUE
-POTENTIAL: Final = GREEN
+# Quantities in plots against time or angle: dark inks that are no mode's colour, told apart by dashes as well
+CENTER_SPEED: Final = BLACK  # v, velocity of the centre
+ROTATION_SPEED: Final = "#00857A"  # Rθ̇
+KINETIC: Final = "#1B3A78"
+POTENTIAL: Final = "#00857A"
 TOTAL: Final = BLACK
-FRICTION_LOSS: Final = VERMILION
-IMPACT_LOSS: Final = PURPLE
-NORMAL_FORCE: Final = BLUE
-FRICTION_FORCE: Final = VERMILION
+FRICTION_LOSS: Final = "#8F3B0A"
+IMPACT_LOSS: Final = "#8E1B5F"
+NORMAL_FORCE: Final = "#1B3A78"
+FRICTION_FORCE: Final = "#8F3B0A"
 LIMIT: Final = GRAY  # a limit that is not to be crossed, such as full use of friction
 
 RING_SPEED_MAP: Final = "viridis"
 """Matplotlib's name of the colour map by which the ring's points show their speed."""
 
-SHADE: Final = 0.16
+SHADE: Final = 0.18
 """Opacity of a mode's colour as a background."""
 
 

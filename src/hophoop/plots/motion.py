@@ -1,0 +1,317 @@
+"""Curves of a motion against time or angle: velocities, energies, contact forces, friction used, the gap."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hophoop.plots import colors
+from hophoop.plots._curves import curve
+from hophoop.plots._style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
+from hophoop.trajectory import Sample, Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+LOOK = [
+    ("-", LINE, 1.0),
+    ((0, (5, 2)), LINE, 1.0),
+    ((0, (1, 1.4)), LINE, 1.0),
+    ((0, (6, 2, 1, 2)), LINE, 1.0),
+]
+
+
+def velocities(
+    motion: Trajectory, against: Against = "time", ax: Axes | None = None, modes: bool = True
+) -> Axes:
+    """Velocity of the centre and angular velocity times the radius: one curve while the hoop rolls.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    against : {'time', 'angle'}
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    modes : bool, default True
+        Whether modes are shaded and events marked.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If `against` is neither.
+    ImportError
+        If Matplotlib is missing.
+    """
+    check_against(against)
+    ax = new_axes(ax)
+    sample = curve(motion)
+    across = _across(sample, against)
+    radius = motion.scenario.hoop.radius
+    ax.plot(across, sample.vx, color=colors.CENTER_SPEED, lw=LINE, label="centre, $v$")
+    ax.plot(
+        across, radius * sample.omega, color=colors.ROTATION_SPEED, lw=LINE, ls=(0, (4, 1.6)),
+        label=r"rotation, $R\dot\theta$",
+    )  # fmt: skip
+    _frame(ax, motion, against, "Velocity (m/s)", modes)
+    return ax
+
+
+def energies(
+    motion: Trajectory, against: Against = "angle", ax: Axes | None = None, modes: bool = True
+) -> Axes:
+    """Kinetic and potential energy, their sum, and what friction and impacts have taken.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    against : {'angle', 'time'}
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    modes : bool, default True
+        Whether modes are shaded and events marked.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If `against` is neither.
+    ImportError
+        If Matplotlib is missing.
+    """
+    check_against(against)
+    ax = new_axes(ax)
+    sample = curve(motion)
+    across = _across(sample, against)
+    ax.axhline(0.0, color=colors.GRAY, lw=0.7)
+    ax.plot(across, sample.kinetic, color=colors.KINETIC, lw=LINE, label="kinetic")
+    ax.plot(across, sample.potential, color=colors.POTENTIAL, lw=LINE, ls=(0, (4, 1.6)), label="potential")
+    ax.plot(
+        across,
+        sample.total,
+        color=colors.TOTAL,
+        lw=LINE,
+        ls=(0, (7, 1.5, 1.2, 1.5)),
+        label="kinetic + potential",
+    )
+    impacts = sample.impact_normal + sample.impact_tangential + sample.damping
+    if np.any(sample.friction > 0.0):
+        ax.plot(
+            across,
+            sample.friction,
+            color=colors.FRICTION_LOSS,
+            lw=LINE,
+            ls=(0, (1.2, 1.2)),
+            label="lost to friction",
+        )
+    if np.any(impacts != 0.0):
+        ax.plot(
+            across,
+            impacts,
+            color=colors.IMPACT_LOSS,
+            lw=LINE,
+            ls=(0, (3, 1.2, 1, 1.2, 1, 1.2)),
+            label="lost in impacts",
+        )
+    if np.any(sample.spring > 0.0):
+        ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")
+    _frame(ax, motion, against, "Energy (J)", modes)
+    return ax
+
+
+def contact_forces(
+    motions: Trajectory | Sequence[Trajectory],
+    against: Against = "angle",
+    ax: Axes | None = None,
+    labels: Sequence[str] | None = None,
+    modes: bool = True,
+) -> Axes:
+    """Normal force and friction on the hoop.
+
+    Parameters
+    ----------
+    motions : Trajectory or sequence of Trajectory
+        One, or some to compare.
+    against : {'angle', 'time'}
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    labels : sequence of str, optional
+        One for each motion.
+    modes : bool, default True
+        Whether modes are shaded and events marked, of a single motion.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If `against` is neither, there is no motion, or there are not as many labels as motions.
+    ImportError
+        If Matplotlib is missing.
+    """
+    check_against(against)
+    many = as_list(motions)
+    names = _names(many, labels)
+    ax = new_axes(ax)
+    ax.axhline(0.0, color=colors.GRAY, lw=0.7)
+    for k, (motion, name) in enumerate(zip(many, names, strict=True)):
+        sample = curve(motion)
+        across = _across(sample, against)
+        dash, width, _ = LOOK[k % len(LOOK)]
+        ax.plot(
+            across,
+            sample.normal_force,
+            color=colors.NORMAL_FORCE,
+            lw=width,
+            ls=dash,
+            label=f"normal force{name}",
+        )
+        ax.plot(
+            across,
+            sample.friction_force,
+            color=colors.FRICTION_FORCE,
+            lw=width,
+            ls=dash,
+            label=f"friction{name}",
+        )
+    _frame(ax, _widest(many, against), against, "Force (N)", modes and len(many) == 1)
+    return ax
+
+
+def friction_utilization(
+    motions: Trajectory | Sequence[Trajectory],
+    against: Against = "angle",
+    ax: Axes | None = None,
+    labels: Sequence[str] | None = None,
+    modes: bool = True,
+) -> Axes:
+    """Friction over what the normal force allows, F/(μ N): it slips at ±1.
+
+    Parameters
+    ----------
+    motions : Trajectory or sequence of Trajectory
+        One, or some to compare.
+    against : {'angle', 'time'}
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    labels : sequence of str, optional
+        One for each motion.
+    modes : bool, default True
+        Whether modes are shaded and events marked, of a single motion.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If `against` is neither, there is no motion, or there are not as many labels as motions.
+    ImportError
+        If Matplotlib is missing.
+
+    Notes
+    -----
+    In slip the force is measured against the kinetic friction, else against the static one, so that 1 means
+    all of it in either case.
+    """
+    check_against(against)
+    many = as_list(motions)
+    names = _names(many, labels)
+    ax = new_axes(ax)
+    for level in (-1.0, 1.0):
+        ax.axhline(level, color=colors.LIMIT, lw=1.0, ls=(0, (4, 2)))
+    ax.axhline(0.0, color=colors.GRAY, lw=0.7)
+    inks = (colors.TOTAL, colors.FRICTION_FORCE, colors.ROTATION_SPEED, colors.IMPACT_LOSS)
+    for k, (motion, name) in enumerate(zip(many, names, strict=True)):
+        sample = curve(motion)
+        dash, width, _ = LOOK[k % len(LOOK)]
+        label = name.removeprefix(", ") or None
+        ax.plot(
+            _across(sample, against),
+            _used(motion, sample),
+            color=inks[k % len(inks)],
+            lw=width,
+            ls=dash,
+            label=label,
+        )
+    ax.set_ylim(-1.15, 1.15)
+    _frame(ax, _widest(many, against), against, r"Friction used, $F/(\mu N)$", modes and len(many) == 1)
+    return ax
+
+
+def gap(motion: Trajectory, against: Against = "time", ax: Axes | None = None, modes: bool = True) -> Axes:
+    """The gap between rim and plane: above zero the hoop hops.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    against : {'time', 'angle'}
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    modes : bool, default True
+        Whether modes are shaded and events marked.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If `against` is neither.
+    ImportError
+        If Matplotlib is missing.
+    """
+    check_against(against)
+    ax = new_axes(ax)
+    sample = curve(motion)
+    ax.plot(_across(sample, against), sample.height, color=colors.BLACK, lw=LINE)
+    ax.set_ylim(bottom=min(0.0, float(np.min(sample.height))))
+    _frame(ax, motion, against, "Gap under the rim (m)", modes)
+    return ax
+
+
+def _frame(ax: Axes, motion: Trajectory, against: Against, up: str, modes: bool) -> None:
+    label = abscissa(ax, motion, against)
+    if modes:
+        show_modes(ax, motion, against)
+    finish(ax, label, up)
+
+
+def _across(sample: Sample, against: Against) -> Any:
+    return sample.t if against == "time" else np.degrees(sample.angle)
+
+
+def _used(motion: Trajectory, sample: Sample) -> Any:
+    plane = motion.scenario.plane
+    mu = np.where(np.isin(sample.mode, ["S", "K"]), plane.mu_kinetic, plane.mu_static)
+    allowed = mu * sample.normal_force
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(allowed > 0.0, sample.friction_force / allowed, np.nan)
+
+
+def _names(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> list[str]:
+    if labels is None:
+        return [""] if len(motions) == 1 else [f", motion {k + 1}" for k in range(len(motions))]
+    if len(labels) != len(motions):
+        raise ValueError(f"labels = {list(labels)!r} must be one for each of the {len(motions)} motions.")
+    return [f", {label}" if label else "" for label in labels]
+
+
+def _widest(motions: Sequence[Trajectory], against: Against) -> Trajectory:
+    if against == "time":
+        return max(motions, key=lambda motion: motion.duration)
+    return max(motions, key=lambda motion: abs(motion.events[-1].angle - motion.events[0].angle))

@@ -1,0 +1,243 @@
+"""The way of the hoop: traces of load and centre of gravity, with the hoop drawn at its events."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hophoop._extras import need
+from hophoop.plots import colors
+from hophoop.plots._curves import curve
+from hophoop.plots._style import new_axes
+from hophoop.plots.pose import Floats, load_distance, poses_of, to_world
+from hophoop.scenario import Hoop
+from hophoop.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+# Events at which the hoop is drawn: those which change how it moves.
+POSED = (
+    "start", "slip_start", "stick", "takeoff", "apex", "impact", "turn", "skim", "jam", "rest", "end",
+    "painleve_inconsistent", "painleve_indeterminate",
+)  # fmt: skip
+MOST_POSES = 14
+
+
+def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | None = None) -> Axes:
+    """The paths of the load (black) and of the centre of gravity (green, red while airborne).
+
+    The hoop is drawn in its mode's colour at the events or at the times given.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    times : sequence of float, optional
+        When the hoop is drawn; by default at the motion's events, as far as they lie apart [s].
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If a time is outside the motion.
+    ImportError
+        If Matplotlib is missing.
+    """
+    hoop, slope = motion.scenario.hoop, motion.scenario.plane.slope
+    radius = hoop.radius
+    sample = curve(motion)
+    grid = sample.t
+    poses = poses_of(motion, grid)
+    places = np.concatenate([poses.center, poses.load])
+    low, high = places.min(axis=0) - 1.35 * radius, places.max(axis=0) + 1.35 * radius
+    if slope == 0.0:
+        low[1] = -0.35 * radius
+    width = 10.0
+    ax = new_axes(
+        ax, (width, float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]) + 0.9, 2.2, 7.0)))
+    )
+    _ground(ax, slope, low[0], high[0], radius)
+    moments = _pose_times(motion, radius) if times is None else [float(t) for t in times]
+    for t in moments:
+        _hoop(ax, motion, t, radius)
+    ax.plot(poses.load[:, 0], poses.load[:, 1], color=colors.LOAD, lw=1.2, zorder=4, label="load")
+    airborne = poses.mode == "H"
+    ground, air = poses.gravity_center.copy(), poses.gravity_center.copy()
+    # the first point after a change belongs to both lines: they meet
+    ground[airborne & np.roll(airborne, 1)] = np.nan
+    air[~airborne & ~np.roll(airborne, 1)] = np.nan
+    ax.plot(
+        ground[:, 0], ground[:, 1], color=colors.GRAVITY_CENTER, lw=2.0, zorder=5, label="centre of gravity"
+    )
+    if airborne.any():
+        ax.plot(
+            air[:, 0],
+            air[:, 1],
+            color=colors.GRAVITY_CENTER_AIRBORNE,
+            lw=2.4,
+            ls=(0, (5, 1)),
+            zorder=5,
+            label="airborne",
+        )
+    ax.set_aspect("equal")
+    ax.set_xlim(low[0], high[0])
+    ax.set_ylim(low[1], high[1])
+    ax.set_xlabel("Place along the plane (m)" if slope == 0.0 else "Level distance (m)")
+    ax.set_ylabel("Height (m)")
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    _legend(ax, motion, moments)
+    return ax
+
+
+def _legend(ax: Axes, motion: Trajectory, moments: Sequence[float]) -> None:
+    handles, _ = ax.get_legend_handles_labels()
+    modes = dict.fromkeys(str(motion.at(t).mode) for t in moments)
+    line = need("matplotlib.lines", "plots").Line2D
+    handles += [
+        line(
+            [],
+            [],
+            color=colors.mode_color(mode),
+            lw=0,
+            marker="o",
+            ms=9,
+            mfc="none",
+            mew=2,
+            label=colors.MODE_NAMES[mode],
+        )
+        for mode in modes
+    ]
+    ax.legend(
+        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,
+        fontsize=9, handlelength=1.8, columnspacing=1.4,
+    )  # fmt: skip
+
+
+def _pose_times(motion: Trajectory, radius: float) -> list[float]:
+    """Events first to last, without those where the hoop would be drawn on top of the one before."""
+    chosen: list[tuple[float, float]] = []
+    for event in motion.events:
+        if event.kind not in POSED:
+            continue
+        if all(abs(event.x - x) > 0.45 * radius for _, x in chosen):
+            chosen.append((event.t, event.x))
+    if len(chosen) > MOST_POSES:
+        keep = np.unique(np.linspace(0, len(chosen) - 1, MOST_POSES).astype(int))
+        chosen = [chosen[k] for k in keep]
+    if len(chosen) < 4:  # a motion without events of interest: equally spaced along its way
+        grid = motion.times(400)
+        way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(motion.at(grid).x)))])
+        return [float(t) for t in np.interp(np.linspace(0.0, way[-1], 6), way, grid)]
+    return [t for t, _ in chosen]
+
+
+def _hoop(ax: Axes, motion: Trajectory, t: float, radius: float) -> None:
+    circle = need("matplotlib.patches", "plots").Circle
+    pose = poses_of(motion, t)
+    color = colors.mode_color(str(pose.mode[0]))
+    ax.add_patch(circle(tuple(pose.center[0]), radius, fill=False, ec=color, lw=1.6, alpha=0.9, zorder=2))
+    ax.plot(*zip(pose.center[0], pose.load[0], strict=True), color=color, lw=0.8, alpha=0.7, zorder=2)
+    ax.plot(*pose.load[0], "o", color=colors.LOAD, ms=6, zorder=6)
+
+
+def _ground(ax: Axes, slope: float, low: float, high: float, radius: float) -> None:
+    """The plane as a line with a band below it."""
+    reach = max(abs(low), abs(high)) / math.cos(slope) + 2.0 * radius
+    ends = to_world([-reach, reach], [0.0, 0.0], slope)
+    below = to_world([reach, -reach], [-4.0 * radius, -4.0 * radius], slope)
+    corners: Floats = np.concatenate([ends, below])
+    ax.fill(corners[:, 0], corners[:, 1], color=colors.LIGHT_GRAY, alpha=0.6, lw=0, zorder=0)
+    ax.plot(ends[:, 0], ends[:, 1], color=colors.BLACK, lw=1.0, zorder=1)
+
+
+def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = None) -> Axes:
+    """The hoop on the plane, with the names and signs that the model uses.
+
+    Parameters
+    ----------
+    hoop : Hoop, optional
+        By default the reference hoop.
+    angle : float, default 0.9
+        θ at which it is drawn [rad].
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If the angle is not finite.
+    ImportError
+        If Matplotlib is missing.
+    """
+    if not math.isfinite(angle):
+        raise ValueError(f"angle = {angle!r} must be a finite number.")
+    hoop = Hoop() if hoop is None else hoop
+    ax = new_axes(ax, (5.6, 3.6))
+    patches = need("matplotlib.patches", "plots")
+    sine, cosine = math.sin(angle), math.cos(angle)
+    eps = hoop.eccentricity
+    load = load_distance(hoop) / hoop.radius
+    ax.fill_between([-2.0, 2.4], -0.24, 0.0, color=colors.LIGHT_GRAY, alpha=0.6, lw=0)
+    ax.plot([-2.0, 2.4], [0.0, 0.0], color=colors.BLACK, lw=1.2)
+    ax.add_patch(patches.Circle((0.0, 1.0), 1.0, fill=False, ec="#3A4A5A", lw=4.0))
+    # θ from the outward normal to the line from C to G
+    ax.plot([0.0, 0.0], [1.0, 2.3], color=colors.GRAY, lw=0.9, ls=(0, (6, 2, 1, 2)))
+    ax.plot([0.0, 1.28 * sine], [1.0, 1.0 + 1.28 * cosine], color=colors.GRAY, lw=0.9, ls=(0, (6, 2, 1, 2)))
+    ax.add_patch(patches.Arc((0.0, 1.0), 0.9, 0.9, theta1=90.0 - math.degrees(angle), theta2=90.0, lw=1.2))
+    middle = 0.5 * angle
+    ax.text(
+        0.56 * math.sin(middle),
+        1.0 + 0.56 * math.cos(middle),
+        r"$\theta$",
+        fontsize=14,
+        ha="center",
+        va="center",
+    )
+    tip = (0.45 * math.sin(angle - 0.02), 1.0 + 0.45 * math.cos(angle - 0.02))
+    tail = (0.45 * math.sin(angle - 0.2), 1.0 + 0.45 * math.cos(angle - 0.2))
+    arrow = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 13}
+    ax.annotate("", tip, tail, arrowprops=arrow | {"lw": 0.0, "color": "black"})
+    ax.plot(0.0, 1.0, "o", color=colors.BLACK, ms=5, mfc="white", mew=1.3)
+    ax.text(-0.07, 1.0, "$C$", fontsize=12, ha="right", va="top")
+    ax.plot(load * sine, 1.0 + load * cosine, "o", color=colors.LOAD, ms=15)
+    words = "load" if hoop.load_fraction is None else r"load, $\gamma m$"
+    ax.text(load * sine + 0.14, 1.0 + load * cosine + 0.06, words, fontsize=12, ha="left", va="bottom")
+    if hoop.load_fraction is not None:
+        ax.text(-0.80, 1.72, r"ring, $(1-\gamma)m$", fontsize=12, ha="right", va="bottom")
+    green, same = colors.GRAVITY_CENTER, r" $= \gamma R$" if hoop.load_fraction is not None else ""
+    ax.plot(eps * sine, 1.0 + eps * cosine, "o", color=green, ms=8)
+    ax.text(eps * sine - 0.02, 1.0 + eps * cosine - 0.1, "$G$", fontsize=12, color=green, ha="left", va="top")
+    ax.text(1.02, 1.38, r"$CG = \varepsilon R$" + same, fontsize=12, color=green, ha="left", va="center")
+    ax.annotate("", (-0.71, 1.0 - 0.71), (0.0, 1.0), arrowprops=arrow | {"color": colors.GRAY})
+    ax.text(-0.42, 0.72, "$R$", fontsize=12, color=colors.GRAY, ha="right", va="bottom")
+    ax.annotate("", (0.62, 1.0), (0.0, 1.0), arrowprops=arrow | {"color": colors.CENTER_SPEED, "lw": 2.0})
+    ax.text(0.66, 0.99, "$v$", fontsize=13, ha="left", va="center")
+    force = arrow | {"lw": 2.2}
+    ax.annotate("", (0.0, 0.62), (0.0, 0.0), arrowprops=force | {"color": colors.NORMAL_FORCE})
+    ax.text(0.07, 0.45, "$N$", fontsize=13, color=colors.NORMAL_FORCE, ha="left", va="center")
+    ax.annotate("", (0.56, -0.09), (0.0, -0.09), arrowprops=force | {"color": colors.FRICTION_FORCE})
+    ax.text(0.62, -0.09, "$F$", fontsize=13, color=colors.FRICTION_FORCE, ha="left", va="center")
+    ax.annotate("", (-1.6, 0.55), (-1.6, 1.15), arrowprops=arrow | {"color": colors.BLACK})
+    ax.text(-1.53, 0.85, "$g$", fontsize=13, ha="left", va="center")
+    ax.annotate("", (2.2, -0.11), (1.6, -0.11), arrowprops=arrow | {"color": colors.BLACK})
+    ax.text(1.53, -0.11, "$x$", fontsize=13, ha="right", va="center")
+    ax.set_aspect("equal")
+    ax.set_xlim(-2.0, 2.4)
+    ax.set_ylim(-0.24, 2.4)
+    ax.axis("off")
+    return ax

@@ -1,0 +1,216 @@
+"""The (θ, θ̇) plane: where a hoop that rolls goes on rolling, slips or lifts off, with motions drawn on it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hophoop import theory
+from hophoop._extras import need
+from hophoop.plots import colors
+from hophoop.plots._curves import curve
+from hophoop.plots._style import SMALL, degrees, new_axes
+from hophoop.scenario import Hoop, Plane
+from hophoop.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+GRID = (900, 560)
+LETTERS = "RSKHM?"
+
+
+def phase_plane(
+    hoop: Hoop | None = None,
+    plane: Plane | None = None,
+    motions: Sequence[Trajectory] = (),
+    labels: Sequence[str] | None = None,
+    ax: Axes | None = None,
+    angles: tuple[float, float] = (0.0, 2.0 * math.pi),
+    speeds: tuple[float, float] | None = None,
+) -> Axes:
+    """The mode that follows contact without slip, at every angle and angular velocity.
+
+    The solid border is where rolling needs all of the static friction, the dashed one where gravity no longer
+    holds the rim down (f_n = 0): above it a hoop that slips leaves the plane. Motions are drawn in their
+    modes' colours, dashed where they are those of another hoop or plane than the regions.
+
+    Parameters
+    ----------
+    hoop : Hoop, optional
+        By default that of the first motion, else the reference hoop.
+    plane : Plane, optional
+        By default that of the first motion, else the reference plane.
+    motions : sequence of Trajectory, optional
+        Drawn on the plane.
+    labels : sequence of str, optional
+        One for each motion.
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    angles : tuple of float, default (0, 2π)
+        Least and greatest θ [rad].
+    speeds : tuple of float, optional
+        Least and greatest θ̇; by default so that the motions fit [rad/s].
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If there are not as many labels as motions, or a range is empty.
+    ImportError
+        If Matplotlib is missing.
+    """
+    if labels is not None and len(labels) != len(motions):
+        raise ValueError(f"labels = {list(labels)!r} must be one for each of the {len(motions)} motions.")
+    first = motions[0].scenario if motions else None
+    hoop = hoop or (first.hoop if first else Hoop())
+    plane = plane or (first.plane if first else Plane())
+    low, high = _speeds(hoop, plane, motions) if speeds is None else speeds
+    for name, (least, most) in (("angles", angles), ("speeds", (low, high))):
+        if not (math.isfinite(least) and math.isfinite(most) and least < most):
+            raise ValueError(f"{name} = {(least, most)!r} must be a smaller and a greater number.")
+    ax = new_axes(ax, (8.4, 5.6))
+    shown = _regions(ax, hoop, plane, angles, (low, high))
+    _borders(ax, hoop, plane, angles, (low, high))
+    for motion in motions:
+        own = motion.scenario.hoop == hoop and motion.scenario.plane == plane
+        _draw(ax, motion, "-" if own else (0, (3, 1.2)), angles)
+    if labels is not None:
+        _name(ax, motions, labels, angles)
+    ax.set_xlim(*np.degrees(angles))
+    ax.set_ylim(low, high)
+    degrees(ax, math.degrees(angles[1] - angles[0]))
+    ax.set_xlabel("Rotation angle θ (°)")
+    ax.set_ylabel(r"Angular velocity $\dot\theta$ (rad/s)")
+    _legend(ax, shown)
+    return ax
+
+
+def _speeds(hoop: Hoop, plane: Plane, motions: Sequence[Trajectory]) -> tuple[float, float]:
+    rates = [rate for motion in motions for rate in motion.at(motion.times(600)).omega if math.isfinite(rate)]
+    usual = 3.2 * math.sqrt(max(plane.gravity, 1.0) / hoop.radius)
+    low, high = min([0.0, *rates]), max([usual, *rates])
+    return (low if low == 0.0 else 1.06 * low), 1.06 * high
+
+
+def _regions(
+    ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]
+) -> list[str]:
+    """Every pixel's mode, exactly, at its middle; returns the letters in the picture."""
+    columns, rows = GRID
+    theta = angles[0] + (np.arange(columns) + 0.5) * (angles[1] - angles[0]) / columns
+    omega = speeds[0] + (np.arange(rows) + 0.5) * (speeds[1] - speeds[0]) / rows
+    modes = theory.mode_of(theta[None, :], omega[:, None], hoop, plane)
+    to_rgb = need("matplotlib.colors", "plots").to_rgb
+    paint = np.array([to_rgb(_tint(letter)) for letter in LETTERS])
+    codes = np.zeros(modes.shape, dtype=int)
+    for k, letter in enumerate(LETTERS):
+        codes[modes == letter] = k
+    ax.imshow(
+        paint[codes], origin="lower", aspect="auto", interpolation="nearest", zorder=0,
+        extent=(*np.degrees(angles), *speeds),
+    )  # fmt: skip
+    return [letter for k, letter in enumerate(LETTERS) if (codes == k).any()]
+
+
+def _tint(letter: str) -> str:
+    """The mode's colour, mixed with white: motions are drawn over it in the full colour."""
+    color = colors.LIGHT_GRAY if letter == "?" else colors.mode_color(letter)
+    share = 0.30
+    parts = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
+    return "#" + "".join(f"{round(255 - share * (255 - part)):02X}" for part in parts)
+
+
+def _borders(
+    ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]
+) -> None:
+    theta = np.linspace(*angles, 4001)
+    across = np.degrees(theta)
+    least, most = theory.rolling_range(theta, hoop, plane)
+    lift = np.asarray(theory.lift_off_speed(theta, hoop, plane), dtype=float)
+    top = 3.0 * max(abs(speeds[0]), abs(speeds[1]))
+    lift[~(lift < top)] = np.nan
+    for sign in (1.0, -1.0) if speeds[0] < 0.0 else (1.0,):
+        for border in (least, most):
+            values = np.where((border > 0.0) & (border < top), border, np.nan)
+            ax.plot(across, sign * values, color="black", lw=1.1, zorder=2)
+        ax.plot(across, sign * lift, color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), zorder=2)
+
+
+def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]) -> None:
+    sample = curve(motion)
+    inside = (sample.angle >= angles[0] - 0.2) & (sample.angle <= angles[1] + 0.2)
+    across = np.where(inside, np.degrees(sample.angle), np.nan)
+    ax.plot(across, sample.omega, color="white", lw=3.6, zorder=3, alpha=0.85, solid_capstyle="round")
+    changes = np.flatnonzero(sample.mode[1:] != sample.mode[:-1]) + 1
+    for a, b in zip([0, *changes], [*changes, len(across)], strict=True):
+        piece = slice(max(a - 1, 0), b)  # from the last point of the phase before
+        ax.plot(
+            across[piece],
+            sample.omega[piece],
+            color=colors.mode_color(str(sample.mode[a])),
+            lw=2.2,
+            ls=dashes,
+            zorder=4,
+        )
+    for event in motion.events:
+        if event.kind in ("takeoff", "impact") and angles[0] <= event.angle <= angles[1]:
+            sign = "^" if event.kind == "takeoff" else "v"
+            ax.plot(math.degrees(event.angle), event.omega, sign, color="black", mec="white", ms=8, zorder=6)
+
+
+def _name(
+    ax: Axes, motions: Sequence[Trajectory], labels: Sequence[str], angles: tuple[float, float]
+) -> None:
+    """Labels where the curves are highest, each on the side on which there is more room."""
+    tops: list[tuple[float, float, str]] = []
+    for motion, label in zip(motions, labels, strict=True):
+        sample = curve(motion)
+        inside = (sample.angle >= angles[0]) & (sample.angle <= min(angles[1], angles[0] + 2.0 * math.pi))
+        if inside.any():
+            k = int(np.argmax(np.where(inside, sample.omega, -np.inf)))
+            tops.append((float(sample.omega[k]), math.degrees(sample.angle[k]), label))
+    tops.sort()
+    for k, (height, place, label) in enumerate(tops):
+        below = height - tops[k - 1][0] if k else math.inf
+        above = tops[k + 1][0] - height if k + 1 < len(tops) else math.inf
+        up = above >= below
+        ax.annotate(
+            label, (place, height), (0, 6 if up else -6), textcoords="offset points", fontsize=SMALL,
+            ha="center", va="bottom" if up else "top", zorder=7,
+            bbox={"boxstyle": "round,pad=0.12", "fc": "white", "ec": "none", "alpha": 0.75},
+        )  # fmt: skip
+
+
+WORDS = {
+    "R": "rolls on",
+    "S": "slips: spin",
+    "K": "slips: skid",
+    "H": "lifts off",
+    "M": "skims",
+    "?": "no answer",
+}
+
+
+def _legend(ax: Axes, shown: Sequence[str]) -> None:
+    patch = need("matplotlib.patches", "plots").Patch
+    line = need("matplotlib.lines", "plots").Line2D
+    handles = [patch(fc=_tint(letter), ec=colors.GRAY, lw=0.5, label=WORDS[letter]) for letter in shown]
+    handles += [
+        line([], [], color="black", lw=1.1, label=r"$|F| = \mu N$ in rolling"),
+        line(
+            [], [], color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), label="lift-off, $f_n = 0$"
+        ),
+    ]
+    ax.legend(
+        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,
+        fontsize=9, columnspacing=1.3, handlelength=1.8,
+    )  # fmt: skip
