@@ -393,24 +393,30 @@ class Rigid(Frozen):
 class Compliant(Frozen):
     """Compliant contact: a unilateral spring and damper with regularised friction.
 
-    What is None follows from radius, mass and gravity.
+    What is None follows from radius, mass and gravity (without gravity, 1 m/s² stands for it).
 
     Parameters
     ----------
     stiffness : float, optional
-        Of the normal spring [N/m].
+        k of the normal spring; by default 10⁶ m g/R [N/m].
     damping : float, optional
-        Of the normal damper: [N s/m] in Kelvin-Voigt's law, [s/m] in Hunt and Crossley's.
+        Of the normal damper: c [N s/m] in Kelvin-Voigt's law, d [s/m] in Hunt and Crossley's.
     restitution : float, optional
-        e from 0 to 1 that the damping is chosen for, in place of damping [1].
+        e from 0 to 1 that the damping is chosen for, in place of damping; by default the plane's. It is that of
+        the whole mass on the contact, for Hunt and Crossley's law landing at √(g R). No finite damping gives 0,
+        so that 1/√(k R/(m g)), at most 0.1, stands for all below it [1].
     law : {'kelvin-voigt', 'hunt-crossley'}, default 'kelvin-voigt'
-        Normal force.
+        Normal force: N = kδ + cδ̇ or N = kδ(1 + dδ̇) at the depth δ, never below 0.
     friction : {'tanh', 'linear', 'bristle'}, default 'tanh'
         Regularised Coulomb law; only 'bristle' can hold a load at rest.
     slip_speed : float, optional
-        Slip velocity over which friction builds up [m/s].
+        v_s, the slip velocity over which friction builds up: F = -μ N tanh(v_t/v_s), or linear up to v_s; the
+        bristle's damper is μs m g/v_s. By default the smaller of √(g R)/1000 and g √(m/k), for the bristle the
+        latter [m/s].
+    tangential_stiffness : float, optional
+        Of the bristle; by default k [N/m].
     rtol : float, optional
-        Relative tolerance of the integration, above 0 and at most 0.1 [1].
+        Relative tolerance of the integration, above 0 and at most 0.1; by default 10⁻⁹ [1].
     max_events : int, default 100000
         After so many events the motion ends with status 'event_limit'; from 1 to ten million [1].
 
@@ -429,6 +435,7 @@ class Compliant(Frozen):
     law: Literal["kelvin-voigt", "hunt-crossley"] = quantity("kelvin-voigt", "Normal force", "")
     friction: Literal["tanh", "linear", "bristle"] = quantity("tanh", "Regularised friction", "")
     slip_speed: Positive | None = quantity(None, "Slip velocity over which friction builds up", "m/s")
+    tangential_stiffness: Positive | None = quantity(None, "Stiffness of the bristle along the plane", "N/m")
     rtol: Annotated[Number, Field(gt=0, le=0.1)] | None = quantity(None, "Relative tolerance")
     max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
 

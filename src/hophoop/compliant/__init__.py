@@ -1,0 +1,1 @@
+"""The hoop on a compliant contact: a stiff equation of motion, solved implicitly step by step."""

@@ -1,0 +1,125 @@
+"""Where a step leaves the regime it was made in: the contact's end, and the thresholds of the friction."""
+
+from __future__ import annotations
+
+from hophoop._jit import jit
+from hophoop.compliant.records import VN, VT, Y, Z
+from hophoop.compliant.step import poly_value
+from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT, bristle_rate, creep_speed, normal_force
+
+RELEASE, OPENING, FRICTION_CHANGE = 0, 1, 2
+GUARDS = 3
+NONE = -1
+SAMPLES = 12  # places in a step at which every guard is looked at
+
+
+@jit
+def guard(comp, regime, which, y, vt, vn, z):
+    """(value, floor): positive inside the regime; a guard is on its surface while within ± floor of 0."""
+    normal = normal_force(comp, y, vn)[0]
+    if which == RELEASE:
+        if comp.law == KELVIN_VOIGT:
+            return normal, 1e-9 * (comp.k * abs(y) + comp.c * abs(vn)) + 1e-11
+        return -comp.k * y, 1e-11
+    if which == OPENING:
+        if comp.law == KELVIN_VOIGT:
+            return 1.0, 0.0
+        return 1.0 - comp.d * vn, 1e-9
+    if comp.friction == BRISTLE:
+        if regime == 0:
+            pull = abs(comp.k_t * z + comp.c_t * vt)
+            return comp.mu_s * normal - pull, 1e-8 * (pull + comp.mu_s * normal) + 1e-11
+        rate = bristle_rate(comp, regime, normal, z, vt)
+        return regime * (vt - rate), 1e-8 * (abs(vt) + abs(rate)) + 1e-11 * comp.v_s
+    limit = creep_speed(comp)
+    return (limit - abs(vt) if regime == 0 else regime * vt - limit), 1e-8 * limit
+
+
+@jit
+def guard_at(comp, regime, which, poly, s):
+    """`guard` on the dense output."""
+    return guard(
+        comp, regime, which,
+        poly_value(poly, Y, s), poly_value(poly, VT, s), poly_value(poly, VN, s), poly_value(poly, Z, s),
+    )  # fmt: skip
+
+
+@jit
+def first_exit(comp, regime, poly, armed):
+    """(guard, s) of the first one to fall through zero in the step, or NONE.
+
+    A guard that begins on its surface, since the regime was entered there, is not armed: it must first leave the
+    surface. `armed` is updated to the end of the step.
+    """
+    best = 1.0
+    which = NONE
+    for index in range(GUARDS):
+        low = 0.0
+        for i in range(1, SAMPLES + 1):
+            high = i / SAMPLES
+            if low >= best:
+                break
+            value, floor = guard_at(comp, regime, index, poly, high)
+            if armed[index]:
+                if value < 0.0:
+                    s = _fall(comp, regime, index, poly, low, high)
+                    if which == NONE or s < best:
+                        best = s
+                        which = index
+                    break
+            elif value > floor:
+                armed[index] = True
+            elif value < -floor:
+                if which == NONE or low < best:
+                    best = low
+                    which = index
+                break
+            low = high
+    return which, best
+
+
+@jit
+def _fall(comp, regime, which, poly, low, high):
+    """Root of a guard that is positive at `low` and negative at `high`, by Illinois' secants."""
+    f_low = guard_at(comp, regime, which, poly, low)[0]
+    f_high = guard_at(comp, regime, which, poly, high)[0]
+    if f_low <= 0.0:
+        return low
+    side = 0
+    for _ in range(100):
+        if high - low <= 4e-16 * high:
+            break
+        middle = (low * f_high - high * f_low) / (f_high - f_low)
+        if not low < middle < high:
+            middle = 0.5 * (low + high)
+            if not low < middle < high:
+                break
+        f_middle = guard_at(comp, regime, which, poly, middle)[0]
+        if f_middle > 0.0:
+            low, f_low = middle, f_middle
+            if side == 1:
+                f_high *= 0.5
+            side = 1
+        else:
+            high, f_high = middle, f_middle
+            if f_middle == 0.0:
+                break
+            if side == -1:
+                f_low *= 0.5
+            side = -1
+    return high
+
+
+@jit
+def sign_change(poly, m):
+    """Place in the step where a variable that changes sign over it is zero."""
+    low = 0.0
+    high = 1.0
+    positive = poly[m, 0] > 0.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if (poly_value(poly, m, middle) > 0.0) == positive:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)

@@ -1,0 +1,89 @@
+"""Flight between contacts, in closed form, also while the rim is still below the plane's level."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._collocation import NODES, NOT_FOUND, ORDER, coefficients, first_fall
+from hophoop._jit import jit
+from hophoop.compliant.records import DAMPING, FRICTION, OM, TH, VN, VT, X, Y, Z
+from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT
+from hophoop.physics.flight import PHASE, first_landing, flight_gap, flight_state
+
+LANDED, CLEAR, LASTS = 0, 1, 2
+
+
+@jit
+def fly_state(body, comp, begin, opening, tau, out):
+    """The state after the time tau of a flight; `opening` is f_n at its start."""
+    s = math.sin(begin[TH])
+    c = math.cos(begin[TH])
+    out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], opening, tau)
+    out[X], out[TH], out[VT] = flight_state(body, begin[X], begin[TH], begin[VT], begin[OM], s, c, tau)
+    out[OM] = begin[OM]
+    out[Z] = 0.0
+    out[FRICTION] = begin[FRICTION]
+    if comp.friction == BRISTLE and begin[Z] != 0.0:
+        # the free bristle relaxes; its spring's energy ends in its damper
+        out[Z] = begin[Z] * math.exp(-comp.k_t / comp.c_t * tau)
+        out[FRICTION] += 0.5 * comp.k_t * (begin[Z] - out[Z]) * (begin[Z] + out[Z])
+    # so does that of the normal spring, which cannot follow the rim
+    before = min(begin[Y], 0.0)
+    after = min(out[Y], 0.0)
+    out[DAMPING] = begin[DAMPING] + 0.5 * comp.k * (before - after) * (before + after)
+
+
+@jit
+def _regain(comp, y, vn):
+    """Negative of what must be positive for the contact to act again below the plane's level."""
+    if comp.law == KELVIN_VOIGT:
+        return comp.k * y + comp.c * vn
+    return comp.d * vn - 1.0
+
+
+@jit
+def fly_below(body, comp, begin, opening, limit, work):
+    """(what, τ): how a flight below the plane's level goes on: CLEAR of the plane, LANDED again, or LASTS."""
+    s = math.sin(begin[TH])
+    c = math.cos(begin[TH])
+    om = begin[OM]
+    start = 0.0
+    length = 4.0 * abs(begin[Y]) / max(begin[VN], 1e-300)
+    while start < limit:
+        length = min(length, limit - start)
+        if om != 0.0:
+            length = min(length, PHASE / abs(om))
+        for i in range(ORDER):
+            tau = start + 0.5 * length * (1.0 + NODES[i])
+            y, vn = flight_gap(body, s, c, om, begin[Y], begin[VN], opening, tau)
+            work.values[0, i] = -y
+            work.values[1, i] = _regain(comp, y, vn)
+        what = LASTS
+        best = NOT_FOUND
+        coefficients(work.values[0], work.series)
+        xi = first_fall(work.series, 0.0, work.stack)
+        if xi != NOT_FOUND:
+            best = xi
+            what = CLEAR
+        coefficients(work.values[1], work.series)
+        xi = first_fall(work.series, 0.0, work.stack)
+        if xi != NOT_FOUND and (best == NOT_FOUND or xi < best):
+            best = xi
+            what = LANDED
+        if what != LASTS:
+            return what, start + 0.5 * length * (1.0 + best)
+        start += length
+        length *= 2.0
+    return LASTS, limit
+
+
+@jit
+def fly_above(body, begin, opening, zeros, limit, work):
+    """(what, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
+    landing, apex = first_landing(
+        body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit,
+        work.values, work.series, work.stack,
+    )  # fmt: skip
+    if 0.0 <= landing <= limit:
+        return LANDED, landing, apex
+    return LASTS, limit, apex

@@ -1,0 +1,115 @@
+"""The state at any time of a computed compliant motion: the steps' own polynomials, so that it is exact replay."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from hophoop._jit import jit
+from hophoop.compliant.flight import fly_state
+from hophoop.compliant.motion import contact_force
+from hophoop.compliant.parameters import to_compliance
+from hophoop.compliant.records import (
+    DAMPING,
+    FIRST,
+    FLY,
+    FRICTION,
+    HOLD,
+    KIND,
+    LENGTH,
+    MODE,
+    OM,
+    ORIGIN,
+    REGIME,
+    SIZE,
+    T_END,
+    TH,
+    VN,
+    VT,
+    WIDTH,
+    T,
+    X,
+    Y,
+    Z,
+)
+from hophoop.compliant.tableau import STAGES
+from hophoop.physics.compliant import spring_energy
+from hophoop.scenario import Scenario
+
+# Columns of a sample, in kernel units.
+COLUMNS = (
+    "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
+    "friction", "impact_normal", "impact_tangential", "spring", "damping",
+)  # fmt: skip
+
+
+@jit
+def find_row(rows, t, left):
+    """Index of the segment that holds the time t; at a border the earlier one if `left`."""
+    low = 0
+    high = rows.shape[0]
+    while high - low > 1:
+        middle = (low + high) // 2
+        begin = rows[middle, T]
+        if begin < t or (begin == t and not left):
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@jit
+def sample(body, comp, rows, times, left, out):
+    """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
+    u = np.zeros(SIZE)
+    begin = np.zeros(SIZE)
+    for index in range(times.shape[0]):
+        row = rows[find_row(rows, times[index], left)]
+        t = min(max(times[index], row[T]), row[T_END])
+        kind = int(row[KIND])
+        regime = int(row[REGIME])
+        for m in range(SIZE):
+            begin[m] = row[FIRST + m * (STAGES + 1)]
+        friction = 0.0
+        normal = 0.0
+        if kind == FLY:
+            fly_state(body, comp, begin, row[LENGTH], t - row[T], u)
+        elif kind == HOLD:
+            u[:] = begin
+        else:
+            s = (t - row[ORIGIN]) / row[LENGTH]
+            for m in range(SIZE):
+                at = FIRST + m * (STAGES + 1)
+                value = row[at + STAGES]
+                for j in range(STAGES - 1, -1, -1):
+                    value = value * s + row[at + j]
+                u[m] = value
+        if kind != FLY:
+            friction, normal = contact_force(comp, regime, u)
+            if normal < 0.0:  # rounding, where the contact ends
+                normal = 0.0
+                friction = 0.0
+        place = out[index]
+        place[0] = row[MODE]
+        place[1] = u[X]
+        place[2] = u[Y]
+        place[3] = u[TH]
+        place[4] = u[VT] + u[OM]
+        place[5] = u[VN]
+        place[6] = u[OM]
+        place[7] = u[VT]
+        place[8] = friction
+        place[9] = normal
+        place[10] = u[FRICTION]
+        place[11] = 0.0
+        place[12] = 0.0
+        place[13] = spring_energy(comp, u[Y], u[Z])
+        place[14] = u[DAMPING]
+
+
+def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
+    """`sample` into a fresh array, for a scenario."""
+    body, comp, _, _ = to_compliance(scenario)
+    rows = np.ascontiguousarray(segments).view(np.float64).reshape(len(segments), WIDTH)
+    out = np.empty((times.size, len(COLUMNS)))
+    sample(body, comp, rows, times, left, out)
+    return out
