@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop._jit import jit
 from hophoop.physics.body import Body
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 
@@ -113,15 +112,7 @@ def _finite(name: str, value: ArrayLike) -> Floats:
     return numbers
 
 
-@jit
-def body_of(row):
-    """The Body that a row of `Columns.body` stands for."""
-    return Body(
-        row[0], row[1], row[2], row[3], row[4], row[5], row[6], int(row[7]), row[8] > 0.0
-    )
-
-
 def body_from(row: Floats) -> Body:
     """`body_of` outside kernels, of the types that `to_body` gives."""
     values = row.tolist()
-    return Body(*values[:7], law=int(values[7]), strike=values[8] > 0.0)
+    return Body._make([*values[:7], int(values[7]), values[8] > 0.0])

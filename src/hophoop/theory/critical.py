@@ -1,4 +1,4 @@
-"""Critical speeds of a hoop that starts rolling with its load up: where slip, a hop, an immediate hop begin."""
+"""Critical speeds of a rolling start with the load up: where slip, a hop and an immediate hop begin."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._jit import announce_compilation, jit
+from hophoop._jit import announce_compilation
 from hophoop.physics.body import Body, Mode
-from hophoop.physics.contact import free_acceleration
 from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.state import State
 from hophoop.scenario import InputError, Plane
-from hophoop.theory._arcs import TURN
-from hophoop.theory._columns import Columns, Hoops, Planes, body_from, body_of
-from hophoop.theory._extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
+from hophoop.theory._columns import Columns, Hoops, Planes, body_from
+from hophoop.theory.kernels import critical as kernels
+from hophoop.theory.kernels.arcs import TURN
+from hophoop.theory.kernels.phase_plane import lift_off, lift_off_speeds
 
 FLIGHT, SLIPS = int(Mode.FLIGHT), [int(Mode.SPIN), int(Mode.SKID)]
 ANY_TIME = 1e9  # the turn ends the motion
@@ -43,45 +43,6 @@ class CriticalSpeeds(NamedTuple):
     immediate_hop: Any
 
 
-# --- kernels ---------------------------------------------------------------------------------------
-
-
-@jit
-def _slip_speeds(bodies, out):
-    scratch = new_scratch()
-    for k in range(out.shape[0]):
-        body = body_of(bodies[k])
-        if math.isinf(body.mu_s):
-            out[k] = math.inf
-            continue
-        end = math.pi if body.gt == 0.0 else TURN  # on the level both halves of a turn are alike
-        best = math.inf
-        for side in (1.0, -1.0):
-            pull, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
-            if pull >= math.atan(body.mu_s):
-                best = 0.0  # even the smallest push
-                break
-            # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.
-            _, place = highest(SPEED_ANGLE, body, 0.0, 0.0, end, side, scratch)
-            steady, rate = cone_margin_line(body, place, side)
-            if rate < 0.0:
-                best = min(best, math.sqrt(max(steady, 0.0) / -rate))
-        out[k] = best
-
-
-@jit
-def _immediate_speed(body):
-    _, at_rest = free_acceleration(body, 0.0, 1.0, 0.0)
-    _, moving = free_acceleration(body, 0.0, 1.0, 1.0)
-    return math.sqrt(-at_rest / (moving - at_rest)) if moving > at_rest else math.inf
-
-
-@jit
-def _immediate_speeds(bodies, out):
-    for k in range(out.shape[0]):
-        out[k] = _immediate_speed(body_of(bodies[k]))
-
-
 # --- motions ---------------------------------------------------------------------------------------
 
 
@@ -98,9 +59,7 @@ class _Trials:
         """Events of the motion up to its first lift-off, its turning back or the end of the turns."""
         start = State(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, float(speed), 0.0, 0.0, 0.0)
         stop = STOP_AT_TURN | STOP_AT_TAKEOFF
-        _, count, _ = run(
-            body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch
-        )
+        _, count, _ = run(body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch)
         return self.events[:count]
 
     def hops(self, body: Body, speed: float) -> bool:
@@ -109,7 +68,7 @@ class _Trials:
 
     def hop_speed(self, body: Body) -> float:
         """The smallest speed with a hop, to the last bit."""
-        most = _immediate_speed(body)
+        most = float(lift_off(body, 0.0))
         if math.isinf(most) or most == 0.0:
             return most
         low, high = 0.0, most
@@ -141,7 +100,7 @@ def _cases(hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> Columns:
     cases = Columns(hoop, plane, **numbers)
     cases.require(lambda kap: kap > 0.0, "kap", "hoop.inertia_ratio = {} must be above 0; see massless_loss.")
     cases.require(
-        lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0, so that the hoop rolls downhill or on the level."
+        lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0 here (level, or downhill along +x)."
     )
     return cases
 
@@ -168,7 +127,7 @@ def first_slip_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     Notes
     -----
     In rolling the contact force at an angle is linear in v0². The margin to the friction cone is a line
-    A(θ) + B(θ) v0², so that slip begins at the smallest −A/B over the turn: one extremum, and no search in v0.
+    A(θ) + B(θ) v0², so that slip begins at the smallest −A/B over the turn: one extremum in θ.
 
     References
     ----------
@@ -182,7 +141,7 @@ def first_slip_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     """
     cases = _cases(hoop, plane)
     speeds = cases.new()
-    _slip_speeds(cases.body, speeds)
+    kernels.slip_speeds(cases.body, speeds)
     return cases.shaped(speeds * cases.speed)
 
 
@@ -209,8 +168,8 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
 
     Notes
     -----
-    The exact motion decides at every speed that is tried. The lowest change of the outcome among 32 speeds up to
-    that of the immediate hop is bisected to the last bit.
+    The exact motion decides at every speed that is tried. The lowest change of the outcome among 32 speeds up
+    to that of the immediate hop is bisected to the last bit.
 
     Examples
     --------
@@ -253,7 +212,7 @@ def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     """
     cases = Columns(hoop, plane)
     speeds = cases.new()
-    _immediate_speeds(cases.body, speeds)
+    lift_off_speeds(cases.body, np.zeros_like(speeds), speeds)
     return cases.shaped(speeds * cases.speed)
 
 

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._jit import jit
-from hophoop.physics.contact import cone_weights
-from hophoop.physics.roll import rolling_u
 from hophoop.scenario import Hoop, Plane
-from hophoop.theory._columns import Columns, Planes, body_of
+from hophoop.theory._columns import Columns, Planes
+from hophoop.theory.kernels import rolling as kernels
 
 
 class ContactLoss(NamedTuple):
@@ -31,26 +28,6 @@ class ContactLoss(NamedTuple):
     angle: Any
     omega: Any
     by_friction: Any
-
-
-@jit
-def _losses(bodies, speeds, out):
-    for k in range(speeds.shape[0]):
-        body = body_of(bodies[k])
-        w = speeds[k] * speeds[k]
-        # F/N = tan(θ/2) is at its limit at 2 atan μs; before that N falls to zero where cos θ = w/gn.
-        if w >= body.gn:
-            angle = 0.0
-        else:
-            angle = math.acos(w / body.gn)
-        a, _ = cone_weights(body.mu_s)
-        slides = 2.0 * math.asin(min(a, 1.0))
-        by_friction = slides < angle
-        if by_friction:
-            angle = slides
-        out[k, 0] = math.copysign(angle, speeds[k])
-        out[k, 1] = math.copysign(math.sqrt(rolling_u(body, 0.0, w, angle)), speeds[k])
-        out[k, 2] = 1.0 if by_friction else 0.0
 
 
 def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane()) -> ContactLoss:
@@ -95,12 +72,12 @@ def massless_loss(v0: ArrayLike, radius: ArrayLike = 1.0, plane: Planes = Plane(
     radii = np.asarray(radius, dtype=float)
     hoops = np.empty(radii.shape, dtype=object)
     for index in np.ndindex(radii.shape):
-        hoops[index] = Hoop.ideal(1.0, radius=radii[index])
+        hoops[index] = Hoop.ideal(1.0, radius=float(radii[index]))
     cases = Columns(hoops, plane, v0=v0)
     cases.require(lambda gt: gt == 0.0, "gt", "plane.slope must be 0 for the massless hoop.")
     cases.require(lambda gn: gn > 0.0, "gn", "plane.gravity must be above 0 here.")
     table = cases.new(3)
-    _losses(cases.body, cases.of_speed("v0"), table)
+    kernels.contact_losses(cases.body, cases.of_speed("v0"), table)
     return ContactLoss(
         cases.shaped(table[:, 0]),
         cases.shaped(table[:, 1] / cases.time),

@@ -9,12 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._jit import jit
-from hophoop.physics.body import Body
-from hophoop.physics.contact import free_acceleration, slip_stiffness
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
-from hophoop.theory._arcs import TURN
-from hophoop.theory._columns import Columns, Hoops, body_of
+from hophoop.theory._columns import Columns, Hoops
+from hophoop.theory.kernels import painleve as kernels
+from hophoop.theory.kernels.arcs import TURN
+from hophoop.theory.kernels.phase_plane import lift_off
 
 
 class PainleveMinimum(NamedTuple):
@@ -51,84 +50,6 @@ class JamState:
     omega: float
 
 
-@jit
-def _threshold(body, th, sigma):
-    """μ at which p_σ = 0, inf where no friction makes it so: p_σ is linear in μ."""
-    s = math.sin(th)
-    c = math.cos(th)
-    smooth = slip_stiffness(_with_friction(body, 0.0), s, c, sigma)
-    rough = slip_stiffness(_with_friction(body, 1.0), s, c, sigma)
-    return smooth / (smooth - rough) if rough < smooth else math.inf
-
-
-@jit
-def _with_friction(body, mu):
-    return Body(body.eps, body.kap, mu, mu, body.gn, body.gt, body.rest, body.law, body.strike)
-
-
-@jit
-def _thresholds(bodies, angles, out):
-    for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        out[k] = min(_threshold(body, angles[k], 1), _threshold(body, angles[k], -1))
-
-
-@jit
-def _regions(bodies, angles, frictions, out):
-    """σ of the direction in which p_σ ≤ 0, 0 where there is none."""
-    for k in range(angles.shape[0]):
-        body = _with_friction(body_of(bodies[k]), frictions[k])
-        s = math.sin(angles[k])
-        c = math.cos(angles[k])
-        out[k] = 0
-        for sigma in (-1, 1):
-            if slip_stiffness(body, s, c, sigma) <= 0.0:
-                out[k] = sigma
-
-
-@jit
-def _worst_angle(eps, kap):
-    """θ in [0, π/2] where the threshold is smallest: dμ/dθ = 0 is a cubic in cos θ, rising through its root."""
-    low = 0.0
-    high = 1.0
-    while True:
-        c = 0.5 * (low + high)
-        if c == low or c == high:
-            break
-        cubic = ((eps * eps * c + eps * (2.0 * kap + eps * eps)) * c + kap - eps * eps) * c
-        if cubic < eps * (kap + eps * eps):
-            low = c
-        else:
-            high = c
-    return math.acos(low)
-
-
-@jit
-def _minima(bodies, out):
-    for k in range(bodies.shape[0]):
-        body = body_of(bodies[k])
-        out[k, 1] = _worst_angle(body.eps, body.kap)
-        out[k, 0] = _threshold(body, out[k, 1], -1)
-
-
-@jit
-def _border(body, mu, high_side):
-    """θ in (0, π) where the threshold is μ, on either side of its minimum; nan where μ is below it."""
-    worst = _worst_angle(body.eps, body.kap)
-    if not _threshold(body, worst, -1) <= mu:
-        return math.nan
-    inside = worst
-    outside = math.pi if high_side else 0.0
-    while True:
-        middle = 0.5 * (inside + outside)
-        if middle == inside or middle == outside:
-            return inside
-        if _threshold(body, middle, -1) <= mu:
-            inside = middle
-        else:
-            outside = middle
-
-
 def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
     r"""Kinetic friction from which on slip at an angle meets Painlevé's paradox, p_σ ≤ 0.
 
@@ -150,7 +71,8 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
 
     Notes
     -----
-    :math:`\mu = (\kappa + \varepsilon^2 \sin^2\theta) / (\varepsilon |\sin\theta| (1 + \varepsilon \cos\theta))`.
+    :math:`\mu = (\kappa + \varepsilon^2 \sin^2\theta)
+    / (\varepsilon |\sin\theta| (1 + \varepsilon \cos\theta))`.
 
     References
     ----------
@@ -164,7 +86,7 @@ def painleve_threshold(theta: ArrayLike, hoop: Hoops) -> Any:
     """
     cases = Columns(hoop, Plane(), theta=theta)
     thresholds = cases.new()
-    _thresholds(cases.body, cases["theta"], thresholds)
+    kernels.thresholds(cases.body, cases["theta"], thresholds)
     return cases.shaped(thresholds)
 
 
@@ -187,8 +109,8 @@ def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
 
     Notes
     -----
-    For the ideal hoop :math:`\mu = \sqrt{1 - \gamma^2}/\gamma` at :math:`\cos\theta = \gamma`; in general cos θ is
-    the root of a cubic.
+    For the ideal hoop :math:`\mu = \sqrt{1 - \gamma^2}/\gamma` at :math:`\cos\theta = \gamma`; in general
+    cos θ is the root of a cubic.
 
     Examples
     --------
@@ -199,7 +121,7 @@ def painleve_minimum(hoop: Hoops) -> PainleveMinimum:
     """
     cases = Columns(hoop, Plane())
     both = cases.new(2)
-    _minima(cases.body, both)
+    kernels.minima(cases.body, both)
     return PainleveMinimum(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
 
 
@@ -234,7 +156,7 @@ def painleve_region(theta: ArrayLike, mu: ArrayLike, hoop: Hoops) -> Any:
     if (cases["mu"] < 0.0).any():
         raise InputError(f"mu = {cases['mu'].min()!r} must be at least 0.")
     directions = np.empty(cases.body.shape[0], dtype=np.int64)
-    _regions(cases.body, cases["theta"], cases["mu"], directions)
+    kernels.regions(cases.body, cases["theta"], cases["mu"], directions)
     return cases.shaped(directions)
 
 
@@ -279,13 +201,11 @@ def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:
     found = []
     if hoop.eccentricity > 0.0 and math.isfinite(plane.mu_kinetic):
         for high_side in (False, True):
-            border = float(_border(body, plane.mu_kinetic, high_side))
+            border = float(kernels.border(body, plane.mu_kinetic, high_side))
             if math.isnan(border):
                 continue
             for mode, angle in (("S", border), ("K", TURN - border)):
-                sine, cosine = math.sin(angle), math.cos(angle)
-                _, at_rest = free_acceleration(body, sine, cosine, 0.0)
-                _, moving = free_acceleration(body, sine, cosine, 1.0)
-                if moving > at_rest:
-                    found.append(JamState(mode, angle, math.sqrt(-at_rest / (moving - at_rest)) / second))
+                rate = float(lift_off(body, angle))
+                if math.isfinite(rate):
+                    found.append(JamState(mode, angle, rate / second))
     return tuple(sorted(found, key=lambda state: state.angle))

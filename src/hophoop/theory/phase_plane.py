@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._jit import jit
-from hophoop.physics.body import MODE_LETTERS, Mode
-from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
-from hophoop.physics.modes import can_roll, next_mode
+from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import Plane
-from hophoop.theory._columns import Columns, Hoops, Planes, body_of
+from hophoop.theory._columns import Columns, Hoops, Planes
+from hophoop.theory.kernels import phase_plane as kernels
 
-ROLL, SKIM = int(Mode.ROLL), int(Mode.SKIM)
-NONE = len(MODE_LETTERS)
 _LETTERS = np.array([*MODE_LETTERS, "?"])
 
 
@@ -31,60 +26,6 @@ class RollingRange(NamedTuple):
 
     low: Any
     high: Any
-
-
-@jit
-def _modes(bodies, angles, rates, out):
-    for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        if body.kap > 0.0:
-            mode = next_mode(body, angles[k], rates[k], 0.0)
-            out[k] = mode if mode <= SKIM else NONE
-        elif can_roll(body, angles[k], rates[k]):
-            out[k] = ROLL
-        elif math.sin(angles[k]) * rates[k] > 0.0 or math.cos(angles[k]) == 1.0:
-            out[k] = SKIM
-        else:
-            out[k] = NONE
-
-
-@jit
-def _narrowed(low, high, at_rest, moving):
-    """The part of [low, high] where at_rest + (moving − at_rest) u ≥ 0."""
-    rate = moving - at_rest
-    if rate > 0.0:
-        return max(low, -at_rest / rate), high
-    if rate < 0.0:
-        return low, min(high, -at_rest / rate)
-    return low, high if at_rest >= 0.0 else -1.0
-
-
-@jit
-def _ranges(bodies, angles, out):
-    """Rolling needs N ≥ 0 and two cone margins ≥ 0, each a line in u = θ̇²."""
-    for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        s = math.sin(angles[k])
-        c = math.cos(angles[k])
-        a, b = cone_weights(body.mu_s)
-        friction0, normal0 = rolling_forces(body, s, c, 0.0)
-        friction1, normal1 = rolling_forces(body, s, c, 1.0)
-        low, high = _narrowed(0.0, math.inf, normal0, normal1)
-        for side in (1.0, -1.0):
-            low, high = _narrowed(
-                low, high, a * normal0 - b * side * friction0, a * normal1 - b * side * friction1
-            )
-        out[k, 0] = math.sqrt(low) if low <= high else math.nan
-        out[k, 1] = math.sqrt(high) if low <= high else math.nan
-
-
-@jit
-def _lifts(bodies, angles, out):
-    for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        _, at_rest = free_acceleration(body, math.sin(angles[k]), math.cos(angles[k]), 0.0)
-        _, moving = free_acceleration(body, math.sin(angles[k]), math.cos(angles[k]), 1.0)
-        out[k] = math.sqrt(-at_rest / (moving - at_rest)) if moving > at_rest else math.inf
 
 
 def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Any:
@@ -117,7 +58,7 @@ def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Pla
     """
     cases = Columns(hoop, plane, theta=theta, omega=omega)
     codes = np.empty(cases.body.shape[0], dtype=np.int64)
-    _modes(cases.body, cases["theta"], cases["omega"] * cases.time, codes)
+    kernels.modes(cases.body, cases["theta"], cases["omega"] * cases.time, codes)
     return cases.shaped(_LETTERS[codes])
 
 
@@ -134,8 +75,8 @@ def rolling_range(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Rol
     Returns
     -------
     range : RollingRange
-        low and high magnitudes of θ̇ [rad/s]; high is inf where friction holds at any speed, both are nan where
-        it never does.
+        low and high magnitudes of θ̇ [rad/s]; high is inf where friction holds at any speed, both are
+        nan where it never does.
 
     Raises
     ------
@@ -155,7 +96,7 @@ def rolling_range(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> Rol
     """
     cases = Columns(hoop, plane, theta=theta)
     both = cases.new(2)
-    _ranges(cases.body, cases["theta"], both)
+    kernels.rolling_ranges(cases.body, cases["theta"], both)
     return RollingRange(cases.shaped(both[:, 0] / cases.time), cases.shaped(both[:, 1] / cases.time))
 
 
@@ -187,5 +128,5 @@ def lift_off_speed(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> An
     """
     cases = Columns(hoop, plane, theta=theta)
     rates = cases.new()
-    _lifts(cases.body, cases["theta"], rates)
+    kernels.lift_off_speeds(cases.body, cases["theta"], rates)
     return cases.shaped(rates / cases.time)

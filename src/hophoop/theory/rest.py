@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from hophoop.physics.contact import rolling_inertia
 from hophoop.rigid.contact_phase import equilibrium_is_stable
 from hophoop.scenario import Hoop, Plane, time_unit, to_body
-from hophoop.theory._arcs import TURN, first_hilltop, first_valley
+from hophoop.theory.kernels.arcs import TURN, first_hilltop, first_valley
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
 """Pure rolling: speed, forces, friction used and energies in closed form, time by quadrature.
 
 All motions are named by v0, the velocity of the centre at θ = 0. Friction has no say here: the formulas tell
-what rolling would be, and `friction_utilization` whether friction allows it. An angle counts as reached when it
-lies on the motion's past or future; v0 = 0 stands for the smallest push ahead.
+what rolling would be, and `friction_utilization` whether friction allows it. An angle counts as reached when
+it lies in the motion's past or future; v0 = 0 stands for the smallest push ahead.
 """
 
 from __future__ import annotations
@@ -13,15 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._jit import jit
-from hophoop.physics.contact import rolling_forces as forces_at
-from hophoop.physics.contact import rolling_inertia
-from hophoop.physics.roll import rolling_u
-from hophoop.rigid.records import new_scratch
 from hophoop.scenario import Plane
-from hophoop.theory._arcs import TURN, blocking, rocking_time, time_from_top, turning_point
-from hophoop.theory._columns import Columns, Floats, Hoops, Planes, body_of
-from hophoop.theory._extrema import FORCE_ANGLE, highest
+from hophoop.theory._columns import Columns, Floats, Hoops, Planes
+from hophoop.theory.kernels import rolling as kernels
+from hophoop.theory.kernels.arcs import TURN
 
 LEVEL_ONLY = "plane.slope must be 0 here, where the speed has a largest value."
 
@@ -71,87 +66,10 @@ class NeededFriction(NamedTuple):
     angle: Any
 
 
-# --- kernels ---------------------------------------------------------------------------------------
-
-
-@jit
-def _speeds(bodies, angles, speeds, out):
-    for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        w = speeds[k] * speeds[k]
-        u = rolling_u(body, 0.0, w, angles[k])
-        reached = math.isnan(blocking(body, 0.0, w, angles[k]))
-        out[k] = math.copysign(math.sqrt(u), speeds[k]) if reached else math.nan
-
-
-@jit
-def _forces(bodies, angles, rates, out):
-    for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        rate = rates[k]
-        out[k, 0], out[k, 1] = forces_at(body, math.sin(angles[k]), math.cos(angles[k]), rate * rate)
-
-
-@jit
-def _kinetic(bodies, angles, rates, out):
-    for k in range(angles.shape[0]):
-        inertia = rolling_inertia(body_of(bodies[k]), math.cos(angles[k]))
-        out[k] = 0.5 * inertia * rates[k] * rates[k]
-
-
-@jit
-def _times(bodies, angles, speeds, out):
-    for k in range(angles.shape[0]):
-        body = body_of(bodies[k])
-        w = speeds[k] * speeds[k]
-        if angles[k] == 0.0:
-            out[k] = 0.0
-        elif math.isnan(blocking(body, 0.0, w, angles[k])):
-            time = time_from_top(body, w, angles[k])
-            out[k] = -time if speeds[k] * angles[k] < 0.0 else time
-        else:
-            out[k] = math.nan
-
-
-@jit
-def _rocking(bodies, angles, out):
-    for k in range(angles.shape[0]):
-        out[k] = rocking_time(body_of(bodies[k]), angles[k])
-
-
-@jit
-def _needed(bodies, speeds, out):
-    scratch = new_scratch()
-    for k in range(speeds.shape[0]):
-        body = body_of(bodies[k])
-        w = speeds[k] * speeds[k]
-        # on the level both halves of a turn are alike
-        end = math.copysign(math.pi if body.gt == 0.0 else TURN, speeds[k])
-        if body.kap == 0.0:  # rolling loses N at 90° at the latest
-            out[k, 0] = math.inf
-            out[k, 1] = math.copysign(math.pi, end)
-            continue
-        blocked = blocking(body, 0.0, w, end)
-        if not math.isnan(blocked):
-            end = turning_point(body, 0.0, w, blocked)
-        low = min(end, 0.0)
-        high = max(end, 0.0)
-        largest, place = highest(FORCE_ANGLE, body, w, low, high, 1.0, scratch)
-        other, elsewhere = highest(FORCE_ANGLE, body, w, low, high, -1.0, scratch)
-        if other > largest:
-            largest = other
-            place = elsewhere
-        out[k, 0] = math.tan(largest) if largest < 0.5 * math.pi else math.inf
-        out[k, 1] = place
-
-
-# --- the public face -------------------------------------------------------------------------------
-
-
 def _rates(cases: Columns) -> Floats:
     """θ̇ of each case in the kernels' units."""
     rates = cases.new()
-    _speeds(cases.body, cases["theta"], cases.of_speed("v0"), rates)
+    kernels.speeds(cases.body, cases["theta"], cases.of_speed("v0"), rates)
     return rates
 
 
@@ -269,7 +187,7 @@ def rolling_forces(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes =
 
 def _force_columns(cases: Columns) -> tuple[Floats, Floats]:
     both = cases.new(2)
-    _forces(cases.body, cases["theta"], _rates(cases), both)
+    kernels.forces(cases.body, cases["theta"], _rates(cases), both)
     return both[:, 0], both[:, 1]
 
 
@@ -350,8 +268,8 @@ def rolling_energies(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
     kinetic, start = cases.new(), cases.new()
-    _kinetic(cases.body, cases["theta"], _rates(cases), kinetic)
-    _kinetic(cases.body, np.zeros_like(kinetic), cases.of_speed("v0"), start)
+    kernels.kinetic(cases.body, cases["theta"], _rates(cases), kinetic)
+    kernels.kinetic(cases.body, np.zeros_like(kinetic), cases.of_speed("v0"), start)
     energy = cases.force * cases.length
     return Energies(cases.shaped(kinetic * energy), cases.shaped((start - kinetic) * energy))
 
@@ -396,7 +314,7 @@ def needed_friction(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Need
     """
     cases = Columns(hoop, plane, v0=v0)
     both = cases.new(2)
-    _needed(cases.body, cases.of_speed("v0"), both)
+    kernels.needed_frictions(cases.body, cases.of_speed("v0"), both)
     return NeededFriction(cases.shaped(both[:, 0]), cases.shaped(both[:, 1]))
 
 
@@ -424,7 +342,8 @@ def rolling_time(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = P
 
     Notes
     -----
-    The integral ∫dθ/θ̇, elliptic on the level, is done on Gauss panels that are halved until they are resolved.
+    The integral ∫dθ/θ̇, elliptic on the level, is done on Gauss panels, halved until they are
+    resolved.
 
     Examples
     --------
@@ -434,7 +353,7 @@ def rolling_time(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = P
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
     times = cases.new()
-    _times(cases.body, cases["theta"], cases.of_speed("v0"), times)
+    kernels.times(cases.body, cases["theta"], cases.of_speed("v0"), times)
     return cases.shaped(times * cases.time)
 
 
@@ -495,5 +414,5 @@ def rocking_period(theta: ArrayLike, hoop: Hoops, plane: Planes = Plane()) -> An
     """
     cases = Columns(hoop, plane, theta=theta)
     periods = cases.new()
-    _rocking(cases.body, cases["theta"], periods)
+    kernels.rocking_periods(cases.body, cases["theta"], periods)
     return cases.shaped(periods * cases.time)

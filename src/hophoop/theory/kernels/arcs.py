@@ -1,7 +1,7 @@
 """Arcs of pure rolling: how far the hoop gets, and how long it takes.
 
-Everything follows from θ̇²(θ), which `physics.roll` knows in closed form. Times are quadratures on Gauss panels
-that are halved until their Chebyshev series is resolved.
+Everything follows from θ̇²(θ), which `physics.roll` knows in closed form. Times are quadratures on Gauss
+panels that are halved until their Chebyshev series is resolved.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ def turning_point(body, ref, u_ref, blocked):
     high = blocked
     while True:
         middle = 0.5 * (low + high)
-        if middle == low or middle == high:
+        if middle in (low, high):
             return low
         if rolling_u(body, ref, u_ref, middle - ref) >= 0.0:
             low = middle
@@ -114,7 +114,7 @@ def turning_point(body, ref, u_ref, blocked):
 
 @jit
 def _rate(body, ref, u_ref, way, at):
-    """dt over d(offset); from rest the variable is the root of the offset, which takes the singularity out."""
+    """dt over d(offset); from rest the variable is the root of the offset, which is smooth."""
     if u_ref == 0.0:
         return 2.0 * at / math.sqrt(rolling_u(body, ref, 0.0, way * at * at))
     return 1.0 / math.sqrt(rolling_u(body, ref, u_ref, way * at))

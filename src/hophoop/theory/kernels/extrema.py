@@ -13,7 +13,7 @@ from hophoop._collocation import NODES, NOT_FOUND, ORDER, coefficients, first_fa
 from hophoop._jit import jit
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.roll import rolling_u
-from hophoop.theory._arcs import is_resolved
+from hophoop.theory.kernels.arcs import is_resolved
 
 # What is maximised; side = +1 for friction that pushes ahead (F > 0), −1 back.
 FORCE_ANGLE, SPEED_ANGLE = 0, 1

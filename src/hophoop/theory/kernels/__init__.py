@@ -1,0 +1,1 @@
+"""The compiled part of theory: from rows of bodies and numbers to columns of answers."""

@@ -1,0 +1,88 @@
+"""Painlevé's paradox, case by case."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+from hophoop.physics.body import Body
+from hophoop.physics.contact import slip_stiffness
+from hophoop.theory.kernels.rows import body_of
+
+
+@jit
+def threshold(body, th, sigma):
+    """μ at which p_σ = 0, inf where no friction makes it so: p_σ is linear in μ."""
+    s = math.sin(th)
+    c = math.cos(th)
+    smooth = slip_stiffness(with_friction(body, 0.0), s, c, sigma)
+    rough = slip_stiffness(with_friction(body, 1.0), s, c, sigma)
+    return smooth / (smooth - rough) if rough < smooth else math.inf
+
+
+@jit
+def with_friction(body, mu):
+    return Body(body.eps, body.kap, mu, mu, body.gn, body.gt, body.rest, body.law, body.strike)
+
+
+@jit
+def thresholds(bodies, angles, out):
+    for k in range(angles.shape[0]):
+        body = body_of(bodies[k])
+        out[k] = min(threshold(body, angles[k], 1), threshold(body, angles[k], -1))
+
+
+@jit
+def regions(bodies, angles, frictions, out):
+    """σ of the direction in which p_σ ≤ 0, 0 where there is none."""
+    for k in range(angles.shape[0]):
+        body = with_friction(body_of(bodies[k]), frictions[k])
+        s = math.sin(angles[k])
+        c = math.cos(angles[k])
+        out[k] = 0
+        for sigma in (-1, 1):
+            if slip_stiffness(body, s, c, sigma) <= 0.0:
+                out[k] = sigma
+
+
+@jit
+def worst_angle(eps, kap):
+    """θ in [0, π/2] where the threshold is smallest: dμ/dθ = 0 is a cubic in cos θ."""
+    low = 0.0
+    high = 1.0
+    while True:
+        c = 0.5 * (low + high)
+        if c in (low, high):
+            break
+        cubic = ((eps * eps * c + eps * (2.0 * kap + eps * eps)) * c + kap - eps * eps) * c
+        if cubic < eps * (kap + eps * eps):
+            low = c
+        else:
+            high = c
+    return math.acos(low)
+
+
+@jit
+def minima(bodies, out):
+    for k in range(bodies.shape[0]):
+        body = body_of(bodies[k])
+        out[k, 1] = worst_angle(body.eps, body.kap)
+        out[k, 0] = threshold(body, out[k, 1], -1)
+
+
+@jit
+def border(body, mu, high_side):
+    """θ in (0, π) where the threshold is μ, on either side of its minimum; nan where μ is below it."""
+    worst = worst_angle(body.eps, body.kap)
+    if not threshold(body, worst, -1) <= mu:
+        return math.nan
+    inside = worst
+    outside = math.pi if high_side else 0.0
+    while True:
+        middle = 0.5 * (inside + outside)
+        if middle in (inside, outside):
+            return inside
+        if threshold(body, middle, -1) <= mu:
+            inside = middle
+        else:
+            outside = middle

@@ -1,0 +1,75 @@
+"""The (θ, θ̇) plane, case by case."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import jit
+from hophoop.physics.body import MODE_LETTERS, Mode
+from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
+from hophoop.physics.modes import can_roll, next_mode
+from hophoop.theory.kernels.rows import body_of
+
+ROLL, SKIM = int(Mode.ROLL), int(Mode.SKIM)
+NONE = len(MODE_LETTERS)
+
+
+@jit
+def modes(bodies, angles, rates, out):
+    for k in range(angles.shape[0]):
+        body = body_of(bodies[k])
+        if body.kap > 0.0:
+            mode = next_mode(body, angles[k], rates[k], 0.0)
+            out[k] = mode if mode <= SKIM else NONE
+        elif can_roll(body, angles[k], rates[k]):
+            out[k] = ROLL
+        elif math.sin(angles[k]) * rates[k] > 0.0 or math.cos(angles[k]) == 1.0:
+            out[k] = SKIM
+        else:
+            out[k] = NONE
+
+
+@jit
+def narrowed(low, high, at_rest, moving):
+    """The part of [low, high] where at_rest + (moving − at_rest) u ≥ 0."""
+    rate = moving - at_rest
+    if rate > 0.0:
+        return max(low, -at_rest / rate), high
+    if rate < 0.0:
+        return low, min(high, -at_rest / rate)
+    return low, high if at_rest >= 0.0 else -1.0
+
+
+@jit
+def rolling_ranges(bodies, angles, out):
+    """Rolling needs N ≥ 0 and two cone margins ≥ 0, each a line in u = θ̇²."""
+    for k in range(angles.shape[0]):
+        body = body_of(bodies[k])
+        s = math.sin(angles[k])
+        c = math.cos(angles[k])
+        a, b = cone_weights(body.mu_s)
+        friction0, normal0 = rolling_forces(body, s, c, 0.0)
+        friction1, normal1 = rolling_forces(body, s, c, 1.0)
+        low, high = narrowed(0.0, math.inf, normal0, normal1)
+        for side in (1.0, -1.0):
+            low, high = narrowed(
+                low, high, a * normal0 - b * side * friction0, a * normal1 - b * side * friction1
+            )
+        out[k, 0] = math.sqrt(low) if low <= high else math.nan
+        out[k, 1] = math.sqrt(high) if low <= high else math.nan
+
+
+@jit
+def lift_off(body, th):
+    """Magnitude of θ̇ at which f_n = 0, infinite where the load is not up; f_n is linear in θ̇²."""
+    s = math.sin(th)
+    c = math.cos(th)
+    _, at_rest = free_acceleration(body, s, c, 0.0)
+    _, moving = free_acceleration(body, s, c, 1.0)
+    return math.sqrt(-at_rest / (moving - at_rest)) if moving > at_rest else math.inf
+
+
+@jit
+def lift_off_speeds(bodies, angles, out):
+    for k in range(angles.shape[0]):
+        out[k] = lift_off(body_of(bodies[k]), angles[k])
