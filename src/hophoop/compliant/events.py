@@ -30,7 +30,9 @@ def guard(comp, regime, which, y, vt, vn, z):
             pull = abs(comp.k_t * z + comp.c_t * vt)
             return comp.mu_s * normal - pull, 1e-8 * (pull + comp.mu_s * normal) + 1e-11
         rate = bristle_rate(comp, regime, normal, z, vt)
-        return regime * (vt - rate), 1e-8 * (abs(vt) + abs(rate)) + 1e-11 * comp.v_s
+        return regime * (vt - rate), 1e-8 * (
+            abs(vt) + abs(rate) + comp.mu_s * abs(normal) / comp.c_t
+        ) + 1e-11 * comp.v_s
     limit = creep_speed(comp)
     return (limit - abs(vt) if regime == 0 else regime * vt - limit), 1e-8 * limit
 
@@ -108,6 +110,20 @@ def _fall(comp, regime, which, poly, low, high):
                 f_low *= 0.5
             side = -1
     return high
+
+
+@jit
+def remaining(comp, regime, which, poly):
+    """What is left of a step that was to end where a guard falls: the factor to its length, 1 if it is right."""
+    value, floor = guard_at(comp, regime, which, poly, 1.0)
+    if abs(value) <= 0.1 * floor:
+        return 1.0
+    if value < 0.0 and guard_at(comp, regime, which, poly, 0.0)[0] > 0.0:
+        return _fall(comp, regime, which, poly, 0.0, 1.0)
+    slope = (value - guard_at(comp, regime, which, poly, 1.0 - 1e-3)[0]) / 1e-3
+    if slope >= 0.0:
+        return 1.0
+    return min(max(1.0 - value / slope, 0.5), 1.5)
 
 
 @jit

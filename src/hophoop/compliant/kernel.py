@@ -13,6 +13,7 @@ from hophoop.compliant.events import (
     NONE,
     first_exit,
     guard,
+    remaining,
     sign_change,
 )
 from hophoop.compliant.flight import CLEAR, LANDED, fly_above, fly_below, fly_state
@@ -48,7 +49,7 @@ from hophoop.compliant.records import (
 from hophoop.compliant.step import FAILED, attempt, make_poly, poly_value, predict
 from hophoop.compliant.tableau import STAGES
 from hophoop.physics.body import Event, Mode, Status
-from hophoop.physics.compliant import BRISTLE, TANH, first_regime, normal_force
+from hophoop.physics.compliant import BRISTLE, TANH, first_regime, friction_force, normal_force
 from hophoop.physics.contact import delassus, free_acceleration
 from hophoop.rigid.records import EVENT
 from hophoop.rigid.state import State, quiet, write_event
@@ -66,6 +67,8 @@ COMPLETED, AT_REST, UNDETERMINED, EVENT_LIMIT = (
 
 SAFETY, SLOWER, FASTER = 0.9, 0.1, 6.0
 ORDER_OF_ERROR = STAGES + 1
+# A step as short as this means that the method has failed.
+SHORTEST = 1e-40
 # Velocities and accelerations (of order 1 in a motion) below which a stable equilibrium is called rest.
 STILL = 1e-11
 
@@ -118,17 +121,16 @@ def keep(rows, pieces, t, t_end, kind, mode, regime, origin, length, work, u):
 
 
 @jit
-def first_step(body, comp, u, rtol):
+def first_step(body, comp, regime, u, rtol):
     """Length of a step that resolves the fastest transient of a contact that begins."""
     s = math.sin(u[TH])
     c = math.cos(u[TH])
     W_tt, W_nn, _ = delassus(body, s, c)
     normal, normal_y, normal_vn = normal_force(comp, u[Y], u[VN])
-    speed = math.sqrt(max(-normal_y, comp.k) * W_nn) + abs(normal_vn) * W_nn
+    friction_vt = friction_force(comp, regime, normal, u[Z], u[VT])[2]
+    speed = math.sqrt(max(-normal_y, comp.k) * W_nn) + abs(normal_vn) * W_nn + abs(friction_vt) * W_tt
     if comp.friction == BRISTLE:
-        speed += math.sqrt(comp.k_t * W_tt) + comp.c_t * W_tt
-    else:
-        speed += abs(normal) * max(comp.mu_s, comp.mu_k) * W_tt / comp.v_s
+        speed += math.sqrt(comp.k_t * W_tt)
     speed += 1.0 + abs(u[OM])
     return 0.3 * rtol ** (1.0 / ORDER_OF_ERROR) / speed
 
@@ -185,6 +187,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
         work.atol[Z] = min(1.0, 1.0 / comp.k_t)
     work.atol[DYNAMIC:] = 1.0
     t = 0.0
+    behind = 0.0  # what rounding has kept from t so far: steps may be shorter than its last digit
     pieces = 0
     regime = 0
     mode = FLIGHT
@@ -214,7 +217,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
                 fly_state(body, comp, u, opening, apex, work.start)
                 work.start[VN] = 0.0
                 count = note(events, count, APEX, FLIGHT, FLIGHT, t + apex, work.start, -1)
-            after = t + tau if what == LANDED or what == CLEAR else t_end
+            after = t + tau if what in (LANDED, CLEAR) else t_end
             rows = keep(rows, pieces, t, after, FLY, FLIGHT, 0, t, opening, work, u)
             pieces += 1
             fly_state(body, comp, u, opening, tau, work.start)
@@ -232,7 +235,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
             for which in range(GUARDS):
                 value, floor = guard(comp, regime, which, u[Y], u[VT], u[VN], u[Z])
                 armed[which] = value > floor
-            h = first_step(body, comp, u, rtol)
+            h = first_step(body, comp, regime, u, rtol)
             warm = False
             fresh = False
             rests, stable = at_rest(body, comp, regime, u, work)
@@ -246,7 +249,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
             pieces += 1
             t = t_end
             break
-        if h < 1e-15 * max(t, 1e-3):
+        if h < SHORTEST:
             status = UNDETERMINED
             break
         left = t_end - t
@@ -269,20 +272,29 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
         make_poly(work, u)
         which, s = first_exit(comp, regime, work.poly, armed)
         if which != NONE:
-            if s * length < 1e-15 * max(t, 1e-3):
+            if s * length < SHORTEST:
                 length = 0.0
             else:
-                # again, to end where the guard falls
-                predict(work, 0.0, s)
-                if attempt(body, comp, regime, work, u, s * length, rtol) >= FAILED:
+                # again, to end where the guard falls, and until it does so to its floor
+                done = False
+                for _ in range(6):
+                    predict(work, 0.0, s)
+                    done = attempt(body, comp, regime, work, u, s * length, rtol) < FAILED
+                    if not done:
+                        break
+                    length *= s
+                    make_poly(work, u)
+                    s = remaining(comp, regime, which, work.poly)
+                    if s == 1.0:
+                        break
+                if not done:
                     h = 0.5 * s * length
                     warm = False
                     continue
-                length *= s
                 last = False
-                make_poly(work, u)
         if length > 0.0:
-            after = t_end if last else t + length
+            after = t_end if last else t + (length + behind)
+            behind = (length + behind) - (after - t)
             rows = keep(rows, pieces, t, after, STEP, mode, regime, t, length, work, u)
             pieces += 1
             spin = poly_value(work.poly, OM, 1.0)

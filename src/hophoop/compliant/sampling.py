@@ -76,7 +76,8 @@ def sample(body, comp, rows, times, left, out):
         elif kind == HOLD:
             u[:] = begin
         else:
-            s = (t - row[ORIGIN]) / row[LENGTH]
+            # a step may be shorter than the last digit of its times
+            s = min((t - row[ORIGIN]) / row[LENGTH], 1.0)
             for m in range(SIZE):
                 at = FIRST + m * (STAGES + 1)
                 value = row[at + STAGES]

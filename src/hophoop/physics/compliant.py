@@ -15,6 +15,7 @@ and the friction is one of
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from enum import IntEnum
 from typing import NamedTuple
 
@@ -199,16 +200,15 @@ def hunt_crossley_number(restitution: float) -> float:
     def excess(u: float) -> float:
         return math.log1p(u) - math.log1p(-restitution * u) - (1.0 + restitution) * u
 
-    # negative from 0 to the root, then rising to the pole at u = 1/e
-    low, gap = 0.0, 0.5 / restitution
-    while excess(1.0 / restitution - gap) < 0.0:
-        low = 1.0 / restitution - gap
-        gap *= 0.5
-    if low == 0.0:
-        low = 1.0 / restitution - gap
-        while excess(low) >= 0.0:
-            low *= 0.5
-    return _bisect(excess, low, 1.0 / restitution - gap)
+    pole = 1.0 / restitution
+    high = pole * (1.0 - 1e-15)
+    if excess(high) < 0.0:  # the root is the pole, to rounding
+        return high
+    # negative from 0 to the root, where it is rising
+    low = 0.5 * pole
+    while excess(low) >= 0.0:
+        low *= 0.5
+    return _bisect(excess, low, high)
 
 
 def static_excess(mu_static: float, mu_kinetic: float) -> float:
@@ -248,7 +248,7 @@ def static_excess(mu_static: float, mu_kinetic: float) -> float:
     return _bisect(lambda excess: peak(excess) - mu_static, 0.0, high)
 
 
-def _bisect(rising, low: float, high: float) -> float:  # type: ignore[no-untyped-def]
+def _bisect(rising: Callable[[float], float], low: float, high: float) -> float:
     for _ in range(200):
         middle = 0.5 * (low + high)
         if not low < middle < high:
