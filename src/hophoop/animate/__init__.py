@@ -1,1 +1,11 @@
-"""Films of a motion."""
+"""Films of motions, in 2D and 3D: files, pictures, scenes that turn in a browser, a player for notebooks.
+
+What they need is in the extra ``films`` and loaded when a film is made.
+"""
+
+from hophoop.animate.article_films import article_films
+from hophoop.animate.export import bar
+from hophoop.animate.films import Player, film, film_3d, picture, player
+from hophoop.animate.web import scene
+
+__all__ = ["Player", "article_films", "bar", "film", "film_3d", "picture", "player", "scene"]

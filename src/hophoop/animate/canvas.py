@@ -169,7 +169,7 @@ class Canvas:
         """An arrow between two points, its length exact; a short one is all head."""
         along = head - tail
         length = float(np.hypot(*along))
-        if length < 0.5:
+        if length < 2.5 * self.unit:  # a speck would say less than nothing
             return
         unit = along / length
         across = np.array([-unit[1], unit[0]])
@@ -188,7 +188,7 @@ class Canvas:
                 tail - half * across,
             ]
         )
-        self.polygon(outline, color, halo, 1.0)
+        self.polygon(outline, color, halo, 0.8)
 
     def text(
         self,
@@ -214,6 +214,8 @@ class Canvas:
         if self._clip is not None:
             a = max(a, math.ceil(self._clip.x0) - left)
             b = min(b, math.floor(self._clip.x1) - left)
+            c = max(c, self.size[1] - math.floor(self._clip.y1) - top)
+            d = min(d, self.size[1] - math.ceil(self._clip.y0) - top)
         if a >= b or c >= d:
             return
         cover = alpha * mask[c:d, a:b, None]

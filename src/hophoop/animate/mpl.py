@@ -8,19 +8,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from hophoop._extras import need
 from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle
 from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, extent, trace
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.themes import Theme, theme_of
+from hophoop.animate.words import draw_keys, draw_pace, draw_state, minus, shades_of, speed_words, wide
 from hophoop.animate.views import BELOW, View, followed, grid, held, project
 from hophoop.plots import colors
-from hophoop.plots.pose import Floats, Poses, load_distance, part_side, poses_of, rim_speeds, to_world
+from hophoop.plots.pose import Floats, Poses, part_side, poses_of, rim_speeds, to_world
 from hophoop.scenario import Disk, PointMass, Ring, Rod
 from hophoop.trajectory import Trajectory
 
-MODE_WORDS = {"R": "rolling", "S": "spinning", "K": "skidding", "H": "in flight", "M": "skimming"}
 PIECES = 96  # of the ring, a colour each
 BLOCK = 256  # frames whose poses are computed together
 TRACE_POINTS = 6000  # the last ones are drawn
@@ -69,7 +68,6 @@ class Film2D:
         self.look = look
         self.theme: Theme = theme_of(look.theme)
         self.canvas = Canvas(look.size, self.theme.background)
-        self._speed_map = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP]
         labels = labels_of(motions, look.labels)
         ends = [min(float(times[-1]), motion.duration) for times, motion in zip(self.clock.times, motions, strict=True)]
         extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
@@ -136,6 +134,7 @@ class Film2D:
             canvas.clip(None)
         for i, actor in enumerate(self.actors):
             self._draw_words(actor, k, i if overlay else 0)
+        draw_pace(canvas, self.theme, 22.0 * canvas.unit, float(self.clock.rate[k]))
         self.panels.draw([(actor.times[k], actor.poses, k % BLOCK) for actor in self.actors])
         return canvas.pixels
 
@@ -149,11 +148,10 @@ class Film2D:
     def _lay_out(self, motions: int) -> Rectangle:
         width, height = self.look.size
         u = self.canvas.unit
-        self._wide = width / u >= 1000.0
-        self._head = (84.0 if self._wide else 128.0) * u
-        self._view_head = 0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 22.0 * (motions - 1)) * u
+        head = (84.0 if wide(self.canvas) else 140.0) * u
+        self._view_head = 0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 26.0 * (motions - 2)) * u
         foot = 30.0 * u
-        body = height - self._head - foot
+        body = height - head - foot
         if not self.look.panels:
             self._panel_area: Rectangle = (0.0, 0.0, 0.0, 0.0)
             return 0.0, foot, width, body
@@ -241,7 +239,7 @@ class Film2D:
                 canvas.line(np.array([top, end]), theme.muted, 1.2)
                 if BELOW * radius * view.scale > 24.0 * canvas.unit:
                     canvas.text(
-                        under[0], under[1], f"{place:g} m".replace("-", "−"), theme.muted, 13.0, "center",
+                        under[0], under[1], minus(f"{place:g} m"), theme.muted, 13.0, "center",
                         vertical="center",
                     )
 
@@ -261,7 +259,7 @@ class Film2D:
         if self.look.traces:
             self._draw_traces(actor, poses, i, matrix)
         airborne = poses.mode[i] == "H"
-        heavy_color = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
+        heavy_color = theme.shown(colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER)
         if hoop.parts is not None:
             self._draw_parts(actor, poses, i, center, view.scale)
         else:
@@ -269,7 +267,7 @@ class Film2D:
         # the ring is drawn within the rim, so that its outer edge touches the plane
         angle = self._around + view.slope
         outer = np.stack([np.sin(angle), np.cos(angle)], axis=-1)
-        shades = self._speed_map(np.clip(speeds[i] / self.top_speed, 0.0, 1.0))
+        shades = shades_of(speeds[i], self.top_speed)
         shades[:, 3] = alpha
         line = size * (1.0 - 0.5 * RING)
         canvas.disc(center, line, None, theme.outline, width + 1.6, alpha)
@@ -286,7 +284,8 @@ class Film2D:
                 (poses.friction_force[i], colors.FRICTION_FORCE),
             ):
                 if alpha == 1.0:
-                    canvas.arrow(contact, contact + force * self._force_scale, color, theme.background, 7.0)
+                    tip = contact + force * self._force_scale
+                    canvas.arrow(contact, tip, theme.shown(color), theme.background, 7.0)
 
     def _mixed(self, shades: Floats, alpha: float) -> Floats:
         # Pieces of the ring overlap, where opacity would add up: mixed with the background instead.
@@ -311,7 +310,7 @@ class Film2D:
             if b + 1 > past or b == len(track.t) - 1:
                 part = np.vstack([part, poses.gravity_center[i : i + 1]])
             color = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
-            canvas.line(part, color, 2.6, actor.alpha, matrix=matrix)
+            canvas.line(part, self.theme.shown(color), 2.6, actor.alpha, matrix=matrix)
 
     def _draw_parts(self, actor: _Actor, poses: Poses, i: int, center: Points, scale: float) -> None:
         canvas, theme = self.canvas, self.theme
@@ -339,96 +338,29 @@ class Film2D:
     # --- words ---------------------------------------------------------------------------------
 
     def _draw_words(self, actor: _Actor, k: int, row: int) -> None:
-        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
-        poses = actor.poses
+        u, poses = self.canvas.unit, actor.poses
         assert poses is not None
-        i = k % BLOCK
         left, bottom, width, height = actor.view.rectangle
         several = len(self.actors) > 1
-        if not several:
-            x, y = 22.0 * u, self.look.size[1] - 64.0 * u
-        elif self.look.layout == "side":
-            x, y = left + 22.0 * u, bottom + height + 8.0 * u
+        if several and self.look.layout == "side":
+            place = left + 22.0 * u, bottom + height + 8.0 * u
         else:
-            x, y = 22.0 * u, self.look.size[1] - (64.0 + 22.0 * row) * u
-        mode = str(poses.mode[i])
-        color = colors.mode_color(mode)
-        ended = actor.times[k] >= actor.motion.duration and k > 0 and k < self.count - 1
-        canvas.disc(np.array([x + 7.0 * u, y + 6.0 * u]), 7.0 * u, color, theme.ink, 0.8)
-        canvas.text(x + 22.0 * u, y, "ended" if ended else MODE_WORDS[mode], theme.ink, 18.0, weight="bold")
-        seconds = f"t = {actor.times[k]:.3f} s"
-        turned = f"θ = {math.degrees(poses.angle[i]):.1f}°".replace("-", "−")
-        columns = [(140.0, seconds), (268.0, turned)]
+            place = 22.0 * u, self.look.size[1] - ((40.0 if several else 64.0) + 26.0 * row) * u
+        ended = actor.times[k] >= actor.motion.duration and 0 < k < self.count - 1
         if several and self.look.layout == "overlay":
-            columns.append((390.0, actor.label))
-        elif width / u > 520.0 or not several:
-            columns.append((390.0, f"v = {poses.velocity[i, 0]:.2f} m/s".replace("-", "−")))
-        for offset, words in columns:
-            canvas.text(x + offset * u, y, words, theme.ink, 15.0)
-        if row == 0 and self.clock.rate[k] < 0.985 or self.clock.rate[k] > 1.015:
-            self._draw_pace(k)
-
-    def _draw_pace(self, k: int) -> None:
-        u, rate = self.canvas.unit, float(self.clock.rate[k])
-        words = f"slow motion ×1/{1.0 / rate:.1f}" if rate < 1.0 else f"×{rate:.1f}"
-        area = self.actors[0].view.rectangle
-        self.canvas.text(area[0] + 22.0 * u, 10.0 * u, words, self.theme.ink, 14.0, weight="bold")
+            extra = actor.label
+        else:
+            extra = speed_words(poses, k % BLOCK) if width / u > 500.0 or not several else ""
+        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, ended, extra)
 
     def _draw_heading(self) -> None:
-        """What stays: label, colour bar, key of the arrows and of the traces."""
+        """What stays: labels and keys."""
         canvas, theme, u = self.canvas, self.theme, self.canvas.unit
-        width, height = self.look.size
         if len(self.actors) == 1:
-            canvas.text(22.0 * u, height - 32.0 * u, self.actors[0].label, theme.muted, 16.0)
+            canvas.text(22.0 * u, self.look.size[1] - 32.0 * u, self.actors[0].label, theme.muted, 16.0)
         elif self.look.layout == "side":
             for actor in self.actors:
                 left, bottom, _, high = actor.view.rectangle
                 canvas.text(left + 22.0 * u, bottom + high + 36.0 * u, actor.label, theme.muted, 15.0)
-        right = width - 24.0 * u
-        top = height - (20.0 if self._wide else 84.0) * u
-        self._draw_color_bar(right - 270.0 * u, top - 26.0 * u, 270.0 * u, 12.0 * u)
-        if self.look.forces:
-            self._draw_force_key(right - 480.0 * u, top - 20.0 * u)
-        if self.look.traces:
-            self._draw_trace_key()
-
-    def _draw_color_bar(self, x: float, y: float, width: float, height: float) -> None:
-        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
-        columns = round(width)
-        shades = self._speed_map(np.linspace(0.0, 1.0, columns))
-        a, b = round(x), canvas.size[1] - round(y + height)
-        canvas.pixels[b : b + round(height), a : a + columns] = np.round(255 * shades)[None].astype(np.uint8)
-        frame = np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]])
-        canvas.polygon(frame, None, theme.ink, 0.8)
-        canvas.text(x, y + height + 7.0 * u, "speed of the ring's points, m/s", theme.ink, 13.0)
-        step = nice(self.top_speed / 3.0)
-        for value in np.arange(0.0, self.top_speed * (1.0 + 1e-9), step):
-            place = x + width * value / self.top_speed
-            canvas.line(np.array([[place, y], [place, y - 4.0 * u]]), theme.ink, 0.8)
-            canvas.text(place, y - 8.0 * u, f"{value:g}", theme.ink, 12.0, "center", vertical="top")
-
-    def _draw_force_key(self, x: float, y: float) -> None:
-        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
-        newtons = nice(min(130.0 * u / self._force_scale, self._force))
-        length = newtons * self._force_scale
-        for row, (color, words) in enumerate(
-            ((colors.NORMAL_FORCE, "normal"), (colors.FRICTION_FORCE, "friction"))
-        ):
-            level = y - 20.0 * u * row
-            canvas.text(x - 8.0 * u, level, words, theme.ink, 13.0, "right", vertical="center")
-            tail = np.array([x, level])
-            canvas.arrow(tail, tail + [length, 0.0], color, theme.background, 7.0)
-        canvas.text(x, y - 48.0 * u, f"{newtons:g} N", theme.ink, 12.0)
-
-    def _draw_trace_key(self) -> None:
-        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
-        words = (
-            (theme.load, "load", 78.0),
-            (colors.GRAVITY_CENTER, "centre of gravity", 178.0),
-            (colors.GRAVITY_CENTER_AIRBORNE, "airborne", 116.0),
-        )
-        x = canvas.size[0] - 20.0 * u - sum(room for _, _, room in words) * u
-        for color, word, room in words:
-            canvas.line(np.array([[x, 15.0 * u], [x + 26.0 * u, 15.0 * u]]), color, 3.0)
-            canvas.text(x + 33.0 * u, 15.0 * u, word, theme.ink, 13.0, vertical="center")
-            x += room * u
+        newton = self._force_scale if self.look.forces else None
+        draw_keys(canvas, theme, self.top_speed, newton, self._force, self.look.traces)

@@ -11,10 +11,10 @@ import numpy as np
 from hophoop.animate.canvas import Bytes, Canvas, Rectangle
 from hophoop.animate.themes import Theme
 from hophoop.plots import colors
+from hophoop.plots._curves import curve
 from hophoop.plots.pose import Floats, Poses
-from hophoop.trajectory import Trajectory
+from hophoop.trajectory import Sample, Trajectory
 
-POINTS = 1500
 # How much of a curve shows where the film has not yet been
 AHEAD = 0.28
 
@@ -51,7 +51,7 @@ class Panels:
         if not names:
             return
         motion = motions[0]
-        times = np.linspace(start, min(end, motion.duration), POINTS)
+        sample = curve(motion, start, end)
         left, bottom, width, height = area
         unit = canvas.unit
         gap, margin = 14.0 * unit, 62.0 * unit
@@ -70,7 +70,7 @@ class Panels:
             )
             axes = canvas.figure.add_axes(place)
             self._style(axes)
-            DRAWN[name](axes, motion, times)
+            DRAWN[name](axes, motion, sample)
             if name == "phase" or last_over_time:
                 y -= time_axis
             elif name != "phase":
@@ -97,16 +97,14 @@ class Panels:
             axes.yaxis.label.set_size(12)
             legend = axes.get_legend()
             for line in axes.get_lines():
-                if line.get_color() == colors.BLACK:
-                    line.set_color(theme.ink)
+                line.set_color(theme.shown(line.get_color()))
             if legend is not None:
                 legend.get_frame().set_facecolor(theme.background)
                 legend.get_frame().set_edgecolor("none")
                 for words in legend.get_texts():
                     words.set_color(theme.ink)
                 for handle in legend.legend_handles:
-                    if handle.get_color() == colors.BLACK:
-                        handle.set_color(theme.ink)
+                    handle.set_color(theme.shown(handle.get_color()))
         canvas.render()
         self._full: Bytes = canvas.pixels.copy()
         for _, axes in self._axes:
@@ -168,48 +166,44 @@ def _legend(axes: Any) -> None:
                 handlelength=1.4, columnspacing=1.0)
 
 
-def _velocity(axes: Any, motion: Trajectory, times: Floats) -> None:
-    sample = motion.at(times)
-    axes.plot(times, sample.vx, color=colors.CENTER_SPEED, linewidth=1.8, label="v")
-    axes.plot(times, motion.scenario.hoop.radius * sample.omega, color=colors.ROTATION_SPEED, linewidth=1.8,
+def _velocity(axes: Any, motion: Trajectory, sample: Sample) -> None:
+    axes.plot(sample.t, sample.vx, color=colors.CENTER_SPEED, linewidth=1.8, label="v")
+    axes.plot(sample.t, motion.scenario.hoop.radius * sample.omega, color=colors.ROTATION_SPEED, linewidth=1.8,
               label="Rθ̇")
     axes.set_ylabel("velocity, m/s")
-    _over_time(axes, times)
+    _over_time(axes, sample.t)
 
 
-def _energy(axes: Any, motion: Trajectory, times: Floats) -> None:
-    sample = motion.at(times)
+def _energy(axes: Any, motion: Trajectory, sample: Sample) -> None:
     for values, color, label in (
         (sample.kinetic, colors.KINETIC, "kinetic"),
         (sample.potential, colors.POTENTIAL, "potential"),
         (sample.total, colors.TOTAL, "sum"),
         (sample.friction, colors.FRICTION_LOSS, "friction"),
     ):
-        axes.plot(times, values, color=color, linewidth=1.8, label=label)
+        axes.plot(sample.t, values, color=color, linewidth=1.8, label=label)
     axes.set_ylabel("energy, J")
-    _over_time(axes, times)
+    _over_time(axes, sample.t)
 
 
-def _forces(axes: Any, motion: Trajectory, times: Floats) -> None:
-    sample = motion.at(times)
-    axes.plot(times, sample.normal_force, color=colors.NORMAL_FORCE, linewidth=1.8, label="normal")
-    axes.plot(times, sample.friction_force, color=colors.FRICTION_FORCE, linewidth=1.8, label="friction")
+def _forces(axes: Any, motion: Trajectory, sample: Sample) -> None:
+    axes.plot(sample.t, sample.normal_force, color=colors.NORMAL_FORCE, linewidth=1.8, label="normal")
+    axes.plot(sample.t, sample.friction_force, color=colors.FRICTION_FORCE, linewidth=1.8, label="friction")
     axes.set_ylabel("force, N")
-    _over_time(axes, times)
+    _over_time(axes, sample.t)
 
 
-def _utilization(axes: Any, motion: Trajectory, times: Floats) -> None:
-    share = motion.at(times).utilization(motion.scenario.plane.mu_static)
-    axes.plot(times, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
+def _utilization(axes: Any, motion: Trajectory, sample: Sample) -> None:
+    share = sample.utilization(motion.scenario.plane.mu_static)
+    axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
     axes.set_ylim(0.0, 1.12)
     axes.set_ylabel("friction in use")
-    _over_time(axes, times)
+    _over_time(axes, sample.t)
 
 
-def _phase(axes: Any, motion: Trajectory, times: Floats) -> None:
-    sample = motion.at(times)
+def _phase(axes: Any, motion: Trajectory, sample: Sample) -> None:
     (line,) = axes.plot(np.degrees(sample.angle), sample.omega, color=colors.BLACK, linewidth=1.6)
-    line.hophoop_times = times
+    line.hophoop_times = sample.t
     axes.set_xlabel("θ, °")
     axes.set_ylabel("θ̇, rad/s")
 

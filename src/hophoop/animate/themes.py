@@ -20,6 +20,8 @@ class Theme:
         Of the load and its trace: black, or white where the background is black.
     outline : str
         Around the ring, so that the ends of the colour map stay visible.
+    dark : bool
+        Whether the background is.
     """
 
     background: str
@@ -28,11 +30,36 @@ class Theme:
     muted: str
     load: str
     outline: str
+    dark: bool = False
 
+    def shown(self, color: str) -> str:
+        """A colour that means something, light enough for a dark background: same hue, more white.
+
+        Parameters
+        ----------
+        color : str
+            As ``#RRGGBB``.
+
+        Returns
+        -------
+        color : str
+            As ``#RRGGBB``.
+        """
+        if not self.dark:
+            return color
+        if color == colors.BLACK:
+            return self.ink
+        parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
+        lightness = (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]) / 255.0
+        share = max(0.0, LEAST_LIGHTNESS - lightness) / max(1.0 - lightness, 1e-9)
+        return "#" + "".join(f"{round(part + share * (255 - part)):02X}" for part in parts)
+
+
+LEAST_LIGHTNESS: Final = 0.48
 
 THEMES: Final[dict[str, Theme]] = {
     "light": Theme("#FCFCFB", "#E7E5E0", "#1B1B1B", colors.GRAY, colors.LOAD, "#3A3A3A"),
-    "dark": Theme("#14161A", "#2A2E35", "#F2F2F2", "#A6ABB3", "#FFFFFF", "#E0E0E0"),
+    "dark": Theme("#14161A", "#2A2E35", "#F2F2F2", "#A6ABB3", "#FFFFFF", "#E0E0E0", dark=True),
     "print": Theme("#FFFFFF", "#FFFFFF", "#000000", "#4D4D4D", colors.LOAD, "#000000"),
 }
 

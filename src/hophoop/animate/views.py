@@ -63,8 +63,10 @@ def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> V
     least, most = corners.min(axis=0), corners.max(axis=0)
     scale = min(width / (most[0] - least[0]), height / (most[1] - least[1]))
     middle = 0.5 * (least + most)
+    # room to spare is more of use above than under the plane
+    spare = height - scale * (most[1] - least[1])
     return View(
-        rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height)
+        rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height - 0.2 * spare)
     )
 
 
@@ -86,7 +88,7 @@ def followed(
         room = max(half - BESIDE * radius, 0.0)
         along = np.clip(along, places - room, places + room)
     used = scale * (extent.height + (2.0 + BELOW + ABOVE) * radius)
-    floor = bottom + 0.5 * (height - used) + BELOW * radius * scale
+    floor = bottom + 0.3 * (height - used) + BELOW * radius * scale
     return View(
         rectangle, scale, slope, to_world(along, np.zeros_like(along), slope), (left + 0.5 * width, floor)
     )

@@ -1,0 +1,107 @@
+"""The films of the article, each from the motion that it shows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from hophoop.animate.films import film, film_3d
+from hophoop.scenario import Hoop, Plane, Scenario, Start
+from hophoop.simulation import simulate
+
+SIZE: Final = (960, 540)
+FPS: Final = 30.0
+
+
+@dataclass(frozen=True)
+class ArticleFilm:
+    """One film: the run that it shows and how.
+
+    Attributes
+    ----------
+    name : str
+        Of the file, without its ending.
+    speed : float
+        v₀ [m/s].
+    mu : float
+        Friction [1].
+    duration : float
+        Of the motion [s].
+    three_d : bool
+        Whether in 3D.
+    options : dict
+        More for `film` or `film_3d`.
+    """
+
+    name: str
+    speed: float
+    mu: float
+    duration: float
+    three_d: bool
+    options: dict[str, Any]
+
+    @property
+    def scenario(self) -> Scenario:
+        """The run of the article."""
+        return Scenario(
+            hoop=Hoop.ideal(0.75), plane=Plane(mu=self.mu), start=Start.rolling(self.speed), duration=self.duration
+        )
+
+
+_HOP: Final[dict[str, Any]] = {"slow_at": ("takeoff", "impact"), "slow_factor": 4.0, "slow_width": 0.12}
+
+ARTICLE_FILMS: Final = (
+    # so slow a start hardly stirs for two seconds; one revolution takes some six
+    ArticleFilm("v0.1", 0.1, 1.0, 6.0, False, {}),
+    ArticleFilm("v2", 2.0, 1.0, 3.0, False, {}),
+    ArticleFilm("v2.8", 2.8, 1.0, 3.0, False, {}),
+    ArticleFilm("v3.1", 3.1, 1.0, 2.5, False, _HOP),
+    ArticleFilm("v0.1-mu0.3", 0.1, 0.3, 9.0, False, {}),
+    ArticleFilm("v3.1-3d", 3.1, 1.0, 2.5, True, {}),
+)
+
+
+def article_films(
+    out_dir: str | Path,
+    progress: Callable[[int, int], None] | None = None,
+    scenarios: Mapping[str, Scenario] | None = None,
+) -> list[Path]:
+    """All films of the article: five in 2D and the one in 3D.
+
+    Parameters
+    ----------
+    out_dir : str or Path
+        The folder that they go to; made if it is not there.
+    progress : callable, optional
+        Called with the number of films done and of all.
+    scenarios : mapping, optional
+        Other runs for films, by the film's name, such as 'v3.1'.
+
+    Returns
+    -------
+    paths : list of Path
+        In the order of the article.
+
+    Raises
+    ------
+    ValueError
+        If scenarios names a film that there is not.
+    ImportError
+        If the extra 'films' is not installed.
+    """
+    given = dict(scenarios or {})
+    names = [each.name for each in ARTICLE_FILMS]
+    for name in given:
+        if name not in names:
+            raise ValueError(f"scenarios names {name!r}, which is not one of {', '.join(names)}.")
+    paths = []
+    for done, each in enumerate(ARTICLE_FILMS):
+        motion = simulate(given.get(each.name, each.scenario))
+        make = film_3d if each.three_d else film
+        path = make(motion, Path(out_dir) / f"{each.name}.mp4", size=SIZE, fps=FPS, **each.options)
+        paths.append(path)
+        if progress is not None:
+            progress(done + 1, len(ARTICLE_FILMS))
+    return paths

@@ -1,0 +1,520 @@
+"""Films in 3D: a torus, a sphere, their shadows, traces and arrows, rendered by VTK without a display."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any, Self
+
+import numpy as np
+
+from hophoop._extras import need
+from hophoop.animate.canvas import Bytes, Canvas
+from hophoop.animate.frames import Extent, Timing, Trace, clock, extent, follow, trace
+from hophoop.animate.look import check_size, labels_of, nice, one_of
+from hophoop.animate.themes import Theme, theme_of
+from hophoop.animate.words import draw_keys, draw_pace, draw_state, shades_of, speed_words
+from hophoop.plots import colors
+from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, to_world
+from hophoop.trajectory import Trajectory
+
+CAMERAS = ("chase", "side", "orbit", "hold")
+STATIONS, SECTIONS = 120, 20  # of the torus
+TUBE, LOAD, HEAVY = 0.05, 0.1, 0.05  # radii, over the rim's
+LANE = 1.6  # between several motions, in radii
+FORCE_LENGTH = 1.3
+SUN = np.array([0.32, 0.75, -1.0])  # where the light goes
+SMOOTH = 4  # samples a pixel
+CALM = 0.6  # of the camera [s of film]
+
+
+@dataclass(frozen=True)
+class Look3D:
+    """How a film in 3D looks.
+
+    Attributes
+    ----------
+    size : (int, int)
+        Width and height in pixels [1].
+    theme : {'light', 'dark', 'print'}
+    camera : {'chase', 'side', 'orbit', 'hold'}
+    labels : tuple of str or None
+        A line for each motion; None says its parameters.
+    traces, forces, shadows : bool
+        Whether to draw them.
+    """
+
+    size: tuple[int, int] = (1280, 720)
+    theme: str = "light"
+    camera: str = "chase"
+    labels: tuple[str, ...] | None = None
+    traces: bool = True
+    forces: bool = True
+    shadows: bool = True
+
+    def __post_init__(self) -> None:
+        check_size(self.size)
+        theme_of(self.theme)
+        one_of("camera", self.camera, CAMERAS)
+
+
+def torus(radius: float, tube: float) -> tuple[Floats, Floats, Floats]:
+    """Points of a torus in the X–Z plane, their normals and where on the rim they lie.
+
+    Parameters
+    ----------
+    radius : float
+        Of the outermost circle [m].
+    tube : float
+        Radius of the tube [m].
+
+    Returns
+    -------
+    points, normals : ndarray, shape (STATIONS × SECTIONS, 3)
+        [m] and [1].
+    angles : ndarray, shape (STATIONS,)
+        From +Z, clockwise as seen from −Y; SECTIONS points belong to each [rad].
+    """
+    angles = np.linspace(0.0, 2.0 * math.pi, STATIONS, endpoint=False)
+    around = np.linspace(0.0, 2.0 * math.pi, SECTIONS, endpoint=False)
+    out = np.stack([np.sin(angles), np.zeros(STATIONS), np.cos(angles)], axis=-1)[:, None, :]
+    side = np.array([0.0, 1.0, 0.0])
+    normals = np.cos(around)[None, :, None] * out + np.sin(around)[None, :, None] * side
+    points = (radius - tube) * out + tube * normals
+    return points.reshape(-1, 3), normals.reshape(-1, 3), angles
+
+
+def torus_faces() -> np.ndarray:
+    """Quadrangles of `torus`, shape (STATIONS × SECTIONS, 4), seen from outside counter-clockwise."""
+    i, j = np.meshgrid(np.arange(STATIONS), np.arange(SECTIONS), indexing="ij")
+    following, above = (i + 1) % STATIONS, (j + 1) % SECTIONS
+    corners = (i * SECTIONS + j, following * SECTIONS + j, following * SECTIONS + above, i * SECTIONS + above)
+    return np.stack([corner.ravel() for corner in corners], axis=-1)
+
+
+def place_3d(points: Floats, lane: float) -> Floats:
+    """Points of the world, X level and Y up, as X, lane, Z."""
+    flat = np.asarray(points, dtype=float)
+    return np.stack([flat[..., 0], np.full(flat.shape[:-1], lane), flat[..., 1]], axis=-1)
+
+
+@dataclass
+class _Actor:
+    """One motion in the scene, with the meshes that its drawing moves."""
+
+    motion: Trajectory
+    poses: Poses
+    label: str
+    trace: Trace
+    lane: float
+    speeds: Floats
+    meshes: dict[str, Any]
+    actors: dict[str, Any]
+
+
+class Film3D:
+    """The pictures of a film in 3D: `draw(k)` gives the k-th. To be closed, or used in a with statement.
+
+    Parameters
+    ----------
+    motions : sequence of Trajectory
+    timing : Timing
+    look : Look3D
+
+    Raises
+    ------
+    ValueError
+        If labels or times do not fit the motions, or their slopes differ.
+    ImportError
+        If PyVista is missing.
+    RuntimeError
+        If VTK finds no OpenGL, not even in software.
+    """
+
+    def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look3D) -> None:
+        self.clock = clock(motions, timing)
+        self.fps, self.look = timing.fps, look
+        self.theme: Theme = theme_of(look.theme)
+        slopes = {motion.scenario.plane.slope for motion in motions}
+        if len(slopes) > 1:
+            raise ValueError(f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene.")
+        self._slope = slopes.pop()
+        self._pyvista = need("pyvista", "films")
+        self.canvas = Canvas(look.size, self.theme.background)
+        labels = labels_of(motions, look.labels)
+        ends = [min(float(t[-1]), motion.duration) for t, motion in zip(self.clock.times, motions, strict=True)]
+        extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
+        self._radius = max(motion.scenario.hoop.radius for motion in motions)
+        self.extent = Extent(
+            (min(size.along[0] for size in extents), max(size.along[1] for size in extents)),
+            max(size.height for size in extents),
+            max(size.speed for size in extents) or 1.0,
+            max(size.force for size in extents) or 1.0,
+        )
+        self._newton = FORCE_LENGTH * self._radius / self.extent.force  # metres a newton
+        self._open()
+        self._light()
+        self._build_plane(len(motions))
+        _, _, angles = torus(1.0, TUBE)
+        self.actors = []
+        for i, motion in enumerate(motions):
+            poses = poses_of(motion, self.clock.times[i])
+            self.actors.append(
+                _Actor(
+                    motion=motion,
+                    poses=poses,
+                    label=labels[i],
+                    trace=trace(motion, timing.start, ends[i]),
+                    lane=LANE * self._radius * (i - 0.5 * (len(motions) - 1)),
+                    # the torus does not turn: its points are coloured by the speed of what passes there
+                    speeds=rim_speeds(poses, angles - self._slope, motion.scenario.hoop.radius),
+                    meshes={},
+                    actors={},
+                )
+            )
+            self._build_hoop(self.actors[-1])
+        self._path = self._camera_path()
+
+    # --- the sequence of pictures --------------------------------------------------------------
+
+    @property
+    def count(self) -> int:
+        """Number of pictures."""
+        return self.clock.count
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height in pixels."""
+        return self.look.size
+
+    def draw(self, k: int) -> Bytes:
+        """The k-th picture, height × width × RGBA; valid until the next is drawn.
+
+        Parameters
+        ----------
+        k : int
+            From 0 to count − 1.
+
+        Returns
+        -------
+        picture : ndarray of uint8, shape (height, width, 4)
+            Values from 0 to 255 [1].
+        """
+        for actor in self.actors:
+            self._move(actor, k)
+        camera = self._plotter.camera
+        camera.position, camera.focal_point = (tuple(row[min(k, len(row) - 1)]) for row in self._path)
+        self._plotter.renderer.ResetCameraClippingRange()
+        self._window.Render()
+        width, height = self.look.size
+        self._window.GetPixelData(0, 0, width - 1, height - 1, 1, self._buffer, 0)
+        self.canvas.pixels[..., :3] = self._picture.reshape(height, width, 3)[::-1]
+        self.canvas.pixels[..., 3] = 255
+        self._draw_words(k)
+        return self.canvas.pixels
+
+    def pixel_of(self, k: int, actor: int, point: Floats) -> Floats:
+        """Where a point of the world [m] lies in the k-th picture: column and row from the top left [pixels]."""
+        camera = self._plotter.camera
+        camera.position, camera.focal_point = (tuple(row[min(k, len(row) - 1)]) for row in self._path)
+        renderer = self._plotter.renderer
+        renderer.SetWorldPoint(*place_3d(np.asarray(point), self.actors[actor].lane), 1.0)
+        renderer.WorldToDisplay()
+        x, y, _ = renderer.GetDisplayPoint()
+        return np.array([x, self.look.size[1] - y])
+
+    def close(self) -> None:
+        """Free the renderer."""
+        self._plotter.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, where: TracebackType | None
+    ) -> None:
+        self.close()
+
+    # --- the scene -----------------------------------------------------------------------------
+
+    def _open(self) -> None:
+        logger = need("vtkmodules.vtkCommonCore", "films").vtkLogger
+        support = need("vtkmodules.util.numpy_support", "films")
+        array = need("vtkmodules.vtkCommonCore", "films").vtkUnsignedCharArray
+        before = logger.GetCurrentVerbosityCutoff()
+        # Without a display VTK says so, and then renders in software as it should.
+        logger.SetStderrVerbosity(logger.VERBOSITY_ERROR)
+        try:
+            self._plotter = self._pyvista.Plotter(
+                off_screen=True, window_size=list(self.look.size), lighting="none"
+            )
+            self._window = self._plotter.render_window
+            self._window.SetMultiSamples(SMOOTH)
+            self._window.Render()
+        finally:
+            logger.SetStderrVerbosity(before)
+        if not self._window.SupportsOpenGL():
+            raise RuntimeError(
+                "VTK finds no OpenGL, not even in software; on Debian the package libegl1 or libosmesa6 has it."
+            )
+        self._buffer = array()
+        self._buffer.SetNumberOfComponents(3)
+        self._buffer.SetNumberOfTuples(self.look.size[0] * self.look.size[1])
+        self._picture = support.vtk_to_numpy(self._buffer)
+        sky = self.theme.background if self.theme.dark else "#DCE6EE"
+        self._plotter.set_background(self.theme.background, top=sky if self.look.theme != "print" else None)
+
+    def _light(self) -> None:
+        pyvista = self._pyvista
+        sun = pyvista.Light(position=tuple(-10.0 * SUN), focal_point=(0.0, 0.0, 0.0), intensity=0.75)
+        sun.positional = False
+        self._plotter.add_light(sun)
+        self._plotter.add_light(pyvista.Light(light_type="headlight", intensity=0.45))
+
+    def _add(self, mesh: Any, color: str | None, lit: bool = True, **options: Any) -> Any:
+        return self._plotter.add_mesh(
+            mesh,
+            color=color,
+            lighting=lit,
+            show_scalar_bar=False,
+            reset_camera=False,
+            **options,
+        )
+
+    def _build_plane(self, lanes: int) -> None:
+        pyvista, theme, radius = self._pyvista, self.theme, self._radius
+        tilt = self._slope
+        low, high = self.extent.along[0] - 60.0 * radius, self.extent.along[1] + 60.0 * radius
+        deep = 60.0 * radius
+        ground = theme.ground if self.look.theme != "print" else "#F4F4F4"
+        self._shade = _mix(ground, "#000000", 0.38)
+
+        def sheet(along: tuple[float, float], across: tuple[float, float], lift: float) -> Any:
+            corners = [(along[0], across[0]), (along[1], across[0]), (along[1], across[1]), (along[0], across[1])]
+            points = [
+                place_3d(to_world(s, lift * radius, tilt), y) for s, y in corners
+            ]
+            return pyvista.PolyData(np.array(points), faces=[4, 0, 1, 2, 3])
+
+        self._add(sheet((low, high), (-deep, deep), -0.012), ground, lit=False)
+        half = (0.5 * (lanes - 1) * LANE + 1.1) * radius
+        self._add(sheet((low, high), (-half, half), -0.008), _mix(ground, theme.ink, 0.05), lit=False)
+        step = nice(1.01 * radius)
+        first = math.floor((self.extent.along[0] - 8.0 * radius) / step)
+        last = math.ceil((self.extent.along[1] + 8.0 * radius) / step)
+        marks = np.arange(first, min(last, first + 2000) + 1) * step
+        feet = place_3d(to_world(marks, np.full(len(marks), -0.005 * radius), tilt), -half)
+        ends = feet + [0.0, 2.0 * half, 0.0]
+        cells = np.column_stack([np.full(len(marks), 2), np.arange(len(marks)), np.arange(len(marks)) + len(marks)])
+        lines = pyvista.PolyData(np.vstack([feet, ends]), lines=cells.ravel())
+        self._add(lines, _mix(ground, theme.ink, 0.25), lit=False, line_width=1.3)
+        for mark in marks[np.abs(np.round(marks / step)) % 2 == 0][:400]:
+            self._build_number(mark, half)
+
+    def _build_number(self, mark: float, half: float) -> None:
+        """A distance, painted on the plane before the track."""
+        size = 0.24 * self._radius
+        text = self._pyvista.Text3D(f"{mark:g} m", depth=0.0)
+        # Text3D fills a height of its own choice; its box tells which
+        bounds = text.bounds
+        scale = size / max(bounds[3] - bounds[2], 1e-9)
+        text.points = (text.points - [0.5 * (bounds[0] + bounds[1]), bounds[2], 0.0]) * scale
+        flat = text.points.copy()
+        along = flat[:, 0] + mark
+        points = to_world(along, np.full(len(along), -0.004 * self._radius), self._slope)
+        text.points = np.column_stack([points[:, 0], flat[:, 1] - half - 1.5 * size, points[:, 1]])
+        self._add(text, _mix(self.theme.ground, self.theme.ink, 0.55), lit=False)
+
+    def _build_hoop(self, actor: _Actor) -> None:
+        pyvista, theme = self._pyvista, self.theme
+        radius = actor.motion.scenario.hoop.radius
+        points, normals, _ = torus(radius, TUBE * radius)
+        faces = np.column_stack([np.full(len(points), 4), torus_faces()]).ravel()
+        ring = pyvista.PolyData(points, faces=faces)
+        ring.point_data["Normals"] = normals
+        ring.point_data.active_normals_name = "Normals"
+        ring.point_data["shade"] = np.zeros((len(points), 3), dtype=np.uint8)
+        ball = pyvista.Sphere(radius=LOAD * radius, theta_resolution=32, phi_resolution=24)
+        bead = pyvista.Sphere(radius=HEAVY * radius, theta_resolution=24, phi_resolution=16)
+        meshes, actors = actor.meshes, actor.actors
+        meshes["ring"] = ring
+        actors["ring"] = self._add(
+            ring, None, scalars="shade", rgb=True, smooth_shading=False, specular=0.25, specular_power=20,
+            ambient=0.25,
+        )
+        actors["ring"].prop.interpolation = "Gouraud"
+        shine = {"smooth_shading": True, "specular": 0.5, "specular_power": 25}
+        actors["load"] = self._add(ball, _mix(theme.load, "#808080", 0.12), **shine)
+        actors["load"].prop.specular_color = "white"
+        actors["heavy"] = self._add(bead, theme.shown(colors.GRAVITY_CENTER), ambient=0.4, **shine)
+        spoke = pyvista.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
+        meshes["spoke"] = spoke
+        self._add(spoke, theme.muted, lit=False, line_width=1.5)
+        if self.look.shadows:
+            for name, mesh in (("ring", ring), ("load", ball)):
+                actors[f"{name} shadow"] = self._add(
+                    mesh.copy(), self._shade, lit=False, scalars=None
+                )
+        if self.look.forces:
+            for name, color in (("normal", colors.NORMAL_FORCE), ("friction", colors.FRICTION_FORCE)):
+                shaft = pyvista.Cylinder(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0)
+                head = pyvista.Cone(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0, resolution=32)
+                for part, mesh in ((f"{name} shaft", shaft), (f"{name} head", head)):
+                    actors[part] = self._add(mesh, theme.shown(color), ambient=0.35)
+        if self.look.traces:
+            track = actor.trace
+            self._build_line(actor, "load trace", track.load, [theme.load] * (len(track.t) - 1), 2.5)
+            inks = [
+                theme.shown(colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER)
+                for a, b, airborne in track.runs
+                for _ in range(b - a)
+            ]
+            self._build_line(actor, "heavy trace", track.gravity_center, inks, 4.0)
+
+    def _build_line(self, actor: _Actor, name: str, way: Floats, inks: list[str], width: float) -> None:
+        points = place_3d(way, actor.lane)
+        cells = _pieces(len(points) - 1)
+        # one more point and cell, for the stretch up to now
+        mesh = self._pyvista.PolyData(np.vstack([points, points[-1:]]), lines=cells.ravel())
+        paint = np.array([[int(ink[i : i + 2], 16) for i in (1, 3, 5)] for ink in inks], dtype=np.uint8)
+        mesh.cell_data["ink"] = paint.reshape(-1, 3)
+        actor.meshes[name] = mesh
+        actor.meshes[f"{name} points"] = points
+        actor.meshes[f"{name} inks"] = paint.reshape(-1, 3)
+        actor.actors[name] = self._add(mesh, None, lit=False, scalars="ink", rgb=True, line_width=width)
+
+    # --- what moves ----------------------------------------------------------------------------
+
+    def _move(self, actor: _Actor, k: int) -> None:
+        poses, meshes, actors = actor.poses, actor.meshes, actor.actors
+        center, load, heavy, contact = (
+            place_3d(points[k], actor.lane)
+            for points in (poses.center, poses.load, poses.gravity_center, poses.contact)
+        )
+        shades = shades_of(actor.speeds[k], self.extent.speed)[:, :3]
+        meshes["ring"].point_data["shade"] = np.repeat(np.rint(255.0 * shades).astype(np.uint8), SECTIONS, axis=0)
+        for name, spot in (("ring", center), ("load", load), ("heavy", heavy)):
+            matrix = _shift(spot)
+            actors[name].user_matrix = matrix
+            if f"{name} shadow" in actors:
+                actors[f"{name} shadow"].user_matrix = self._flattened() @ matrix
+        airborne = poses.mode[k] == "H"
+        ink = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
+        actors["heavy"].prop.color = self.theme.shown(ink)
+        meshes["spoke"].points = np.array([center, load])
+        if self.look.forces:
+            for name, force in (("normal", poses.normal_force[k]), ("friction", poses.friction_force[k])):
+                self._point(actors, name, contact, place_3d(force * self._newton, 0.0))
+        if self.look.traces:
+            past = int(np.searchsorted(actor.trace.t, poses.t[k]))
+            for name, spot in (("load trace", load), ("heavy trace", heavy)):
+                self._uncover(actor, name, past, spot)
+
+    def _flattened(self) -> Floats:
+        """The projection along the light onto the plane, 4 × 4."""
+        normal = place_3d(to_world(0.0, 1.0, self._slope), 0.0)
+        share = np.outer(SUN, normal) / float(normal @ SUN)
+        matrix = np.eye(4)
+        matrix[:3, :3] -= share
+        matrix[:3, 3] = 0.002 * self._radius * normal
+        return matrix
+
+    def _point(self, actors: dict[str, Any], name: str, tail: Floats, force: Floats) -> None:
+        length = float(np.linalg.norm(force))
+        shaft, head = actors[f"{name} shaft"], actors[f"{name} head"]
+        visible = length > 0.02 * self._radius
+        shaft.visibility = head.visibility = visible
+        if not visible:
+            return
+        along = force / length
+        side = np.array([0.0, 1.0, 0.0])
+        turn = np.column_stack([along, side, np.cross(along, side)])
+        thick = 0.03 * self._radius
+        point = min(0.2 * self._radius, length)
+        wide = min(2.4 * thick, 0.6 * point)
+        # before the ring, not within its tube
+        foot = tail + [0.0, -(TUBE + 0.04) * self._radius, 0.0]
+        shaft.user_matrix = _frame(foot, turn * [max(length - point, 1e-6), thick, thick])
+        head.user_matrix = _frame(foot + (length - point) * along, turn * [point, wide, wide])
+
+    def _uncover(self, actor: _Actor, name: str, past: int, spot: Floats) -> None:
+        mesh, points, inks = (actor.meshes[key] for key in (name, f"{name} points", f"{name} inks"))
+        actor.actors[name].visibility = past > 0
+        if past == 0:
+            return
+        mesh.points = np.vstack([points[:past], spot[None, :]])
+        mesh.lines = _pieces(past).ravel()
+        mesh.cell_data["ink"] = inks[: past] if past <= len(inks) else np.vstack([inks, inks[-1:]])
+
+    # --- camera --------------------------------------------------------------------------------
+
+    def _camera_path(self) -> tuple[Floats, Floats]:
+        """Positions and focal points, a row a frame (or one for all)."""
+        radius, tilt, n = self._radius, self._slope, self.count
+        width, height = self.look.size
+        camera = self._plotter.camera
+        camera.view_angle = 30.0
+        camera.up = (0.0, 0.0, 1.0)
+        wide = 2.0 * math.tan(math.radians(15.0)) * width / height  # of the view, at a distance of 1
+        # A narrow picture needs more distance for the same width.
+        away = radius * max(6.2 + 1.1 * (len(self.actors) - 1), 4.2 / wide) + 1.5 * self.extent.height
+        if self.look.camera == "hold":
+            low, high = self.extent.along
+            middle = 0.5 * (low + high)
+            away = max(away, 1.12 * (high - low + 2.8 * radius) / wide)
+            turn = np.full(1, math.radians(-8.0))
+            along = np.full(1, middle)
+        else:
+            along = np.mean([actor.poses.sample.x for actor in self.actors], axis=0)
+            along = follow(np.arange(n) / self.fps, along, CALM)
+            start = {"chase": -20.0, "side": 0.0, "orbit": -50.0}[self.look.camera]
+            sweep = 100.0 if self.look.camera == "orbit" else 0.0
+            turn = np.radians(start + sweep * np.linspace(0.0, 1.0, n))
+        rise = {"side": 0.08, "hold": 0.16}.get(self.look.camera, 0.19)
+        target = place_3d(to_world(along, np.full_like(along, 0.95 * radius), tilt), 0.0)
+        reach = away * math.sqrt(1.0 - rise**2)
+        # kept above a plane that rises behind
+        offset = np.stack([reach * np.sin(turn), -reach * np.cos(turn), np.full_like(turn, rise * away)], axis=-1)
+        offset[:, 2] += np.maximum(0.0, -offset[:, 0] * math.tan(tilt))
+        return target + offset, target
+
+    # --- words ---------------------------------------------------------------------------------
+
+    def _draw_words(self, k: int) -> None:
+        canvas, theme, u = self.canvas, self.theme, self.canvas.unit
+        height = self.look.size[1]
+        several = len(self.actors) > 1
+        if not several:
+            canvas.text(22.0 * u, height - 32.0 * u, self.actors[0].label, theme.muted, 16.0)
+        for row, actor in enumerate(self.actors):
+            ended = actor.poses.t[k] >= actor.motion.duration and 0 < k < self.count - 1
+            extra = actor.label if several else speed_words(actor.poses, k)
+            place = 22.0 * u, height - ((40.0 if several else 64.0) + 26.0 * row) * u
+            draw_state(canvas, theme, place, actor.poses, k, ended, extra)
+        draw_pace(canvas, theme, 22.0 * u, float(self.clock.rate[k]))
+        draw_keys(canvas, theme, self.extent.speed, None, self.extent.force, self.look.traces, self.look.forces)
+
+
+def _pieces(count: int) -> np.ndarray:
+    first = np.arange(count)
+    return np.column_stack([np.full(count, 2), first, first + 1])
+
+
+def _shift(spot: Floats) -> Floats:
+    matrix = np.eye(4)
+    matrix[:3, 3] = spot
+    return matrix
+
+
+def _frame(origin: Floats, axes: Floats) -> Floats:
+    matrix = np.eye(4)
+    matrix[:3, :3] = axes
+    matrix[:3, 3] = origin
+    return matrix
+
+
+def _mix(color: str, other: str, share: float) -> str:
+    pairs = zip(*([int(name[i : i + 2], 16) for i in (1, 3, 5)] for name in (color, other)), strict=True)
+    return "#" + "".join(f"{round(a + share * (b - a)):02X}" for a, b in pairs)

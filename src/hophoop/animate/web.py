@@ -1,0 +1,248 @@
+"""Scenes that turn and play in any browser, without the network: one HTML page, or glTF for other programs."""
+
+from __future__ import annotations
+
+import base64
+import html
+import json
+import os
+import tempfile
+from collections.abc import Sequence
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hophoop.animate.frames import Clock, Extent, Timing, clock, extent, trace
+from hophoop.animate.gltf import glb
+from hophoop.animate.look import labels_of, nice
+from hophoop.animate.scene3d import FORCE_LENGTH, LANE
+from hophoop.animate.themes import theme_of
+from hophoop.animate.words import MODE_WORDS, shades_of
+from hophoop.plots import colors
+from hophoop.plots.pose import Floats, load_distance, poses_of
+from hophoop.trajectory import Trajectory
+
+FPS = 60.0
+TRACE_POINTS = 4000
+SUFFIXES = (".html", ".glb")
+
+
+def scene(
+    motions: Trajectory | Sequence[Trajectory],
+    path: str | Path,
+    *,
+    speed: float = 1.0,
+    slow_at: Sequence[str | float] | str | float = (),
+    slow_factor: float = 8.0,
+    slow_width: float | None = None,
+    start: float = 0.0,
+    end: float | None = None,
+    step: str = "time",
+    theme: str = "light",
+    labels: Sequence[str] | None = None,
+    traces: bool = True,
+    forces: bool = True,
+) -> Path:
+    """A scene in 3D that plays and turns: a page for any browser, or glTF.
+
+    The page holds all that it needs and asks nothing of the network. In glTF the ring has one colour: the
+    format cannot change colours with time.
+
+    Parameters
+    ----------
+    motions : Trajectory or sequence of Trajectory
+        Several run in lanes.
+    path : str or Path
+        Ends in .html or .glb.
+    speed : float, default 1
+        Seconds of motion a second [1].
+    slow_at : sequence of str or float, optional
+        Kinds of events, or times [s], around which it is slow.
+    slow_factor : float, default 8
+        How many times slower [1].
+    slow_width : float, optional
+        How long before and after it is slow, in the motion's time [s].
+    start, end : float, optional
+        Part of the motion to show [s].
+    step : {'time', 'angle'}
+        What several motions have in common at each instant.
+    theme : {'light', 'dark', 'print'}
+    labels : sequence of str, optional
+        A line for each motion; its parameters by default.
+    traces, forces : bool, default True
+        Whether to draw the traces and the contact forces.
+
+    Returns
+    -------
+    path : Path
+
+    Raises
+    ------
+    ValueError
+        If an argument is not among those allowed, or the slopes of the motions differ.
+    ImportError
+        If Matplotlib, whose colour map the ring takes, is missing.
+    """
+    target = Path(path)
+    kind = target.suffix.lower()
+    if kind not in SUFFIXES:
+        raise ValueError(f"out = {str(path)!r} must end in {' or '.join(SUFFIXES)}.")
+    several = (motions,) if isinstance(motions, Trajectory) else tuple(motions)
+    marks = (slow_at,) if isinstance(slow_at, str | float | int) else tuple(slow_at)
+    timing = Timing(FPS, speed, marks, slow_factor, slow_width, start, end, step)
+    data = scene_data(several, timing, theme, labels, traces, forces)
+    content = glb(data) if kind == ".glb" else page(data).encode("utf-8")
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=f".{target.stem}-", dir=target.parent) as folder:
+        part = Path(folder) / target.name
+        part.write_bytes(content)
+        os.replace(part, target)
+    return target
+
+
+def scene_data(
+    motions: Sequence[Trajectory],
+    timing: Timing,
+    theme: str,
+    labels: Sequence[str] | None,
+    traces: bool,
+    forces: bool,
+) -> dict[str, Any]:
+    """All that a scene shows, as numbers and arrays.
+
+    Parameters
+    ----------
+    motions : sequence of Trajectory
+    timing : Timing
+    theme : str
+    labels : sequence of str or None
+    traces, forces : bool
+
+    Returns
+    -------
+    data : dict
+        SI units; arrays have a row for each frame.
+
+    Raises
+    ------
+    ValueError
+        If the slopes of the motions differ.
+    """
+    shown: Clock = clock(motions, timing)
+    slopes = {motion.scenario.plane.slope for motion in motions}
+    if len(slopes) > 1:
+        raise ValueError(f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene.")
+    look = theme_of(theme)
+    names = labels_of(motions, labels)
+    ends = [min(float(t[-1]), motion.duration) for t, motion in zip(shown.times, motions, strict=True)]
+    extents = [extent(motion, timing.start, last) for motion, last in zip(motions, ends, strict=True)]
+    radius = max(motion.scenario.hoop.radius for motion in motions)
+    top = max(size.speed for size in extents) or 1.0
+    force = max(size.force for size in extents) or 1.0
+    hoops = []
+    for i, motion in enumerate(motions):
+        hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1))))
+        hoops[-1]["traces"] = _traces(motion, timing.start, ends[i], extents[i]) if traces else None
+    return {
+        "fps": timing.fps,
+        "count": shown.count,
+        "rate": shown.rate,
+        "slope": slopes.pop(),
+        "radius": radius,
+        "along": (min(size.along[0] for size in extents), max(size.along[1] for size in extents)),
+        "height": max(size.height for size in extents),
+        "grid": nice(1.01 * radius),
+        "topSpeed": top,
+        "newton": FORCE_LENGTH * radius / force if forces else 0.0,
+        "map": np.rint(255.0 * shades_of(np.linspace(0.0, 1.0, 64), 1.0)[:, :3]).astype(int),
+        "theme": {
+            "background": look.background,
+            "ground": look.ground if theme != "print" else "#F1F1F1",
+            "ink": look.ink,
+            "muted": look.muted,
+            "load": look.load,
+            "dark": look.dark,
+        },
+        "colors": {
+            "center": look.shown(colors.GRAVITY_CENTER),
+            "airborne": look.shown(colors.GRAVITY_CENTER_AIRBORNE),
+            "normal": look.shown(colors.NORMAL_FORCE),
+            "friction": look.shown(colors.FRICTION_FORCE),
+        },
+        "modes": {letter: [MODE_WORDS[letter], colors.mode_color(letter)] for letter in colors.MODES},
+        "hoops": hoops,
+    }
+
+
+def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[str, Any]:
+    poses = poses_of(motion, times)
+    hoop = motion.scenario.hoop
+    return {
+        "label": label,
+        "lane": lane,
+        "radius": hoop.radius,
+        "load": load_distance(hoop),
+        "heavy": hoop.eccentricity * hoop.radius,
+        "mode": "".join(poses.mode),
+        "t": poses.t,
+        "center": poses.center,
+        "contact": poses.contact,
+        "angle": poses.angle,
+        "velocity": poses.velocity,
+        "omega": np.nan_to_num(poses.omega, posinf=0.0, neginf=0.0),
+        "normalForce": np.nan_to_num(poses.sample.normal_force, posinf=0.0),
+        "frictionForce": np.nan_to_num(poses.sample.friction_force, posinf=0.0, neginf=0.0),
+    }
+
+
+def _traces(motion: Trajectory, start: float, end: float, size: Extent) -> dict[str, Any]:
+    track = trace(motion, start, end)
+    airborne = np.zeros(len(track.t), dtype=np.uint8)
+    for a, b, flies in track.runs:
+        airborne[a:b] = flies
+    keep = np.unique(np.linspace(0, len(track.t) - 1, min(len(track.t), TRACE_POINTS)).astype(int))
+    return {
+        "t": track.t[keep],
+        "load": track.load[keep],
+        "heavy": track.gravity_center[keep],
+        "airborne": airborne[keep],
+    }
+
+
+def page(data: dict[str, Any]) -> str:
+    """The page that plays a scene: markup, program and data in one text.
+
+    Parameters
+    ----------
+    data : dict
+        From `scene_data`.
+
+    Returns
+    -------
+    html : str
+    """
+    static = files("hophoop.animate") / "static"
+    title = html.escape("; ".join(hoop["label"] for hoop in data["hoops"]))
+    text = (static / "scene.html").read_text(encoding="utf-8")
+    program = (static / "scene.js").read_text(encoding="utf-8")
+    # "</" would end the script wherever it stands
+    packed = json.dumps(_packed(data), ensure_ascii=False).replace("</", "<\\/")
+    for mark, content in (("TITLE", title), ("PROGRAM", program), ("DATA", packed)):
+        text = text.replace(f"<!--{mark}-->", content).replace(f"/*{mark}*/", content)
+    return text
+
+
+def _packed(value: Any) -> Any:
+    """The same for JSON: arrays of floats as base64 of little-endian 32 bits, with their shape."""
+    if isinstance(value, dict):
+        return {key: _packed(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_packed(each) for each in value]
+    if isinstance(value, np.ndarray):
+        if value.dtype.kind == "f":
+            raw = base64.b64encode(value.astype("<f4").tobytes()).decode("ascii")
+            return {"f32": raw, "shape": list(value.shape)}
+        return value.tolist()
+    return value
