@@ -1,0 +1,131 @@
+"""What the page lets one change: sliders with their ranges, and choices. Meanings and units are the scenario's own."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from hophoop.scenario import parameter
+
+DEGREES = {"plane.slope", "start.angle"}
+
+# path, label, symbol, least, most, step; beyond the range of a slider any value may still be typed
+_SLIDERS: dict[str, list[tuple[str, str, str, float, float, float]]] = {
+    "hoop": [
+        ("hoop.load_fraction", "Load fraction", "γ", 0.0, 1.0, 0.01),
+        ("hoop.eccentricity", "Eccentricity", "ε", 0.0, 1.0, 0.01),
+        ("hoop.inertia_ratio", "Inertia ratio", "κ", 0.01, 1.0, 0.01),
+        ("hoop.radius", "Radius", "R", 0.05, 3.0, 0.05),
+        ("hoop.mass", "Mass", "m", 0.1, 10.0, 0.1),
+    ],
+    "plane": [
+        ("plane.mu", "Friction", "μ", 0.0, 1.5, 0.01),
+        ("plane.mu_static", "Static friction", "μs", 0.0, 1.5, 0.01),
+        ("plane.mu_kinetic", "Kinetic friction", "μk", 0.0, 1.5, 0.01),
+        ("plane.slope", "Slope", "β", -30.0, 30.0, 0.5),
+        ("plane.gravity", "Gravity", "g", 0.0, 25.0, 0.01),
+        ("plane.restitution", "Restitution", "e", 0.0, 1.0, 0.01),
+    ],
+    "start": [
+        ("start.speed", "Speed", "v₀", -6.0, 6.0, 0.01),
+        ("start.angle", "Angle of the load", "θ₀", -180.0, 180.0, 0.5),
+        ("start.height", "Height of the gap", "y₀", 0.0, 2.0, 0.01),
+        ("start.vx", "Speed along", "ẋ₀", -8.0, 8.0, 0.01),
+        ("start.vy", "Speed upwards", "ẏ₀", -5.0, 5.0, 0.01),
+        ("start.omega", "Angular velocity", "θ̇₀", -15.0, 15.0, 0.05),
+    ],
+    "contact": [
+        ("contact.stiffness", "Stiffness", "k", 1e2, 1e7, 0.0),
+        ("contact.slip_speed", "Slip speed", "vₛ", 1e-5, 1e-1, 0.0),
+        ("contact.restitution", "Restitution", "e", 0.0, 1.0, 0.01),
+    ],
+    "motion": [("duration", "Duration", "T", 0.5, 30.0, 0.5)],
+}
+
+CHOICES: dict[str, list[tuple[str, str]]] = {
+    "plane.impact_law": [
+        ("stronge", "Stronge (energy)"),
+        ("poisson", "Poisson (impulse)"),
+        ("newton", "Newton (velocity)"),
+    ],
+    "plane.painleve": [("flight", "takes off"), ("impact", "impact without collision")],
+    "contact.model": [("rigid", "Rigid"), ("compliant", "Compliant (spring and damper)")],
+    "contact.law": [("kelvin-voigt", "Kelvin–Voigt"), ("hunt-crossley", "Hunt–Crossley")],
+    "contact.friction": [("tanh", "smooth (tanh)"), ("linear", "linear"), ("bristle", "bristle (can hold)")],
+}
+
+CHOICE_LABELS = {
+    "plane.impact_law": "Law of impact",
+    "plane.painleve": "Where Painlevé leaves it open",
+    "contact.model": "Contact model",
+    "contact.law": "Normal force",
+    "contact.friction": "Friction law",
+}
+
+GRAVITIES = [
+    ("Earth", 9.81),
+    ("Moon", 1.62),
+    ("Mars", 3.71),
+    ("Jupiter", 24.79),
+    ("Weightless", 0.0),
+]
+
+# path, label, least and most in SI units: what a map's axis may be, with the range it starts from
+MAP_AXES = [
+    ("start.speed", "Speed v₀", 0.0, 5.0),
+    ("start.angle", "Angle of the load θ₀", -3.141592653589793, 3.141592653589793),
+    ("start.vx", "Speed along ẋ₀", -6.0, 6.0),
+    ("start.omega", "Angular velocity θ̇₀", -8.0, 8.0),
+    ("start.height", "Height of the gap y₀", 0.0, 1.0),
+    ("hoop.load_fraction", "Load fraction γ", 0.05, 0.99),
+    ("hoop.eccentricity", "Eccentricity ε", 0.05, 0.95),
+    ("hoop.inertia_ratio", "Inertia ratio κ", 0.05, 1.0),
+    ("hoop.radius", "Radius R", 0.1, 2.0),
+    ("plane.mu", "Friction μ", 0.0, 1.5),
+    ("plane.slope", "Slope β", -0.35, 0.35),
+    ("plane.gravity", "Gravity g", 1.0, 20.0),
+    ("plane.restitution", "Restitution e", 0.0, 1.0),
+]
+
+
+def controls() -> dict[str, Any]:
+    """All that the page needs to know to offer its controls.
+
+    Returns
+    -------
+    controls : dict
+        `groups` of sliders, `choices`, `gravities` and `map_axes`, ready for JSON.
+    """
+    groups: dict[str, list[dict[str, Any]]] = {}
+    for group, rows in _SLIDERS.items():
+        groups[group] = []
+        for path, label, symbol, least, most, step in rows:
+            info = parameter(path)
+            angle = path in DEGREES
+            groups[group].append(
+                {
+                    "path": path,
+                    "label": label,
+                    "symbol": symbol,
+                    "unit": "°" if angle else "" if info.unit == "1" else info.unit,
+                    "help": info.description,
+                    "least": least,
+                    "most": most,
+                    "step": step,
+                    "logarithmic": step == 0.0,
+                    "degrees": angle,
+                }
+            )
+    axes = []
+    for path, label, low, high in MAP_AXES:
+        angle = path in DEGREES
+        unit = "°" if angle else "" if parameter(path).unit == "1" else parameter(path).unit
+        axes.append({"path": path, "label": label, "unit": unit, "degrees": angle, "range": [low, high]})
+    return {
+        "groups": groups,
+        "choices": [
+            {"path": path, "label": CHOICE_LABELS[path], "options": options, "help": parameter(path).description}
+            for path, options in CHOICES.items()
+        ],
+        "gravities": GRAVITIES,
+        "map_axes": axes,
+    }

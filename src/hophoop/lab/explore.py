@@ -1,0 +1,289 @@
+"""What surrounds a motion: theory's thresholds for its hoop, the regions of the (θ, θ̇) plane, maps of motions."""
+
+from __future__ import annotations
+
+import json
+import math
+import threading
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from hophoop import maps, theory
+from hophoop.lab.limits import Limits, TooMuch, whole_number, within
+from hophoop.lab.words import degrees
+from hophoop.maps.evaluate import CHUNK_CELLS
+from hophoop.physics.body import MODE_LETTERS
+from hophoop.plots import colors
+from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
+
+# --- theory ----------------------------------------------------------------------------------------
+
+
+def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
+    """What theory says about the hoop of a scenario.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    thresholds : list of dict
+        `key`, `label`, `value` (None where there is none), `unit` and `text`.
+    """
+    hoop, plane = scenario.hoop, scenario.plane
+    found: list[dict[str, Any]] = []
+
+    def add(key: str, label: str, value: float, unit: str, text: str) -> None:
+        finite = float(value) if math.isfinite(value) else None
+        found.append({"key": key, "label": label, "value": finite, "unit": unit, "text": text})
+
+    speed = scenario.start.speed
+    if hoop.massless:
+        if plane.gravity > 0.0:
+            loss = theory.massless_loss(speed or 0.0, hoop.radius, plane)
+            why = "friction is used up" if loss.by_friction else "the contact force is gone"
+            add("loss", "End of rolling", loss.angle, "rad", f"at {degrees(float(loss.angle))} {why}")
+        return found
+    if plane.gravity > 0.0 and plane.slope >= 0.0:
+        _add_speeds(scenario, add)
+    if speed is not None and plane.gravity > 0.0:
+        need = theory.needed_friction(hoop, speed, plane)
+        mu = float(need[0])
+        whether = "enough here" if mu <= plane.mu_static else "more than there is"
+        said = f"μ = {mu:.3g} would keep it rolling ({whether})" if math.isfinite(mu) else "no friction keeps it rolling"
+        add("needed_friction", "Friction for pure rolling", mu, "1", said)
+    least, angle = theory.painleve_minimum(hoop)
+    if math.isfinite(least):
+        beyond = float(least) <= plane.mu_kinetic
+        add(
+            "painleve", "Painlevé’s paradox", float(least), "1",
+            f"from μ = {float(least):.3g} on, at {degrees(float(angle))}: {'possible here' if beyond else 'not here'}",
+        )  # fmt: skip
+    states = theory.jam_states(hoop, plane) if plane.gravity > 0.0 else ()
+    if states:
+        places = ", ".join(f"{degrees(state.angle)} ({state.mode})" for state in states)
+        add("jam", "Dynamic jam", float(states[0].angle), "rad", f"can end a slip at {places}")
+    _add_rest(scenario, add)
+    return found
+
+
+def _add_speeds(scenario: Scenario, add: Any) -> None:
+    hoop, plane = scenario.hoop, scenario.plane
+    critical = theory.critical_speeds(hoop, plane)
+    slip, hop, immediate = (float(value) for value in critical)
+    add("first_slip", "Slips", slip, "m/s", _above(slip, "would slip", "any push is enough"))
+    add("first_hop", "Hops", hop, "m/s", _above(hop, "would hop in its first turn", "any push is enough"))
+    add("immediate_hop", "Hops at once", immediate, "m/s", _above(immediate, "would hop at once", "at any speed"))
+
+
+def _above(speed: float, would: str, always: str) -> str:
+    if speed == 0.0:
+        return f"{would}: {always}"
+    if not math.isfinite(speed):
+        return "never, at any speed"
+    return f"{would} above {speed:.4g} m/s"
+
+
+def _add_rest(scenario: Scenario, add: Any) -> None:
+    if scenario.plane.gravity <= 0.0 or scenario.hoop.eccentricity == 0.0:
+        return
+    stable = [place for place in theory.equilibria(scenario.hoop, scenario.plane) if place.stable]
+    if stable:
+        angle = float(stable[0].angle)
+        add("rest", "Rests stably", angle, "rad", f"with the load at {degrees(angle)}")
+
+
+# --- the (θ, θ̇) plane --------------------------------------------------------------------------------
+
+PARADOX = 6  # one more than the codes of modes and of 'no answer'
+
+
+def regions(scenario: Scenario, rate: float, columns: int = 180, rows: int = 120) -> dict[str, Any]:
+    """The mode that follows contact without slip over the (θ, θ̇) plane.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its hoop and plane count.
+    rate : float
+        The plane reaches from −rate to rate [rad/s].
+    columns, rows : int
+        Cells over θ from 0 to 2π, and over θ̇ [1].
+
+    Returns
+    -------
+    regions : dict of ndarray
+        `modes` (rows from −rate upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for each
+        column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
+    """
+    angles = (np.arange(columns) + 0.5) * (2.0 * math.pi / columns)
+    rates = (np.arange(rows) + 0.5) * (2.0 * rate / rows) - rate
+    letters = theory.mode_of(angles[None, :], rates[:, None], scenario.hoop, scenario.plane)
+    codes = np.full(letters.shape, len(MODE_LETTERS), np.uint8)
+    for code, letter in enumerate(MODE_LETTERS):
+        codes[letters == letter] = code
+    paradox = np.zeros(columns)
+    if not scenario.hoop.massless and math.isfinite(scenario.plane.mu_kinetic):
+        paradox = np.asarray(theory.painleve_region(angles, scenario.plane.mu_kinetic, scenario.hoop), float)
+    return {"modes": codes, "paradox": paradox}
+
+
+# --- maps --------------------------------------------------------------------------------------------
+
+# name, words, span; what a map in the lab can show
+MAP_QUANTITIES: dict[str, tuple[str, str]] = {
+    "sequence": ("what happens in the first turn", "first_revolution"),
+    "hop_height": ("height of the first hop", "takeoff"),
+    "takeoff_angle": ("angle of take-off", "takeoff"),
+    "flight_time": ("duration of the first hop", "takeoff"),
+    "greatest_utilisation": ("greatest use of friction", "first_revolution"),
+    "energy_lost": ("energy lost", "duration"),
+    "end_angle": ("angle at the end", "duration"),
+    "painleve": ("Painlevé’s paradox or jam met", "duration"),
+    "ending": ("how it ends", "duration"),
+}
+
+# Numba's simplest threading layer must not be entered twice at a time.
+_one_at_a_time = threading.Lock()
+
+MAP_EVENTS = 2000
+_AXIS_KEYS = {"path", "from", "to", "cells"}
+
+
+def axis_options(body: Mapping[str, Any], name: str, limits: Limits) -> dict[str, Any]:
+    """One axis of a map: path, from, to (SI) and cells.
+
+    Raises
+    ------
+    ValueError
+        If one is missing, unknown or not allowed.
+    """
+    axis = body.get(name)
+    if not isinstance(axis, dict):
+        raise InputError(f"{name} must be an object with path, from, to and cells.")
+    for key in axis:
+        if key not in _AXIS_KEYS:
+            raise InputError(f"{name}.{key} is not a known key; known are path, from, to, cells.")
+    path = axis.get("path")
+    if not isinstance(path, str):
+        raise InputError(f"{name}.path = {json.dumps(path)[:60]} must be the path of a parameter, such as 'plane.mu'.")
+    if parameter(path).unit == "":
+        raise InputError(f"{name}.path = {path!r} must be a number's path, not that of a word.")
+    ends = {}
+    for key in ("from", "to"):
+        value = axis.get(key)
+        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+            raise InputError(f"{name}.{key} = {json.dumps(value)[:60]} must be a finite number.")
+        ends[key] = float(value)
+    cells = whole_number(axis.get("cells", 48), f"{name}.cells", 1, 4096)
+    return {"path": path, **ends, "cells": cells}
+
+
+def map_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:
+    """The options of a map: x, y and what.
+
+    Raises
+    ------
+    ValueError
+        If one is missing or not allowed.
+    TooMuch
+        If it has too many cells.
+    """
+    for key in body:
+        if key not in ("scenario", "query", "changes", "x", "y", "what"):
+            raise InputError(f"{key} is not a known key; known are scenario, x, y, what.")
+    x, y = axis_options(body, "x", limits), axis_options(body, "y", limits)
+    if x["path"] == y["path"]:
+        raise InputError(f"x.path and y.path are both {x['path']!r} and must differ.")
+    what = body.get("what", "sequence")
+    if what not in MAP_QUANTITIES:
+        raise InputError(f"what = {json.dumps(what)[:60]} must be one of {', '.join(MAP_QUANTITIES)}.")
+    cells = x["cells"] * y["cells"]
+    if cells > limits.cells:
+        raise TooMuch(f"x.cells times y.cells = {cells} must be at most {limits.cells} in the lab.")
+    return {"x": x, "y": y, "what": what}
+
+
+def motion_map(scenario: Scenario, options: Mapping[str, Any], limits: Limits) -> tuple[dict[str, Any], np.ndarray]:
+    """A map over two parameters; each value is that of a cell's middle.
+
+    Raises
+    ------
+    ValueError
+        If the axes do not go with the scenario.
+    TooMuch
+        If it would take too long.
+    """
+    if isinstance(scenario.contact, Compliant):
+        raise InputError("contact.model = 'compliant' must be 'rigid' for a map.")
+    x, y, what = options["x"], options["y"], options["what"]
+    words, span = MAP_QUANTITIES[what]
+    cells = x["cells"] * y["cells"]
+    if cells * scenario.duration > limits.map_seconds and span != "first_revolution":
+        raise TooMuch(
+            f"{cells} cells times duration = {scenario.duration:g} s is {cells * scenario.duration:.3g} s of motion and "
+            f"must be at most {limits.map_seconds:.3g} s in the lab."
+        )
+    base = within(scenario, limits)
+    if isinstance(base.contact, Rigid) and base.contact.max_events > MAP_EVENTS:
+        base = base.replace("contact.max_events", MAP_EVENTS)
+    values = {axis["path"]: _middles(axis) for axis in (y, x)}
+    with _one_at_a_time:
+        dataset = maps.sweep(base, values, (what,), span, chunk_cells=CHUNK_CELLS)
+    array = dataset[what].transpose(y["path"], x["path"])
+    quantity = maps.QUANTITIES[what]
+    header = {
+        "x": x,
+        "y": y,
+        "what": what,
+        "label": words,
+        "unit": quantity.unit,
+        "classes": None,
+    }
+    numbers = array.values.astype(float)
+    if quantity.is_code:
+        names = maps.words_of(array)
+        header["classes"] = [{"name": name, "text": _class_text(what, name), "color": _class_color(what, name)} for name in names]
+        numbers[numbers < 0] = math.nan
+    return header, numbers
+
+
+def _middles(axis: Mapping[str, Any]) -> np.ndarray:
+    low, high, cells = axis["from"], axis["to"], axis["cells"]
+    return low + (np.arange(cells) + 0.5) * ((high - low) / cells)
+
+
+_PHASES = {"R": "roll", "S": "spin", "K": "skid", "H": "hop", "M": "skim", "+": "…"}
+
+
+def _class_text(what: str, name: str) -> str:
+    if what == "sequence":
+        return " → ".join(_PHASES[letter] for letter in name)
+    return name.replace("_", " ")
+
+
+def _class_color(what: str, name: str) -> str:
+    """A sequence's colour: its last new mode decides the hue, its length how light it is."""
+    if what != "sequence":
+        return _ENDING_COLORS.get(name, colors.GRAY)
+    shade = 0.0
+    if name == "R":
+        return colors.MODES["R"]
+    base = "H" if "H" in name else "M" if "M" in name else "K" if "K" in name else "S" if "S" in name else "R"
+    shade = min(0.12 * max(len(name) - 2, 0), 0.72)
+    return _lightened(colors.MODES[base], shade)
+
+
+_ENDING_COLORS = {
+    "no": colors.LIGHT_GRAY, "yes": colors.VERMILION, "duration": colors.BLUE, "revolutions": colors.BLUE,
+    "reversal": colors.SKY, "takeoff": colors.VERMILION, "rest": colors.GREEN, "jam": colors.BLACK,
+    "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
+}  # fmt: skip
+
+
+def _lightened(color: str, share: float) -> str:
+    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
+    return "#" + "".join(f"{round(part + (255 - part) * share):02x}" for part in parts)

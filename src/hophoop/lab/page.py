@@ -1,0 +1,113 @@
+"""The page: one HTML document, one style sheet and one script, read once and served from memory.
+
+The script is the same for the page and the notebook widget: the modules in static/, joined into one.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from fastapi import FastAPI, Request, Response
+
+# In the order in which they need each other.
+MODULES = (
+    "dom", "frames", "clock", "stage2d", "gl", "stage3d", "timeline", "plot", "plots", "phase", "map",
+    "parts", "controls", "story", "share", "backend", "app", "main",
+)  # fmt: skip
+
+# Nothing may come from, or go, anywhere else; a film recorded in the page is a blob.
+SECURITY_HEADERS = {
+    "Content-Security-Policy": (
+        "default-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
+        "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+    ),
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+}
+
+_IMPORT = re.compile(r"^import\s*\{([^}]*)\}\s*from\s*\"\./(\w+)\.js\";\n", re.MULTILINE)
+_EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b\W+(\w+))", re.MULTILINE)
+
+
+def static_text(name: str) -> str:
+    """Text of a file of static/."""
+    return (files("hophoop.lab") / "static" / name).read_text(encoding="utf-8")
+
+
+@cache
+def script() -> str:
+    """All modules as one, since a notebook takes a single file: each keeps its own scope, imports become constants.
+
+    Returns
+    -------
+    script : str
+        A module whose default export is that of the last of `MODULES`.
+    """
+    joined = []
+    for name in MODULES:
+        text = static_text(f"{name}.js")
+        exported = [found.group(1) for found in _EXPORT.finditer(text)]
+        text = _EXPORT.sub("", _IMPORT.sub(_as_constants, text))
+        if name != MODULES[-1]:
+            text = f"const {name}_js = (() => {{\n{text}\nreturn {{ {', '.join(exported)} }};\n}})();"
+        joined.append(f"// {name}.js\n{text}")
+    return "\n".join(joined)
+
+
+def _as_constants(found: re.Match[str]) -> str:
+    names = found.group(1).replace(" as ", ": ").strip().rstrip(",")
+    return f"const {{ {' '.join(names.split())} }} = {found.group(2)}_js;\n"
+
+
+@cache
+def style() -> str:
+    """The style sheet, also of the widget."""
+    return static_text("style.css")
+
+
+@cache
+def _assets() -> dict[str, tuple[bytes, str, str]]:
+    """Name → content, type and tag."""
+    texts = {
+        "lab.js": (script(), "text/javascript; charset=utf-8"),
+        "lab.css": (style(), "text/css; charset=utf-8"),
+        "icon.svg": (static_text("icon.svg"), "image/svg+xml"),
+    }
+    return {
+        name: (text.encode(), kind, hashlib.sha256(text.encode()).hexdigest()[:16])
+        for name, (text, kind) in texts.items()
+    }
+
+
+def html() -> str:
+    """The document; the names of its assets change with their content, so that caches may keep them."""
+    text = static_text("index.html")
+    for name, (_, _, tag) in _assets().items():
+        text = text.replace(f"static/{name}", f"static/{tag}/{name}")
+    return text
+
+
+def mount(app: FastAPI) -> None:
+    """Add the page to the application."""
+
+    @app.get("/", include_in_schema=False)
+    async def index() -> Response:
+        return Response(html(), media_type="text/html; charset=utf-8", headers={"Cache-Control": "no-cache"})
+
+    # A table of names, not a folder: no other file can be reached.
+    @app.get("/static/{tag}/{name}", include_in_schema=False)
+    async def asset(request: Request, tag: str, name: str) -> Response:
+        found: Any = _assets().get(name)
+        if found is None:
+            return Response("There is no such file.", 404, media_type="text/plain")
+        content, kind, _ = found
+        return Response(content, media_type=kind, headers={"Cache-Control": "public, max-age=31536000, immutable"})
+
+    @app.get("/favicon.ico", include_in_schema=False)
+    async def icon() -> Response:
+        content, kind, _ = _assets()["icon.svg"]
+        return Response(content, media_type=kind, headers={"Cache-Control": "public, max-age=86400"})

@@ -1,0 +1,137 @@
+"""Motions worth starting from: the article's five, Littlewood's own hoop, and each paradox of rigid contact."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import NamedTuple
+
+from hophoop.scenario import Hoop, Plane, Scenario, Start
+
+
+class Preset(NamedTuple):
+    """A scenario with a name and what there is to see.
+
+    Attributes
+    ----------
+    key : str
+        Short name for links and code.
+    group : str
+        Heading under which it is offered.
+    title : str
+    text : str
+        What to look at.
+    scenario : Scenario
+    """
+
+    key: str
+    group: str
+    title: str
+    text: str
+    scenario: Scenario
+
+
+ARTICLE, LITTLEWOOD, PARADOX, MORE = "The article", "Littlewood's hoop", "Paradoxes", "More"
+
+
+def _rolling(speed: float, mu: float = 1.0, duration: float = 6.0, **hoop: float) -> Scenario:
+    return Scenario(hoop=Hoop(**hoop), plane=Plane(mu=mu), start=Start.rolling(speed), duration=duration)
+
+
+@cache
+def presets() -> tuple[Preset, ...]:
+    """All presets, in the order in which they are offered.
+
+    Returns
+    -------
+    presets : tuple of Preset
+    """
+    return (
+        Preset(
+            "hop", ARTICLE, "It hops: 3.1 m/s",
+            "Slips twice, then leaves the plane just before a full turn and flies for three quarters of a second.",
+            _rolling(3.1),
+        ),
+        Preset(
+            "slip", ARTICLE, "It slips: 2.8 m/s",
+            "Friction is used up twice a turn; each slip costs energy, until the motion is pure rolling again.",
+            _rolling(2.8),
+        ),
+        Preset(
+            "roll", ARTICLE, "It rolls: 2 m/s",
+            "Pure rolling, faster and more even than after a slow start, and close to the limit of friction.",
+            _rolling(2.0),
+        ),
+        Preset(
+            "slow", ARTICLE, "The smallest push: 0.1 m/s",
+            "Nearly at rest with the load at the top, fast with the load at the bottom; 38 % of the friction is used.",
+            _rolling(0.1),
+        ),
+        Preset(
+            "slippery", ARTICLE, "Low friction: 0.1 m/s, μ = 0.3",
+            "Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",
+            _rolling(0.1, mu=0.3, duration=12.0),
+        ),
+        Preset(
+            "littlewood", LITTLEWOOD, "All mass in the load",
+            "A massless ring: at 90° no contact force is left, the load falls freely and the rim skims the plane.",
+            _rolling(0.1, duration=3.0, load_fraction=1.0),
+        ),
+        Preset(
+            "littlewood-fast", LITTLEWOOD, "All mass in the load, pushed",
+            "With a push the contact force is gone earlier, at cos θ = v₀²/(gR).",
+            _rolling(2.0, duration=3.0, load_fraction=1.0),
+        ),
+        Preset(
+            "nearly-massless", LITTLEWOOD, "Nearly all mass in the load",
+            "γ = 0.99: what a real ring does instead of Littlewood's hop.",
+            _rolling(0.1, duration=6.0, load_fraction=0.99),
+        ),
+        Preset(
+            "inconsistent", PARADOX, "Painlevé: no solution",
+            "No contact force agrees with this slip. An impact without collision stops it at once.",
+            Scenario(plane=Plane(mu=1.2), start=Start(angle=-0.7, vx=3.0, omega=1.0), duration=3.0),
+        ),
+        Preset(
+            "indeterminate", PARADOX, "Painlevé: two solutions",
+            "Flight and impact both agree with the laws. Choose which with the switch under Plane.",
+            Scenario(plane=Plane(mu=1.2), start=Start(angle=-0.7, vx=8.0, omega=5.0), duration=3.0),
+        ),
+        Preset(
+            "jam", PARADOX, "Dynamic jam",
+            "From an ordinary slip, with the reference friction, the contact force grows without bound in finite time.",
+            Scenario(start=Start(angle=-1.27, vx=-3.45, omega=2.93), duration=2.0),
+        ),
+        Preset(
+            "kane", PARADOX, "Kane: energy out of nothing",
+            "Newton's law of impact with friction creates two joules. Switch the law to Stronge's, and it does not.",
+            Scenario(
+                plane=Plane(mu=0.6, restitution=0.8, impact_law="newton"),
+                start=Start(angle=1.45, vx=2.16, omega=-6.44, height=0.3),
+                duration=1.5,
+            ),
+        ),
+        Preset(
+            "downhill", MORE, "Downhill",
+            "On a slope of 10° the hoop gains speed from turn to turn, until it hops again and again.",
+            Scenario(plane=Plane(mu=0.8, slope=math.radians(10.0)), start=Start.rolling(1.5), duration=5.0),
+        ),
+        Preset(
+            "bounces", MORE, "Bounces without number",
+            "Dropped with spin and restitution 0.5: infinitely many bounces in finite time.",
+            Scenario(
+                plane=Plane(mu=0.4, restitution=0.5),
+                start=Start(height=0.5, angle=0.4, vx=0.2, omega=2.0),
+                duration=4.0,
+            ),
+        ),
+        Preset(
+            "moon", MORE, "On the Moon",
+            "The article's hop under lunar gravity: everything is slower by a factor of 2.46.",
+            Scenario(
+                plane=Plane(gravity=1.62),
+                start=Start.rolling(3.1 * math.sqrt(1.62 / 9.81)),
+                duration=15.0,
+            ),
+        ),
+    )  # fmt: skip

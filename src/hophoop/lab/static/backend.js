@@ -1,0 +1,81 @@
+// Where answers come from: the server of the page, or the notebook's kernel. Both take the same calls.
+
+import { unpack } from "./frames.js";
+
+export class HttpBackend {
+  constructor(base) {
+    this.base = base;
+    this.shares = true;
+  }
+
+  async call(name, body, signal) {
+    const response = await fetch(new URL(`lab/${name}`, this.base), {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(body),
+      signal,
+    });
+    if (!response.ok) {
+      const said = await response.json().catch(() => ({}));
+      throw new Error(said.detail ?? `The server answered ${response.status}.`);
+    }
+    return unpack(await response.arrayBuffer());
+  }
+
+  async file(name, query) {
+    const response = await fetch(new URL(`api/v1/files/${name}?${query}`, this.base));
+    if (!response.ok) throw new Error((await response.json()).detail);
+    return response.blob();
+  }
+
+  link(query, hash) {
+    return `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
+  }
+}
+
+// Messages to the kernel behind an anywidget model.
+export class KernelBackend {
+  constructor(model) {
+    this.model = model;
+    this.shares = false;
+    this.waiting = new Map();
+    this.number = 0;
+    // several views of one widget share its messages; each answers to its own
+    this.view = Math.random().toString(36).slice(2);
+    this.listen = (message, buffers) => this.answered(message, buffers);
+    model.on("msg:custom", this.listen);
+  }
+
+  answered(message, buffers) {
+    const waits = message?.view === this.view && this.waiting.get(message.number);
+    if (!waits) return;
+    this.waiting.delete(message.number);
+    if (message.error) waits.reject(new Error(message.error));
+    else waits.resolve(unpack(buffers[0]));
+  }
+
+  call(name, body, signal) {
+    const number = ++this.number;
+    return new Promise((resolve, reject) => {
+      this.waiting.set(number, { resolve, reject });
+      signal?.addEventListener("abort", () => {
+        this.waiting.delete(number);
+        reject(new DOMException("superseded", "AbortError"));
+      });
+      this.model.send({ view: this.view, number, call: name, body });
+    });
+  }
+
+  async file(name, query) {
+    const { arrays } = await this.call("file", { query, name });
+    return new Blob([arrays.content]);
+  }
+
+  link() {
+    return null;
+  }
+
+  close() {
+    this.model.off("msg:custom", this.listen);
+  }
+}

@@ -1,0 +1,266 @@
+// Sliders with exact entry, and choices; what they show comes back from the server with each motion.
+
+import { clamp, h, show, withUnit } from "./dom.js";
+import { Parts, partsLike } from "./parts.js";
+
+const DEGREE = Math.PI / 180;
+
+class Slider {
+  constructor(info, onchange) {
+    this.info = info;
+    this.onchange = onchange;
+    const id = `hh-${info.path}-${Math.random().toString(36).slice(2, 7)}`;
+    this.range = h("input", {
+      type: "range",
+      id,
+      class: "slider",
+      min: String(this.low()),
+      max: String(this.high()),
+      step: info.logarithmic ? "0.01" : String(info.step),
+      "data-path": info.path,
+      oninput: () => this.slid(false),
+      onchange: () => this.slid(true),
+    });
+    this.number = h("input", {
+      type: "number",
+      step: "any",
+      class: "exact",
+      "aria-label": `${info.label}, exact value${info.unit ? ` in ${info.unit}` : ""}`,
+      placeholder: "auto",
+      onchange: () => this.typed(),
+    });
+    this.element = h(
+      "div",
+      { class: "control", title: info.help },
+      h("label", { for: id }, h("span", {}, info.label), h("span", { class: "symbol" }, info.symbol)),
+      this.range,
+      h("span", { class: "entry" }, this.number, h("span", { class: "unit" }, info.unit)),
+    );
+  }
+
+  low() {
+    return this.info.logarithmic ? Math.log10(this.info.least) : this.info.least;
+  }
+
+  high() {
+    return this.info.logarithmic ? Math.log10(this.info.most) : this.info.most;
+  }
+
+  slid(commit) {
+    const place = Number(this.range.value);
+    const value = this.info.logarithmic ? Number((10 ** place).toPrecision(3)) : place;
+    this.number.value = String(value);
+    this.say(value);
+    this.send(value, commit);
+  }
+
+  typed() {
+    if (this.number.value.trim() === "") return;
+    this.send(Number(this.number.value), true);
+  }
+
+  send(value, commit) {
+    this.onchange([[this.info.path, this.info.degrees ? value * DEGREE : value]], commit);
+  }
+
+  say(value) {
+    this.range.setAttribute("aria-valuetext", withUnit(show(value, 4), this.info.unit));
+  }
+
+  show(value) {
+    if (document.activeElement === this.number && this.number.matches(":focus-visible") && this.number.dirty) return;
+    if (value === null || value === undefined) {
+      this.number.value = "";
+      return;
+    }
+    const shown = value === "inf" ? Infinity : this.info.degrees ? value / DEGREE : value;
+    if (Number.isFinite(shown)) this.number.value = String(Number(shown.toPrecision(12)));
+    else this.number.value = "";
+    const place = this.info.logarithmic ? Math.log10(shown) : shown;
+    if (document.activeElement !== this.range || Math.abs(Number(this.range.value) - place) > 1e-6) {
+      this.range.value = String(clamp(place, this.low(), this.high()));
+    }
+    this.say(shown);
+  }
+}
+
+function choice(info, onchange) {
+  const select = h(
+    "select",
+    { "data-path": info.path, onchange: () => onchange([[info.path, select.value]], true) },
+    info.options.map(([value, label]) => h("option", { value }, label)),
+  );
+  const element = h("label", { class: "choice", title: info.help }, h("span", {}, info.label), select);
+  return { element, select, path: info.path };
+}
+
+export class Controls {
+  constructor(setup, onchange) {
+    this.onchange = (changes, commit = true) => onchange(changes, commit);
+    this.sliders = new Map();
+    for (const list of Object.values(setup.groups)) {
+      for (const info of list) this.sliders.set(info.path, new Slider(info, this.onchange));
+    }
+    this.choices = new Map(setup.choices.map((info) => [info.path, choice(info, this.onchange)]));
+    this.parts = new Parts(this.onchange);
+    this.gravities = setup.gravities;
+    this.element = h("div", { class: "controls" }, this.hoop(), this.plane(), this.start(), this.contact());
+  }
+
+  at(path) {
+    return (this.sliders.get(path) ?? this.choices.get(path)).element;
+  }
+
+  select(label, options, onchange) {
+    const select = h(
+      "select",
+      { onchange: () => onchange(select.value) },
+      options.map(([value, text]) => h("option", { value }, text)),
+    );
+    return { select, element: h("label", { class: "choice" }, h("span", {}, label), select) };
+  }
+
+  group(title, ...children) {
+    return h("details", { class: "group", open: true }, h("summary", {}, title), children);
+  }
+
+  hoop() {
+    this.way = this.select(
+      "Given by",
+      [["load_fraction", "load fraction γ (ideal hoop)"], ["eccentricity", "ε and κ (any body)"], ["parts", "real parts"]],
+      (way) => {
+        const { values } = this.film;
+        if (way === "parts") this.onchange([["hoop.parts", partsLike(values)]]);
+        else this.onchange([[`hoop.${way}`, values["hoop.eccentricity"]]]);
+      },
+    );
+    this.derived = h("p", { class: "derived" });
+    return this.group(
+      "Hoop",
+      this.way.element,
+      this.at("hoop.load_fraction"),
+      this.at("hoop.eccentricity"),
+      this.at("hoop.inertia_ratio"),
+      this.parts.element,
+      this.derived,
+      this.at("hoop.radius"),
+      this.at("hoop.mass"),
+    );
+  }
+
+  plane() {
+    this.apart = h("input", {
+      type: "checkbox",
+      onchange: () => {
+        const { values } = this.film;
+        if (this.apart.checked) {
+          this.onchange([["plane.mu_static", values["plane.mu_static"]], ["plane.mu_kinetic", values["plane.mu_kinetic"]]]);
+        } else this.onchange([["plane.mu", values["plane.mu_static"]]]);
+      },
+    });
+    this.gravity = this.select(
+      "Where",
+      [...this.gravities.map(([name]) => [name, name]), ["", "elsewhere"]],
+      (name) => {
+        const found = this.gravities.find(([known]) => known === name);
+        if (found) this.onchange([["plane.gravity", found[1]]]);
+      },
+    );
+    return this.group(
+      "Plane",
+      this.at("plane.mu"),
+      this.at("plane.mu_static"),
+      this.at("plane.mu_kinetic"),
+      h("label", { class: "check" }, this.apart, "static and kinetic friction apart"),
+      this.at("plane.slope"),
+      this.gravity.element,
+      this.at("plane.gravity"),
+      this.at("plane.restitution"),
+      this.at("plane.impact_law"),
+      this.at("plane.painleve"),
+    );
+  }
+
+  start() {
+    this.kind = this.select("Starts", [["rolling", "rolling"], ["free", "in any state"]], (kind) => {
+      const { values } = this.film;
+      if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
+      else this.onchange([["start.omega", values["start.omega"]]]);
+    });
+    return this.group(
+      "Start",
+      this.kind.element,
+      this.at("start.speed"),
+      this.at("start.angle"),
+      this.at("start.height"),
+      this.at("start.vx"),
+      this.at("start.vy"),
+      this.at("start.omega"),
+      this.at("duration"),
+    );
+  }
+
+  contact() {
+    return this.group(
+      "Contact",
+      this.at("contact.model"),
+      this.at("contact.law"),
+      this.at("contact.friction"),
+      this.at("contact.stiffness"),
+      this.at("contact.slip_speed"),
+      this.at("contact.restitution"),
+    );
+  }
+
+  show(film) {
+    this.film = film;
+    const { scenario, values } = film;
+    const way = scenario.hoop.parts ? "parts" : "load_fraction" in scenario.hoop ? "load_fraction" : "eccentricity";
+    const rolling = "speed" in scenario.start;
+    const apart = "mu_static" in scenario.plane;
+    const compliant = scenario.contact.model === "compliant";
+    this.way.select.value = way;
+    this.kind.select.value = rolling ? "rolling" : "free";
+    this.apart.checked = apart;
+    const near = this.gravities.find(([, g]) => Math.abs(g - scenario.plane.gravity) < 1e-9);
+    this.gravity.select.value = near ? near[0] : "";
+    const visible = {
+      "hoop.load_fraction": way === "load_fraction",
+      "hoop.eccentricity": way === "eccentricity",
+      "hoop.inertia_ratio": way === "eccentricity",
+      "hoop.mass": way !== "parts",
+      "plane.mu": !apart,
+      "plane.mu_static": apart,
+      "plane.mu_kinetic": apart,
+      "plane.restitution": !compliant,
+      "plane.impact_law": !compliant,
+      "plane.painleve": !compliant,
+      "start.speed": rolling,
+      "start.height": !rolling,
+      "start.vx": !rolling,
+      "start.vy": !rolling,
+      "start.omega": !rolling,
+      "contact.law": compliant,
+      "contact.friction": compliant,
+      "contact.stiffness": compliant,
+      "contact.slip_speed": compliant,
+      "contact.restitution": compliant,
+    };
+    for (const [path, seen] of Object.entries(visible)) this.at(path).hidden = !seen;
+    this.parts.element.hidden = way !== "parts";
+    if (way === "parts") this.parts.show(scenario.hoop.parts, values["hoop.radius"], values["hoop.mass"]);
+    this.derived.textContent =
+      way === "eccentricity"
+        ? ""
+        : `ε = ${show(values["hoop.eccentricity"], 5)}, κ = ${show(values["hoop.inertia_ratio"], 5)}` +
+          (way === "parts" ? `, m = ${show(values["hoop.mass"], 5)} kg` : "");
+    for (const [path, slider] of this.sliders) {
+      const [section, key] = path.split(".");
+      slider.show(values[path] ?? (key ? scenario[section]?.[key] : scenario[section]));
+    }
+    for (const [path, { select }] of this.choices) {
+      const [section, key] = path.split(".");
+      if (scenario[section]?.[key] !== undefined) select.value = scenario[section][key];
+    }
+  }
+}

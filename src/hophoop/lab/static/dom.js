@@ -1,0 +1,145 @@
+// Small helpers: elements, numbers, colours.
+
+export function h(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name === "class") element.className = value;
+    else if (name in element && name !== "list" && typeof value !== "string") element[name] = value;
+    else element.setAttribute(name, value === true ? "" : value);
+  }
+  for (const child of children.flat()) {
+    if (child === null || child === undefined || child === false) continue;
+    element.append(child.nodeType ? child : document.createTextNode(String(child)));
+  }
+  return element;
+}
+
+export const clamp = (value, least, most) => Math.min(Math.max(value, least), most);
+
+// A number as a reader wants it: so many significant digits, no trailing zeros, a real minus sign.
+export function show(value, digits = 4) {
+  if (value === null || value === undefined) return "–";
+  if (typeof value !== "number") return String(value);
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? "–" : value > 0 ? "∞" : "−∞";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  let text;
+  if (size >= 1e6 || size < 1e-4) {
+    const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
+    text = `${trimZeros(mantissa)}·10${superscript(Number(exponent))}`;
+  } else {
+    text = trimZeros(value.toPrecision(digits));
+    if (text.includes("e")) text = String(Math.round(value));
+  }
+  return text.replace("-", "−");
+}
+
+function trimZeros(text) {
+  return text.includes(".") && !text.includes("e") ? text.replace(/\.?0+$/, "") : text;
+}
+
+function superscript(number) {
+  const signs = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
+  return [...String(number)].map((sign) => signs[sign]).join("");
+}
+
+export const withUnit = (text, unit) => (unit ? (unit === "°" ? `${text}°` : `${text} ${unit}`) : text);
+
+// Round steps for an axis: 1, 2 or 5 times a power of ten.
+export function niceStep(span, count) {
+  const rough = span / Math.max(count, 1);
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const share = rough / power;
+  return (share > 5 ? 10 : share > 2 ? 5 : share > 1 ? 2 : 1) * power;
+}
+
+export function ticks(low, high, count) {
+  if (!(high > low) || !Number.isFinite(low) || !Number.isFinite(high)) return [];
+  const step = niceStep(high - low, count);
+  const found = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step && found.length < 200; k++) {
+    found.push(k * step);
+  }
+  return found;
+}
+
+// Label of a tick with as many decimals as the step between ticks needs.
+export function tickText(value, step) {
+  const decimals = clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 15);
+  const size = Math.max(Math.abs(value), step);
+  if (size >= 1e6 || decimals > 12) return show(value, 3);
+  return (Math.abs(value) < step * 1e-6 ? 0 : value).toFixed(decimals).replace("-", "−");
+}
+
+// A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels.
+export function fitted(canvas) {
+  const box = canvas.getBoundingClientRect();
+  const ratio = Math.min(globalThis.devicePixelRatio || 1, 2.5);
+  const width = Math.max(Math.round(box.width * ratio), 1);
+  const height = Math.max(Math.round(box.height * ratio), 1);
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  const context = canvas.getContext("2d");
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return { context, width: width / ratio, height: height / ratio };
+}
+
+export function parsed(color) {
+  const value = Number.parseInt(color.slice(1, 7), 16);
+  return [(value >> 16) & 255, (value >> 8) & 255, value & 255];
+}
+
+export const faded = (color, opacity) => `rgba(${parsed(color).join(",")},${opacity})`;
+
+// Viridis, from nine of its colours.
+const VIRIDIS = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"];
+
+function viridis() {
+  const colors = [];
+  for (let k = 0; k < 256; k++) {
+    const place = (k / 255) * (VIRIDIS.length - 1);
+    const low = Math.min(Math.floor(place), VIRIDIS.length - 2);
+    const one = parsed(VIRIDIS[low]);
+    const two = parsed(VIRIDIS[low + 1]);
+    colors.push(one.map((value, i) => Math.round(value + (two[i] - value) * (place - low))));
+  }
+  return colors;
+}
+
+export const SPEED_COLORS = viridis();
+export const SPEED_TEXTS = SPEED_COLORS.map((color) => `rgb(${color.join(",")})`);
+
+export function theme(element) {
+  const style = getComputedStyle(element);
+  const read = (name) => style.getPropertyValue(name).trim();
+  return {
+    ink: read("--ink"),
+    soft: read("--soft"),
+    line: read("--line"),
+    paper: read("--paper"),
+    panel: read("--panel"),
+    ground: read("--ground"),
+    font: read("--font"),
+    dark: read("--dark") === "1",
+  };
+}
+
+export function saveBlob(blob, name) {
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+export function once(callback, wait) {
+  let timer = 0;
+  return (...values) => {
+    clearTimeout(timer);
+    timer = setTimeout(() => callback(...values), wait);
+  };
+}

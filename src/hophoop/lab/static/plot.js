@@ -1,0 +1,322 @@
+// One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
+
+import { clamp, faded, fitted, h, niceStep, show, tickText, ticks } from "./dom.js";
+
+const LEFT = 52;
+const RIGHT = 10;
+const TOP = 8;
+const BOTTOM = 30;
+const DASHES = { solid: [], dash: [6, 4], dot: [2, 3] };
+
+export class Plot {
+  // `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots.
+  constructor({ key, title, unit, curves, limits, symmetric = false }, shared) {
+    Object.assign(this, { key, title, unit, curves, limits, symmetric, shared });
+    this.canvas = h("canvas", { class: "plot-canvas" });
+    this.over = h("canvas", { class: "plot-canvas plot-over" });
+    this.keys = h("div", { class: "plot-keys" });
+    this.body = h(
+      "div",
+      { class: "plot-body", tabindex: "0", role: "img", "aria-label": title },
+      this.canvas,
+      this.over,
+    );
+    this.element = h(
+      "section",
+      { class: "plot", "data-plot": key },
+      h("header", {}, h("h3", {}, title), this.keys),
+      this.body,
+    );
+    this.body.addEventListener("pointerdown", (event) => this.press(event));
+    this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    this.body.addEventListener("dblclick", () => this.zoomTo(null));
+    this.body.addEventListener("keydown", (event) => this.key_(event));
+    this.onseek = () => {};
+  }
+
+  abscissa(film) {
+    if (this.shared.axis === "time") return film.columns.t;
+    return film.derived("degrees", ({ angle }) => Float64Array.from(angle, (value) => (value * 180) / Math.PI));
+  }
+
+  fullRange() {
+    if (this.shared.axis === "time") return [0, Math.max(...this.films.map((film) => film.duration), 1e-9)];
+    let [low, high] = [Infinity, -Infinity];
+    for (const film of this.films) {
+      for (const value of this.abscissa(film)) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return high > low ? [low, high] : [low - 1, high + 1];
+  }
+
+  // Curves and axes; the cursor has its own canvas above.
+  draw(films, look, colors) {
+    this.films = films;
+    this.look = look;
+    const { context, width, height } = fitted(this.canvas);
+    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    context.clearRect(0, 0, width, height);
+    this.range = this.shared.range ?? this.fullRange();
+    const drawn = films.flatMap((film, lane) => this.curves(film).map((curve) => ({ ...curve, film, lane })));
+    this.heights = this.limits ?? this.findHeights(drawn);
+    if (this.shared.axis === "time") this.bands(context, films[0], colors);
+    this.grid(context, look, width, height);
+    context.save();
+    context.beginPath();
+    context.rect(LEFT, TOP, this.box.width, this.box.height);
+    context.clip();
+    for (const curve of drawn) this.curve(context, curve, films.length > 1);
+    context.restore();
+    this.legend(this.curves(films[0]), films.length > 1);
+    this.describe(drawn);
+  }
+
+  x(value) {
+    return LEFT + ((value - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
+  }
+
+  y(value) {
+    return TOP + (1 - (value - this.heights[0]) / (this.heights[1] - this.heights[0])) * this.box.height;
+  }
+
+  findHeights(drawn) {
+    const seen = [];
+    for (const { film, values } of drawn) {
+      const across = this.abscissa(film);
+      for (let i = 0; i < values.length; i++) {
+        if (across[i] >= this.range[0] && across[i] <= this.range[1] && Number.isFinite(values[i])) seen.push(values[i]);
+      }
+    }
+    if (!seen.length) return [0, 1];
+    const sorted = Float64Array.from(seen).sort();
+    let [low, high] = [sorted[0], sorted.at(-1)];
+    // a force that grows without bound must not flatten all else
+    const [almostLow, almostHigh] = [sorted[Math.floor(0.02 * sorted.length)], sorted[Math.ceil(0.98 * sorted.length) - 1]];
+    const usual = Math.max(almostHigh - almostLow, 1e-12);
+    if (high > almostHigh + 4 * usual) high = almostHigh + 0.6 * usual;
+    if (low < almostLow - 4 * usual) low = almostLow - 0.6 * usual;
+    low = Math.min(low, 0);
+    high = Math.max(high, 0);
+    if (this.symmetric) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
+    const margin = 0.06 * (high - low) || 1;
+    return [low < 0 ? low - margin : low, high + margin];
+  }
+
+  bands(context, film, colors) {
+    for (const phase of film.phases) {
+      const from = clamp(this.x(phase.from), LEFT, LEFT + this.box.width);
+      const to = clamp(this.x(phase.to), LEFT, LEFT + this.box.width);
+      if (to <= from) continue;
+      context.fillStyle = faded(colors.modes[phase.mode], 0.14);
+      context.fillRect(from, TOP, to - from, this.box.height);
+    }
+  }
+
+  grid(context, look, width, height) {
+    context.font = `11px ${look.font}`;
+    context.strokeStyle = look.line;
+    context.fillStyle = look.soft;
+    context.lineWidth = 1;
+    const tall = Math.max(this.box.height / 34, 2);
+    const step = niceStep(this.heights[1] - this.heights[0], tall);
+    context.textAlign = "right";
+    context.textBaseline = "middle";
+    for (const value of ticks(...this.heights, tall)) {
+      const y = Math.round(this.y(value)) + 0.5;
+      context.globalAlpha = Math.abs(value) < 1e-9 * step ? 1 : 0.55;
+      context.beginPath();
+      context.moveTo(LEFT, y);
+      context.lineTo(width - RIGHT, y);
+      context.stroke();
+      context.globalAlpha = 1;
+      context.fillText(tickText(value, step), LEFT - 6, y);
+    }
+    const wide = this.box.width / 70;
+    const across = niceStep(this.range[1] - this.range[0], wide);
+    context.textAlign = "center";
+    context.textBaseline = "alphabetic";
+    const unit = this.shared.axis === "time" ? "time [s]" : "angle [°]";
+    for (const value of ticks(...this.range, wide)) {
+      const x = this.x(value);
+      context.beginPath();
+      context.moveTo(x, TOP + this.box.height);
+      context.lineTo(x, TOP + this.box.height + 4);
+      context.stroke();
+      context.fillText(tickText(value, across), x, TOP + this.box.height + 15);
+    }
+    context.textAlign = "right";
+    context.fillText(unit, width - RIGHT, height - 3);
+    context.save();
+    context.translate(11, TOP + 0.5 * this.box.height);
+    context.rotate(-Math.PI / 2);
+    context.textAlign = "center";
+    context.fillText(this.unit, 0, 0);
+    context.restore();
+  }
+
+  curve(context, { film, lane, values, color, dash }, two) {
+    const across = this.abscissa(film);
+    context.strokeStyle = color ?? this.look.ink;
+    context.lineWidth = two && lane === 1 ? 1.2 : 1.8;
+    context.setLineDash(two && lane === 1 ? [3, 3] : DASHES[dash ?? "solid"]);
+    context.globalAlpha = two && lane === 1 ? 0.85 : 1;
+    context.beginPath();
+    let open = false;
+    for (let i = 0; i < values.length; i++) {
+      if (!Number.isFinite(values[i]) || !Number.isFinite(across[i])) {
+        open = false;
+        continue;
+      }
+      const x = this.x(across[i]);
+      const y = clamp(this.y(values[i]), -1e4, 1e4);
+      if (open) context.lineTo(x, y);
+      else context.moveTo(x, y);
+      open = true;
+    }
+    context.stroke();
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+  }
+
+  legend(curves, two) {
+    const names = curves.map((curve) => curve.name).join() + two;
+    if (this.named !== names) {
+      this.named = names;
+      this.values = curves.map(() => h("output", {}));
+      this.keys.replaceChildren(
+        ...curves.map((curve, i) =>
+          h("span", { class: "plot-key" }, swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),
+        ),
+      );
+    }
+  }
+
+  describe(drawn) {
+    const parts = drawn.slice(0, 6).map(({ name, values, lane }) => {
+      let [low, high] = [Infinity, -Infinity];
+      for (const value of values) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+      const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
+      return high >= low ? `${which}${name} from ${show(low, 3)} to ${show(high, 3)}` : "";
+    });
+    this.body.setAttribute("aria-label", `${this.title} in ${this.unit}. ${parts.filter(Boolean).join("; ")}.`);
+  }
+
+  cursor(time) {
+    if (!this.films) return;
+    const { context, width, height } = fitted(this.over);
+    context.clearRect(0, 0, width, height);
+    this.films.forEach((film, lane) => {
+      const pose = film.at(time);
+      const x = this.x(this.shared.axis === "time" ? pose.t : (pose.angle * 180) / Math.PI);
+      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
+      const i = film.index(pose.t);
+      const j = Math.min(i + 1, film.length - 1);
+      const share = film.t[j] > film.t[i] ? (pose.t - film.t[i]) / (film.t[j] - film.t[i]) : 0;
+      if (inside) {
+        context.strokeStyle = this.look.soft;
+        context.lineWidth = 1;
+        context.beginPath();
+        context.moveTo(x, TOP);
+        context.lineTo(x, TOP + this.box.height);
+        context.stroke();
+      }
+      this.curves(film).forEach((curve, k) => {
+        const next = curve.values[j];
+        const value = Number.isFinite(next) ? curve.values[i] + share * (next - curve.values[i]) : curve.values[i];
+        if (lane === 0 && this.values?.[k]) this.values[k].textContent = show(value, 3);
+        const y = this.y(value);
+        if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
+        context.fillStyle = curve.color ?? this.look.ink;
+        context.beginPath();
+        context.arc(x, y, 3.2, 0, 2 * Math.PI);
+        context.fill();
+      });
+    });
+    if (this.picked) {
+      const [a, b] = this.picked;
+      context.fillStyle = faded("#0072B2", 0.2);
+      context.fillRect(Math.min(a, b), TOP, Math.abs(b - a), this.box.height);
+    }
+  }
+
+  valueAt(event) {
+    const box = this.body.getBoundingClientRect();
+    const share = clamp((event.clientX - box.left - LEFT) / this.box.width, 0, 1);
+    return this.range[0] + share * (this.range[1] - this.range[0]);
+  }
+
+  press(event) {
+    if (!this.films) return;
+    const box = this.body.getBoundingClientRect();
+    const start = event.clientX - box.left;
+    const from = this.valueAt(event);
+    this.body.setPointerCapture(event.pointerId);
+    const move = (moved) => {
+      const now = moved.clientX - box.left;
+      this.picked = event.pointerType === "mouse" && Math.abs(now - start) > 5 ? [start, now] : null;
+      if (event.pointerType !== "mouse") this.seek(this.valueAt(moved));
+      this.cursor(this.shared.clock.time);
+    };
+    const stop = (ended) => {
+      this.body.removeEventListener("pointermove", move);
+      const to = this.valueAt(ended);
+      if (this.picked) this.zoomTo(from < to ? [from, to] : [to, from]);
+      else this.seek(from);
+      this.picked = null;
+    };
+    this.body.addEventListener("pointermove", move);
+    this.body.addEventListener("pointerup", stop, { once: true });
+  }
+
+  seek(value) {
+    if (this.shared.axis === "time") return this.onseek(value);
+    // the time at which the angle is passed first after the present time, else at all
+    const film = this.films[0];
+    const across = this.abscissa(film);
+    let best = 0;
+    for (let i = 0; i < across.length; i++) {
+      if (Math.abs(across[i] - value) < Math.abs(across[best] - value)) best = i;
+    }
+    return this.onseek(film.t[best]);
+  }
+
+  wheel(event) {
+    if (!this.films || !(event.ctrlKey || event.shiftKey || this.body === document.activeElement)) return;
+    event.preventDefault();
+    this.zoomAbout(this.valueAt(event), Math.exp((event.deltaY || event.deltaX) * 0.002));
+  }
+
+  zoomAbout(center, factor) {
+    const full = this.fullRange();
+    const low = Math.max(center - (center - this.range[0]) * factor, full[0]);
+    const high = Math.min(center + (this.range[1] - center) * factor, full[1]);
+    this.zoomTo(low <= full[0] && high >= full[1] ? null : [low, high]);
+  }
+
+  zoomTo(range) {
+    this.shared.range = range && range[1] - range[0] > 1e-9 ? range : null;
+    this.shared.changed();
+  }
+
+  key_(event) {
+    const middle = this.range ? 0.5 * (this.range[0] + this.range[1]) : 0;
+    if (event.key === "+" || event.key === "=") this.zoomAbout(middle, 0.6);
+    else if (event.key === "-") this.zoomAbout(middle, 1.7);
+    else if (event.key === "0") this.zoomTo(null);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+}
+
+export function swatch(color, dash = "solid") {
+  const element = h("i", { class: "swatch", "aria-hidden": "true" });
+  element.style.borderTopColor = color ?? "var(--ink)";
+  element.style.borderTopStyle = { solid: "solid", dash: "dashed", dot: "dotted" }[dash];
+  return element;
+}

@@ -1,0 +1,141 @@
+// Keep and share: link, downloads, picture, film recorded here, and the Python that makes the same motion.
+
+import { h, saveBlob } from "./dom.js";
+
+const FILES = [
+  ["motion.toml", "Scenario (TOML)"],
+  ["motion.csv", "States (CSV)"],
+  ["motion.nc", "Motion (netCDF)"],
+  ["motion.json", "Events (JSON)"],
+  ["motion.mp4", "Film (MP4)"],
+];
+
+export class Share {
+  constructor(lab) {
+    this.lab = lab;
+    this.menu = h(
+      "details",
+      { class: "menu" },
+      h("summary", { class: "button" }, "Keep"),
+      h(
+        "div",
+        { class: "menu-body" },
+        lab.backend.shares && this.item("Copy the link", () => this.copyLink()),
+        FILES.map(([name, label]) => this.item(label, () => this.download(name))),
+        this.item("Picture (PNG)", () => this.picture()),
+        this.item("Record a film here (WebM)", () => this.record()),
+        this.item("Show me the Python", () => this.code()),
+      ),
+    );
+    this.dialog = h("dialog", { class: "code-dialog", "aria-label": "The same motion in Python" });
+    lab.root.addEventListener("pointerdown", (event) => {
+      if (!this.menu.contains(event.target)) this.menu.open = false;
+    });
+  }
+
+  item(label, action) {
+    return h(
+      "button",
+      {
+        type: "button",
+        onclick: async () => {
+          this.menu.open = false;
+          try {
+            await action();
+          } catch (error) {
+            this.lab.fail(error);
+          }
+        },
+      },
+      label,
+    );
+  }
+
+  async copyLink() {
+    const link = this.lab.link();
+    try {
+      await navigator.clipboard.writeText(link);
+      this.lab.say("The link is copied.");
+    } catch {
+      this.show("The link to this motion", link);
+    }
+  }
+
+  async download(name) {
+    const film = this.lab.film();
+    this.lab.say(name.endsWith("mp4") ? "The film is being made; this takes a while …" : `Fetching ${name} …`);
+    saveBlob(await this.lab.backend.file(name, film.query), `hophoop-${name}`);
+    this.lab.say(`${name} is there.`);
+  }
+
+  picture() {
+    return new Promise((resolve) => {
+      this.lab.drawStage();
+      const source = this.lab.stageCanvas();
+      const copy = h("canvas", { width: source.width, height: source.height });
+      const context = copy.getContext("2d");
+      context.fillStyle = this.lab.look.paper;
+      context.fillRect(0, 0, copy.width, copy.height);
+      context.drawImage(source, 0, 0);
+      copy.toBlob((blob) => {
+        saveBlob(blob, "hophoop.png");
+        resolve();
+      }, "image/png");
+    });
+  }
+
+  // The canvas itself, played once from the start, as WebM.
+  async record() {
+    const { lab } = this;
+    const source = lab.stageCanvas();
+    if (!source.captureStream || !globalThis.MediaRecorder) {
+      throw new Error("This browser cannot record a canvas; take the MP4 instead.");
+    }
+    const copy = h("canvas", { width: source.width, height: source.height });
+    const context = copy.getContext("2d");
+    const recorder = new MediaRecorder(copy.captureStream(60), { videoBitsPerSecond: 8e6 });
+    const pieces = [];
+    recorder.ondataavailable = (event) => pieces.push(event.data);
+    const done = new Promise((resolve) => (recorder.onstop = resolve));
+    const before = lab.clock.loop;
+    lab.clock.loop = false;
+    lab.clock.seek(0);
+    lab.say("Recording one run …");
+    lab.afterFrame = () => {
+      context.fillStyle = lab.look.paper;
+      context.fillRect(0, 0, copy.width, copy.height);
+      context.drawImage(lab.stageCanvas(), 0, 0, copy.width, copy.height);
+      if (!lab.clock.playing && recorder.state === "recording") recorder.stop();
+    };
+    recorder.start();
+    lab.clock.play(true);
+    await done;
+    lab.afterFrame = null;
+    lab.clock.loop = before;
+    saveBlob(new Blob(pieces, { type: recorder.mimeType }), "hophoop.webm");
+    lab.say("The film is there.");
+  }
+
+  async code() {
+    const { header } = await this.lab.backend.call("code", { scenario: this.lab.film().scenario });
+    this.show("The same motion in Python", header.python, "The scenario as a file", header.toml);
+  }
+
+  show(...pairs) {
+    const blocks = [];
+    for (let i = 0; i < pairs.length; i += 2) {
+      const text = pairs[i + 1];
+      const copy = h("button", { type: "button" }, "Copy");
+      copy.onclick = async () => {
+        await navigator.clipboard?.writeText(text).catch(() => {});
+        copy.textContent = "Copied";
+      };
+      blocks.push(h("header", {}, h("h2", {}, pairs[i]), copy), h("pre", { tabindex: "0" }, h("code", {}, text)));
+    }
+    this.dialog.replaceChildren(
+      ...blocks,
+      h("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, "Close"),
+    );
+    this.dialog.showModal();
+  }
+}

@@ -1,0 +1,335 @@
+// The hoop on its plane, drawn on a canvas.
+
+import { SPEED_TEXTS, clamp, fitted, niceStep, show, tickText } from "./dom.js";
+
+const SEGMENTS = 120;
+
+export class Stage2D {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.zoom = 1;
+    this.shift = [0, 0];
+    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    canvas.addEventListener("pointerdown", (event) => this.drag(event));
+    canvas.addEventListener("dblclick", () => this.reset());
+    this.onview = () => {};
+  }
+
+  reset() {
+    this.zoom = 1;
+    this.shift = [0, 0];
+    this.onview();
+  }
+
+  zoomBy(factor) {
+    this.zoom = clamp(this.zoom * factor, 0.05, 60);
+    this.onview();
+  }
+
+  wheel(event) {
+    event.preventDefault();
+    this.zoomBy(Math.exp(-event.deltaY * 0.0015));
+  }
+
+  drag(event) {
+    const start = [event.clientX, event.clientY];
+    const before = this.shift;
+    const move = (moved) => {
+      this.shift = [before[0] + moved.clientX - start[0], before[1] + moved.clientY - start[1]];
+      this.onview();
+    };
+    this.canvas.setPointerCapture(event.pointerId);
+    this.canvas.addEventListener("pointermove", move);
+    const stop = () => this.canvas.removeEventListener("pointermove", move);
+    this.canvas.addEventListener("pointerup", stop, { once: true });
+    this.canvas.addEventListener("pointercancel", stop, { once: true });
+  }
+
+  draw(films, time, options, look, colors) {
+    const { context, width, height } = fitted(this.canvas);
+    context.clearRect(0, 0, width, height);
+    const each = height / films.length;
+    films.forEach((film, i) => {
+      context.save();
+      context.beginPath();
+      context.rect(0, i * each, width, each);
+      context.clip();
+      context.translate(0, i * each);
+      new Scene(context, width, each, film, time, options, look, colors, this.zoom, this.shift).draw();
+      if (films.length > 1) {
+        context.fillStyle = look.soft;
+        context.font = `600 15px ${look.font}`;
+        context.textAlign = "left";
+        context.fillText("AB"[i], 12, 24);
+      }
+      context.restore();
+      if (i > 0) {
+        context.fillStyle = look.line;
+        context.fillRect(0, i * each - 0.5, width, 1);
+      }
+    });
+  }
+}
+
+class Scene {
+  constructor(context, width, height, film, time, options, look, colors, zoom, shift) {
+    Object.assign(this, { context, width, height, film, options, look, colors });
+    this.pose = film.at(time);
+    const R = film.radius;
+    const { left, right, top } = film.extent;
+    this.cosine = Math.cos(film.slope);
+    this.sine = Math.sin(film.slope);
+    const room = 2 * R + Math.min(top, 6 * R);
+    const close = Math.min((0.66 * height) / room, (0.5 * width) / R);
+    if (options.whole) {
+      const span = (right - left) * this.cosine + 2.6 * R;
+      const fall = (right - left) * Math.abs(this.sine) + 2.6 * R + top;
+      this.scale = Math.min(width / span, (0.86 * height) / fall, close) * zoom;
+      this.focus = [0.5 * (left + right), 0];
+      this.place = [0.5 * width + shift[0], (film.slope ? 0.62 : 0.8) * height + shift[1]];
+    } else {
+      this.scale = close * zoom;
+      this.focus = [Number.isFinite(this.pose.x) ? this.pose.x : 0, 0];
+      this.place = [0.46 * width + shift[0], 0.82 * height + shift[1]];
+    }
+  }
+
+  // Plane coordinates (along, away) to pixels; downhill is to the right.
+  point(along, away) {
+    const x = along - this.focus[0];
+    const y = away - this.focus[1];
+    return [
+      this.place[0] + this.scale * (x * this.cosine + y * this.sine),
+      this.place[1] - this.scale * (y * this.cosine - x * this.sine),
+    ];
+  }
+
+  draw() {
+    this.ground();
+    if (this.options.traces) this.traces();
+    this.hoop();
+    if (this.options.forces) this.forces();
+    if (this.options.speed) this.legend();
+  }
+
+  ground() {
+    const { context, look, width, height } = this;
+    const reach = (Math.hypot(width, height) * 1.2 + Math.abs(this.place[0]) + Math.abs(this.place[1])) / this.scale;
+    const [x0, y0] = this.point(this.focus[0] - reach, 0);
+    const [x1, y1] = this.point(this.focus[0] + reach, 0);
+    const down = [-this.sine * 4000, this.cosine * 4000];
+    context.fillStyle = look.ground;
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.lineTo(x1 + down[0], y1 + down[1]);
+    context.lineTo(x0 + down[0], y0 + down[1]);
+    context.fill();
+    context.strokeStyle = look.soft;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    context.moveTo(x0, y0);
+    context.lineTo(x1, y1);
+    context.stroke();
+    const step = niceStep(width / this.scale, width / 90);
+    context.fillStyle = look.soft;
+    context.font = `11px ${look.font}`;
+    context.textAlign = "center";
+    context.lineWidth = 1;
+    const low = Math.ceil((this.focus[0] - reach) / step);
+    const high = Math.min(Math.floor((this.focus[0] + reach) / step), low + 400);
+    for (let k = low; k <= high; k++) {
+      const [x, y] = this.point(k * step, 0);
+      if (x < -40 || x > width + 40) continue;
+      context.beginPath();
+      context.moveTo(x, y);
+      context.lineTo(x - 6 * this.sine, y + 6 * this.cosine);
+      context.stroke();
+      context.fillText(tickText(k * step, step) + (k === 0 ? " m" : ""), x - 18 * this.sine, y + 8 + 10 * this.cosine);
+    }
+  }
+
+  traces() {
+    const { film, context, look, colors } = this;
+    const last = film.index(this.pose.t);
+    const R = film.radius;
+    const { x, height, angle, mode } = film.columns;
+    const path = (distance, color, width, wanted) => {
+      context.strokeStyle = color;
+      context.lineWidth = width;
+      context.lineJoin = "round";
+      context.beginPath();
+      let open = false;
+      const add = (cx, gap, th) => {
+        const [px, py] = this.point(cx + distance * Math.sin(th), R + gap + distance * Math.cos(th));
+        if (open) context.lineTo(px, py);
+        else context.moveTo(px, py);
+        open = true;
+      };
+      for (let i = 0; i <= last; i++) {
+        const here = wanted === undefined || (mode[i] === 3) === wanted;
+        if (here) add(x[i], height[i], angle[i]);
+        else open = false;
+      }
+      if (wanted === undefined || (this.pose.mode === "H") === wanted) {
+        add(this.pose.x, this.pose.height, this.pose.angle);
+      }
+      context.stroke();
+    };
+    path(R, look.ink, 1.3);
+    path(film.eccentricity * R, colors.gravity_center, 1.8, false);
+    path(film.eccentricity * R, colors.airborne, 2.4, true);
+  }
+
+  hoop() {
+    const { film, pose, context, look, colors, scale } = this;
+    const R = film.radius;
+    const width = clamp(0.07 * R * scale, 2, 14);
+    const inner = R - (0.5 * width) / scale;
+    const center = [pose.x, R + pose.height];
+    const rim = (phi, radius = inner) =>
+      this.point(center[0] + radius * Math.sin(phi), center[1] + radius * Math.cos(phi));
+    context.lineCap = "butt";
+    if (this.options.speed) {
+      const most = film.extent.speed;
+      context.lineWidth = width;
+      const step = (2 * Math.PI) / SEGMENTS;
+      for (let k = 0; k < SEGMENTS; k++) {
+        const phi = pose.angle + k * step;
+        const speed = Math.hypot(
+          pose.vx + R * pose.omega * Math.cos(phi + 0.5 * step),
+          pose.vy - R * pose.omega * Math.sin(phi + 0.5 * step),
+        );
+        context.strokeStyle = SPEED_TEXTS[clamp(Math.round((255 * speed) / most) || 0, 0, 255)];
+        context.beginPath();
+        context.moveTo(...rim(phi - 0.04 * step));
+        context.lineTo(...rim(phi + 1.04 * step));
+        context.stroke();
+      }
+    } else {
+      context.strokeStyle = colors.modes[pose.mode];
+      context.lineWidth = width;
+      context.beginPath();
+      context.arc(...this.point(...center), inner * scale, 0, 2 * Math.PI);
+      context.stroke();
+    }
+    context.strokeStyle = look.soft;
+    context.lineWidth = 1;
+    context.beginPath();
+    context.moveTo(...this.point(...center));
+    context.lineTo(...rim(pose.angle));
+    context.stroke();
+    const dot = (place, radius, fill, edge) => {
+      context.beginPath();
+      context.arc(...place, radius, 0, 2 * Math.PI);
+      context.fillStyle = fill;
+      context.fill();
+      context.lineWidth = 1.5;
+      context.strokeStyle = edge;
+      context.stroke();
+    };
+    dot(this.point(...center), 2.5, look.soft, look.soft);
+    const parts = film.scenario.hoop.parts;
+    if (parts) this.parts(parts, center);
+    else dot(rim(pose.angle), clamp(0.1 * R * scale, 4, 16), look.ink, look.paper);
+    const ecc = film.eccentricity * R;
+    const G = this.point(center[0] + ecc * Math.sin(pose.angle), center[1] + ecc * Math.cos(pose.angle));
+    dot(G, clamp(0.05 * R * scale, 3.5, 7), pose.mode === "H" ? colors.airborne : colors.gravity_center, look.paper);
+  }
+
+  // A hoop of real parts: each where it sits on the line from C to the load.
+  parts(parts, center) {
+    const { film, pose, context, look, scale } = this;
+    const moment = parts.reduce((sum, part) => sum + part.mass * (part.at ?? 0), 0);
+    const way = moment < 0 ? -1 : 1;
+    context.strokeStyle = look.ink;
+    for (const part of parts) {
+      const at = way * (part.at ?? 0);
+      const place = this.point(center[0] + at * Math.sin(pose.angle), center[1] + at * Math.cos(pose.angle));
+      context.fillStyle = look.ink;
+      context.lineWidth = 1;
+      context.beginPath();
+      if (part.shape === "ring") {
+        context.globalAlpha = 0.22;
+        context.arc(...place, part.outer_radius * scale, 0, 2 * Math.PI);
+        context.arc(...place, part.inner_radius * scale, 0, 2 * Math.PI, true);
+        context.fill();
+        context.globalAlpha = 1;
+      } else if (part.shape === "rod") {
+        const half = 0.5 * part.length;
+        const along = (r) => this.point(center[0] + r * Math.sin(pose.angle), center[1] + r * Math.cos(pose.angle));
+        context.lineWidth = 4;
+        context.moveTo(...along(at - half));
+        context.lineTo(...along(at + half));
+        context.stroke();
+      } else {
+        const radius = part.shape === "disk" ? part.radius * scale : clamp(0.08 * film.radius * scale, 3, 12);
+        context.globalAlpha = part.shape === "disk" ? 0.55 : 1;
+        context.arc(...place, radius, 0, 2 * Math.PI);
+        context.fill();
+        context.globalAlpha = 1;
+      }
+    }
+  }
+
+  forces() {
+    const { film, pose, colors } = this;
+    const R = film.radius;
+    const weight = film.mass * (film.gravity || 9.81);
+    const size = (force) => clamp((0.55 * R * force) / weight, -3.2 * R, 3.2 * R);
+    if (pose.mode === "H" || !(pose.normal_force > 0)) return;
+    const foot = [pose.x, pose.height];
+    this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N ${show(pose.normal_force, 3)} N`);
+    this.arrow(foot, [size(pose.friction_force), 0], colors.friction_force, `F ${show(pose.friction_force, 3)} N`);
+  }
+
+  arrow([x, y], [dx, dy], color, label) {
+    const { context, look } = this;
+    const from = this.point(x, y);
+    const to = this.point(x + dx, y + dy);
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+    if (length < 2) return;
+    const ux = (to[0] - from[0]) / length;
+    const uy = (to[1] - from[1]) / length;
+    const head = Math.min(11, length);
+    for (const [stroke, width] of [[look.paper, 6], [color, 3]]) {
+      context.strokeStyle = stroke;
+      context.fillStyle = stroke;
+      context.lineWidth = width;
+      context.beginPath();
+      context.moveTo(...from);
+      context.lineTo(to[0] - ux * head, to[1] - uy * head);
+      context.stroke();
+    }
+    context.beginPath();
+    context.moveTo(...to);
+    context.lineTo(to[0] - ux * head - uy * head * 0.5, to[1] - uy * head + ux * head * 0.5);
+    context.lineTo(to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5);
+    context.fill();
+    context.font = `600 12px ${look.font}`;
+    context.textAlign = ux < -0.5 ? "right" : "left";
+    context.lineWidth = 3;
+    context.strokeStyle = look.paper;
+    const place = [to[0] + ux * 6 + (Math.abs(ux) < 0.5 ? 8 : 0), to[1] + uy * 4 + (Math.abs(ux) < 0.5 ? 4 : -8)];
+    context.strokeText(label, ...place);
+    context.fillText(label, ...place);
+  }
+
+  legend() {
+    const { context, look, width, film } = this;
+    const size = Math.min(130, width * 0.3);
+    const [x, y] = [width - size - 14, 16];
+    for (let k = 0; k < size; k++) {
+      context.fillStyle = SPEED_TEXTS[Math.round((255 * k) / size)];
+      context.fillRect(x + k, y, 1.2, 7);
+    }
+    context.fillStyle = look.soft;
+    context.font = `11px ${look.font}`;
+    context.textAlign = "left";
+    context.fillText("0", x, y + 20);
+    context.textAlign = "right";
+    context.fillText(`${show(film.extent.speed, 2)} m/s`, x + size, y + 20);
+    context.textAlign = "center";
+    context.fillText("rim speed", x + 0.45 * size, y + 20);
+  }
+}

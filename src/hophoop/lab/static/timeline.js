@@ -1,0 +1,146 @@
+// The bar of time: modes as coloured stretches, events as marks, and the hand that scrubs.
+
+import { clamp, fitted, h, niceStep, show, tickText, ticks } from "./dom.js";
+
+const MARKS = {
+  takeoff: "▲", impact: "▼", apex: "·", jam: "✖", kane_gain: "✚", bounce_limit: "≋", turn: "↺", rest: "■",
+  painleve_inconsistent: "◆", painleve_indeterminate: "◇", skim: "◗",
+};
+
+export const EVENT_WORDS = {
+  start: "start", slip_start: "slip begins", stick: "slip ends", slip_reversal: "slip turns round",
+  takeoff: "take-off", impact: "landing", turn: "turns back", apex: "highest point", bounce_limit: "bounces end",
+  painleve_inconsistent: "Painlevé: no solution", painleve_indeterminate: "Painlevé: several solutions", jam: "jam",
+  kane_gain: "energy gain (Kane)", skim: "skimming begins", rest: "at rest", end: "end",
+};
+
+export class Timeline {
+  constructor(clock) {
+    this.clock = clock;
+    this.canvas = h("canvas", { class: "timeline-canvas" });
+    this.tip = h("div", { class: "tip", hidden: true });
+    this.element = h(
+      "div",
+      {
+        class: "timeline", role: "slider", tabindex: "0", "aria-label": "Time", "aria-valuemin": "0",
+        "aria-orientation": "horizontal",
+      },
+      this.canvas,
+      this.tip,
+    );
+    this.element.addEventListener("pointerdown", (event) => this.scrub(event));
+    this.element.addEventListener("pointermove", (event) => this.hover(event));
+    this.element.addEventListener("pointerleave", () => (this.tip.hidden = true));
+  }
+
+  timeAt(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return clamp((event.clientX - box.left) / box.width, 0, 1) * this.clock.duration;
+  }
+
+  scrub(event) {
+    event.preventDefault();
+    this.element.focus({ preventScroll: true });
+    const resume = this.clock.playing;
+    this.clock.playing = false;
+    const move = (moved) => this.clock.seek(this.timeAt(moved));
+    move(event);
+    this.element.setPointerCapture(event.pointerId);
+    this.element.addEventListener("pointermove", move);
+    const stop = () => {
+      this.element.removeEventListener("pointermove", move);
+      if (resume) this.clock.play(true);
+    };
+    this.element.addEventListener("pointerup", stop, { once: true });
+    this.element.addEventListener("pointercancel", stop, { once: true });
+  }
+
+  hover(event) {
+    const time = this.timeAt(event);
+    const near = this.nearest(time, 8);
+    const said = near
+      ? `${EVENT_WORDS[near.kind] ?? near.kind} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
+      : `${show(time, 4)} s`;
+    this.tip.textContent = said;
+    this.tip.hidden = false;
+    const box = this.canvas.getBoundingClientRect();
+    this.tip.style.left = `${clamp(event.clientX - box.left, 70, box.width - 70)}px`;
+  }
+
+  nearest(time, pixels) {
+    const reach = (pixels * this.clock.duration) / (this.canvas.getBoundingClientRect().width || 1);
+    let best = null;
+    for (const film of this.films ?? []) {
+      for (const event of film.events) {
+        if (event.kind === "end") continue;
+        const distance = Math.abs(event.t - time);
+        if (distance <= reach && (!best || distance < Math.abs(best.t - time))) best = event;
+      }
+    }
+    return best;
+  }
+
+  draw(films, look, colors) {
+    this.films = films;
+    const { context, width, height } = fitted(this.canvas);
+    const duration = this.clock.duration || 1;
+    const place = (t) => (t / duration) * width;
+    context.clearRect(0, 0, width, height);
+    const top = 15;
+    const band = (height - top - 15) / films.length;
+    films.forEach((film, i) => {
+      const y = top + i * band;
+      for (const phase of film.phases) {
+        context.fillStyle = colors.modes[phase.mode];
+        context.fillRect(place(phase.from), y, Math.max(place(phase.to) - place(phase.from), 0.6), band - 2);
+      }
+      if (i === 0) this.marks(context, film, place, top, look);
+      if (film.duration < duration) {
+        context.fillStyle = look.line;
+        context.fillRect(place(film.duration), y, width, band - 2);
+      }
+      if (films.length > 1) {
+        context.fillStyle = "#fff";
+        context.font = `600 10px ${look.font}`;
+        context.textAlign = "left";
+        context.fillText("AB"[i], 3, y + band - 6);
+      }
+    });
+    const step = niceStep(duration, width / 60);
+    context.fillStyle = look.soft;
+    context.font = `10.5px ${look.font}`;
+    for (const t of ticks(0, duration, width / 60)) {
+      context.textAlign = t === 0 ? "left" : place(t) > width - 14 ? "right" : "center";
+      context.fillText(tickText(t, step) + (t === 0 ? " s" : ""), place(t), height - 3);
+    }
+    const x = clamp(place(this.clock.time), 1, width - 1);
+    context.fillStyle = look.ink;
+    context.fillRect(x - 1, top - 4, 2, height - top - 9);
+    context.beginPath();
+    context.moveTo(x - 6, top - 10);
+    context.lineTo(x + 6, top - 10);
+    context.lineTo(x, top - 1);
+    context.fill();
+    this.element.setAttribute("aria-valuemax", duration.toFixed(3));
+    this.element.setAttribute("aria-valuenow", this.clock.time.toFixed(3));
+    this.element.setAttribute("aria-valuetext", `${show(this.clock.time, 4)} seconds`);
+  }
+
+  marks(context, film, place, top, look) {
+    context.font = `10px ${look.font}`;
+    context.textAlign = "center";
+    let last = -Infinity;
+    for (const event of film.events) {
+      const mark = MARKS[event.kind];
+      const x = place(event.t);
+      if (event.kind !== "start" && event.kind !== "end") {
+        context.fillStyle = look.paper;
+        context.fillRect(x - 0.5, top, 1, 6);
+      }
+      if (!mark || x - last < 7) continue;
+      last = x;
+      context.fillStyle = look.ink;
+      context.fillText(mark, x, top - 4);
+    }
+  }
+}

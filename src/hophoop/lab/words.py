@@ -1,0 +1,163 @@
+"""A motion told in words: what happens, where and when."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from hophoop.trajectory import EventRecord, Trajectory
+
+VERBS = {"R": "rolls", "S": "spins", "K": "skids", "H": "flies", "M": "skims the plane"}
+
+ENDINGS = {
+    "completed": "",
+    "at_rest": "It has come to rest.",
+    "jammed": "Here the contact force grows without bound (dynamic jam): rigid-body mechanics has no answer.",
+    "undetermined": "From here on the model does not determine the motion.",
+    "event_limit": "The computation stopped at its limit of events.",
+}
+
+
+def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
+    """The motion as a list of sentences.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    most : int, default 400
+        Most sentences; the last one then says how many events are left out [1].
+
+    Returns
+    -------
+    sentences : list of dict
+        `t` [s], `event` (its number in `motion.events`), `mode` (letter of the mode that follows) and `text`.
+    """
+    told: list[dict[str, Any]] = []
+    left_out = 0
+    for number, event in enumerate(motion.events):
+        text = _say(motion, number, event)
+        if not text:
+            continue
+        if len(told) >= most:
+            left_out += 1
+            continue
+        told.append({"t": event.t, "event": number, "mode": event.to_mode, "text": text})
+    if left_out:
+        told.append({**told[-1], "text": f"… and {left_out} more."})
+    return told
+
+
+def summary(motion: Trajectory, most: int = 6) -> str:
+    """The motion in one sentence, such as 'Rolls, skids at 49.8°, rolls at 152.7°.'
+
+    Parameters
+    ----------
+    motion : Trajectory
+    most : int, default 6
+        Most changes of mode that are told [1].
+
+    Returns
+    -------
+    sentence : str
+    """
+    phrases: list[str] = []
+    changes = 0
+    for event in motion.events:
+        if event.kind == "start" or not phrases:
+            phrases.append(VERBS[event.to_mode])
+            continue
+        phrase = _SHORT.get(event.kind, "")
+        if event.kind == "slip_start" or event.kind == "slip_reversal":
+            phrase = VERBS[event.to_mode]
+        if not phrase:
+            continue
+        changes += 1
+        if changes <= most:
+            phrases.append(f"{phrase} at {degrees(event.angle)}")
+    more = f", … ({changes - most} more)" if changes > most else ""
+    text = ", ".join(phrases) + more
+    return f"{text[:1].upper()}{text[1:]}. {ENDINGS[motion.status]}".strip()
+
+
+_SHORT = {
+    "stick": "rolls",
+    "takeoff": "hops",
+    "impact": "lands",
+    "painleve_inconsistent": "meets Painlevé's paradox",
+    "painleve_indeterminate": "meets Painlevé's indeterminacy",
+    "jam": "jams",
+    "kane_gain": "gains energy (Kane)",
+    "skim": "skims",
+    "bounce_limit": "has bounced out",
+    "rest": "rests",
+}
+
+
+def degrees(angle: float) -> str:
+    """An angle in words.
+
+    Parameters
+    ----------
+    angle : float
+        [rad].
+
+    Returns
+    -------
+    text : str
+        In degrees with one decimal.
+    """
+    return f"{math.degrees(angle):.1f}°"
+
+
+def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
+    where = degrees(event.angle)
+    verb = VERBS[event.to_mode]
+    kind = event.kind
+    if kind == "start":
+        return f"It {_started(event)} with the load at {where} and the centre at {event.vx:.3g} m/s."
+    if kind == "slip_start":
+        why = "friction is used up: the rim"
+        turn = "turns faster than it rolls" if event.to_mode == "S" else "slides ahead"
+        return f"It {verb} at {where}; {why} {turn}."
+    if kind == "stick":
+        return f"It rolls again at {where}; the slip has stopped."
+    if kind == "slip_reversal":
+        return f"The slip turns round at {where}; it {verb}."
+    if kind == "takeoff":
+        landing = next((later for later in motion.events[number + 1 :] if later.kind == "impact"), None)
+        top = max((e.height for e in motion.events[number:] if landing and e.t <= landing.t), default=0.0)
+        how = f" It rises {_length(top)} and stays up for {landing.t - event.t:.3g} s." if landing and top else ""
+        return f"It hops at {where}.{how}"
+    if kind == "impact":
+        if event.collision is False:
+            return f"An impact without collision at {where} stops the slip; then it {verb}."
+        lost = math.hypot(event.before.vy, 0.0)
+        after = "bounces" if event.to_mode == "H" else verb
+        return f"It lands at {where} with {lost:.3g} m/s downwards and {after}."
+    return _say_the_rest(event, where)
+
+
+def _say_the_rest(event: EventRecord, where: str) -> str:
+    texts = {
+        "turn": f"It turns back at {where}.",
+        "apex": f"The centre is highest at {where}: the gap is {_length(event.height)}.",
+        "bounce_limit": f"Bounces without number end here, at {where}.",
+        "painleve_inconsistent": f"Painlevé's paradox at {where}: no contact force at all agrees with this slip.",
+        "painleve_indeterminate": f"Painlevé's paradox at {where}: more than one contact force agrees with this slip.",
+        "jam": f"Dynamic jam at {where}: the contact force grows without bound.",
+        "kane_gain": f"Newton's law of impact has created {event.gain:.3g} J out of nothing (Kane's example).",
+        "skim": f"No contact force is left at {where}: the load falls freely and the rim skims the plane.",
+        "rest": f"It rests at {where}" + ("." if event.stable is not False else ", which is not stable."),
+        "end": "",
+    }
+    return texts.get(event.kind, f"{event.kind.replace('_', ' ')} at {where}.")
+
+
+def _started(event: EventRecord) -> str:
+    return {"H": "starts in the air", "M": "starts skimming"}.get(event.to_mode, f"starts and {VERBS[event.to_mode]}")
+
+
+def _length(value: float) -> str:
+    if value >= 0.995:
+        return f"{value:.3g} m"
+    return f"{value * 100:.3g} cm" if value >= 0.00995 else f"{value * 1000:.3g} mm"
