@@ -1,0 +1,123 @@
+"""The command line: each command parses, calls one public function and prints.
+
+A command is a function in a module of its own name here: `hophoop map` is `map` in ``cli/map.py``. Modules
+are loaded when asked for; heavy imports stand inside the functions, so that ``hophoop --help`` is quick.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+import typer
+from typer.core import TyperGroup
+
+# In the order in which --help shows them.
+COMMANDS = ("run", "theory", "reproduce", "animate", "map", "lab", "fit", "compare")
+
+DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
+
+
+class Commands(TyperGroup):
+    """The commands, each loaded on use; what goes wrong becomes one sentence and an exit status."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        """Names of the commands that are there."""
+        return [name for name in COMMANDS if find_spec(f"hophoop.cli.{name}") is not None]
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        """The command of a name, or None."""
+        if cmd_name not in self.list_commands(ctx):
+            return None
+        module = import_module(f"hophoop.cli.{cmd_name}")
+        one = typer.Typer(add_completion=False)
+        one.command(
+            cmd_name,
+            cls=getattr(module, "COMMAND_CLASS", None),
+            context_settings={"help_option_names": ["-h", "--help"]},
+        )(getattr(module, cmd_name))
+        return typer.main.get_command(one)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command; bad input, files that cannot be used and missing extras end with status 2."""
+        try:
+            return super().invoke(ctx)
+        except BrokenPipeError:
+            raise  # the reader of a pipe has gone; handled where it has always been
+        except (ValueError, OSError, ImportError) as error:
+            from hophoop.scenario.sentences import sentence
+
+            raise Failed(sentence(error)) from error
+
+    def main(
+        self,
+        args: Sequence[str] | None = None,
+        prog_name: str | None = None,
+        complete_var: str | None = None,
+        standalone_mode: bool = True,
+        windows_expand_args: bool = True,
+        **extra: Any,
+    ) -> Any:
+        """Run with arguments, those of the process by default, and exit."""
+        if not standalone_mode:
+            return super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+        try:
+            status = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+        except Failed as error:
+            say(f"Error: {error}")
+            status = BAD_INPUT
+        except typer.Abort:
+            say("Stopped.")
+            status = STOPPED
+        except Exception as error:
+            # a mistake in the arguments themselves, which the parser reports
+            describe = getattr(error, "format_message", None)
+            if describe is None:
+                raise
+            text = " ".join(str(describe()).split())
+            command = getattr(getattr(error, "ctx", None), "command_path", "hophoop")
+            if "\n" in str(describe()) or not text:  # the help, where a command was left out
+                typer.echo(str(describe()), err=True)
+            else:
+                say(f"Error: {text.rstrip('.')}. See {command} --help.")
+            status = int(getattr(error, "exit_code", BAD_INPUT))
+        sys.exit(status if isinstance(status, int) else DONE)
+
+
+class Failed(Exception):
+    """Bad input, said in one sentence."""
+
+
+def say(text: str) -> None:
+    """A line to the person, on standard error: standard output is for results."""
+    typer.echo(text, err=True)
+
+
+app = typer.Typer(
+    name="hophoop",
+    cls=Commands,
+    add_completion=False,
+    no_args_is_help=True,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from hophoop import __version__
+
+        typer.echo(__version__)
+        raise typer.Exit
+
+
+@app.callback()
+def main(
+    version: bool = typer.Option(
+        False, "--version", callback=_version, is_eager=True, help="Print the version."
+    ),
+) -> None:
+    """Exact motion of a loaded hoop that rolls, spins, skids, hops and lands on a plane."""

@@ -1,0 +1,252 @@
+"""`hophoop run`: one motion, as a table of events, JSON, CSV, a file that can be loaded, a picture."""
+
+from __future__ import annotations
+
+import json as json_text
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+from typer.core import TyperCommand
+
+from hophoop.cli._options import with_scenario
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from hophoop.trajectory import Trajectory
+
+OUTPUT = "Output"
+PICTURES = (".png", ".svg", ".pdf", ".jpg")
+STORES = (".nc", ".zarr")
+
+# Why a motion can end without an answer.
+ENDS = {
+    "jammed": "the normal force grows without bound (dynamic jam), and the model has no motion beyond",
+    "undetermined": "the model does not determine the motion beyond",
+    "event_limit": "the limit of events was reached before the end (contact.max_events)",
+}
+
+
+class RunCommand(TyperCommand):
+    """`--json` takes a file or nothing, which the parser itself does not know."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Spell out `--json` as `--json=FILE` or `--json=-`."""
+        return super().parse_args(ctx, _spelt_out(list(args), self._valued()))
+
+    def _valued(self) -> set[str]:
+        return {
+            name
+            for parameter in self.params
+            if not getattr(parameter, "is_flag", False)
+            for name in parameter.opts
+        }
+
+
+def _spelt_out(args: list[str], valued: set[str]) -> list[str]:
+    """What follows `--json` is the file to write, but for a scenario that stands nowhere else.
+
+    So `run --json hop.toml` reads hop.toml and prints, and never writes over it.
+    """
+    result: list[str] = []
+    words = 0  # scenarios seen outside of options
+    pending = -1
+    k = 0
+    while k < len(args):
+        word = args[k]
+        if word == "--":
+            words += len(args) - k - 1
+            result += args[k:]
+            break
+        if word == "--json":
+            following = args[k + 1] if k + 1 < len(args) else "--"
+            if following.startswith("-"):
+                result.append("--json=-")
+            else:
+                pending = len(result)
+                result.append(f"--json={following}")
+                k += 1
+        else:
+            result.append(word)
+            if word.startswith("--") and "=" not in word and word in valued and k + 1 < len(args):
+                result.append(args[k + 1])
+                k += 1
+            elif word == "-" or not word.startswith("-"):
+                words += 1
+        k += 1
+    if pending >= 0 and words == 0:
+        name = result[pending].removeprefix("--json=")
+        if name.lower().endswith(".toml") or (Path(name).is_file() and _is_scenario(Path(name))):
+            result[pending : pending + 1] = ["--json=-", name]
+    return result
+
+
+def _is_scenario(path: Path) -> bool:
+    """Whether a file that is there is a scenario rather than an older result."""
+    try:
+        data = json_text.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return False
+    return isinstance(data, dict) and "schema" not in data
+
+
+COMMAND_CLASS = RunCommand
+
+
+@with_scenario
+def run(
+    scenario: Any,
+    json: Annotated[
+        str | None,
+        typer.Option(
+            "--json",
+            metavar="[FILE]",
+            help="The whole result as JSON, to standard output or a file.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
+    csv: Annotated[
+        Path | None,
+        typer.Option(
+            "--csv",
+            metavar="FILE",
+            help="Sampled states, one line each.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
+    save: Annotated[
+        Path | None,
+        typer.Option(
+            "--save",
+            metavar="FILE",
+            help="A file for hophoop.load: .nc or .zarr.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
+    plot: Annotated[
+        Path | None,
+        typer.Option(
+            "--plot",
+            metavar="FILE",
+            help="The motion on a page: .png, .svg or .pdf.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
+    samples: Annotated[
+        int, typer.Option("--samples", help="Number of lines in --csv.", rich_help_panel=OUTPUT)
+    ] = 1001,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
+) -> None:
+    """Compute one motion, from a scenario file or from options."""
+    from hophoop.cli import NO_ANSWER, say
+    from hophoop.cli._output import check_ending, replacing, write_text
+    from hophoop.scenario import InputError
+
+    if plot is not None:
+        check_ending("--plot", plot, PICTURES)
+    if save is not None:
+        check_ending("--save", save, STORES)
+    if samples < 2:
+        raise InputError(f"--samples = {samples} must be at least 2.")
+    outputs = [path for path in (json if json != "-" else None, csv, save, plot) if path is not None]
+    if len({Path(path).absolute() for path in outputs}) < len(outputs):
+        raise InputError("Two outputs cannot go to the same file.")
+
+    from hophoop.simulation import simulate
+
+    motion = simulate(scenario)
+    if json is not None:
+        text = json_text.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+        if json == "-":
+            typer.echo(text, nl=False)
+        else:
+            write_text(Path(json), text)
+    if csv is not None:
+        from hophoop.io import write_csv
+
+        with replacing(csv) as fresh:
+            write_csv(motion, fresh, motion.times(samples))
+    if save is not None:
+        with replacing(save) as fresh:
+            motion.save(fresh)
+    if plot is not None:
+        from hophoop.plots import overview
+
+        with replacing(plot) as fresh:
+            overview(motion).savefig(fresh, dpi=150)
+    if json != "-" and not quiet:
+        _print(motion)
+    if not motion.ok:
+        say(f"The motion ends at t = {motion.duration:.9g} s, {motion.status}: {ENDS[motion.status]}.")
+        raise typer.Exit(NO_ANSWER)
+
+
+def _print(motion: Trajectory) -> None:
+    from rich.console import Console
+
+    # a pipe has no width of its own; a table that is cut is worth little
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=120)
+    console.print(_events(motion))
+    console.print(_summary(motion))
+
+
+def _events(motion: Trajectory) -> Table:
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, title=None, pad_edge=False)
+    for title in (
+        "t (s)",
+        "event",
+        "mode",
+        "θ (°)",
+        "x (m)",
+        "height (m)",
+        "v (m/s)",
+        "θ̇ (rad/s)",
+        "slip (m/s)",
+    ):
+        table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
+    for event in motion.events:
+        change = (
+            event.to_mode
+            if event.from_mode in (None, event.to_mode)
+            else f"{event.from_mode} → {event.to_mode}"
+        )
+        numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
+        table.add_row(
+            f"{event.t:.6f}",
+            event.kind.replace("_", " "),
+            change,
+            *(f"{_clean(number):.4f}" for number in numbers),
+        )
+    return table
+
+
+def _clean(number: float) -> float:
+    return 0.0 if abs(number) < 5e-5 else number
+
+
+def _summary(motion: Trajectory) -> Table:
+    from rich.table import Table
+
+    ledger = motion.ledger
+    impacts = ledger.impact_normal + ledger.impact_tangential
+    table = Table.grid(padding=(0, 2))
+    phases = motion.sequence if len(motion.sequence) <= 60 else motion.sequence[:59] + "…"
+    table.add_row("phases", f"{phases}   (R roll, S spin, K skid, H flight, M skim)")
+    table.add_row("status", motion.status.replace("_", " "))
+    table.add_row(
+        "energy",
+        f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: friction "
+        f"{ledger.friction:.6g} J, impacts {impacts:.6g} J; residual {ledger.residual:.1e} J",
+    )
+    return table
