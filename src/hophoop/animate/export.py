@@ -99,11 +99,9 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
     FileExistsError
         If a folder for pictures holds something already.
     OSError
-        If the file cannot be written.
+        If the file cannot be written, or the encoder fails.
     ImportError
         If the encoder is missing.
-    RuntimeError
-        If the encoder fails.
     """
     kind = format_of(path)
     target = Path(path)
@@ -227,7 +225,7 @@ def _encode(pictures: Iterable[Bytes], command: list[str]) -> None:
         if code != 0 or broken.is_set():
             said.seek(0)
             words = said.read().decode(errors="replace").strip().splitlines()
-            raise RuntimeError(f"The encoder failed ({code}): {words[-1] if words else 'it said nothing'}")
+            raise OSError(f"The encoder failed ({code}): {words[-1] if words else 'it said nothing'}")
 
 
 def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> Path:

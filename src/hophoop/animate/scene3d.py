@@ -129,7 +129,7 @@ class Film3D:
         If labels or times do not fit the motions, or their slopes differ.
     ImportError
         If PyVista is missing.
-    RuntimeError
+    OSError
         If VTK finds no OpenGL, not even in software.
     """
 
@@ -256,7 +256,7 @@ class Film3D:
         finally:
             logger.SetStderrVerbosity(before)
         if not self._window.SupportsOpenGL():
-            raise RuntimeError(
+            raise OSError(
                 "VTK finds no OpenGL, not even in software; on Debian the package libegl1 or libosmesa6 has it."
             )
         self._buffer = array()

@@ -1,80 +1,142 @@
-"""`hophoop animate`: a film of one or several motions, in 2D or 3D, or a 3D page that turns in a browser."""
+"""`hophoop animate`: a film of one or several motions, in 2D or 3D, or a scene that turns in a browser."""
 
 from __future__ import annotations
 
 import re
+from contextlib import nullcontext
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
+from hophoop.cli._options import with_scenario
 
+PICTURE, PACE, COMPARE = "Picture", "Pace", "Comparison"
+SCENES = (".html", ".glb")
+
+
+@with_scenario
 def animate(
-    files: Annotated[
-        list[str], typer.Argument(metavar="FILE...", help="Scenarios; '-' is standard input. Several compare.")
-    ],
+    scenario: Any,
     out: Annotated[
         Path,
         typer.Option(
-            help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; "
-            "with --3d also .html or .glb, a scene that turns."
+            "--out",
+            metavar="FILE",
+            help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html or "
+            ".glb, a scene that turns.",
+            show_default=False,
         ),
     ],
-    three_d: Annotated[bool, typer.Option("--3d", help="In three dimensions.")] = False,
-    fps: Annotated[
-        float | None, typer.Option(help="Pictures a second; 60 in 2D, 30 in 3D, 25 in a gif.")
-    ] = None,
-    size: Annotated[str, typer.Option(metavar="WxH", help="Width and height in pixels.")] = "1280x720",
-    theme: Annotated[str, typer.Option(help="light, dark or print.")] = "light",
+    three_d: Annotated[bool, typer.Option("--3d", help="In three dimensions.", rich_help_panel=PICTURE)] = False,
+    size: Annotated[
+        str, typer.Option(metavar="WxH", help="Width and height in pixels.", rich_help_panel=PICTURE)
+    ] = "1280x720",
+    theme: Annotated[str, typer.Option(help="light, dark or print.", rich_help_panel=PICTURE)] = "light",
     camera: Annotated[
-        str | None, typer.Option(help="2D: follow or hold; 3D: chase, side, orbit or hold.")
+        str | None,
+        typer.Option(
+            help="follow or hold; with --3d chase, side, orbit or hold.",
+            rich_help_panel=PICTURE,
+            show_default=False,
+        ),
     ] = None,
     panel: Annotated[
         list[str] | None,
-        typer.Option(help="2D: a plot that runs along: velocity, energy, forces, utilization or phase; "
-                     "may be repeated."),
+        typer.Option(
+            help="A plot that runs along, not with --3d: velocity, energy, forces, utilization or phase; may be "
+            "repeated.",
+            rich_help_panel=PICTURE,
+            show_default=False,
+        ),
     ] = None,
-    speed: Annotated[float, typer.Option(help="Seconds of motion a second of film.")] = 1.0,
+    traces: Annotated[bool, typer.Option(help="Draw the traces.", rich_help_panel=PICTURE)] = True,
+    forces: Annotated[bool, typer.Option(help="Draw the contact forces.", rich_help_panel=PICTURE)] = True,
+    shadows: Annotated[bool, typer.Option(help="Cast shadows, with --3d.", rich_help_panel=PICTURE)] = True,
+    fps: Annotated[
+        float | None,
+        typer.Option(
+            help="Pictures a second; 60, with --3d 30, in a gif 25.", rich_help_panel=PACE, show_default=False
+        ),
+    ] = None,
+    speed: Annotated[
+        float, typer.Option(help="Seconds of motion a second of film.", rich_help_panel=PACE)
+    ] = 1.0,
     slow_at: Annotated[
         list[str] | None,
-        typer.Option(help="Kind of event, such as takeoff, or time in s, with slow motion around; "
-                     "may be repeated."),
+        typer.Option(
+            metavar="EVENT|TIME",
+            help="Slow motion around events of a kind, such as takeoff, or around a time in s; may be repeated.",
+            rich_help_panel=PACE,
+            show_default=False,
+        ),
     ] = None,
-    slow_factor: Annotated[float, typer.Option(help="How many times slower.")] = 8.0,
+    slow_factor: Annotated[float, typer.Option(help="How many times slower.", rich_help_panel=PACE)] = 8.0,
     slow_width: Annotated[
-        float | None, typer.Option(help="How long before and after, in the motion's time, s.")
+        float | None,
+        typer.Option(
+            help="How long before and after, in the motion's time, s.", rich_help_panel=PACE, show_default=False
+        ),
     ] = None,
-    start: Annotated[float, typer.Option(help="First time to show, s.")] = 0.0,
-    end: Annotated[float | None, typer.Option(help="Last time to show, s.")] = None,
-    overlay: Annotated[bool, typer.Option("--overlay", help="Several motions in one view.")] = False,
-    step: Annotated[str, typer.Option(help="What several motions have in common: time or angle.")] = "time",
+    begin: Annotated[float, typer.Option("--from", help="First time to show, s.", rich_help_panel=PACE)] = 0.0,
+    end: Annotated[
+        float | None,
+        typer.Option("--to", help="Last time to show, s.", rich_help_panel=PACE, show_default=False),
+    ] = None,
+    beside: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--with",
+            metavar="FILE",
+            help="Another scenario to show as well; may be repeated.",
+            rich_help_panel=COMPARE,
+            show_default=False,
+        ),
+    ] = None,
+    vary: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PATH=A,B,…",
+            help="Show the scenario for some values of a parameter, such as plane.mu=0.3,1.",
+            rich_help_panel=COMPARE,
+            show_default=False,
+        ),
+    ] = None,
+    overlay: Annotated[
+        bool, typer.Option("--overlay", help="All in one view.", rich_help_panel=COMPARE)
+    ] = False,
+    step: Annotated[
+        str, typer.Option(help="What they have in common: time or angle.", rich_help_panel=COMPARE)
+    ] = "time",
     label: Annotated[
-        list[str] | None, typer.Option(help="A line for each motion, in their order; may be repeated.")
+        list[str] | None,
+        typer.Option(
+            help="A line for each motion, in their order.", rich_help_panel=COMPARE, show_default=False
+        ),
     ] = None,
-    traces: Annotated[bool, typer.Option(help="Draw the traces.")] = True,
-    forces: Annotated[bool, typer.Option(help="Draw the contact forces.")] = True,
-    shadows: Annotated[bool, typer.Option(help="3D: cast shadows.")] = True,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
-    """Film the motion of one or several scenarios."""
-    from contextlib import nullcontext
-
-    from hophoop import animate as films
+    """Film a motion, or some to compare: real time, ring coloured by speed, traces, forces to scale."""
+    from hophoop.cli import NO_ANSWER, say
     from hophoop.scenario import InputError, Scenario
     from hophoop.simulation import simulate
 
     match = re.fullmatch(r"(\d+)[x×](\d+)", size)
     if match is None:
-        raise InputError(f"--size = {size!r} must be a width and a height, such as 1280x720.")
-    sides = int(match[1]), int(match[2])
-    motions = [simulate(Scenario.load(file)) for file in files]
-    scene = three_d and out.suffix.lower() in (".html", ".glb")
-    common = {
+        raise InputError(f"--size = {size} must be a width and a height, such as 1280x720.")
+    if three_d and (panel or overlay):
+        raise InputError("--panel and --overlay do not go together with --3d.")
+    scenarios = [*_varied(scenario, vary), *(Scenario.load(file) for file in beside or ())]
+    motions = [simulate(each) for each in scenarios]
+
+    from hophoop import animate as films
+
+    common: dict[str, Any] = {
         "speed": speed,
-        "slow_at": [_mark(mark) for mark in slow_at or ()],
+        "slow_at": [_mark(text) for text in slow_at or ()],
         "slow_factor": slow_factor,
         "slow_width": slow_width,
-        "start": start,
+        "start": begin,
         "end": end,
         "step": step,
         "theme": theme,
@@ -82,23 +144,36 @@ def animate(
         "traces": traces,
         "forces": forces,
     }
-    if scene:
+    if three_d and out.suffix.lower() in SCENES:
         films.scene(motions, out, **common)
     else:
         with nullcontext(None) if quiet else films.bar(out.name) as progress:
-            common |= {"fps": fps, "size": sides, "progress": progress}
+            common |= {"fps": fps, "size": (int(match[1]), int(match[2])), "progress": progress}
             if three_d:
-                if panel or overlay:
-                    raise InputError("--panel and --overlay belong to films in 2D.")
                 films.film_3d(motions, out, camera=camera or "chase", shadows=shadows, **common)
             else:
                 layout = "overlay" if overlay else "side"
                 films.film(
                     motions, out, camera=camera or "follow", panels=panel or (), layout=layout, **common
                 )
-    typer.echo(f"Wrote {out}.", err=True)
-    if not all(motion.ok for motion in motions):
-        raise typer.Exit(1)
+    if not quiet:
+        say(f"Wrote {out}.")
+    for motion in motions:
+        if not motion.ok:
+            say(f"A motion ends at t = {motion.duration:.9g} s: {motion.status}.")
+            raise typer.Exit(NO_ANSWER)
+
+
+def _varied(scenario: Any, vary: str | None) -> list[Any]:
+    from hophoop.cli._options import _value, changed
+    from hophoop.scenario import InputError
+
+    if vary is None:
+        return [scenario]
+    path, sign, values = vary.partition("=")
+    if not sign or not path or not values:
+        raise InputError(f"--vary {vary} must be a path and values, such as plane.mu=0.3,1.")
+    return [changed(scenario, [(path.strip(), _value(word.strip()))]) for word in values.split(",")]
 
 
 def _mark(text: str) -> str | float:
