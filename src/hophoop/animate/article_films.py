@@ -46,7 +46,10 @@ class ArticleFilm:
     def scenario(self) -> Scenario:
         """The run of the article."""
         return Scenario(
-            hoop=Hoop.ideal(0.75), plane=Plane(mu=self.mu), start=Start.rolling(self.speed), duration=self.duration
+            hoop=Hoop.ideal(0.75),
+            plane=Plane(mu=self.mu),
+            start=Start.rolling(self.speed),
+            duration=self.duration,
         )
 
 

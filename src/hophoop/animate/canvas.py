@@ -113,7 +113,7 @@ class Canvas:
         context.restore()
 
     def segments(self, points: Points, colors: Points, width: float) -> None:
-        """A closed line whose pieces have a colour each, n × RGBA; neighbours overlap, so that no seam shows."""
+        """A closed line whose pieces have a colour each, n × RGBA; neighbours overlap: no seam shows."""
         context = self._context((0.0, 0.0, 0.0, 1.0), width)
         trios = np.stack([np.roll(points, 1, axis=0), points, np.roll(points, -1, axis=0)], axis=1)
         self._renderer.draw_path_collection(

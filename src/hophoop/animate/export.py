@@ -52,7 +52,7 @@ def format_of(path: str | Path) -> str:
     Parameters
     ----------
     path : str or Path
-        Ends in .mp4, .webm, .gif or .png; without an ending, or with a slash, it is a folder for PNG pictures.
+        Ends in .mp4, .webm, .gif or .png; without an ending, or with a slash, a folder for PNG pictures.
 
     Returns
     -------
@@ -68,7 +68,9 @@ def format_of(path: str | Path) -> str:
     if suffix == "" or str(path).endswith(("/", os.sep)):
         return "png"
     if suffix not in FORMATS:
-        raise ValueError(f"out = {str(path)!r} must end in {', '.join(FORMATS)}, or be a folder for pictures.")
+        raise ValueError(
+            f"out = {str(path)!r} must end in {', '.join(FORMATS)}, or be a folder for pictures."
+        )
     return suffix[1:]
 
 
@@ -140,7 +142,9 @@ def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
     if kind in ("mp4", "webm") and (size[0] % 2 or size[1] % 2):
         raise ValueError(f"size = {size!r} must be even numbers in a film of kind {kind}.")
     if kind == "gif" and fps > MAX_GIF_FPS:
-        raise ValueError(f"fps = {fps!r} must be at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones.")
+        raise ValueError(
+            f"fps = {fps!r} must be at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones."
+        )
 
 
 _PALETTE = ["-vf", "palettegen=max_colors=255:reserve_transparent=0:stats_mode=full", "-frames:v", "1"]

@@ -108,7 +108,14 @@ def film(
     """
     timing = _timing(path, fps, FPS_2D, speed, slow_at, slow_factor, slow_width, start, end, step)
     look = Look(
-        tuple(size), theme, camera, _words(panels), layout, None if labels is None else tuple(labels), traces, forces
+        tuple(size),
+        theme,
+        camera,
+        _words(panels),
+        layout,
+        None if labels is None else tuple(labels),
+        traces,
+        forces,
     )
     check_film(format_of(path), look.size, timing.fps)
     return write(Film2D(_several(motions), timing, look), path, progress)
@@ -152,7 +159,14 @@ def picture(
         If Matplotlib is not installed.
     """
     look = Look(
-        tuple(size), theme, camera, _words(panels), layout, None if labels is None else tuple(labels), traces, forces
+        tuple(size),
+        theme,
+        camera,
+        _words(panels),
+        layout,
+        None if labels is None else tuple(labels),
+        traces,
+        forces,
     )
     several = _several(motions)
     longest = max((motion.duration for motion in several), default=0.0)
@@ -212,7 +226,7 @@ def film_3d(
         Width and height [pixels].
     theme : {'light', 'dark', 'print'}
     camera : {'chase', 'side', 'orbit', 'hold'}
-        Beside and a little behind the hoop, square to it, going round it, or at rest and seeing the whole way.
+        Beside and a little behind the hoop, square to it, going round it, or at rest, seeing the whole way.
     labels : sequence of str, optional
         A line for each motion; its parameters by default.
     traces, forces, shadows : bool, default True

@@ -1,4 +1,4 @@
-"""What each frame of a film shows: which instant of the motion, and what lies behind the hoop. Draws nothing."""
+"""What each frame of a film shows: which instant of the motion, and the way so far. Draws nothing."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hophoop.physics.body import EVENT_NAMES
-from hophoop.plots.pose import Floats, event_times, poses_of, rim_speeds
+from hophoop.plots.pose import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Trajectory
 
@@ -121,7 +120,8 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
     times, rate = _film_times(leaders, timing, min(end, longest))
     if timing.step == "time":
         return Clock(tuple(np.minimum(times, motion.duration) for motion in motions), rate)
-    shown = (times, *(_times_at_turn(motions[0], times, other) for other in motions[1:]))
+    turned = turned_at(motions[0], times)
+    shown = (times, *(times_at_turn(other, turned) for other in motions[1:]))
     return Clock(shown, rate)
 
 
@@ -164,29 +164,6 @@ def _distance(grid: Floats, marks: Floats) -> Floats:
 
 def _second(motion: Trajectory) -> float:
     return time_unit(motion.scenario.hoop, motion.scenario.plane)
-
-
-def _times_at_turn(leader: Trajectory, times: Floats, other: Trajectory) -> Floats:
-    """First times at which another motion has turned as far as the leader has at its times."""
-    start = leader.at(0.0).angle
-    grid = np.unique(np.concatenate([leader.times(_grid_size(leader)), times]))
-    turned = np.abs(leader.at(grid).angle - start)
-    wanted = np.maximum.accumulate(turned)[np.searchsorted(grid, times)]
-    track = other.times(_grid_size(other))
-    begin = other.at(0.0).angle
-    reached = np.maximum.accumulate(np.abs(other.at(track).angle - begin))
-    after = np.clip(np.searchsorted(reached, wanted), 1, len(track) - 1)
-    low, high = track[after - 1].copy(), track[after].copy()
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        short = np.abs(other.at(middle).angle - begin) < wanted
-        low, high = np.where(short, middle, low), np.where(short, high, middle)
-    found = np.where(wanted > reached[-1], other.duration, high)
-    return np.where(wanted <= 0.0, 0.0, found)
-
-
-def _grid_size(motion: Trajectory) -> int:
-    return int(min(MAX_TRACE_POINTS, max(64, 60 * motion.duration / _second(motion))))
 
 
 @dataclass(frozen=True)
@@ -279,7 +256,9 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
     weight = motion.scenario.hoop.mass * motion.scenario.plane.gravity
     forces = np.hypot(*np.moveaxis(poses.normal_force, -1, 0))
     # A compliant contact answers an impact with a peak of a few samples: it is not what the scale is for.
-    usual = float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
+    usual = (
+        float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
+    )
     return Extent(
         along=(float(np.min(poses.sample.x)), float(np.max(poses.sample.x))),
         height=float(np.max(poses.sample.height)),

@@ -158,7 +158,9 @@ def glb(data: dict[str, Any]) -> bytes:
         writer.animate(node, "translation", moments, _lifted(hoop["center"], lane))
         half = -0.5 * (hoop["angle"] + slope)  # clockwise
         nothing = np.zeros_like(half)
-        writer.animate(node, "rotation", moments, np.stack([nothing, nothing, np.sin(half), np.cos(half)], axis=-1))
+        writer.animate(
+            node, "rotation", moments, np.stack([nothing, nothing, np.sin(half), np.cos(half)], axis=-1)
+        )
         if data["newton"] > 0.0:
             tilt = [0.0, 0.0, float(np.sin(-0.5 * slope)), float(np.cos(-0.5 * slope))]
             for name, axis in (("normal", 1), ("friction", 0)):
@@ -221,7 +223,9 @@ def _arrow(thick: float, axis: int) -> tuple[Floats, Floats, np.ndarray]:
         start = sum(len(part) for part in points)
         for radius, level in (a, b):
             points.append(np.stack([radius * np.cos(u), np.full_like(u, level), radius * np.sin(u)], axis=-1))
-            normals.append(np.stack([slant[0] * np.cos(u), np.full_like(u, slant[1]), slant[0] * np.sin(u)], axis=-1))
+            normals.append(
+                np.stack([slant[0] * np.cos(u), np.full_like(u, slant[1]), slant[0] * np.sin(u)], axis=-1)
+            )
         i = np.arange(around) + start
         j = i + around + 1
         faces += [np.stack([i, j, j + 1], axis=-1), np.stack([i, j + 1, i + 1], axis=-1)]

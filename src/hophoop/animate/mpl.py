@@ -13,8 +13,8 @@ from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, extent, 
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.themes import Theme, theme_of
-from hophoop.animate.words import draw_keys, draw_pace, draw_state, minus, shades_of, speed_words, wide
 from hophoop.animate.views import BELOW, View, followed, grid, held, project
+from hophoop.animate.words import draw_keys, draw_pace, draw_state, minus, shades_of, speed_words, wide
 from hophoop.plots import colors
 from hophoop.plots.pose import Floats, Poses, part_side, poses_of, rim_speeds, to_world
 from hophoop.scenario import Disk, PointMass, Ring, Rod
@@ -69,7 +69,10 @@ class Film2D:
         self.theme: Theme = theme_of(look.theme)
         self.canvas = Canvas(look.size, self.theme.background)
         labels = labels_of(motions, look.labels)
-        ends = [min(float(times[-1]), motion.duration) for times, motion in zip(self.clock.times, motions, strict=True)]
+        ends = [
+            min(float(times[-1]), motion.duration)
+            for times, motion in zip(self.clock.times, motions, strict=True)
+        ]
         extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
         self.top_speed = max((size.speed for size in extents), default=0.0) or 1.0
         self._force = max(size.force for size in extents) or 1.0
@@ -88,10 +91,13 @@ class Film2D:
             )
             for i, motion in enumerate(motions)
         ]
-        self._force_scale = min(
-            FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors
-        ) / self._force  # pixels a newton
-        self.panels = Panels(self.canvas, self._panel_area, self.theme, motions, look.panels, timing.start, max(ends))
+        self._force_scale = (
+            min(FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors)
+            / self._force
+        )  # pixels a newton
+        self.panels = Panels(
+            self.canvas, self._panel_area, self.theme, motions, look.panels, timing.start, max(ends)
+        )
         self._draw_heading()
         self._background: Bytes = self.canvas.pixels.copy()
 
@@ -149,7 +155,9 @@ class Film2D:
         width, height = self.look.size
         u = self.canvas.unit
         head = (84.0 if wide(self.canvas) else 140.0) * u
-        self._view_head = 0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 26.0 * (motions - 2)) * u
+        self._view_head = (
+            0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 26.0 * (motions - 2)) * u
+        )
         foot = 30.0 * u
         body = height - head - foot
         if not self.look.panels:
@@ -163,7 +171,9 @@ class Film2D:
         self._panel_area = (0.0, foot, width, share)
         return 0.0, foot + share, width, body - share
 
-    def _views(self, stage: Rectangle, motions: Sequence[Trajectory], extents: Sequence[Extent]) -> list[View]:
+    def _views(
+        self, stage: Rectangle, motions: Sequence[Trajectory], extents: Sequence[Extent]
+    ) -> list[View]:
         look, gap = self.look, 10.0 * self.canvas.unit
         if look.layout == "overlay":
             radius = max(motion.scenario.hoop.radius for motion in motions)
@@ -175,9 +185,9 @@ class Film2D:
             )
             left, bottom, width, height = stage
             places = np.mean([self._places(motion, i) for i, motion in enumerate(motions)], axis=0)
-            return [self._view((left, bottom, width, height - self._view_head), whole, radius, motions[0], places)] * len(
-                motions
-            )
+            return [
+                self._view((left, bottom, width, height - self._view_head), whole, radius, motions[0], places)
+            ] * len(motions)
         if look.camera == "hold":
             wanted = max(
                 (size.along[1] - size.along[0] + 2.7 * m.scenario.hoop.radius)
@@ -239,7 +249,12 @@ class Film2D:
                 canvas.line(np.array([top, end]), theme.muted, 1.2)
                 if BELOW * radius * view.scale > 24.0 * canvas.unit:
                     canvas.text(
-                        under[0], under[1], minus(f"{place:g} m"), theme.muted, 13.0, "center",
+                        under[0],
+                        under[1],
+                        minus(f"{place:g} m"),
+                        theme.muted,
+                        13.0,
+                        "center",
                         vertical="center",
                     )
 

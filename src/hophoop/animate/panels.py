@@ -152,7 +152,9 @@ class Panels:
         way = np.vstack([np.column_stack(line.get_data())[:past], here])
         canvas.clip((box.x0, box.y0, box.width, box.height))
         canvas.line(axes.transData.transform(way), self._theme.ink, 1.6)
-        canvas.disc(axes.transData.transform(here), 5.5 * canvas.unit, colors.VERMILION, self._theme.background, 1.2)
+        canvas.disc(
+            axes.transData.transform(here), 5.5 * canvas.unit, colors.VERMILION, self._theme.background, 1.2
+        )
         canvas.clip(None)
 
 
@@ -162,14 +164,27 @@ def _value(line: Any, t: float) -> float:
 
 
 def _legend(axes: Any) -> None:
-    axes.legend(fontsize=11, loc="upper left", frameon=True, framealpha=0.75, ncols=4, borderpad=0.2,
-                handlelength=1.4, columnspacing=1.0)
+    axes.legend(
+        fontsize=11,
+        loc="upper left",
+        frameon=True,
+        framealpha=0.75,
+        ncols=4,
+        borderpad=0.2,
+        handlelength=1.4,
+        columnspacing=1.0,
+    )
 
 
 def _velocity(axes: Any, motion: Trajectory, sample: Sample) -> None:
     axes.plot(sample.t, sample.vx, color=colors.CENTER_SPEED, linewidth=1.8, label="v")
-    axes.plot(sample.t, motion.scenario.hoop.radius * sample.omega, color=colors.ROTATION_SPEED, linewidth=1.8,
-              label="Rθ̇")
+    axes.plot(
+        sample.t,
+        motion.scenario.hoop.radius * sample.omega,
+        color=colors.ROTATION_SPEED,
+        linewidth=1.8,
+        label="Rθ̇",
+    )
     axes.set_ylabel("velocity, m/s")
     _over_time(axes, sample.t)
 

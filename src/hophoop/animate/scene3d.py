@@ -139,12 +139,16 @@ class Film3D:
         self.theme: Theme = theme_of(look.theme)
         slopes = {motion.scenario.plane.slope for motion in motions}
         if len(slopes) > 1:
-            raise ValueError(f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene.")
+            raise ValueError(
+                f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene."
+            )
         self._slope = slopes.pop()
         self._pyvista = need("pyvista", "films")
         self.canvas = Canvas(look.size, self.theme.background)
         labels = labels_of(motions, look.labels)
-        ends = [min(float(t[-1]), motion.duration) for t, motion in zip(self.clock.times, motions, strict=True)]
+        ends = [
+            min(float(t[-1]), motion.duration) for t, motion in zip(self.clock.times, motions, strict=True)
+        ]
         extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
         self._radius = max(motion.scenario.hoop.radius for motion in motions)
         self.extent = Extent(
@@ -292,10 +296,13 @@ class Film3D:
         self._shade = _mix(ground, "#000000", 0.38)
 
         def sheet(along: tuple[float, float], across: tuple[float, float], lift: float) -> Any:
-            corners = [(along[0], across[0]), (along[1], across[0]), (along[1], across[1]), (along[0], across[1])]
-            points = [
-                place_3d(to_world(s, lift * radius, tilt), y) for s, y in corners
+            corners = [
+                (along[0], across[0]),
+                (along[1], across[0]),
+                (along[1], across[1]),
+                (along[0], across[1]),
             ]
+            points = [place_3d(to_world(s, lift * radius, tilt), y) for s, y in corners]
             return pyvista.PolyData(np.array(points), faces=[4, 0, 1, 2, 3])
 
         self._add(sheet((low, high), (-deep, deep), -0.012), ground, lit=False)
@@ -306,8 +313,10 @@ class Film3D:
         last = math.ceil((self.extent.along[1] + 8.0 * radius) / step)
         marks = np.arange(first, min(last, first + 2000) + 1) * step
         feet = place_3d(to_world(marks, np.full(len(marks), -0.005 * radius), tilt), -half)
-        ends = feet + [0.0, 2.0 * half, 0.0]
-        cells = np.column_stack([np.full(len(marks), 2), np.arange(len(marks)), np.arange(len(marks)) + len(marks)])
+        ends = feet + np.array([0.0, 2.0 * half, 0.0])
+        cells = np.column_stack(
+            [np.full(len(marks), 2), np.arange(len(marks)), np.arange(len(marks)) + len(marks)]
+        )
         lines = pyvista.PolyData(np.vstack([feet, ends]), lines=cells.ravel())
         self._add(lines, _mix(ground, theme.ink, 0.25), lit=False, line_width=1.3)
         for mark in marks[np.abs(np.round(marks / step)) % 2 == 0][:400]:
@@ -341,7 +350,13 @@ class Film3D:
         meshes, actors = actor.meshes, actor.actors
         meshes["ring"] = ring
         actors["ring"] = self._add(
-            ring, None, scalars="shade", rgb=True, smooth_shading=False, specular=0.25, specular_power=20,
+            ring,
+            None,
+            scalars="shade",
+            rgb=True,
+            smooth_shading=False,
+            specular=0.25,
+            specular_power=20,
             ambient=0.25,
         )
         actors["ring"].prop.interpolation = "Gouraud"
@@ -354,13 +369,13 @@ class Film3D:
         self._add(spoke, theme.muted, lit=False, line_width=1.5)
         if self.look.shadows:
             for name, mesh in (("ring", ring), ("load", ball)):
-                actors[f"{name} shadow"] = self._add(
-                    mesh.copy(), self._shade, lit=False, scalars=None
-                )
+                actors[f"{name} shadow"] = self._add(mesh.copy(), self._shade, lit=False, scalars=None)
         if self.look.forces:
             for name, color in (("normal", colors.NORMAL_FORCE), ("friction", colors.FRICTION_FORCE)):
                 shaft = pyvista.Cylinder(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0)
-                head = pyvista.Cone(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0, resolution=32)
+                head = pyvista.Cone(
+                    center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0, resolution=32
+                )
                 for part, mesh in ((f"{name} shaft", shaft), (f"{name} head", head)):
                     actors[part] = self._add(mesh, theme.shown(color), ambient=0.35)
         if self.look.traces:
@@ -394,7 +409,9 @@ class Film3D:
             for points in (poses.center, poses.load, poses.gravity_center, poses.contact)
         )
         shades = shades_of(actor.speeds[k], self.extent.speed)[:, :3]
-        meshes["ring"].point_data["shade"] = np.repeat(np.rint(255.0 * shades).astype(np.uint8), SECTIONS, axis=0)
+        meshes["ring"].point_data["shade"] = np.repeat(
+            np.rint(255.0 * shades).astype(np.uint8), SECTIONS, axis=0
+        )
         for name, spot in (("ring", center), ("load", load), ("heavy", heavy)):
             matrix = _shift(spot)
             actors[name].user_matrix = matrix
@@ -435,7 +452,7 @@ class Film3D:
         point = min(0.2 * self._radius, length)
         wide = min(2.4 * thick, 0.6 * point)
         # before the ring, not within its tube
-        foot = tail + [0.0, -(TUBE + 0.04) * self._radius, 0.0]
+        foot = tail + np.array([0.0, -(TUBE + 0.04) * self._radius, 0.0])
         shaft.user_matrix = _frame(foot, turn * [max(length - point, 1e-6), thick, thick])
         head.user_matrix = _frame(foot + (length - point) * along, turn * [point, wide, wide])
 
@@ -446,7 +463,7 @@ class Film3D:
             return
         mesh.points = np.vstack([points[:past], spot[None, :]])
         mesh.lines = _pieces(past).ravel()
-        mesh.cell_data["ink"] = inks[: past] if past <= len(inks) else np.vstack([inks, inks[-1:]])
+        mesh.cell_data["ink"] = inks[:past] if past <= len(inks) else np.vstack([inks, inks[-1:]])
 
     # --- camera --------------------------------------------------------------------------------
 
@@ -476,7 +493,9 @@ class Film3D:
         target = place_3d(to_world(along, np.full_like(along, 0.95 * radius), tilt), 0.0)
         reach = away * math.sqrt(1.0 - rise**2)
         # kept above a plane that rises behind
-        offset = np.stack([reach * np.sin(turn), -reach * np.cos(turn), np.full_like(turn, rise * away)], axis=-1)
+        offset = np.stack(
+            [reach * np.sin(turn), -reach * np.cos(turn), np.full_like(turn, rise * away)], axis=-1
+        )
         offset[:, 2] += np.maximum(0.0, -offset[:, 0] * math.tan(tilt))
         return target + offset, target
 
@@ -494,7 +513,9 @@ class Film3D:
             place = 22.0 * u, height - ((40.0 if several else 64.0) + 26.0 * row) * u
             draw_state(canvas, theme, place, actor.poses, k, ended, extra)
         draw_pace(canvas, theme, 22.0 * u, float(self.clock.rate[k]))
-        draw_keys(canvas, theme, self.extent.speed, None, self.extent.force, self.look.traces, self.look.forces)
+        draw_keys(
+            canvas, theme, self.extent.speed, None, self.extent.force, self.look.traces, self.look.forces
+        )
 
 
 def _pieces(count: int) -> np.ndarray:

@@ -75,9 +75,7 @@ def followed(
 ) -> View:
     """A view that goes along with the hoop; `places` are its centre's, along the plane, at each frame."""
     left, bottom, width, height = rectangle
-    scale = min(
-        height / (extent.height + (2.0 + BELOW + ABOVE) * radius), width / (LEAST_WIDTH * radius)
-    )
+    scale = min(height / (extent.height + (2.0 + BELOW + ABOVE) * radius), width / (LEAST_WIDTH * radius))
     half = 0.5 * width / scale / math.cos(slope)
     low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
     if high - low <= 2.0 * half:

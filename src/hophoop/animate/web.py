@@ -1,4 +1,4 @@
-"""Scenes that turn and play in any browser, without the network: one HTML page, or glTF for other programs."""
+"""Scenes that turn and play in any browser, without the network: an HTML page, or glTF for other programs."""
 
 from __future__ import annotations
 

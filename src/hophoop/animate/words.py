@@ -31,7 +31,9 @@ def shades_of(speeds: Floats, top: float) -> Floats:
     shades : ndarray, one axis more than speeds
         Red, green, blue and opacity, from 0 to 1 [1].
     """
-    shades: Floats = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP](np.clip(speeds / top, 0.0, 1.0))
+    shades: Floats = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP](
+        np.clip(speeds / top, 0.0, 1.0)
+    )
     return shades
 
 
@@ -141,7 +143,7 @@ def _draw_force_key(
         level = y - 20.0 * u * row
         canvas.text(x - 8.0 * u, level, words, theme.ink, 13.0, "right", vertical="center")
         tail = np.array([x, level])
-        canvas.arrow(tail, tail + [amount * newton, 0.0], theme.shown(color), theme.background, 7.0)
+        canvas.arrow(tail, tail + np.array([amount * newton, 0.0]), theme.shown(color), theme.background, 7.0)
     canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, f"{amount:g} N", theme.ink, 12.0, "center")
 
 

@@ -28,7 +28,9 @@ def animate(
             show_default=False,
         ),
     ],
-    three_d: Annotated[bool, typer.Option("--3d", help="In three dimensions.", rich_help_panel=PICTURE)] = False,
+    three_d: Annotated[
+        bool, typer.Option("--3d", help="In three dimensions.", rich_help_panel=PICTURE)
+    ] = False,
     size: Annotated[
         str, typer.Option(metavar="WxH", help="Width and height in pixels.", rich_help_panel=PICTURE)
     ] = "1280x720",
@@ -75,10 +77,14 @@ def animate(
     slow_width: Annotated[
         float | None,
         typer.Option(
-            help="How long before and after, in the motion's time, s.", rich_help_panel=PACE, show_default=False
+            help="How long before and after, in the motion's time, s.",
+            rich_help_panel=PACE,
+            show_default=False,
         ),
     ] = None,
-    begin: Annotated[float, typer.Option("--from", help="First time to show, s.", rich_help_panel=PACE)] = 0.0,
+    begin: Annotated[
+        float, typer.Option("--from", help="First time to show, s.", rich_help_panel=PACE)
+    ] = 0.0,
     end: Annotated[
         float | None,
         typer.Option("--to", help="Last time to show, s.", rich_help_panel=PACE, show_default=False),

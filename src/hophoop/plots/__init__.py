@@ -8,6 +8,7 @@ from hophoop.plots.motion import contact_forces, energies, friction_utilization,
 from hophoop.plots.overview import notebook, overview
 from hophoop.plots.path import geometry, path
 from hophoop.plots.plane import phase_plane
+from hophoop.plots.strobe import strobe
 
 __all__ = [
     "velocities",
@@ -16,6 +17,7 @@ __all__ = [
     "friction_utilization",
     "gap",
     "path",
+    "strobe",
     "phase_plane",
     "geometry",
     "overview",

@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.scenario import Hoop, PointMass, Ring
+from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Sample, Trajectory
 
 Floats = NDArray[np.float64]
+GRID = 200_000  # times at most, where a motion is searched
 
 
 @dataclass(frozen=True)
@@ -194,6 +196,59 @@ def event_times(motion: Trajectory) -> Floats:
     """
     end = motion.duration
     return np.unique(np.clip([event.t for event in motion.events], 0.0, end))
+
+
+def turned_at(motion: Trajectory, times: ArrayLike) -> Floats:
+    """How far a motion has turned at most, up to each of some times.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    times : array_like, shape (n,)
+        [s].
+
+    Returns
+    -------
+    turned : ndarray, shape (n,)
+        Greatest angle away from the start's so far [rad].
+    """
+    wanted = np.asarray(times, dtype=float)
+    grid = np.unique(np.concatenate([_grid(motion), wanted]))
+    turned = np.maximum.accumulate(np.abs(motion.at(grid).angle - motion.at(0.0).angle))
+    return np.asarray(turned[np.searchsorted(grid, wanted)])
+
+
+def times_at_turn(motion: Trajectory, turned: ArrayLike) -> Floats:
+    """First times at which a motion has turned so far; its end where it never does.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    turned : array_like, shape (n,)
+        Angles away from the start's, at least 0 [rad].
+
+    Returns
+    -------
+    t : ndarray, shape (n,)
+        [s].
+    """
+    wanted = np.asarray(turned, dtype=float)
+    track = _grid(motion)
+    begin = motion.at(0.0).angle
+    reached = np.maximum.accumulate(np.abs(motion.at(track).angle - begin))
+    after = np.clip(np.searchsorted(reached, wanted), 1, len(track) - 1)
+    low, high = track[after - 1].copy(), track[after].copy()
+    for _ in range(45):
+        middle = 0.5 * (low + high)
+        short = np.abs(motion.at(middle).angle - begin) < wanted
+        low, high = np.where(short, middle, low), np.where(short, high, middle)
+    found = np.where(wanted > reached[-1], motion.duration, high)
+    return np.where(wanted <= 0.0, 0.0, found)
+
+
+def _grid(motion: Trajectory) -> Floats:
+    second = time_unit(motion.scenario.hoop, motion.scenario.plane)
+    return motion.times(int(min(GRID, max(64, 60 * motion.duration / second))))
 
 
 def _finite(values: Any) -> Floats:

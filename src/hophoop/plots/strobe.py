@@ -1,0 +1,254 @@
+"""A stroboscopic still: the hoop at equal steps in time or angle, in one picture, for print."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from hophoop._extras import need
+from hophoop.plots import colors
+from hophoop.plots._curves import curve
+from hophoop.plots._style import new_axes
+from hophoop.plots.path import _ground
+from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+FLASHES = 12  # by default, about
+MOST_FLASHES = 400
+PIECES = 120  # of a ring, a colour each
+FIRST, LAST = 0.35, 1.0  # opacity of the first and last hoop
+WIDTH = 10.0  # inches
+
+
+def strobe(
+    motion: Trajectory,
+    every: float | None = None,
+    every_deg: float | None = None,
+    start: float = 0.0,
+    end: float | None = None,
+    color: Literal["speed", "mode"] = "speed",
+    forces: bool = False,
+    ax: Axes | None = None,
+) -> Axes:
+    """The hoop as a stroboscope shows it: at equal steps, with the traces of load and centre of gravity.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    every : float, optional
+        Time between two flashes; by default a round one that gives some twelve [s].
+    every_deg : float, optional
+        Turn between two flashes, instead of a time [°].
+    start, end : float, optional
+        Part of the motion that is shown [s].
+    color : {'speed', 'mode'}
+        Colour the ring by the speed of its points, with a colour bar, or by its mode.
+    forces : bool, default False
+        Whether to draw the contact forces, to scale.
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If the part is not within the motion, a step is not positive, both are given, or flashes are too many.
+    ImportError
+        If Matplotlib is missing.
+    """
+    if color not in ("speed", "mode"):
+        raise ValueError(f"color = {color!r} must be 'speed' or 'mode'.")
+    end = motion.duration if end is None else end
+    if not 0.0 <= start <= end <= motion.duration:
+        raise ValueError(
+            f"start = {start!r}, end = {end!r} must be a part of the motion, from 0 to {motion.duration!r} s."
+        )
+    times = _flashes(motion, every, every_deg, start, end)
+    radius, slope = motion.scenario.hoop.radius, motion.scenario.plane.slope
+    way = poses_of(motion, curve(motion, start, end).t)
+    flashes = poses_of(motion, times)
+    low, high = way.center.min(axis=0) - 1.25 * radius, way.center.max(axis=0) + 1.25 * radius
+    if slope == 0.0:
+        low[1] = -0.3 * radius
+    height = WIDTH * (high[1] - low[1]) / (high[0] - low[0]) + (1.6 if color == "speed" else 1.1)
+    ax = new_axes(ax, (WIDTH, float(np.clip(height, 2.4, 9.0))))
+    _ground(ax, slope, float(low[0]), float(high[0]), radius)
+    ax.set_aspect("equal")
+    ax.set_xlim(low[0], high[0])
+    ax.set_ylim(low[1], high[1])
+    ax.set_xlabel("Place along the plane (m)" if slope == 0.0 else "Level distance (m)")
+    ax.set_ylabel("Height (m)")
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    _draw_hoops(ax, motion, flashes, color)
+    _draw_traces(ax, way)
+    if forces:
+        _draw_forces(ax, motion, flashes)
+    _say_times(ax, flashes, radius, float(high[0] - low[0]))
+    _legend(ax, flashes, color)
+    return ax
+
+
+def _flashes(
+    motion: Trajectory, every: float | None, every_deg: float | None, start: float, end: float
+) -> Floats:
+    if every is not None and every_deg is not None:
+        raise ValueError(f"every = {every!r} and every_deg = {every_deg!r} cannot be given together.")
+    for name, step in (("every", every), ("every_deg", every_deg)):
+        if step is not None and not (0.0 < step < math.inf):
+            raise ValueError(f"{name} = {step!r} must be positive.")
+    if every_deg is not None:
+        first, last = turned_at(motion, [start, end])
+        step = math.radians(every_deg)
+        _check_count((last - first) / step, "every_deg", every_deg)
+        marks = np.arange(math.ceil(first / step - 1e-9), math.floor(last / step + 1e-9) + 1) * step
+        times = times_at_turn(motion, marks)
+        return np.unique(np.clip(times, start, end))
+    if end == start:
+        return np.array([start])
+    step = _round((end - start) / FLASHES) if every is None else every
+    _check_count((end - start) / step, "every", step)
+    return start + np.arange(math.floor((end - start) / step + 1e-9) + 1) * step
+
+
+def _check_count(count: float, name: str, step: float) -> None:
+    if count > MOST_FLASHES:
+        raise ValueError(
+            f"{name} = {step!r} makes {count:.0f} flashes; at most {MOST_FLASHES} can be told apart."
+        )
+
+
+def _round(step: float) -> float:
+    power = 10.0 ** math.floor(math.log10(step))
+    return min((1.0, 2.0, 2.5, 5.0, 10.0), key=lambda part: abs(math.log(part * power / step))) * power
+
+
+def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> None:
+    collections = need("matplotlib.collections", "plots")
+    radius, slope = motion.scenario.hoop.radius, motion.scenario.plane.slope
+    opacity = np.linspace(FIRST, LAST, len(flashes.t)) if len(flashes.t) > 1 else np.array([LAST])
+    angles = np.linspace(0.0, 2.0 * math.pi, PIECES, endpoint=False)
+    speeds = rim_speeds(flashes, angles, radius)
+    top = float(speeds.max()) or 1.0
+    shades = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP]
+    circle = radius * np.stack([np.sin(angles + slope), np.cos(angles + slope)], axis=-1)
+    for i, alpha in enumerate(opacity):
+        points = flashes.center[i] + circle
+        # three points a piece: neighbours overlap, so that no seam shows
+        pieces = np.stack([np.roll(points, 1, axis=0), points, np.roll(points, -1, axis=0)], axis=1)
+        if color == "speed":
+            paint = _over_white(shades(speeds[i] / top)[:, :3], alpha)
+        else:
+            mode = colors.mode_color(str(flashes.mode[i]))
+            paint = _over_white(np.array([[int(mode[j : j + 2], 16) / 255.0 for j in (1, 3, 5)]]), alpha)
+        ax.add_collection(
+            collections.LineCollection(
+                pieces, colors=paint, linewidths=2.6, capstyle="butt", zorder=2.0 + 0.01 * i
+            ),
+            autolim=False,
+        )
+        ax.plot(
+            *zip(flashes.center[i], flashes.load[i], strict=True),
+            color=colors.GRAY,
+            lw=0.6,
+            alpha=0.6 * alpha,
+            zorder=2,
+        )
+        ax.plot(*flashes.load[i], "o", color=colors.LOAD, ms=6.5, alpha=alpha, mew=0, zorder=7)
+    if color == "speed":
+        scale = need("matplotlib.cm", "plots").ScalarMappable(
+            need("matplotlib.colors", "plots").Normalize(0.0, top), shades
+        )
+        ax.figure.colorbar(
+            scale, ax=ax, orientation="horizontal", shrink=0.4, aspect=40, pad=0.02,
+            label="Speed of the ring's points (m/s)",
+        )  # fmt: skip
+
+
+def _over_white(paint: Floats, alpha: float) -> Floats:
+    # as opacity would look on paper, but without adding up where pieces overlap
+    return alpha * paint + (1.0 - alpha)
+
+
+def _draw_traces(ax: Axes, way: Poses) -> None:
+    ax.plot(way.load[:, 0], way.load[:, 1], color=colors.LOAD, lw=1.1, zorder=5)
+    airborne = way.mode == "H"
+    for flies, ink, dashes, width in (
+        (False, colors.GRAVITY_CENTER, "-", 2.0),
+        (True, colors.GRAVITY_CENTER_AIRBORNE, (0, (5, 1)), 2.4),
+    ):
+        # the stretch after a point is in that point's mode
+        shown = airborne == flies
+        shown[1:] |= (airborne == flies)[:-1]
+        line = np.where(shown[:, None], way.gravity_center, np.nan)
+        ax.plot(line[:, 0], line[:, 1], color=ink, lw=width, ls=dashes, zorder=6)
+
+
+def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> None:
+    hoop = motion.scenario.hoop
+    greatest = max(float(np.hypot(*flashes.normal_force.T).max()), hoop.mass * motion.scenario.plane.gravity)
+    scale = 1.2 * hoop.radius / (greatest or 1.0)
+    for force, ink in (
+        (flashes.normal_force, colors.NORMAL_FORCE),
+        (flashes.friction_force, colors.FRICTION_FORCE),
+    ):
+        ax.quiver(
+            flashes.contact[:, 0], flashes.contact[:, 1], scale * force[:, 0], scale * force[:, 1], color=ink,
+            angles="xy", scale_units="xy", scale=1.0, width=0.0035, zorder=8,
+        )  # fmt: skip
+
+
+def _say_times(ax: Axes, flashes: Poses, radius: float, width: float) -> None:
+    """The time over each hoop, as far as there is room."""
+    room = 0.055 * width
+    last = -math.inf
+    digits = max(0, min(4, -math.floor(math.log10(max(float(np.diff(flashes.t).min(initial=1.0)), 1e-9)))))
+    order = np.argsort(flashes.center[:, 0], kind="stable")
+    for i in order:
+        x, y = flashes.center[i]
+        if x - last < room:
+            continue
+        last = x
+        words = f"{flashes.t[i]:.{digits}f}".rstrip("0").rstrip(".") or "0"
+        ax.text(
+            x,
+            y + 1.06 * radius,
+            f"{words} s",
+            ha="center",
+            va="bottom",
+            fontsize=8,
+            color=colors.GRAY,
+            zorder=9,
+        )
+
+
+def _legend(ax: Axes, flashes: Poses, color: str) -> None:
+    line = need("matplotlib.lines", "plots").Line2D
+    handles = [
+        line([], [], color=colors.LOAD, lw=1.1, marker="o", ms=5, label="load"),
+        line([], [], color=colors.GRAVITY_CENTER, lw=2.0, label="centre of gravity"),
+    ]
+    modes = dict.fromkeys(str(mode) for mode in flashes.mode)
+    if "H" in modes:
+        ink = colors.GRAVITY_CENTER_AIRBORNE
+        handles.append(line([], [], color=ink, lw=2.4, ls=(0, (5, 1)), label="airborne"))
+    if color == "mode":
+        handles += [
+            line([], [], color=colors.mode_color(mode), lw=0, marker="o", ms=9, mfc="none", mew=2,
+                 label=colors.MODE_NAMES[mode])
+            for mode in modes
+        ]  # fmt: skip
+    ax.legend(
+        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,
+        fontsize=9, handlelength=2.2, columnspacing=1.4,
+    )  # fmt: skip
