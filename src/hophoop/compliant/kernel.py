@@ -55,12 +55,13 @@ from hophoop.rigid.records import EVENT
 from hophoop.rigid.state import State, quiet, write_event
 from hophoop.scenario import Scenario
 
-ROLL, SPIN, SKID, FLIGHT = (int(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
-START, SLIP_START, STICK, SLIP_REVERSAL = (
-    int(kind) for kind in (Event.START, Event.SLIP_START, Event.STICK, Event.SLIP_REVERSAL)
+# As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
+ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
+START, SLIP_START, STICK, TAKEOFF, IMPACT, TURN, APEX, REST, END = (
+    np.int64(Event[name])
+    for name in "START SLIP_START STICK TAKEOFF IMPACT TURN APEX REST END".split()
 )
-TAKEOFF, IMPACT, TURN, APEX = (int(kind) for kind in (Event.TAKEOFF, Event.IMPACT, Event.TURN, Event.APEX))
-REST, END = int(Event.REST), int(Event.END)
+NO_MODE = np.int64(-1)
 COMPLETED, AT_REST, UNDETERMINED, EVENT_LIMIT = (
     int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.UNDETERMINED, Status.EVENT_LIMIT)
 )
@@ -88,13 +89,13 @@ def as_state(t, u):
 
 
 @jit
-def note(events, count, kind, before, after, t, u, collision):
+def note(events, count, kind, before, after, t, u):
     """Append an event that changes no velocity; -1 where the array is full."""
     state = as_state(t, u)
     cause = quiet(kind, before, state)
     count = write_event(events, count, cause, after, state, 0.0, -1)
-    if count > 0:
-        events[count - 1].collision = collision
+    if count > 0 and kind == IMPACT:
+        events[count - 1].collision = 1
     return count
 
 
@@ -185,16 +186,17 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
     work.atol[Z] = 1.0
     if comp.friction == BRISTLE:
         work.atol[Z] = min(1.0, 1.0 / comp.k_t)
-    work.atol[DYNAMIC:] = 1.0
+    for m in range(DYNAMIC, SIZE):
+        work.atol[m] = 1.0
     t = 0.0
     behind = 0.0  # what rounding has kept from t so far: steps may be shorter than its last digit
-    pieces = 0
-    regime = 0
+    pieces = np.int64(0)
+    regime = np.int64(0)
     mode = FLIGHT
     if touching:
         regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
         mode = mode_of(regime)
-    count = note(events, 0, START, -1 if touching else FLIGHT, mode, t, u, -1)
+    count = note(events, np.int64(0), START, NO_MODE if touching else FLIGHT, mode, t, u)
     status = COMPLETED
     fresh = True  # a contact, or a regime of its friction, begins
     h = 0.0
@@ -216,19 +218,20 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
             if 0.0 < apex < tau:
                 fly_state(body, comp, u, opening, apex, work.start)
                 work.start[VN] = 0.0
-                count = note(events, count, APEX, FLIGHT, FLIGHT, t + apex, work.start, -1)
+                count = note(events, count, APEX, FLIGHT, FLIGHT, t + apex, work.start)
             after = t + tau if what in (LANDED, CLEAR) else t_end
-            rows = keep(rows, pieces, t, after, FLY, FLIGHT, 0, t, opening, work, u)
+            rows = keep(rows, pieces, t, after, FLY, mode, regime, t, opening, work, u)
             pieces += 1
             fly_state(body, comp, u, opening, tau, work.start)
             if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
                 work.start[Y] = 0.0
-            u[:] = work.start
+            for m in range(SIZE):
+                u[m] = work.start[m]
             t = after
             if what == LANDED:
                 regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
                 mode = mode_of(regime)
-                count = note(events, count, IMPACT, FLIGHT, mode, t, u, 1)
+                count = note(events, count, IMPACT, FLIGHT, mode, t, u)
                 fresh = True
             continue
         if fresh:
@@ -242,7 +245,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
             if rests:
                 status = AT_REST
         if status == AT_REST:
-            count = note(events, count, REST, mode, mode, t, u, -1)
+            count = note(events, count, REST, mode, mode, t, u)
             if count > 0:
                 events[count - 1].stable = 1 if stable else 0
             rows = keep(rows, pieces, t, t_end, HOLD, mode, regime, t, 0.0, work, u)
@@ -255,9 +258,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
         left = t_end - t
         last = h >= 0.999 * left
         length = left if last else h
-        work.stages[:] = 0.0
-        if warm:
-            predict(work, 1.0, length / before)
+        predict(work, 1.0, length / before if warm else 0.0)
         error = attempt(body, comp, regime, work, u, length, rtol)
         if error >= FAILED:
             # Newton's iteration may have been sent astray by its first guess
@@ -303,7 +304,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
                 for m in range(SIZE):
                     work.start[m] = poly_value(work.poly, m, s)
                 work.start[OM] = 0.0
-                count = note(events, count, TURN, mode, mode, t + s * length, work.start, -1)
+                count = note(events, count, TURN, mode, mode, t + s * length, work.start)
             if spin != 0.0:
                 way = 1.0 if spin > 0.0 else -1.0
             for m in range(SIZE):
@@ -319,13 +320,13 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
         if which == FRICTION_CHANGE:
             was = mode
             if regime != 0:
-                regime = 0
+                regime = np.int64(0)
             elif comp.friction == BRISTLE:
                 regime = 1 if comp.k_t * u[Z] + comp.c_t * u[VT] > 0.0 else -1
             else:
                 regime = 1 if u[VT] > 0.0 else -1
             mode = mode_of(regime)
-            count = note(events, count, STICK if regime == 0 else SLIP_START, was, mode, t, u, -1)
+            count = note(events, count, STICK if regime == 0 else SLIP_START, was, mode, t, u)
             if comp.friction == TANH:  # smooth across its threshold
                 for index in range(GUARDS):
                     value, floor = guard(comp, regime, index, u[Y], u[VT], u[VN], u[Z])
@@ -333,12 +334,12 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
             else:
                 fresh = True
         else:
-            count = note(events, count, TAKEOFF, mode, FLIGHT, t, u, -1)
+            count = note(events, count, TAKEOFF, mode, FLIGHT, t, u)
             mode = FLIGHT
             if comp.k * abs(u[Y]) < 1e-8:
                 u[Y] = 0.0
     if count >= 0:
-        count = note(events, count, END, mode, mode, t, u, -1)
+        count = note(events, count, END, mode, mode, t, u)
     if count < 0:
         return EVENT_LIMIT, events.shape[0], rows, pieces
     return status, count, rows, pieces

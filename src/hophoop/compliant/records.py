@@ -17,7 +17,7 @@ DYNAMIC = 6  # the first ones; the others are integrals over the motion that not
 SIZE = len(VARIABLES)
 
 # Kinds of segments.
-STEP, FLY, HOLD = 0, 1, 2
+STEP, FLY, HOLD = 0.0, 1.0, 2.0
 # Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − origin)/step; FLY and HOLD keep p_0 alone.
 T, T_END, KIND, MODE, REGIME, ORIGIN, LENGTH, FIRST = range(8)  # FIRST: where the polynomials begin
 WIDTH = FIRST + SIZE * (STAGES + 1)
@@ -91,5 +91,7 @@ def grown(rows, count):
     if count < rows.shape[0]:
         return rows
     larger = np.empty((2 * rows.shape[0], rows.shape[1]))
-    larger[:count] = rows[:count]
+    for i in range(count):  # a loop compiles in a tenth of the time of a slice
+        for j in range(rows.shape[1]):
+            larger[i, j] = rows[i, j]
     return larger

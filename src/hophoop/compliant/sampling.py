@@ -65,7 +65,7 @@ def sample(body, comp, rows, times, left, out):
     for index in range(times.shape[0]):
         row = rows[find_row(rows, times[index], left)]
         t = min(max(times[index], row[T]), row[T_END])
-        kind = int(row[KIND])
+        kind = row[KIND]
         regime = int(row[REGIME])
         for m in range(SIZE):
             begin[m] = row[FIRST + m * (STAGES + 1)]
