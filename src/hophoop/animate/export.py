@@ -170,7 +170,8 @@ def _command(pictures: Pictures, options: list[str], out: Path, inputs: list[str
     return [
         need("imageio_ffmpeg", "films").get_ffmpeg_exe(),
         *("-hide_banner", "-loglevel", "error", "-nostdin", "-y"),
-        *("-f", "rawvideo", "-pix_fmt", "rgb0", "-s", f"{width}x{height}", "-r", f"{pictures.fps:.9g}", "-i", "pipe:0"),
+        *("-f", "rawvideo", "-pix_fmt", "rgb0", "-s", f"{width}x{height}", "-r", f"{pictures.fps:.9g}"),
+        *("-i", "pipe:0"),
         *(inputs or []),
         *options,
         *("-an", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-map_metadata", "-1"),

@@ -108,7 +108,7 @@ def film(
     """
     timing = _timing(path, fps, FPS_2D, speed, slow_at, slow_factor, slow_width, start, end, step)
     look = Look(
-        tuple(size),
+        _pair(size),
         theme,
         camera,
         _words(panels),
@@ -159,7 +159,7 @@ def picture(
         If Matplotlib is not installed.
     """
     look = Look(
-        tuple(size),
+        _pair(size),
         theme,
         camera,
         _words(panels),
@@ -248,7 +248,7 @@ def film_3d(
     """
     timing = _timing(path, fps, FPS_3D, speed, slow_at, slow_factor, slow_width, start, end, step)
     look = Look3D(
-        tuple(size), theme, camera, None if labels is None else tuple(labels), traces, forces, shadows
+        _pair(size), theme, camera, None if labels is None else tuple(labels), traces, forces, shadows
     )
     check_film(format_of(path), look.size, timing.fps)
     with Film3D(_several(motions), timing, look) as pictures:
@@ -322,7 +322,7 @@ def player(
     make = film_3d if three_d else film
     with tempfile.TemporaryDirectory() as folder:
         path = make(motions, Path(folder) / "film.mp4", size=size, **options)  # type: ignore[arg-type]
-        return Player(path.read_bytes(), tuple(size))
+        return Player(path.read_bytes(), _pair(size))
 
 
 def _timing(
@@ -341,6 +341,13 @@ def _timing(
         fps = GIF_FPS if format_of(path) == "gif" else usual
     marks = (slow_at,) if isinstance(slow_at, str | float | int) else tuple(slow_at)
     return Timing(float(fps), speed, marks, slow_factor, slow_width, start, end, step)
+
+
+def _pair(size: Sequence[int]) -> tuple[int, int]:
+    pair = tuple(size)
+    if len(pair) != 2:
+        raise ValueError(f"size = {pair!r} must be a width and a height in pixels.")
+    return pair[0], pair[1]
 
 
 def _words(panels: Sequence[str] | str) -> tuple[str, ...]:

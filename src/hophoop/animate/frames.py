@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -209,7 +210,7 @@ def trace(motion: Trajectory, start: float = 0.0, end: float | None = None) -> T
     airborne = poses.mode[:-1] == "H" if len(t) > 1 else np.zeros(0, dtype=bool)
     edges = np.flatnonzero(np.diff(airborne.astype(int))) + 1
     bounds = [0, *edges.tolist(), len(airborne)]
-    runs = [(a, b, bool(airborne[a])) for a, b in zip(bounds, bounds[1:], strict=False) if b > a]
+    runs = [(a, b, bool(airborne[a])) for a, b in pairwise(bounds) if b > a]
     return Trace(t, poses.load, poses.gravity_center, runs)
 
 

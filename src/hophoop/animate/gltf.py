@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import json
 import struct
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
+from hophoop.animate.shapes3d import HEAVY, LOAD, TUBE, torus, torus_faces
 from hophoop.plots.pose import Floats, to_world
 
 FLOAT, UNSIGNED = 5126, 5125
@@ -133,9 +135,6 @@ def glb(data: dict[str, Any]) -> bytes:
     -------
     content : bytes
     """
-    # here and not above: the torus is the same as in films
-    from hophoop.animate.scene3d import HEAVY, LOAD, TUBE, torus, torus_faces
-
     writer = _Writer()
     moments = writer.array(np.arange(data["count"]) / data["fps"])
     slope, size = data["slope"], data["radius"]
@@ -216,8 +215,10 @@ def _arrow(thick: float, axis: int) -> tuple[Floats, Floats, np.ndarray]:
     profile = np.array([[0.0, 0.0], [thick, 0.0], [thick, 0.8], [2.2 * thick, 0.8], [0.0, 1.0]])
     u = np.linspace(0, 2 * np.pi, around + 1)
     # faces of their own for each stretch of the profile, so that its edges stay sharp
-    points, normals, faces = [], [], []
-    for a, b in zip(profile, profile[1:], strict=False):
+    points: list[Floats] = []
+    normals: list[Floats] = []
+    faces: list[np.ndarray] = []
+    for a, b in pairwise(profile):
         slant = np.array([b[1] - a[1], -(b[0] - a[0])])
         slant = slant / np.hypot(*slant)
         start = sum(len(part) for part in points)

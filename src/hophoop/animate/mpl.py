@@ -145,7 +145,7 @@ class Film2D:
         return canvas.pixels
 
     def pixel_of(self, k: int, actor: int, point: Floats) -> Points:
-        """Where a point of the world [m] lies in the k-th picture: column and row from the top left [pixels]."""
+        """Where a point of the world [m] lies in the k-th picture: column, row from the top left [pixels]."""
         x, y = project(self.actors[actor].view.matrix(k), np.asarray(point))
         return np.array([x, self.look.size[1] - y])
 
@@ -260,7 +260,8 @@ class Film2D:
 
     def _draw_hoop(self, actor: _Actor, k: int) -> None:
         poses, speeds, view, theme, canvas = actor.poses, actor.speeds, actor.view, self.theme, self.canvas
-        assert poses is not None and speeds is not None
+        assert poses is not None
+        assert speeds is not None
         i = k % BLOCK
         matrix = view.matrix(k)
         hoop = actor.motion.scenario.hoop
@@ -347,7 +348,7 @@ class Film2D:
                     middle, LOAD * hoop.radius * scale, theme.load, theme.background, 1.5, actor.alpha
                 )
             elif isinstance(part, Rod):
-                half = 0.5 * part.length * scale * (along if part.direction == "along" else across)
+                half = 0.5 * part.length * scale * (along if part.direction == "radial" else across)
                 canvas.line(np.array([middle - half, middle + half]), theme.load, 4.0, 0.8 * actor.alpha)
 
     # --- words ---------------------------------------------------------------------------------

@@ -14,6 +14,23 @@ from hophoop._extras import need
 from hophoop.animate.canvas import Bytes, Canvas
 from hophoop.animate.frames import Extent, Timing, Trace, clock, extent, follow, trace
 from hophoop.animate.look import check_size, labels_of, nice, one_of
+from hophoop.animate.shapes3d import (
+    FORCE_LENGTH,
+    HEAVY,
+    LANE,
+    LOAD,
+    SECTIONS,
+    SUN,
+    TUBE,
+    flattened,
+    frame,
+    mix,
+    pieces,
+    place_3d,
+    shift,
+    torus,
+    torus_faces,
+)
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.words import draw_keys, draw_pace, draw_state, shades_of, speed_words
 from hophoop.plots import colors
@@ -21,11 +38,6 @@ from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.trajectory import Trajectory
 
 CAMERAS = ("chase", "side", "orbit", "hold")
-STATIONS, SECTIONS = 120, 20  # of the torus
-TUBE, LOAD, HEAVY = 0.05, 0.1, 0.05  # radii, over the rim's
-LANE = 1.6  # between several motions, in radii
-FORCE_LENGTH = 1.3
-SUN = np.array([0.32, 0.75, -1.0])  # where the light goes
 SMOOTH = 4  # samples a pixel
 CALM = 0.6  # of the camera [s of film]
 
@@ -58,46 +70,6 @@ class Look3D:
         check_size(self.size)
         theme_of(self.theme)
         one_of("camera", self.camera, CAMERAS)
-
-
-def torus(radius: float, tube: float) -> tuple[Floats, Floats, Floats]:
-    """Points of a torus in the X–Z plane, their normals and where on the rim they lie.
-
-    Parameters
-    ----------
-    radius : float
-        Of the outermost circle [m].
-    tube : float
-        Radius of the tube [m].
-
-    Returns
-    -------
-    points, normals : ndarray, shape (STATIONS × SECTIONS, 3)
-        [m] and [1].
-    angles : ndarray, shape (STATIONS,)
-        From +Z, clockwise as seen from −Y; SECTIONS points belong to each [rad].
-    """
-    angles = np.linspace(0.0, 2.0 * math.pi, STATIONS, endpoint=False)
-    around = np.linspace(0.0, 2.0 * math.pi, SECTIONS, endpoint=False)
-    out = np.stack([np.sin(angles), np.zeros(STATIONS), np.cos(angles)], axis=-1)[:, None, :]
-    side = np.array([0.0, 1.0, 0.0])
-    normals = np.cos(around)[None, :, None] * out + np.sin(around)[None, :, None] * side
-    points = (radius - tube) * out + tube * normals
-    return points.reshape(-1, 3), normals.reshape(-1, 3), angles
-
-
-def torus_faces() -> np.ndarray:
-    """Quadrangles of `torus`, shape (STATIONS × SECTIONS, 4), seen from outside counter-clockwise."""
-    i, j = np.meshgrid(np.arange(STATIONS), np.arange(SECTIONS), indexing="ij")
-    following, above = (i + 1) % STATIONS, (j + 1) % SECTIONS
-    corners = (i * SECTIONS + j, following * SECTIONS + j, following * SECTIONS + above, i * SECTIONS + above)
-    return np.stack([corner.ravel() for corner in corners], axis=-1)
-
-
-def place_3d(points: Floats, lane: float) -> Floats:
-    """Points of the world, X level and Y up, as X, lane, Z."""
-    flat = np.asarray(points, dtype=float)
-    return np.stack([flat[..., 0], np.full(flat.shape[:-1], lane), flat[..., 1]], axis=-1)
 
 
 @dataclass
@@ -160,6 +132,7 @@ class Film3D:
         self._newton = FORCE_LENGTH * self._radius / self.extent.force  # metres a newton
         self._open()
         self._light()
+        self._flat = flattened(self._slope, 0.002 * self._radius)
         self._build_plane(len(motions))
         _, _, angles = torus(1.0, TUBE)
         self.actors = []
@@ -220,7 +193,7 @@ class Film3D:
         return self.canvas.pixels
 
     def pixel_of(self, k: int, actor: int, point: Floats) -> Floats:
-        """Where a point of the world [m] lies in the k-th picture: column and row from the top left [pixels]."""
+        """Where a point of the world [m] lies in the k-th picture: column, row from the top left [pixels]."""
         camera = self._plotter.camera
         camera.position, camera.focal_point = (tuple(row[min(k, len(row) - 1)]) for row in self._path)
         renderer = self._plotter.renderer
@@ -261,7 +234,7 @@ class Film3D:
             logger.SetStderrVerbosity(before)
         if not self._window.SupportsOpenGL():
             raise OSError(
-                "VTK finds no OpenGL, not even in software; on Debian the package libegl1 or libosmesa6 has it."
+                "VTK finds no OpenGL, not even in software; on Debian, libegl1 or libosmesa6 has it."
             )
         self._buffer = array()
         self._buffer.SetNumberOfComponents(3)
@@ -293,7 +266,7 @@ class Film3D:
         low, high = self.extent.along[0] - 60.0 * radius, self.extent.along[1] + 60.0 * radius
         deep = 60.0 * radius
         ground = theme.ground if self.look.theme != "print" else "#F4F4F4"
-        self._shade = _mix(ground, "#000000", 0.38)
+        self._shade = mix(ground, "#000000", 0.38)
 
         def sheet(along: tuple[float, float], across: tuple[float, float], lift: float) -> Any:
             corners = [
@@ -307,7 +280,7 @@ class Film3D:
 
         self._add(sheet((low, high), (-deep, deep), -0.012), ground, lit=False)
         half = (0.5 * (lanes - 1) * LANE + 1.1) * radius
-        self._add(sheet((low, high), (-half, half), -0.008), _mix(ground, theme.ink, 0.05), lit=False)
+        self._add(sheet((low, high), (-half, half), -0.008), mix(ground, theme.ink, 0.05), lit=False)
         step = nice(1.01 * radius)
         first = math.floor((self.extent.along[0] - 8.0 * radius) / step)
         last = math.ceil((self.extent.along[1] + 8.0 * radius) / step)
@@ -318,7 +291,7 @@ class Film3D:
             [np.full(len(marks), 2), np.arange(len(marks)), np.arange(len(marks)) + len(marks)]
         )
         lines = pyvista.PolyData(np.vstack([feet, ends]), lines=cells.ravel())
-        self._add(lines, _mix(ground, theme.ink, 0.25), lit=False, line_width=1.3)
+        self._add(lines, mix(ground, theme.ink, 0.25), lit=False, line_width=1.3)
         for mark in marks[np.abs(np.round(marks / step)) % 2 == 0][:400]:
             self._build_number(mark, half)
 
@@ -334,7 +307,7 @@ class Film3D:
         along = flat[:, 0] + mark
         points = to_world(along, np.full(len(along), -0.004 * self._radius), self._slope)
         text.points = np.column_stack([points[:, 0], flat[:, 1] - half - 1.5 * size, points[:, 1]])
-        self._add(text, _mix(self.theme.ground, self.theme.ink, 0.55), lit=False)
+        self._add(text, mix(self.theme.ground, self.theme.ink, 0.55), lit=False)
 
     def _build_hoop(self, actor: _Actor) -> None:
         pyvista, theme = self._pyvista, self.theme
@@ -360,8 +333,8 @@ class Film3D:
             ambient=0.25,
         )
         actors["ring"].prop.interpolation = "Gouraud"
-        shine = {"smooth_shading": True, "specular": 0.5, "specular_power": 25}
-        actors["load"] = self._add(ball, _mix(theme.load, "#808080", 0.12), **shine)
+        shine: dict[str, Any] = {"smooth_shading": True, "specular": 0.5, "specular_power": 25}
+        actors["load"] = self._add(ball, mix(theme.load, "#808080", 0.12), **shine)
         actors["load"].prop.specular_color = "white"
         actors["heavy"] = self._add(bead, theme.shown(colors.GRAVITY_CENTER), ambient=0.4, **shine)
         spoke = pyvista.PolyData(np.zeros((2, 3)), lines=[2, 0, 1])
@@ -390,7 +363,7 @@ class Film3D:
 
     def _build_line(self, actor: _Actor, name: str, way: Floats, inks: list[str], width: float) -> None:
         points = place_3d(way, actor.lane)
-        cells = _pieces(len(points) - 1)
+        cells = pieces(len(points) - 1)
         # one more point and cell, for the stretch up to now
         mesh = self._pyvista.PolyData(np.vstack([points, points[-1:]]), lines=cells.ravel())
         paint = np.array([[int(ink[i : i + 2], 16) for i in (1, 3, 5)] for ink in inks], dtype=np.uint8)
@@ -413,10 +386,10 @@ class Film3D:
             np.rint(255.0 * shades).astype(np.uint8), SECTIONS, axis=0
         )
         for name, spot in (("ring", center), ("load", load), ("heavy", heavy)):
-            matrix = _shift(spot)
+            matrix = shift(spot)
             actors[name].user_matrix = matrix
             if f"{name} shadow" in actors:
-                actors[f"{name} shadow"].user_matrix = self._flattened() @ matrix
+                actors[f"{name} shadow"].user_matrix = self._flat @ matrix
         airborne = poses.mode[k] == "H"
         ink = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
         actors["heavy"].prop.color = self.theme.shown(ink)
@@ -428,15 +401,6 @@ class Film3D:
             past = int(np.searchsorted(actor.trace.t, poses.t[k]))
             for name, spot in (("load trace", load), ("heavy trace", heavy)):
                 self._uncover(actor, name, past, spot)
-
-    def _flattened(self) -> Floats:
-        """The projection along the light onto the plane, 4 × 4."""
-        normal = place_3d(to_world(0.0, 1.0, self._slope), 0.0)
-        share = np.outer(SUN, normal) / float(normal @ SUN)
-        matrix = np.eye(4)
-        matrix[:3, :3] -= share
-        matrix[:3, 3] = 0.002 * self._radius * normal
-        return matrix
 
     def _point(self, actors: dict[str, Any], name: str, tail: Floats, force: Floats) -> None:
         length = float(np.linalg.norm(force))
@@ -453,8 +417,8 @@ class Film3D:
         wide = min(2.4 * thick, 0.6 * point)
         # before the ring, not within its tube
         foot = tail + np.array([0.0, -(TUBE + 0.04) * self._radius, 0.0])
-        shaft.user_matrix = _frame(foot, turn * [max(length - point, 1e-6), thick, thick])
-        head.user_matrix = _frame(foot + (length - point) * along, turn * [point, wide, wide])
+        shaft.user_matrix = frame(foot, turn * [max(length - point, 1e-6), thick, thick])
+        head.user_matrix = frame(foot + (length - point) * along, turn * [point, wide, wide])
 
     def _uncover(self, actor: _Actor, name: str, past: int, spot: Floats) -> None:
         mesh, points, inks = (actor.meshes[key] for key in (name, f"{name} points", f"{name} inks"))
@@ -462,7 +426,7 @@ class Film3D:
         if past == 0:
             return
         mesh.points = np.vstack([points[:past], spot[None, :]])
-        mesh.lines = _pieces(past).ravel()
+        mesh.lines = pieces(past).ravel()
         mesh.cell_data["ink"] = inks[:past] if past <= len(inks) else np.vstack([inks, inks[-1:]])
 
     # --- camera --------------------------------------------------------------------------------
@@ -516,26 +480,3 @@ class Film3D:
         draw_keys(
             canvas, theme, self.extent.speed, None, self.extent.force, self.look.traces, self.look.forces
         )
-
-
-def _pieces(count: int) -> np.ndarray:
-    first = np.arange(count)
-    return np.column_stack([np.full(count, 2), first, first + 1])
-
-
-def _shift(spot: Floats) -> Floats:
-    matrix = np.eye(4)
-    matrix[:3, 3] = spot
-    return matrix
-
-
-def _frame(origin: Floats, axes: Floats) -> Floats:
-    matrix = np.eye(4)
-    matrix[:3, :3] = axes
-    matrix[:3, 3] = origin
-    return matrix
-
-
-def _mix(color: str, other: str, share: float) -> str:
-    pairs = zip(*([int(name[i : i + 2], 16) for i in (1, 3, 5)] for name in (color, other)), strict=True)
-    return "#" + "".join(f"{round(a + share * (b - a)):02X}" for a, b in pairs)

@@ -51,7 +51,7 @@ class View:
 
 def project(matrix: Points, points: Floats) -> Points:
     """Points of the world in pixels."""
-    return points * matrix[0, 0] + matrix[:2, 2]
+    return np.asarray(points * matrix[0, 0] + matrix[:2, 2])
 
 
 def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> View:

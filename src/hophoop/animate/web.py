@@ -17,7 +17,7 @@ import numpy as np
 from hophoop.animate.frames import Clock, Extent, Timing, clock, extent, trace
 from hophoop.animate.gltf import glb
 from hophoop.animate.look import labels_of, nice
-from hophoop.animate.scene3d import FORCE_LENGTH, LANE
+from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
 from hophoop.animate.words import MODE_WORDS, shades_of
 from hophoop.plots import colors

@@ -111,7 +111,7 @@ def draw_keys(
 
 def wide(canvas: Canvas) -> bool:
     """Whether the keys find room beside the words."""
-    return canvas.size[0] / canvas.unit >= 1050.0
+    return bool(canvas.size[0] / canvas.unit >= 1050.0)
 
 
 def _draw_color_bar(

@@ -23,8 +23,8 @@ def animate(
         typer.Option(
             "--out",
             metavar="FILE",
-            help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html or "
-            ".glb, a scene that turns.",
+            help="Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures; with --3d also .html "
+            "or .glb, a scene that turns.",
             show_default=False,
         ),
     ],
@@ -46,8 +46,8 @@ def animate(
     panel: Annotated[
         list[str] | None,
         typer.Option(
-            help="A plot that runs along, not with --3d: velocity, energy, forces, utilization or phase; may be "
-            "repeated.",
+            help="A plot that runs along, not with --3d: velocity, energy, forces, utilization or phase; "
+            "may be repeated.",
             rich_help_panel=PICTURE,
             show_default=False,
         ),
@@ -68,7 +68,7 @@ def animate(
         list[str] | None,
         typer.Option(
             metavar="EVENT|TIME",
-            help="Slow motion around events of a kind, such as takeoff, or around a time in s; may be repeated.",
+            help="Slow motion around events of a kind, such as takeoff, or a time in s; may be repeated.",
             rich_help_panel=PACE,
             show_default=False,
         ),

@@ -9,8 +9,8 @@ import numpy as np
 
 from hophoop._extras import need
 from hophoop.plots import colors
-from hophoop.plots._curves import curve
 from hophoop.plots._style import new_axes
+from hophoop.plots.curves import curve
 from hophoop.plots.path import _ground
 from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.trajectory import Trajectory
@@ -118,7 +118,7 @@ def _flashes(
         return np.array([start])
     step = _round((end - start) / FLASHES) if every is None else every
     _check_count((end - start) / step, "every", step)
-    return start + np.arange(math.floor((end - start) / step + 1e-9) + 1) * step
+    return start + np.arange(math.floor((end - start) / step + 1e-9) + 1, dtype=float) * step
 
 
 def _check_count(count: float, name: str, step: float) -> None:
