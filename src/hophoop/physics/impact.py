@@ -115,3 +115,42 @@ def impact(body, rest, s, c, vt, vn):
 def spin_change(body, s, c, p_n, p_t):
     """Change of θ̇ by an impulse at the contact."""
     return (body.eps * s * p_n - (1.0 + body.eps * c) * p_t) / body.kap
+
+
+@jit
+def singular_slip(body, s, c, vt, om):
+    """Slip that has run into p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
+
+    Along it θ̇ and v_t change linearly. It ends where the slip stops; or where θ̇ has been turned round, so that
+    the motion leaves the angle again on the curve θ̇²(θ) it came on; or it jams, where f_n → 0 first.
+
+    Returns
+    -------
+    jams : bool
+    vt, om, p_n, loss_t : float
+        Velocities after, normal impulse, and the loss −∫ v_t dP_t.
+    """
+    sigma = 1.0 if vt > 0.0 else -1.0
+    lever = (body.eps * s + sigma * body.mu_k * (1.0 + body.eps * c)) / body.kap  # dθ̇/dp
+    rate = -(sigma * body.mu_k + (1.0 + body.eps * c) * lever)  # dv_t/dp
+    stop = -vt / rate if vt * rate < 0.0 else math.inf
+    pull = body.eps * c
+    if lever * om > 0.0:
+        # θ̇² grows until f_n = 0
+        limit = (math.copysign(math.sqrt(body.gn / pull), om) - om) / lever if pull > 0.0 else math.inf
+        if limit <= stop:
+            return True, vt, om, 0.0, 0.0
+        length = stop
+    else:
+        length = min(stop, -2.0 * om / lever)
+    after = 0.0 if length == stop else vt + rate * length
+    return False, after, om + lever * length, length, sigma * body.mu_k * 0.5 * (vt + after) * length
+
+
+@jit
+def at_singular_angle(body, s, c, sigma):
+    """Whether κ p_σ is zero to rounding in the angle."""
+    pull = sigma * body.mu_k
+    arm = body.eps * s + pull * (1.0 + body.eps * c)
+    slope = body.eps * c * arm + body.eps * s * body.eps * (c - pull * s)
+    return abs(body.kap + body.eps * s * arm) <= 1e-10 * abs(slope)

@@ -20,12 +20,15 @@ from hophoop._collocation import (
     antiderivative,
 )
 from hophoop._jit import lean_jit
+from hophoop.physics.contact import slip_torque_arm
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 
 # Rows of the scratch array of a panel: values at the nodes.
-SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, A, B = range(13)
-ROWS = 13
+SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = (
+    range(15)
+)
+ROWS = 15
 
 RESOLVED = 2e-13  # size of the last Chebyshev coefficients at which a panel is accepted
 
@@ -41,6 +44,8 @@ class Panel(NamedTuple):
     sine: float  # sin θ and cos θ there
     cosine: float
     extent: float  # abs(Δθ) over the panel
+    arm: float  # q and κ p_σ of slip there
+    stiffness: float
     u: float  # θ̇² at `ref`
     vt: float  # slip velocity at the start
 
@@ -106,15 +111,47 @@ def place_of(panel, offset):
 
 
 @lean_jit
-def linear_panel(sigma, level, way, th, u, vt):
+def linear_panel(body, sigma, level, way, th, u, vt):
     """A panel of standard width from θ onwards."""
-    return Panel(sigma, LINEAR, level, way, th, math.sin(th), math.cos(th), WIDTHS[level], u, vt)
+    s = math.sin(th)
+    c = math.cos(th)
+    arm = slip_torque_arm(body, s, c, sigma)
+    stiffness = body.kap + body.eps * s * arm
+    return Panel(sigma, LINEAR, level, way, th, s, c, WIDTHS[level], arm, stiffness, u, vt)
 
 
 @lean_jit
-def turning_panel(sigma, kind, way, th, extent, vt):
-    """A panel that ends (ARRIVE) or begins (LEAVE) at the turning point th."""
-    return Panel(sigma, kind, 0, way, th, math.sin(th), math.cos(th), extent, 0.0, vt)
+def no_panel(kind, sigma, way):
+    """What stands for the panel in a piece that needs none: FLY, HOLD or SKIMMING."""
+    return Panel(sigma, kind, 0, way, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@lean_jit
+def leaving_panel(body, sigma, way, th, extent, vt):
+    """A panel that begins at rest, at θ."""
+    s = math.sin(th)
+    c = math.cos(th)
+    arm = slip_torque_arm(body, s, c, sigma)
+    stiffness = body.kap + body.eps * s * arm
+    return Panel(sigma, LEAVE, 0, way, th, s, c, extent, arm, stiffness, 0.0, vt)
+
+
+@lean_jit
+def arriving_panel(body, before, ahead):
+    """A panel from the start of a linear one to a turning point at the angle `ahead` from there.
+
+    Its quantities at the turning point are changes from the start: evaluated afresh they would be off by
+    their rounding, which near p_σ = 0 is more than the panel is wide.
+    """
+    ds, dc = turn(before.sine, before.cosine, before.way * ahead)
+    s = before.sine + ds
+    turned = body.eps * (ds + before.sigma * body.mu_k * dc)
+    arm = before.arm + turned
+    stiffness = before.stiffness + body.eps * (ds * arm + before.sine * turned)
+    ref = before.ref + before.way * ahead
+    return Panel(
+        before.sigma, ARRIVE, 0, before.way, ref, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt
+    )
 
 
 @lean_jit

@@ -6,8 +6,8 @@ import math
 
 from hophoop._collocation import ANTIDERIVATIVE_T, ORDER, REMAINDER_T, antiderivative, product, tail, total
 from hophoop._jit import lean_jit
-from hophoop.physics.contact import slip_motion, slip_torque_arm
 from hophoop.physics.panel import (
+    ARM,
     ARRIVE,
     COSINE,
     NORMAL,
@@ -17,6 +17,7 @@ from hophoop.physics.panel import (
     SINE,
     SLIP,
     SLIP_RATE,
+    STIFFNESS,
     STRETCH,
     TIME,
     A,
@@ -59,16 +60,27 @@ def solve_slip(body, panel, work):
     drive = work[B]
     growth = work[NORMAL]
     integral = work[TIME]
+    arms = work[ARM]
+    stiffnesses = work[STIFFNESS]
+    pull = sigma * body.mu_k
+    arm0 = panel.arm
+    stiffness0 = panel.stiffness
     lowest = math.inf
     for i in range(ORDER):
-        s = s0 + damping[i]
-        c = c0 + drive[i]
-        q = slip_torque_arm(body, s, c, sigma)
-        stiffness = body.kap + eps * s * q
+        # as changes from `ref`: near p_σ = 0 rounding would else be all that the panel shows
+        ds = damping[i]
+        dc = drive[i]
+        s = s0 + ds
+        c = c0 + dc
+        turned = eps * (ds + pull * dc)
+        arm = arm0 + turned
+        stiffness = stiffness0 + eps * (ds * arm + s0 * turned)
         lowest = min(lowest, stiffness)
-        share = 2.0 * q / stiffness * stretch[i]
+        share = 2.0 * arm / stiffness * stretch[i]
         sines[i] = s
         cosines[i] = c
+        arms[i] = arm
+        stiffnesses[i] = stiffness
         damping[i] = -eps * c * share
         drive[i] = body.gn * share
     if not lowest > 0.0:
@@ -95,11 +107,13 @@ def solve_slip(body, panel, work):
     normals = work[NORMAL]
     slip_rates = work[SLIP_RATE]
     for i in range(ORDER):
-        _, normal, slip_rate = slip_motion(body, sines[i], cosines[i], us[i], sigma)
-        rate = stretch[i] / math.sqrt(us[i])
+        u = us[i]
+        load = (body.gn - eps * cosines[i] * u) / stiffnesses[i]
+        friction_part = pull * body.kap + (1.0 + eps * cosines[i]) * arms[i]
+        rate = stretch[i] / math.sqrt(u)
         rates[i] = rate
-        normals[i] = normal
-        slip_rates[i] = slip_rate * rate
+        normals[i] = body.kap * load
+        slip_rates[i] = (body.gt + eps * sines[i] * u - load * friction_part) * rate
     size = max(size, tail(rates, 0.0), tail(normals, body.gn + panel.u))
     if not size <= RESOLVED:
         return Totals(size, 0.0, u_far, 0.0, 0.0)

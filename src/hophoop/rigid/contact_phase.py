@@ -35,11 +35,12 @@ from hophoop.physics.panel import (
     U,
     angle_at,
     fill_inside,
+    arriving_panel,
+    leaving_panel,
     linear_panel,
     place_of,
     turn,
     turn_over,
-    turning_panel,
 )
 from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
@@ -102,7 +103,9 @@ def turning_point_ahead(body, panel, totals, scratch):
             return panel.extent * 0.5 * (1.0 + xi)
         if panel.level == 0:
             return 0.0
-        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, panel.ref, panel.u, panel.vt)
+        panel = linear_panel(
+            body, panel.sigma, max(panel.level - 2, 0), panel.way, panel.ref, panel.u, panel.vt
+        )
         totals = solve(body, panel, scratch.work)
     return 0.0
 
@@ -118,7 +121,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         alpha = angular_acceleration(body, sigma, state.th, 0.0)
         way = 1.0 if alpha > 0.0 else -1.0
         while True:
-            panel = turning_panel(sigma, LEAVE, way, state.th, extent, state.vt)
+            panel = leaving_panel(body, sigma, way, state.th, extent, state.vt)
             totals = solve(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
@@ -126,7 +129,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     u = state.om * state.om
     way = 1.0 if state.om > 0.0 else -1.0
     while True:
-        panel = linear_panel(sigma, level, way, state.th, u, state.vt)
+        panel = linear_panel(body, sigma, level, way, state.th, u, state.vt)
         totals = solve(body, panel, work)
         if totals.tail <= RESOLVED:
             return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
@@ -134,7 +137,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         if not work[U, ORDER - 1] > 0.8 * u:
             ahead = turning_point_ahead(body, panel, totals, scratch)
             if ahead > 0.0:
-                arrival = turning_panel(sigma, ARRIVE, way, state.th + way * ahead, ahead, state.vt)
+                arrival = arriving_panel(body, panel, ahead)
                 totals = solve(body, arrival, work)
                 if totals.tail <= RESOLVED:
                     return arrival, totals, START_LEVEL
@@ -306,22 +309,7 @@ def advance_contact(body, mode, state, fresh, zeros, level, t_end, angle_target,
     elif what == FULL_ANGLE:
         after = revised(after, after.t, angle_target, after.vt, after.om)
     if xi > -1.0:
-        count = write_segment(
-            segments,
-            count,
-            mode,
-            panel.kind,
-            sigma,
-            panel.level,
-            panel.way,
-            panel.ref,
-            panel.extent,
-            panel.u,
-            xi,
-            0.0,
-            state,
-            after.t,
-        )
+        count = write_segment(segments, count, mode, panel, xi, 0.0, state, after.t)
     return what, after, level, count
 
 

@@ -10,7 +10,7 @@ from hophoop.physics.contact import free_acceleration
 from hophoop.physics.flight import first_landing, flight_gap, flight_state
 from hophoop.physics.massless import skim_duration, skim_state, strike
 from hophoop.physics.modes import UNDECIDED, slip_direction, slip_mode
-from hophoop.physics.panel import FLY, HOLD, SKIMMING
+from hophoop.physics.panel import FLY, HOLD, SKIMMING, no_panel
 from hophoop.rigid.contact_phase import (
     CONE_AHEAD,
     CONE_BACK,
@@ -28,7 +28,7 @@ from hophoop.rigid.contact_phase import (
     frozen_end,
 )
 from hophoop.rigid.state import Cause, State, quiet, revised, write_event, write_segment
-from hophoop.rigid.transitions import collide, settle
+from hophoop.rigid.transitions import collide, pass_singular, settle
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 START, SLIP_START, STICK, TAKEOFF = (
@@ -37,7 +37,7 @@ START, SLIP_START, STICK, TAKEOFF = (
 IMPACT, TURN, APEX, BOUNCE_LIMIT = (
     int(kind) for kind in (Event.IMPACT, Event.TURN, Event.APEX, Event.BOUNCE_LIMIT)
 )
-JAM, SKIM_START, REST, END = (int(kind) for kind in (Event.JAM, Event.SKIM, Event.REST, Event.END))
+SKIM_START, REST, END = (int(kind) for kind in (Event.SKIM, Event.REST, Event.END))
 COMPLETED, AT_REST, JAMMED = (int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED))
 UNDETERMINED, EVENT_LIMIT, BUFFER = (
     int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER)
@@ -104,9 +104,7 @@ def fly(body, state, opening, zeros, t_end, angle_target, events, count, segment
         after = State(t, x, y, th, vt, vn, state.om, state.friction, state.impact_n, state.impact_t)
         if step == 0:
             count = write_event(events, count, quiet(APEX, FLIGHT, after), FLIGHT, after, 0.0, -1)
-    pieces = write_segment(
-        segments, pieces, FLIGHT, FLY, 0, zeros, 0.0, 0.0, 0.0, 0.0, 0.0, opening, state, after.t
-    )
+    pieces = write_segment(segments, pieces, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)
     return what, after, count, pieces
 
 
@@ -123,9 +121,7 @@ def skim(body, state, t_end, segments, pieces):
     strikes = state.t + duration <= t_end
     tau = duration if strikes else t_end - state.t
     x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, way, tau)
-    pieces = write_segment(
-        segments, pieces, SKIM, SKIMMING, 0, 0, way, 0.0, 0.0, 0.0, 0.0, 0.0, state, state.t + tau
-    )
+    pieces = write_segment(segments, pieces, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)
     t = state.t + tau if strikes else t_end
     if strikes:
         x = state.x + math.sin(state.th) + along * tau + 0.5 * body.gt * tau * tau
@@ -150,9 +146,7 @@ def hold(body, mode, state, t_end, segments, pieces):
     t = state.t + tau if what == STOP else t_end
     friction = state.friction + sigma * body.mu_k * body.gn * slid
     after = State(t, state.x + slid, 0.0, state.th, vt, 0.0, 0.0, friction, state.impact_n, state.impact_t)
-    pieces = write_segment(
-        segments, pieces, mode, HOLD, sigma, 0, 0.0, state.th, 0.0, 0.0, 0.0, rate, state, after.t
-    )
+    pieces = write_segment(segments, pieces, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, after.t)
     return what, after, pieces
 
 
@@ -308,7 +302,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
                 stable = 1 if equilibrium_is_stable(body, state.th) else 0
                 count = write_event(events, count, quiet(REST, ROLL, state), ROLL, state, 0.0, stable)
                 pieces = write_segment(
-                    segments, pieces, ROLL, HOLD, 0, 0, 0.0, state.th, 0.0, 0.0, 0.0, 0.0, state, t_end
+                    segments, pieces, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, t_end
                 )
                 state = revised(state, t_end, state.th, 0.0, 0.0)
                 status = AT_REST
@@ -326,8 +320,11 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             if mode == ROLL:
                 status = UNDETERMINED
             else:
-                count = write_event(events, count, quiet(JAM, mode, state), mode, state, 0.0, -1)
-                status = JAMMED
+                jams, mode, state, count = pass_singular(body, mode, state, events, count)
+                if jams:
+                    status = JAMMED
+                slip_zeros = 1 if state.vt == 0.0 else 0
+                fresh = True
         elif what == LIFT:
             mode = FLIGHT
             count = write_event(events, count, quiet(TAKEOFF, was, state), FLIGHT, state, 0.0, -1)

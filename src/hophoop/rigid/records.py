@@ -27,7 +27,8 @@ EVENT = np.dtype(
 # All that is needed to compute the motion inside the segment again, bit for bit.
 SEGMENT = np.dtype(
     [("t", "f8"), ("t_end", "f8"), ("mode", "i8"), ("kind", "i8"), ("sigma", "i8"), ("level", "i8")]
-    + [("way", "f8"), ("ref", "f8"), ("extent", "f8"), ("u", "f8"), ("xi", "f8"), ("opening", "f8")]
+    + [("way", "f8"), ("ref", "f8"), ("sine", "f8"), ("cosine", "f8"), ("extent", "f8")]
+    + [("arm", "f8"), ("stiffness", "f8"), ("u", "f8"), ("xi", "f8"), ("opening", "f8")]
     + [("x", "f8"), ("height", "f8"), ("angle", "f8"), ("vy", "f8"), ("omega", "f8"), ("slip", "f8")]
     + [(name, "f8") for name in _ENERGY]
 )

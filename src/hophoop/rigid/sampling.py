@@ -12,7 +12,7 @@ from hophoop.physics.body import Mode
 from hophoop.physics.contact import rolling_forces, slip_motion
 from hophoop.physics.flight import flight_gap, flight_state
 from hophoop.physics.massless import skim_state
-from hophoop.physics.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, linear_panel
+from hophoop.physics.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel
 from hophoop.rigid.contact_phase import solve, state_on_panel
 from hophoop.rigid.records import new_scratch
 from hophoop.rigid.state import State
@@ -90,7 +90,7 @@ def sample(body, segments, times, left, out):
     scratch = new_scratch()
     solved = -1
     totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0)
-    panel = linear_panel(0, 0, 1.0, 0.0, 0.0, 0.0)
+    panel = no_panel(FLY, 0, 0.0)
     for k in range(times.shape[0]):
         index = find_segment(segments, times[k], left)
         segment = segments[index]
@@ -120,10 +120,10 @@ def sample(body, segments, times, left, out):
             now = State(times[k], x, 0.0, th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t)
         else:
             if index != solved:
-                ref = segment["ref"]
                 panel = Panel(
-                    segment["sigma"], segment["kind"], segment["level"], segment["way"],
-                    ref, math.sin(ref), math.cos(ref), segment["extent"], segment["u"], segment["slip"],
+                    segment["sigma"], segment["kind"], segment["level"], segment["way"], segment["ref"],
+                    segment["sine"], segment["cosine"], segment["extent"], segment["arm"],
+                    segment["stiffness"], segment["u"], segment["slip"],
                 )  # fmt: skip
                 totals = solve(body, panel, scratch.work)
                 fill_inside(panel, scratch.work)

@@ -75,7 +75,7 @@ def write_event(events, count, cause, mode, state, gain, stable):
 
 
 @jit
-def write_segment(segments, count, mode, kind, sigma, level, way, ref, extent, u, xi, opening, state, t_end):
+def write_segment(segments, count, mode, panel, xi, opening, state, t_end):
     """Append a segment that starts in `state`; an array of length 0 keeps none; -1 where it is full."""
     if segments.shape[0] == 0:
         return count
@@ -85,13 +85,17 @@ def write_segment(segments, count, mode, kind, sigma, level, way, ref, extent, u
     row["t"] = state.t
     row["t_end"] = t_end
     row["mode"] = mode
-    row["kind"] = kind
-    row["sigma"] = sigma
-    row["level"] = level
-    row["way"] = way
-    row["ref"] = ref
-    row["extent"] = extent
-    row["u"] = u
+    row["kind"] = panel.kind
+    row["sigma"] = panel.sigma
+    row["level"] = panel.level
+    row["way"] = panel.way
+    row["ref"] = panel.ref
+    row["sine"] = panel.sine
+    row["cosine"] = panel.cosine
+    row["extent"] = panel.extent
+    row["arm"] = panel.arm
+    row["stiffness"] = panel.stiffness
+    row["u"] = panel.u
     row["xi"] = xi
     row["opening"] = opening
     row["x"] = state.x

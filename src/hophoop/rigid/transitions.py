@@ -6,13 +6,20 @@ import math
 
 from hophoop._jit import jit
 from hophoop.physics.body import Event, Mode
-from hophoop.physics.impact import impact, spin_change
-from hophoop.physics.modes import INCONSISTENT, INDETERMINATE, UNDECIDED, next_mode, slip_mode
+from hophoop.physics.impact import at_singular_angle, impact, singular_slip, spin_change
+from hophoop.physics.modes import (
+    INCONSISTENT,
+    INDETERMINATE,
+    UNDECIDED,
+    next_mode,
+    slip_direction,
+    slip_mode,
+)
 from hophoop.rigid.state import Cause, State, quiet, write_event
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 STICK, SLIP_REVERSAL, TAKEOFF = int(Event.STICK), int(Event.SLIP_REVERSAL), int(Event.TAKEOFF)
-IMPACT, KANE_GAIN = int(Event.IMPACT), int(Event.KANE_GAIN)
+IMPACT, KANE_GAIN, JAM = int(Event.IMPACT), int(Event.KANE_GAIN), int(Event.JAM)
 PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
 PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
 
@@ -76,3 +83,29 @@ def settle(body, state, cause, events, count):
             count = write_event(events, count, paradox, named, state, 0.0, -1)
         state, cause = collide(body, body.rest, state, IMPACT, named, 0)
     return UNDECIDED, state, count
+
+
+@jit
+def pass_singular(body, mode, state, events, count):
+    """What follows slip whose panels have shrunk to nothing: (jams, mode, state, count).
+
+    That happens where p_σ → 0 with N → ∞. Anything else is a failure of the program, and UNDECIDED says so.
+    """
+    s = math.sin(state.th)
+    c = math.cos(state.th)
+    sigma = slip_direction(mode)
+    if not at_singular_angle(body, s, c, sigma):
+        return False, UNDECIDED, state, count
+    jams, vt, om, p_n, loss = singular_slip(body, s, c, state.vt, state.om)
+    if jams:
+        return True, mode, state, write_event(events, count, quiet(JAM, mode, state), mode, state, 0.0, -1)
+    count = write_event(events, count, quiet(PAINLEVE_INCONSISTENT, mode, state), mode, state, 0.0, -1)
+    p_t = -sigma * body.mu_k * p_n
+    cause = Cause(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
+    after = State(
+        state.t, state.x, 0.0, state.th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t + loss
+    )
+    if vt != 0.0:  # turned round, and still slipping
+        return False, mode, after, write_event(events, count, cause, mode, after, 0.0, -1)
+    mode, after, count = settle(body, after, cause, events, count)
+    return False, mode, after, count
