@@ -51,8 +51,8 @@ def cluster(tmp_path):
         for number in (1, 2):
             folder = tmp_path / f"worker{number}"
             worker = start(
-                "dask_worker", address, "--nthreads", "1", "--no-nanny", "--no-dashboard", "--host", "127.0.0.1",
-                "--local-directory", str(folder),
+                "dask_worker", address, "--nthreads", "1", "--no-nanny", "--no-dashboard",
+                "--host", "127.0.0.1", "--local-directory", str(folder),
             )  # fmt: skip
             processes.append(worker)
             said(worker, r"Registered to:\s+(tcp://\S+)")

@@ -41,7 +41,7 @@ def map(
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
     from hophoop.maps.axes import parse_axis
-    from hophoop.maps.sweep import sweep
+    from hophoop.maps.sweeping import sweep
     from hophoop.scenario import InputError, Scenario
 
     if out is None and plot is None:

@@ -4,14 +4,19 @@ xarray and Zarr are in the extra ``maps``, Dask in ``cluster``; both are loaded 
 """
 
 from hophoop.maps.axes import linear, logarithmic, scenario_at
+from hophoop.maps.border import Border, borders, boundary
 from hophoop.maps.evaluate import points
 from hophoop.maps.quantities import QUANTITIES, SPANS, Quantity, words_of
+from hophoop.maps.refinement import Refined, refine
 from hophoop.maps.store import open_map
-from hophoop.maps.sweep import sweep
+from hophoop.maps.sweeping import sweep
 
 __all__ = [
     "sweep",
     "points",
+    "boundary",
+    "borders",
+    "refine",
     "open_map",
     "words_of",
     "linear",
@@ -20,4 +25,6 @@ __all__ = [
     "QUANTITIES",
     "SPANS",
     "Quantity",
+    "Border",
+    "Refined",
 ]

@@ -12,7 +12,7 @@ from hophoop.maps.store import compute_chunk
 
 # Chunks that wait at the scheduler for each thread of the cluster; its memory does not grow with the map.
 WAITING = 4
-# How often a chunk is tried again after an error, such as of a file system; a worker's death is Dask's to mend.
+# How often a chunk is tried again after an error of its own; the death of a worker is for Dask to mend.
 RETRIES = 2
 # How long to wait for an answer [s].
 PATIENCE = 10

@@ -24,7 +24,15 @@ from hophoop.maps.axes import (
     ordered,
 )
 from hophoop.maps.cells import make_cells
-from hophoop.maps.quantities import Quantity, Span, choose_quantities, make_span, unpack, wanted_of
+from hophoop.maps.quantities import (
+    Quantity,
+    Span,
+    choose_quantities,
+    distinct_rows,
+    make_span,
+    unpack,
+    wanted_of,
+)
 from hophoop.physics.panel import RESOLVED
 from hophoop.scenario import InputError, Scenario, parameter
 
@@ -240,8 +248,8 @@ def points(
     results = {}
     for quantity in chosen:
         if quantity.name == "sequence":
-            unique, place = np.unique(raw.keys, axis=0, return_inverse=True)
-            column = np.array([unpack(key) for key in unique], dtype=str)[place.reshape(-1)]
+            rows, place = distinct_rows(raw.keys)
+            column = np.array([unpack(row) for row in rows], dtype=str)[place]
         else:
             column = raw.of(quantity)
             if quantity.words:

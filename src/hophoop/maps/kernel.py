@@ -67,7 +67,7 @@ START, SLIP_START, TAKEOFF, IMPACT, TURN = (
 )
 APEX, KANE_GAIN, JAM, REST = int(Event.APEX), int(Event.KANE_GAIN), int(Event.JAM), int(Event.REST)
 INCONSISTENT, INDETERMINATE = int(Event.PAINLEVE_INCONSISTENT), int(Event.PAINLEVE_INDETERMINATE)
-AT_REST, JAMMED = int(Status.AT_REST), int(Status.JAMMED)
+COMPLETED, AT_REST, JAMMED = int(Status.COMPLETED), int(Status.AT_REST), int(Status.JAMMED)
 UNDETERMINED, EVENT_LIMIT = int(Status.UNDETERMINED), int(Status.EVENT_LIMIT)
 
 
@@ -240,6 +240,16 @@ def reduce_flight(body, row, unit, second, energy, passing, scratch, numbers, k)
 
 
 @jit
+def first_beyond(events, count, angle_span):
+    """Index of the first event at which the motion has turned by the span, or the last one."""
+    if not math.isnan(angle_span):
+        for i in range(count):
+            if abs(events[i].angle - events[0].angle) >= angle_span:
+                return i
+    return count - 1
+
+
+@jit
 def ending_of(status, events, count, stop, cut, t_end):
     """Which limit or event ended the span."""
     if cut:
@@ -357,6 +367,10 @@ def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, numbers, w
             events = np.empty(most, EVENT)
         while True:
             status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch)
+            beyond = first_beyond(events, count, angle_span)
+            if beyond < count - 1:  # an event at the very end of the span
+                count = beyond + 1
+                status = COMPLETED
             if status != EVENT_LIMIT or events.shape[0] >= most:
                 break
             events = np.empty(min(4 * events.shape[0], most), EVENT)
