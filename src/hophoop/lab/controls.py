@@ -123,7 +123,12 @@ def controls() -> dict[str, Any]:
     return {
         "groups": groups,
         "choices": [
-            {"path": path, "label": CHOICE_LABELS[path], "options": options, "help": parameter(path).description}
+            {
+                "path": path,
+                "label": CHOICE_LABELS[path],
+                "options": options,
+                "help": parameter(path).description,
+            }
             for path, options in CHOICES.items()
         ],
         "gravities": GRAVITIES,

@@ -53,7 +53,11 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
         need = theory.needed_friction(hoop, speed, plane)
         mu = float(need[0])
         whether = "enough here" if mu <= plane.mu_static else "more than there is"
-        said = f"μ = {mu:.3g} would keep it rolling ({whether})" if math.isfinite(mu) else "no friction keeps it rolling"
+        said = (
+            f"μ = {mu:.3g} would keep it rolling ({whether})"
+            if math.isfinite(mu)
+            else "no friction keeps it rolling"
+        )
         add("needed_friction", "Friction for pure rolling", mu, "1", said)
     least, angle = theory.painleve_minimum(hoop)
     if math.isfinite(least):
@@ -76,7 +80,13 @@ def _add_speeds(scenario: Scenario, add: Any) -> None:
     slip, hop, immediate = (float(value) for value in critical)
     add("first_slip", "Slips", slip, "m/s", _above(slip, "would slip", "any push is enough"))
     add("first_hop", "Hops", hop, "m/s", _above(hop, "would hop in its first turn", "any push is enough"))
-    add("immediate_hop", "Hops at once", immediate, "m/s", _above(immediate, "would hop at once", "at any speed"))
+    add(
+        "immediate_hop",
+        "Hops at once",
+        immediate,
+        "m/s",
+        _above(immediate, "would hop at once", "at any speed"),
+    )
 
 
 def _above(speed: float, would: str, always: str) -> str:
@@ -169,7 +179,9 @@ def axis_options(body: Mapping[str, Any], name: str, limits: Limits) -> dict[str
             raise InputError(f"{name}.{key} is not a known key; known are path, from, to, cells.")
     path = axis.get("path")
     if not isinstance(path, str):
-        raise InputError(f"{name}.path = {json.dumps(path)[:60]} must be the path of a parameter, such as 'plane.mu'.")
+        raise InputError(
+            f"{name}.path = {json.dumps(path)[:60]} must be the path of a parameter, such as 'plane.mu'."
+        )
     if parameter(path).unit == "":
         raise InputError(f"{name}.path = {path!r} must be a number's path, not that of a word.")
     ends = {}
@@ -207,7 +219,9 @@ def map_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:
     return {"x": x, "y": y, "what": what}
 
 
-def motion_map(scenario: Scenario, options: Mapping[str, Any], limits: Limits) -> tuple[dict[str, Any], np.ndarray]:
+def motion_map(
+    scenario: Scenario, options: Mapping[str, Any], limits: Limits
+) -> tuple[dict[str, Any], np.ndarray]:
     """A map over two parameters; each value is that of a cell's middle.
 
     Raises
@@ -246,7 +260,10 @@ def motion_map(scenario: Scenario, options: Mapping[str, Any], limits: Limits) -
     numbers = array.values.astype(float)
     if quantity.is_code:
         names = maps.words_of(array)
-        header["classes"] = [{"name": name, "text": _class_text(what, name), "color": _class_color(what, name)} for name in names]
+        header["classes"] = [
+            {"name": name, "text": _class_text(what, name), "color": _class_color(what, name)}
+            for name in names
+        ]
         numbers[numbers < 0] = math.nan
     return header, numbers
 

@@ -76,7 +76,9 @@ def gif(scenario: Scenario, limits: Limits) -> bytes:
 
 def _film(scenario: Scenario, limits: Limits, name: str) -> bytes:
     if scenario.duration > limits.film:
-        raise TooMuch(f"duration = {scenario.duration:g} must be at most {limits.film:g} s for a film from the lab.")
+        raise TooMuch(
+            f"duration = {scenario.duration:g} must be at most {limits.film:g} s for a film from the lab."
+        )
     motion = simulate(within(scenario, limits))
     export = need("hophoop.animate", "films").animate
     return _through_file(lambda path: export(motion, path), name)

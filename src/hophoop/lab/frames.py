@@ -55,7 +55,9 @@ def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[s
         if name == "mode":
             pair = [_codes(letters) for letters in pair]
         joined[name] = np.concatenate(pair)[order]
-    limit = np.where(np.isin(joined["mode"], (1, 2)), plane.mu_kinetic, plane.mu_static) * joined["normal_force"]
+    limit = (
+        np.where(np.isin(joined["mode"], (1, 2)), plane.mu_kinetic, plane.mu_static) * joined["normal_force"]
+    )
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.abs(joined["friction_force"]) / limit
     joined["utilization"] = np.where(limit > 0.0, share, np.nan)

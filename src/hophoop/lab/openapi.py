@@ -71,7 +71,9 @@ MAP = {
 ERROR = {
     "type": "object",
     "required": ["detail"],
-    "properties": {"detail": {"type": "string", "description": "One sentence: what is wrong and what is allowed"}},
+    "properties": {
+        "detail": {"type": "string", "description": "One sentence: what is wrong and what is allowed"}
+    },
 }
 
 
@@ -122,7 +124,13 @@ def document(version: str) -> dict[str, Any]:
         "name": "samples",
         "in": "query",
         "description": "How many equally spaced states to add; 0 for none",
-        "schema": {"type": "integer", "minimum": 0, "maximum": USUAL.samples, "default": 0, "not": {"const": 1}},
+        "schema": {
+            "type": "integer",
+            "minimum": 0,
+            "maximum": USUAL.samples,
+            "default": 0,
+            "not": {"const": 1},
+        },
     }
     file_name = {
         "name": "name",
@@ -139,7 +147,9 @@ def document(version: str) -> dict[str, Any]:
             "description": "Exact motion of a loaded hoop on a plane. Stateless; equal requests have equal ETags.",
         },
         "paths": {
-            "/api/v1/simulate": {"post": _post("simulate", "Compute a motion", "Scenario", "Result", [samples])},
+            "/api/v1/simulate": {
+                "post": _post("simulate", "Compute a motion", "Scenario", "Result", [samples])
+            },
             "/api/v1/theory": {"post": _post("theory", "Thresholds of theory", "Scenario", "Theory", [])},
             "/api/v1/map": {"post": _post("map", "A map over two parameters", "MapRequest", "Map", [])},
             "/api/v1/files/{name}": {
@@ -168,7 +178,9 @@ def document(version: str) -> dict[str, Any]:
     }
 
 
-def _post(name: str, summary: str, takes: str, gives: str, parameters: list[dict[str, Any]]) -> dict[str, Any]:
+def _post(
+    name: str, summary: str, takes: str, gives: str, parameters: list[dict[str, Any]]
+) -> dict[str, Any]:
     return {
         "operationId": name,
         "summary": summary,
@@ -180,7 +192,9 @@ def _post(name: str, summary: str, takes: str, gives: str, parameters: list[dict
         "responses": {
             "200": {
                 **_content("The result", {"$ref": PREFIX + gives}),
-                "headers": {"ETag": {"schema": {"type": "string"}, "description": "Equal for equal requests"}},
+                "headers": {
+                    "ETag": {"schema": {"type": "string"}, "description": "Equal for equal requests"}
+                },
             },
             **_errors("304", "413", "422", "429"),
         },

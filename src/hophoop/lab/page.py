@@ -16,7 +16,7 @@ from fastapi import FastAPI, Request, Response
 # In the order in which they need each other.
 MODULES = (
     "dom", "frames", "clock", "stage2d", "gl", "stage3d", "timeline", "plot", "plots", "phase", "map",
-    "parts", "controls", "story", "share", "backend", "app", "main",
+    "parts", "controls", "story", "share", "backend", "layout", "app", "main",
 )  # fmt: skip
 
 # Nothing may come from, or go, anywhere else; a film recorded in the page is a blob.
@@ -105,7 +105,9 @@ def mount(app: FastAPI) -> None:
         if found is None:
             return Response("There is no such file.", 404, media_type="text/plain")
         content, kind, _ = found
-        return Response(content, media_type=kind, headers={"Cache-Control": "public, max-age=31536000, immutable"})
+        return Response(
+            content, media_type=kind, headers={"Cache-Control": "public, max-age=31536000, immutable"}
+        )
 
     @app.get("/favicon.ico", include_in_schema=False)
     async def icon() -> Response:

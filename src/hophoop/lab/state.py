@@ -67,7 +67,9 @@ def changed(scenario: Scenario, changes: Any) -> Scenario:
         raise InputError(f"changes = {json.dumps(changes)[:60]} must be a list of pairs of path and value.")
     for change in changes:
         if not (isinstance(change, list) and len(change) == 2 and isinstance(change[0], str)):
-            raise InputError(f"changes holds {json.dumps(change)[:60]}, which is not a pair of path and value.")
+            raise InputError(
+                f"changes holds {json.dumps(change)[:60]}, which is not a pair of path and value."
+            )
         scenario = scenario.replace(change[0], change[1])
     return scenario
 
@@ -140,7 +142,13 @@ def setup(request: Request, limits: Limits) -> Reply:
             "controls": controls(),
             "map_quantities": [[name, words] for name, (words, _) in explore.MAP_QUANTITIES.items()],
             "presets": [
-                {"key": p.key, "group": p.group, "title": p.title, "text": p.text, "query": p.scenario.to_query()}
+                {
+                    "key": p.key,
+                    "group": p.group,
+                    "title": p.title,
+                    "text": p.text,
+                    "query": p.scenario.to_query(),
+                }
                 for p in presets()
             ],
             "colors": {
@@ -180,7 +188,8 @@ def simulated(request: Request, limits: Limits) -> Reply:
     if count:
         sample = motion.at(motion.times(count))
         header["samples"] = {
-            field.name: _finite_list(getattr(sample, field.name).tolist()) for field in dataclasses.fields(sample)
+            field.name: _finite_list(getattr(sample, field.name).tolist())
+            for field in dataclasses.fields(sample)
         }
     return Reply(header)
 
@@ -203,7 +212,9 @@ def python_code(scenario: Scenario) -> str:
     code : str
         Its variable `motion` is the Trajectory.
     """
-    contact = "" if scenario.contact == type(scenario)().contact else f"    contact={_call(scenario.contact)},\n"
+    contact = (
+        "" if scenario.contact == type(scenario)().contact else f"    contact={_call(scenario.contact)},\n"
+    )
     return (
         "import hophoop as hh\n\n"
         "motion = hh.simulate(\n"
@@ -226,7 +237,11 @@ def _call(model: Any) -> str:
         name = "Start.rolling"
     parts = keys.pop("parts", None)
     usual = {} if name == "Start.rolling" else type(model)().to_dict()
-    arguments = [f"{key}={_argument(value)}" for key, value in keys.items() if usual.get(key, 0.0) != value or key == "speed"]
+    arguments = [
+        f"{key}={_argument(value)}"
+        for key, value in keys.items()
+        if usual.get(key, 0.0) != value or key == "speed"
+    ]
     if parts is not None:
         listed = ", ".join(_part(part) for part in model.parts)
         arguments.append(f"parts=[{listed}]")
@@ -276,7 +291,9 @@ class Request:
     @property
     def tag(self) -> str:
         """Equal for equal requests to equal versions, whatever way their scenario was written."""
-        text = json.dumps([hophoop.__version__, self.call, self.scenario.to_query(), self.options], sort_keys=True)
+        text = json.dumps(
+            [hophoop.__version__, self.call, self.scenario.to_query(), self.options], sort_keys=True
+        )
         return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 

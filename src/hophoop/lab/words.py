@@ -126,7 +126,11 @@ def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
     if kind == "takeoff":
         landing = next((later for later in motion.events[number + 1 :] if later.kind == "impact"), None)
         top = max((e.height for e in motion.events[number:] if landing and e.t <= landing.t), default=0.0)
-        how = f" It rises {_length(top)} and stays up for {landing.t - event.t:.3g} s." if landing and top else ""
+        how = (
+            f" It rises {_length(top)} and stays up for {landing.t - event.t:.3g} s."
+            if landing and top
+            else ""
+        )
         return f"It hops at {where}.{how}"
     if kind == "impact":
         if event.collision is False:
@@ -154,7 +158,9 @@ def _say_the_rest(event: EventRecord, where: str) -> str:
 
 
 def _started(event: EventRecord) -> str:
-    return {"H": "starts in the air", "M": "starts skimming"}.get(event.to_mode, f"starts and {VERBS[event.to_mode]}")
+    return {"H": "starts in the air", "M": "starts skimming"}.get(
+        event.to_mode, f"starts and {VERBS[event.to_mode]}"
+    )
 
 
 def _length(value: float) -> str:

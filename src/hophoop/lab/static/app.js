@@ -1,25 +1,12 @@
 // The lab: one or two motions, the clock, and everything that shows them.
 
-import { Clock, SPEEDS } from "./clock.js";
-import { Controls } from "./controls.js";
-import { h, once, show, theme, withUnit } from "./dom.js";
+import { Clock } from "./clock.js";
+import { h, icon, once, readable, show, theme, withUnit } from "./dom.js";
 import { Film } from "./frames.js";
-import { MotionMap } from "./map.js";
-import { PhasePlane } from "./phase.js";
-import { Plots } from "./plots.js";
-import { Share } from "./share.js";
-import { Stage2D } from "./stage2d.js";
+import { build } from "./layout.js";
 import { Stage3D } from "./stage3d.js";
-import { Story, Theory } from "./story.js";
-import { Timeline } from "./timeline.js";
 
 const STEP = 1 / 60;
-const SWITCHES = [
-  ["traces", "Traces", "t"],
-  ["forces", "Forces", "f"],
-  ["speed", "Rim speed", "c"],
-  ["whole", "Whole path", "w"],
-];
 
 export class Lab {
   // `hosted`: the lab owns the page, with its address and its keyboard
@@ -41,7 +28,7 @@ export class Lab {
   async start({ setup, films, queries = [""], time = 0 }) {
     this.setup = setup ?? (await this.backend.call("setup", {})).header;
     this.colors = this.setup.colors;
-    this.build();
+    build(this);
     this.watchTheme();
     if (films) this.lanes = films.map((reply) => ({ film: new Film(reply) }));
     else await this.load(queries);
@@ -51,191 +38,6 @@ export class Lab {
     this.clock.listeners.add(() => this.request());
     new ResizeObserver(() => this.show()).observe(this.stageBox);
     root_ready(this.root);
-  }
-
-  // --- building ------------------------------------------------------------------------------
-
-  build() {
-    const { clock } = this;
-    this.canvas2 = h("canvas", { class: "stage-canvas" });
-    this.canvas3 = h("canvas", { class: "stage-canvas", hidden: true });
-    this.stage2 = new Stage2D(this.canvas2);
-    this.stage2.onview = () => this.request();
-    this.readout = h("dl", { class: "readout", "aria-hidden": "true" });
-    this.stageBox = h(
-      "div",
-      { class: "stage", role: "img", "aria-label": "The hoop", tabindex: "0" },
-      this.canvas2,
-      this.canvas3,
-      this.readout,
-    );
-    this.timeline = new Timeline(clock);
-    this.story = new Story(clock);
-    this.theory = new Theory();
-    this.plots = new Plots(clock, this.colors);
-    this.phase = new PhasePlane(this);
-    this.map = new MotionMap(this);
-    this.controls = new Controls(this.setup.controls, (changes, commit) => this.change(changes, commit));
-    this.share = new Share(this);
-    this.message = h("p", { class: "message", role: "alert", hidden: true });
-    const want = (name) => !this.panels || this.panels.includes(name);
-    const side = h(
-      "aside",
-      { class: "side", "aria-label": "Parameters" },
-      this.lanesBar(),
-      this.message,
-      this.controls.element,
-    );
-    const main = h(
-      "div",
-      { class: "middle" },
-      h("div", { class: "player" }, this.stageBox, this.timeline.element, this.transport()),
-      h("div", { class: "words" }, this.story.element, want("theory") && this.theory.element),
-      want("map") && this.map.element,
-    );
-    const why = h(
-      "div",
-      { class: "why" },
-      want("plots") && this.plots.element,
-      want("plots") && this.phase.element,
-    );
-    this.toast = h("div", { class: "toast", role: "status", hidden: true });
-    this.root.replaceChildren(
-      this.header(),
-      h("div", { class: "columns" }, want("controls") && side, main, why),
-      this.toast,
-      this.share.dialog,
-      this.help(),
-    );
-    if (!want("controls")) this.root.classList.add("no-controls");
-    const keys = (event) => this.key(event);
-    if (this.hosted) document.addEventListener("keydown", keys);
-    else this.root.addEventListener("keydown", keys);
-  }
-
-  header() {
-    const groups = new Map();
-    for (const preset of this.setup.presets) {
-      groups.set(preset.group, [...(groups.get(preset.group) ?? []), preset]);
-    }
-    this.presets = h(
-      "select",
-      {
-        class: "presets",
-        "aria-label": "Motions to start from",
-        onchange: () => {
-          const preset = this.setup.presets.find(({ key }) => key === this.presets.value);
-          if (preset) this.take(preset.query, preset);
-        },
-      },
-      h("option", { value: "" }, "Motions to start from …"),
-      [...groups].map(([group, list]) =>
-        h("optgroup", { label: group }, list.map(({ key, title }) => h("option", { value: key }, title))),
-      ),
-    );
-    const button = (label, title, action, extra = {}) =>
-      h("button", { type: "button", title, "aria-label": title, onclick: action, ...extra }, label);
-    this.undoButton = button("↶", "Undo (z)", () => this.undo());
-    this.redoButton = button("↷", "Redo (y)", () => this.redo());
-    this.compareButton = button("Compare", "Compare two hoops", () => this.compare(), { "aria-pressed": "false" });
-    return h(
-      "header",
-      { class: "top" },
-      h("h1", {}, h("span", { class: "logo", "aria-hidden": "true" }), "hophoop lab"),
-      this.presets,
-      h("div", { class: "buttons" }, this.undoButton, this.redoButton, this.compareButton),
-      h(
-        "div",
-        { class: "buttons right" },
-        this.share.menu,
-        button("◐", "Dark or light (d)", () => this.toggleTheme()),
-        button("?", "Keys and help (?)", () => this.helpDialog.showModal()),
-      ),
-    );
-  }
-
-  lanesBar() {
-    this.tabs = ["A", "B"].map((name, i) =>
-      h("button", { type: "button", role: "tab", onclick: () => this.choose(i) }, `Hoop ${name}`),
-    );
-    this.tabBar = h("div", { class: "tabs", role: "tablist", "aria-label": "Which hoop", hidden: true }, this.tabs);
-    this.presetText = h("p", { class: "preset-text" });
-    return h("div", {}, this.tabBar, this.presetText);
-  }
-
-  transport() {
-    const button = (label, title, action) =>
-      h("button", { type: "button", title, "aria-label": title, onclick: action }, label);
-    this.playButton = button("▶", "Play (space)", () => this.clock.play());
-    this.playButton.classList.add("play");
-    this.speeds = h(
-      "select",
-      {
-        "aria-label": "Speed of the film",
-        onchange: () => {
-          this.clock.speed = Number(this.speeds.value);
-        },
-      },
-      SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
-    );
-    this.speeds.value = "1";
-    this.switches = new Map(
-      SWITCHES.map(([name, label, key]) => {
-        const box = h("button", {
-          type: "button", class: "switch", title: `${label} (${key})`, onclick: () => this.toggle(name),
-        }, label);
-        return [name, box];
-      }),
-    );
-    this.threeButton = h(
-      "button", { type: "button", class: "switch", title: "In space (3)", onclick: () => this.toggle("three") }, "3D",
-    );
-    this.switches.set("three", this.threeButton);
-    return h(
-      "div",
-      { class: "transport" },
-      h(
-        "div",
-        { class: "buttons" },
-        button("⏮", "To the start (Home)", () => this.clock.seek(0)),
-        button("⇤", "Previous event (Shift ←)", () => this.jump(-1)),
-        button("◂", "One frame back (←)", () => this.nudge(-1)),
-        this.playButton,
-        button("▸", "One frame on (→)", () => this.nudge(1)),
-        button("⇥", "Next event (Shift →)", () => this.jump(1)),
-      ),
-      h(
-        "div",
-        { class: "buttons" },
-        button("▲ hop", "To the next take-off (h)", () => this.jump(1, "takeoff")),
-        button("▼ landing", "To the next landing (l)", () => this.jump(1, "impact")),
-      ),
-      this.speeds,
-      h("div", { class: "buttons switches" }, [...this.switches.values()]),
-    );
-  }
-
-  help() {
-    const keys = [
-      ["space", "play, pause"], ["← →", "one frame"], ["Shift ← →", "previous, next event"], ["h  l", "next hop, landing"],
-      ["[ ]", "slower, faster"], ["Home End", "start, end"], ["t f c w", "traces, forces, rim speed, whole path"],
-      ["3", "in space"], ["+ − 0", "zoom, zoom back"], ["z y", "undo, redo"], ["d", "dark, light"], ["p", "Python"],
-    ];
-    this.helpDialog = h(
-      "dialog",
-      { class: "help", "aria-label": "Keys and help" },
-      h("h2", {}, "The hoop"),
-      h(
-        "p",
-        {},
-        "A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: " +
-          "so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.",
-      ),
-      h("table", {}, h("caption", {}, "Keys"), keys.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what)))),
-      h("p", { class: "hint" }, `hophoop ${this.setup.version}`),
-      h("button", { type: "button", class: "close", onclick: () => this.helpDialog.close() }, "Close"),
-    );
-    return this.helpDialog;
   }
 
   // --- scenarios -----------------------------------------------------------------------------
@@ -290,7 +92,7 @@ export class Lab {
   settle(lane) {
     lane.commit = false;
     this.remember();
-    this.story.announce();
+    this.story.announce(this.films());
   }
 
   async take(query, preset = null) {
@@ -302,7 +104,7 @@ export class Lab {
       this.presetText.textContent = preset?.text ?? "";
       this.show();
       this.remember();
-      this.story.announce();
+      this.story.announce(this.films());
     } catch (error) {
       this.fail(error);
     }
@@ -373,15 +175,35 @@ export class Lab {
     const films = this.films();
     if (!films.length) return;
     this.look = theme(this.root);
+    this.inks = { ...this.colors };
+    for (const name of ["gravity_center", "airborne", "normal_force", "friction_force"]) {
+      this.inks[name] = readable(this.colors[name], this.look.dark);
+    }
     this.clock.duration = Math.max(...films.map((film) => film.duration));
     this.clock.time = Math.min(this.clock.time, this.clock.duration);
     const two = films.length > 1;
     this.compareButton.setAttribute("aria-pressed", String(two));
+    this.root.classList.toggle("two", two);
     this.tabBar.hidden = !two;
     this.tabs.forEach((tab, i) => tab.setAttribute("aria-selected", String(i === this.active)));
     for (const [name, button] of this.switches) button.setAttribute("aria-pressed", String(this.options[name]));
     this.drawStage();
+    this.drawReadout();
     this.controls.show(this.film());
+    if (since !== null && since !== undefined) {
+      requestAnimationFrame(() => setTimeout(() => this.latencies.push(performance.now() - since), 0));
+    }
+    // the picture first; diagrams and words follow once it is on the screen
+    if (!this.surrounding) {
+      this.surrounding = true;
+      requestAnimationFrame(() => setTimeout(() => this.showSurroundings(), 0));
+    }
+  }
+
+  showSurroundings() {
+    this.surrounding = false;
+    const films = this.films();
+    this.timeline.draw(films, this.look, this.colors);
     this.plots.draw(films, this.look);
     this.phase.draw(films, this.look);
     this.story.draw(films, this.colors);
@@ -389,9 +211,6 @@ export class Lab {
     this.map.mark(this.film());
     this.stageBox.setAttribute("aria-label", `The hoop. ${films.map((film) => film.summary).join(" ")}`);
     this.later();
-    if (since !== null && since !== undefined) {
-      requestAnimationFrame(() => setTimeout(() => this.latencies.push(performance.now() - since), 0));
-    }
   }
 
   stageCanvas() {
@@ -399,31 +218,36 @@ export class Lab {
   }
 
   drawStage() {
-    const { clock, options, look, colors } = this;
+    const { clock, options, look, inks } = this;
+    this.legend.hidden = !options.speed;
+    this.fastest.textContent = `${show(Math.max(...this.films().map((film) => film.extent.speed)), 2)} m/s`;
     if (options.three) {
       this.stage3 ??= new Stage3D(this.canvas3, () => this.request());
-      this.stage3.draw(this.films(), clock.time, options, look, colors);
-    } else this.stage2.draw(this.films(), clock.time, options, look, colors);
+      this.stage3.draw(this.films(), clock.time, options, look, inks);
+    } else this.stage2.draw(this.films(), clock.time, options, look, inks);
   }
 
   drawTime() {
     const { clock } = this;
+    if (this.surrounding) return;
     this.timeline.draw(this.films(), this.look, this.colors);
     this.plots.cursor(clock.time);
     this.phase.cursor(clock.time);
     this.story.cursor(clock.time);
     const title = clock.playing ? "Pause (space)" : "Play (space)";
-    this.playButton.textContent = clock.playing ? "❚❚" : "▶";
-    this.playButton.title = title;
-    this.playButton.setAttribute("aria-label", title);
-    this.speeds.value = String(clock.speed);
-    this.drawReadout();
+    if (this.playButton.title !== title || !this.playButton.firstChild) {
+      this.playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
+      this.playButton.title = title;
+      this.playButton.setAttribute("aria-label", title);
+    }
+    if (this.speeds.value !== String(clock.speed)) this.speeds.value = String(clock.speed);
   }
 
   drawReadout() {
     const film = this.film();
     const pose = film.at(this.clock.time);
     const rows = [
+      ["hoop", this.lanes.length > 1 ? "AB"[this.active] : ""],
       ["mode", this.colors.mode_names[pose.mode]],
       ["time", `${pose.t.toFixed(3)} s`],
       ["angle", `${((pose.angle * 180) / Math.PI).toFixed(1)}°`],
@@ -438,7 +262,8 @@ export class Lab {
     rows.forEach(([, value], i) => {
       if (this.outputs[i][1].textContent !== value) this.outputs[i][1].textContent = value;
     });
-    this.outputs[0][1].style.setProperty("--mode", this.colors.modes[pose.mode]);
+    this.outputs[0][1].hidden = this.outputs[0][1].previousSibling.hidden = this.lanes.length < 2;
+    this.outputs[1][1].style.setProperty("--mode", this.colors.modes[pose.mode]);
   }
 
   request() {
@@ -453,6 +278,7 @@ export class Lab {
     this.clock.tick(now);
     this.drawStage();
     this.drawTime();
+    this.drawReadout();
     this.afterFrame?.();
     this.frames = (this.frames ?? 0) + 1;
     if (this.clock.playing) this.request();

@@ -121,7 +121,9 @@ export class Controls {
   }
 
   group(title, ...children) {
-    return h("details", { class: "group", open: true }, h("summary", {}, title), children);
+    // on a phone all of it would be a long way to scroll
+    const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 760px)").matches;
+    return h("details", { class: "group", open }, h("summary", {}, title), children);
   }
 
   hoop() {

@@ -65,7 +65,7 @@ export class Film {
     }
     // a spike that lasts an instant must not turn the rest of the ring into one colour
     speeds.sort((a, b) => a - b);
-    extent.speed = speeds[Math.floor(0.98 * (speeds.length - 1))] || 1;
+    extent.speed = speeds[Math.floor(0.95 * (speeds.length - 1))] || 1;
     return extent;
   }
 

@@ -51,6 +51,11 @@ export class PhasePlane {
   }
 
   reach() {
+    return this.reached;
+  }
+
+  // How far up the diagram goes: past nearly all of the motion, to a round number.
+  findReach() {
     let most = 0;
     for (const film of this.films ?? []) {
       const rates = Float64Array.from(film.columns.omega, Math.abs).filter(Number.isFinite).sort();
@@ -95,6 +100,7 @@ export class PhasePlane {
   draw(films, look) {
     this.films = films;
     this.look = look;
+    this.reached = this.findReach();
     this.forwards = films.some((film) => film.columns.omega.some((value) => value > 0.3));
     this.backwards = films.some((film) => film.columns.omega.some((value) => value < -0.3));
     if (!this.forwards && !this.backwards) this.forwards = true;

@@ -1,6 +1,6 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
-import { clamp, faded, fitted, h, niceStep, show, tickText, ticks } from "./dom.js";
+import { clamp, faded, fitted, h, niceStep, readable, show, tickText, ticks } from "./dom.js";
 
 const LEFT = 52;
 const RIGHT = 10;
@@ -59,7 +59,7 @@ export class Plot {
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     this.range = this.shared.range ?? this.fullRange();
-    const drawn = films.flatMap((film, lane) => this.curves(film).map((curve) => ({ ...curve, film, lane })));
+    const drawn = films.flatMap((film, lane) => this.shades(film).map((curve) => ({ ...curve, film, lane })));
     this.heights = this.limits ?? this.findHeights(drawn);
     if (this.shared.axis === "time") this.bands(context, films[0], colors);
     this.grid(context, look, width, height);
@@ -69,8 +69,12 @@ export class Plot {
     context.clip();
     for (const curve of drawn) this.curve(context, curve, films.length > 1);
     context.restore();
-    this.legend(this.curves(films[0]), films.length > 1);
+    this.legend(this.shades(films[0]), look.dark);
     this.describe(drawn);
+  }
+
+  shades(film) {
+    return this.curves(film).map((curve) => ({ ...curve, color: curve.color && readable(curve.color, this.look.dark) }));
   }
 
   x(value) {
@@ -180,8 +184,8 @@ export class Plot {
     context.globalAlpha = 1;
   }
 
-  legend(curves, two) {
-    const names = curves.map((curve) => curve.name).join() + two;
+  legend(curves, dark) {
+    const names = curves.map((curve) => curve.name).join() + dark;
     if (this.named !== names) {
       this.named = names;
       this.values = curves.map(() => h("output", {}));
@@ -225,7 +229,7 @@ export class Plot {
         context.lineTo(x, TOP + this.box.height);
         context.stroke();
       }
-      this.curves(film).forEach((curve, k) => {
+      this.shades(film).forEach((curve, k) => {
         const next = curve.values[j];
         const value = Number.isFinite(next) ? curve.values[i] + share * (next - curve.values[i]) : curve.values[i];
         if (lane === 0 && this.values?.[k]) this.values[k].textContent = show(value, 3);

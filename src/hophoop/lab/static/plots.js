@@ -70,6 +70,13 @@ export class Plots {
     this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
     this.plots = definitions(colors).map((definition) => new Plot(definition, this.shared));
     for (const plot of this.plots) plot.onseek = (time) => clock.seek(time);
+    // diagrams that are scrolled away wait until they are seen
+    this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
+    const watch = new IntersectionObserver((entries) => {
+      for (const { target, isIntersecting } of entries) this.seen.set(target, isIntersecting);
+      this.redraw();
+    });
+    for (const plot of this.plots) watch.observe(plot.element);
     this.axis = h(
       "select",
       {
@@ -107,11 +114,15 @@ export class Plots {
   redraw() {
     if (!this.films?.length) return;
     this.back.hidden = !this.shared.range;
-    for (const plot of this.plots) plot.draw(this.films, this.look, this.colors);
+    for (const plot of this.visible()) plot.draw(this.films, this.look, this.colors);
     this.cursor(this.shared.clock.time);
   }
 
+  visible() {
+    return this.plots.filter((plot) => this.seen.get(plot.element));
+  }
+
   cursor(time) {
-    for (const plot of this.plots) plot.cursor(time);
+    for (const plot of this.visible()) plot.cursor(time);
   }
 }

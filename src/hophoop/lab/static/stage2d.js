@@ -49,18 +49,24 @@ export class Stage2D {
     const { context, width, height } = fitted(this.canvas);
     context.clearRect(0, 0, width, height);
     const each = height / films.length;
+    // two hoops are drawn to one scale, in length and in colour
+    const common = {
+      top: Math.max(...films.map((film) => film.extent.top)),
+      radius: Math.max(...films.map((film) => film.radius)),
+      speed: Math.max(...films.map((film) => film.extent.speed)),
+    };
     films.forEach((film, i) => {
       context.save();
       context.beginPath();
       context.rect(0, i * each, width, each);
       context.clip();
       context.translate(0, i * each);
-      new Scene(context, width, each, film, time, options, look, colors, this.zoom, this.shift).draw();
+      new Scene(context, width, each, film, time, options, look, colors, this.zoom, this.shift, common).draw();
       if (films.length > 1) {
         context.fillStyle = look.soft;
         context.font = `600 15px ${look.font}`;
         context.textAlign = "left";
-        context.fillText("AB"[i], 12, 24);
+        context.fillText("AB"[i], 12, each - 12);
       }
       context.restore();
       if (i > 0) {
@@ -72,15 +78,16 @@ export class Stage2D {
 }
 
 class Scene {
-  constructor(context, width, height, film, time, options, look, colors, zoom, shift) {
-    Object.assign(this, { context, width, height, film, options, look, colors });
+  constructor(context, width, height, film, time, options, look, colors, zoom, shift, common) {
+    Object.assign(this, { context, width, height, film, options, look, colors, common });
     this.pose = film.at(time);
     const R = film.radius;
-    const { left, right, top } = film.extent;
+    const { left, right } = film.extent;
+    const { top } = common;
     this.cosine = Math.cos(film.slope);
     this.sine = Math.sin(film.slope);
-    const room = 2 * R + Math.min(top, 6 * R);
-    const close = Math.min((0.66 * height) / room, (0.5 * width) / R);
+    const room = 2 * common.radius + Math.min(top, 6 * common.radius);
+    const close = Math.min((0.66 * height) / room, (0.5 * width) / common.radius);
     if (options.whole) {
       const span = (right - left) * this.cosine + 2.6 * R;
       const fall = (right - left) * Math.abs(this.sine) + 2.6 * R + top;
@@ -109,7 +116,6 @@ class Scene {
     if (this.options.traces) this.traces();
     this.hoop();
     if (this.options.forces) this.forces();
-    if (this.options.speed) this.legend();
   }
 
   ground() {
@@ -191,7 +197,7 @@ class Scene {
       this.point(center[0] + radius * Math.sin(phi), center[1] + radius * Math.cos(phi));
     context.lineCap = "butt";
     if (this.options.speed) {
-      const most = film.extent.speed;
+      const most = this.common.speed;
       context.lineWidth = width;
       const step = (2 * Math.PI) / SEGMENTS;
       for (let k = 0; k < SEGMENTS; k++) {
@@ -313,23 +319,5 @@ class Scene {
     const place = [to[0] + ux * 6 + (Math.abs(ux) < 0.5 ? 8 : 0), to[1] + uy * 4 + (Math.abs(ux) < 0.5 ? 4 : -8)];
     context.strokeText(label, ...place);
     context.fillText(label, ...place);
-  }
-
-  legend() {
-    const { context, look, width, film } = this;
-    const size = Math.min(130, width * 0.3);
-    const [x, y] = [width - size - 14, 16];
-    for (let k = 0; k < size; k++) {
-      context.fillStyle = SPEED_TEXTS[Math.round((255 * k) / size)];
-      context.fillRect(x + k, y, 1.2, 7);
-    }
-    context.fillStyle = look.soft;
-    context.font = `11px ${look.font}`;
-    context.textAlign = "left";
-    context.fillText("0", x, y + 20);
-    context.textAlign = "right";
-    context.fillText(`${show(film.extent.speed, 2)} m/s`, x + size, y + 20);
-    context.textAlign = "center";
-    context.fillText("rim speed", x + 0.45 * size, y + 20);
   }
 }

@@ -31,13 +31,13 @@ const RIM = [
      speed = length(v) / most;
      gl_Position = view * vec4(flattened(p, shadow), 1.0);
    }`,
-  `precision mediump float;
+  `precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 eye, plain; uniform float colored, shadow;
    ${SHADE}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.5 ? vec4(0.0, 0.0, 0.0, 0.22) : vec4(shaded(color, n, eye), 1.0);
+     gl_FragColor = shadow > 0.5 ? vec4(0.0, 0.0, 0.0, 0.32) : vec4(shaded(color, n, eye), 1.0);
    }`,
 ];
 
@@ -50,10 +50,10 @@ const BODY = [
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,
-  `precision mediump float;
+  `precision highp float;
    varying vec3 n; uniform vec3 color, eye; uniform float shadow;
    ${SHADE}
-   void main() { gl_FragColor = shadow > 0.5 ? vec4(0.0, 0.0, 0.0, 0.22) : vec4(shaded(color, n, eye), 1.0); }`,
+   void main() { gl_FragColor = shadow > 0.5 ? vec4(0.0, 0.0, 0.0, 0.32) : vec4(shaded(color, n, eye), 1.0); }`,
 ];
 
 const GROUND = [
@@ -85,7 +85,7 @@ const LINE = [
      gl_Position = a;
      color = tint;
    }`,
-  `precision mediump float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }`,
+  `precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }`,
 ];
 
 const rgb = (color) => parsed(color).map((value) => value / 255);
@@ -114,6 +114,7 @@ export class Stage3D {
     for (const name of ["TEXTURE_MIN_FILTER", "TEXTURE_MAG_FILTER"]) gl.texParameteri(gl.TEXTURE_2D, gl[name], gl.LINEAR);
     this.turned = { azimuth: 0.5, height: 0.22, distance: 5.2 };
     this.lines = new WeakMap();
+    this.share = 1;
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
@@ -141,9 +142,22 @@ export class Stage3D {
     this.canvas.addEventListener("pointercancel", stop, { once: true });
   }
 
+  // Fewer pixels where the machine draws in software and falls behind.
+  quality() {
+    const now = performance.now();
+    const took = now - (this.before ?? now);
+    this.before = now;
+    if (took > 0 && took < 200) this.pace = 0.9 * (this.pace ?? 16) + 0.1 * took;
+    if (this.pace > 26 && this.share > 0.5) {
+      this.share = Math.max(this.share - 0.1, 0.5);
+      this.pace = 16;
+    }
+    return this.share;
+  }
+
   draw(films, time, options, look, colors) {
     const { gl, canvas } = this;
-    const ratio = Math.min(globalThis.devicePixelRatio || 1, 2);
+    const ratio = Math.min(globalThis.devicePixelRatio || 1, 2) * this.quality();
     const box = canvas.getBoundingClientRect();
     canvas.width = Math.max(Math.round(box.width * ratio), 1);
     canvas.height = Math.max(Math.round(box.height * ratio), 1);
@@ -155,6 +169,7 @@ export class Stage3D {
     const lead = films[0];
     const pose = lead.at(time);
     const R = lead.radius;
+    this.fastest = Math.max(...films.map((film) => film.extent.speed));
     this.focus = Number.isFinite(pose.x) ? pose.x : 0;
     this.camera(lead, pose, R, options);
     this.drawGround(R, look, far);
@@ -245,7 +260,7 @@ export class Stage3D {
     const center = [pose.x - this.focus, R + pose.height, depth];
     this.use(this.rim, {
       view: this.view, center, size: [R, tube, 3.2 * tube, pose.angle], motion: [pose.vx, pose.vy, pose.omega],
-      most: film.extent.speed, shadow, eye: this.eye, plain: rgb(colors.modes[pose.mode]), colored: options.speed ? 1 : 0,
+      most: this.fastest, shadow, eye: this.eye, plain: rgb(colors.modes[pose.mode]), colored: options.speed ? 1 : 0,
     });
     bind(gl, this.rim, this.torus);
     gl.drawElements(gl.TRIANGLES, this.torus.count, gl.UNSIGNED_SHORT, 0);

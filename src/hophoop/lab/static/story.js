@@ -47,8 +47,8 @@ export class Story {
     this.cursor(this.clock.time);
   }
 
-  announce() {
-    this.live.textContent = this.films.map((film) => film.summary).join(" ");
+  announce(films) {
+    this.live.textContent = films.map((film) => film.summary).join(" ");
   }
 
   cursor(time) {

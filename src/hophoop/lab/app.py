@@ -1,0 +1,130 @@
+"""Serving the lab: one process or several, on loopback unless told otherwise."""
+
+from __future__ import annotations
+
+import socket
+import sys
+import threading
+import time
+import webbrowser
+from urllib.request import urlopen
+
+from hophoop._extras import need
+from hophoop.scenario import InputError, Scenario
+from hophoop.simulation import simulate
+
+LOOPBACK = "127.0.0.1"
+PORT = 8765
+APPLICATION = "hophoop.lab.api:create_app"
+
+
+def warm_up() -> None:
+    """Compile, or load from the cache, before the first visitor waits for it; workers find the result on disk."""
+    from hophoop import theory
+    from hophoop.lab import state
+
+    scenario = Scenario()
+    simulate(scenario).at(0.5)
+    theory.critical_speeds(scenario.hoop, scenario.plane)
+    axes = {
+        "x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 10},
+        "y": {"path": "plane.mu", "from": 0.0, "to": 1.5, "cells": 10},
+    }
+    for call, options in (("map", axes), ("regions", {}), ("theory", {})):
+        state.answer(state.read(call, options))
+
+
+def serve(
+    host: str = LOOPBACK,
+    port: int = PORT,
+    workers: int = 1,
+    browser: bool = False,
+    query: str = "",
+) -> None:
+    """Serve the lab until it is stopped.
+
+    Parameters
+    ----------
+    host : str, default '127.0.0.1'
+        Address to listen on; the default answers this machine only.
+    port : int, default 8765
+        0 takes a free one [1].
+    workers : int, default 1
+        Processes that answer; every request stands alone, so that any of them can take it [1].
+    browser : bool, default False
+        Open the page in a browser.
+    query : str, default ''
+        A scenario's link that the browser opens with.
+
+    Raises
+    ------
+    ValueError
+        If the port is taken or a number is not allowed.
+    ImportError
+        If FastAPI or Uvicorn is missing.
+    """
+    uvicorn = need("uvicorn", "lab")
+    need("fastapi", "lab")
+    if not 0 <= port <= 65535:
+        raise InputError(f"port = {port} must be from 0 to 65535.")
+    if not 1 <= workers <= 256:
+        raise InputError(f"workers = {workers} must be from 1 to 256.")
+    if port == 0:
+        port = _free_port(host)
+    _check_free(host, port)
+    print("The lab is starting …", file=sys.stderr)
+    warm_up()
+    shown = f"[{host}]" if ":" in host else host
+    if host in ("0.0.0.0", "::"):
+        shown = "localhost"
+    address = f"http://{shown}:{port}/"
+    if browser:
+        threading.Thread(target=_open, args=(address, query), daemon=True).start()
+    print(
+        f"The lab is at {address}{'?' + query if query else ''} (Ctrl-C stops it).",
+        file=sys.stderr,
+        flush=True,
+    )
+    uvicorn.run(
+        APPLICATION,
+        factory=True,
+        host=host,
+        port=port,
+        workers=workers,
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        timeout_keep_alive=30,
+        h11_max_incomplete_event_size=32768,
+    )
+
+
+def _free_port(host: str) -> int:
+    with socket.socket(_family(host)) as probe:
+        probe.bind((host, 0))
+        return int(probe.getsockname()[1])
+
+
+def _check_free(host: str, port: int) -> None:
+    with socket.socket(_family(host)) as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind((host, port))
+        except OSError as error:
+            reason = (error.strerror or str(error)).lower()
+            raise InputError(f"port = {port} cannot be used on {host}: {reason}.") from None
+
+
+def _family(host: str) -> socket.AddressFamily:
+    return socket.AF_INET6 if ":" in host else socket.AF_INET
+
+
+def _open(address: str, query: str) -> None:
+    """Open the browser as soon as the page is there."""
+    for _ in range(100):
+        try:
+            with urlopen(address + "healthz", timeout=1):
+                break
+        except OSError:
+            time.sleep(0.1)
+    webbrowser.open(f"{address}?{query}" if query else address)

@@ -1,0 +1,107 @@
+"""The player of the lab as a notebook widget, in Jupyter, marimo and wherever anywidget runs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from hophoop._extras import need
+from hophoop.scenario import InputError, Scenario, sentence
+from hophoop.simulation import simulate
+from hophoop.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from anywidget import AnyWidget
+
+PANELS = ("controls", "plots", "map", "theory")
+
+
+def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "plots", "theory")) -> AnyWidget:
+    """Play a motion in a notebook, with sliders that change it.
+
+    Parameters
+    ----------
+    motion : Trajectory or Scenario
+        What to show first.
+    panels : sequence of str, default ('controls', 'plots', 'theory')
+        What stands beside the player: any of controls, plots, map, theory.
+
+    Returns
+    -------
+    widget : anywidget.AnyWidget
+        Its `motion` is the Trajectory that is shown now, also after a slider has moved; assigning another one
+        shows that. The film is kept in the notebook and plays without a kernel; sliders need one.
+
+    Raises
+    ------
+    ValueError
+        If `motion` is neither, or a panel is unknown.
+    ImportError
+        If anywidget is missing.
+    """
+    if isinstance(motion, Scenario):
+        motion = simulate(motion)
+    if not isinstance(motion, Trajectory):
+        raise InputError(f"motion = {type(motion).__name__} must be a Trajectory or a Scenario.")
+    for panel in panels:
+        if panel not in PANELS:
+            raise InputError(f"panels holds {panel!r}, which must be one of {', '.join(PANELS)}.")
+    return _widget_class()(motion, list(panels))
+
+
+def _widget_class() -> Any:
+    """The class, made on first use: anywidget belongs to an extra."""
+    if _made:
+        return _made[0]
+    anywidget = need("anywidget", "lab")
+    traitlets = need("traitlets", "lab")
+    from hophoop.lab import page, state
+
+    class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc]
+        """One motion, its player and its sliders."""
+
+        _esm = page.script()
+        _css = page.style()
+        film = traitlets.Bytes().tag(sync=True)
+        setup = traitlets.Dict().tag(sync=True)
+        panels = traitlets.List().tag(sync=True)
+
+        def __init__(self, motion: Trajectory, panels: list[str]) -> None:
+            super().__init__(
+                film=state.film_of(motion).packed(),
+                setup=state.answer(state.read("setup", {})).header,
+                panels=panels,
+            )
+            self._motion = motion
+            self.on_msg(self._answer)
+
+        @property
+        def motion(self) -> Trajectory:
+            """The motion that is shown now."""
+            return self._motion
+
+        @motion.setter
+        def motion(self, motion: Trajectory) -> None:
+            self._motion = motion
+            self.film = state.film_of(motion).packed()
+
+        def _answer(self, _: Any, message: Any, buffers: Any) -> None:
+            reply = {"view": message.get("view"), "number": message.get("number")}
+            try:
+                request = state.read(message.get("call"), message.get("body"))
+                if request.call == "film":
+                    # the motion is kept for the notebook's next cell
+                    self._motion = state.computed(request.scenario)
+                    answered = state.film_of(self._motion, request.scenario)
+                else:
+                    answered = state.answer(request)
+            except (ValueError, ImportError) as error:
+                self.send({**reply, "error": sentence(error)})
+                return
+            self.send(reply, [answered.packed()])
+
+    _made.append(MotionWidget)
+    return MotionWidget
+
+
+_made: list[Any] = []
