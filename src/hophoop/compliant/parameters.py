@@ -21,7 +21,7 @@ from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import time_unit, to_body
 
 STIFFNESS = 1e6  # m g / R
-SLIP_SPEED = 1e-3  # √(g R), at most
+SLIP_SPEED, LEAST_SLIP_SPEED = 1e-3, 1e-9  # √(g R)
 RTOL = 1e-9
 
 
@@ -64,10 +64,9 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
             d = hunt_crossley_number(restitution)
     if contact.slip_speed is not None:
         v_s = contact.slip_speed * second / hoop.radius
-    elif friction == FrictionLaw.BRISTLE:
-        v_s = 1.0 / math.sqrt(k)
     else:
-        v_s = min(SLIP_SPEED, 1.0 / math.sqrt(k))
+        # a bristle may relax as slowly as the hoop moves, which takes c_t = μ k_t
+        v_s = min(max(1.0 / k, LEAST_SLIP_SPEED), 1.0 if friction == FrictionLaw.BRISTLE else SLIP_SPEED)
     if body.mu_s == 0.0:  # nothing for a bristle to hold
         friction = FrictionLaw.LINEAR
     k_t = k if contact.tangential_stiffness is None else contact.tangential_stiffness * second**2 / hoop.mass
