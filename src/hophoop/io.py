@@ -441,6 +441,9 @@ def _write_rows(path: Path, header: list[str], rows: Any) -> None:
 @contextmanager
 def _replacing(target: Path) -> Iterator[Path]:
     """A path beside the target to write to; it takes the target's place when all went well."""
+    if target.is_dir() and not any((target / name).exists() for name in ("zarr.json", ".zgroup")):
+        # someone's folder, which only an older Zarr store is not
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
     # the ending stays, since libraries choose the format by it
     temporary = target.with_name(f".{uuid.uuid4().hex[:12]}.{target.name}")
     try:

@@ -110,12 +110,14 @@ def with_scenario(command: Callable[..., None]) -> Callable[..., None]:
         file = values.pop("file")
         given = {option: values.pop(name) for name, option in zip(names, OPTIONS, strict=True)}
         settings = values.pop("assign") or []
+        if "file" in own.parameters:  # for a command that must know what it reads
+            values["file"] = file
         command(scenario=scenario_of(file, given, settings), **values)
 
     rest = [
         parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY)
         for parameter in own.parameters.values()
-        if parameter.name != "scenario"
+        if parameter.name not in ("scenario", "file")
     ]
     parameters = [*added, *rest]
     wrapped.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]

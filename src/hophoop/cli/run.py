@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 OUTPUT = "Output"
 PICTURES = (".png", ".svg", ".pdf", ".jpg")
-STORES = (".nc", ".zarr")
+STORES = (".nc", ".zarr", ".zarr.zip")
 
 # Why a motion can end without an answer.
 ENDS = {
@@ -98,6 +98,7 @@ COMMAND_CLASS = RunCommand
 @with_scenario
 def run(
     scenario: Any,
+    file: Any,
     json: Annotated[
         str | None,
         typer.Option(
@@ -123,7 +124,7 @@ def run(
         typer.Option(
             "--save",
             metavar="FILE",
-            help="A file for hophoop.load: .nc or .zarr.",
+            help="A file for hophoop.load: .nc, .zarr or .zarr.zip.",
             rich_help_panel=OUTPUT,
             show_default=False,
         ),
@@ -145,7 +146,7 @@ def run(
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop.cli import NO_ANSWER, say
-    from hophoop.cli._output import check_ending, replacing, write_text
+    from hophoop.cli._output import check_apart, check_ending
     from hophoop.scenario import InputError
 
     if plot is not None:
@@ -154,32 +155,28 @@ def run(
         check_ending("--save", save, STORES)
     if samples < 2:
         raise InputError(f"--samples = {samples} must be at least 2.")
-    outputs = [path for path in (json if json != "-" else None, csv, save, plot) if path is not None]
-    if len({Path(path).absolute() for path in outputs}) < len(outputs):
-        raise InputError("Two outputs cannot go to the same file.")
+    result = Path(json) if json not in (None, "-") else None
+    check_apart([path for path in (result, csv, save, plot) if path is not None], file)
 
     from hophoop.simulation import simulate
 
     motion = simulate(scenario)
-    if json is not None:
-        text = json_text.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-        if json == "-":
-            typer.echo(text, nl=False)
-        else:
-            write_text(Path(json), text)
-    if csv is not None:
-        from hophoop.io import write_csv
+    if json == "-":
+        text = json_text.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
+        typer.echo(text)
+    if csv is not None or result is not None:
+        from hophoop import io
 
-        with replacing(csv) as fresh:
-            write_csv(motion, fresh, motion.times(samples))
+        if result is not None:
+            io.write_json(motion, result)
+        if csv is not None:
+            io.write_csv(motion, csv, motion.times(samples))
     if save is not None:
-        with replacing(save) as fresh:
-            motion.save(fresh)
+        motion.save(save)
     if plot is not None:
-        from hophoop.plots import overview
+        from hophoop.plots.overview import save_overview
 
-        with replacing(plot) as fresh:
-            overview(motion).savefig(fresh, dpi=150)
+        save_overview(motion, plot)
     if json != "-" and not quiet:
         _print(motion)
     if not motion.ok:

@@ -6,9 +6,11 @@ import base64
 import io
 import math
 from html import escape
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hophoop._extras import need
+from hophoop.io import _replacing
 from hophoop.plots._curves import turning
 from hophoop.plots._style import Against
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, velocities
@@ -50,6 +52,26 @@ def overview(motion: Trajectory) -> Figure:
     friction_utilization(motion, across, ax=figure.add_subplot(grid[2, 1]))
     figure.suptitle(f"{describe(motion)}    phases {_short(motion.sequence)}    {motion.status}", fontsize=11)
     return figure
+
+
+def save_overview(motion: Trajectory, path: str | Path) -> None:
+    """Write `overview` to a picture, whole or not at all.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    path : str or Path
+        Its ending is one that Matplotlib knows, such as .png, .svg or .pdf.
+
+    Raises
+    ------
+    ImportError
+        If Matplotlib is missing.
+    OSError
+        If the file cannot be written.
+    """
+    with _replacing(Path(path)) as temporary:
+        overview(motion).savefig(temporary, dpi=150)
 
 
 def describe(motion: Trajectory) -> str:

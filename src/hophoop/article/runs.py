@@ -1,0 +1,90 @@
+"""The five motions, computed once, and what several statements ask of them."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from hophoop.article.scenarios import scenarios
+from hophoop.plots._curves import curve
+from hophoop.scenario import Hoop, Plane, Start
+from hophoop.simulation import simulate
+from hophoop.trajectory import Sample, Trajectory
+
+# Long enough for the slow end of the slipping motion to show its law.
+LONG = 3000.0
+
+
+class Runs:
+    """The article's motions, each computed when first asked for."""
+
+    def __init__(self) -> None:
+        self._motions: dict[str, Trajectory] = {}
+        self._samples: dict[str, Sample] = {}
+
+    def motion(self, name: str) -> Trajectory:
+        """A motion by its name."""
+        if name not in self._motions:
+            self._motions[name] = simulate(scenarios()[name])
+        return self._motions[name]
+
+    def sample(self, name: str) -> Sample:
+        """A motion sampled densely, with both sides of each event."""
+        if name not in self._samples:
+            self._samples[name] = curve(self.motion(name))
+        return self._samples[name]
+
+    @cached_property
+    def long_slipping(self) -> Trajectory:
+        """The motion at 2.8 m/s, followed for long."""
+        scenario = scenarios()["slipping"]
+        return simulate(scenario.replace("duration", LONG))
+
+    @property
+    def hoop(self) -> Hoop:
+        """The article's hoop."""
+        return scenarios()["slow"].hoop
+
+    @property
+    def plane(self) -> Plane:
+        """The article's plane with μ = 1."""
+        return scenarios()["slow"].plane
+
+
+def first_time(motion: Trajectory, angle: float) -> float:
+    """When a motion first turns through an angle, by bisection to the last bit [s]."""
+    grid = motion.times(4001)
+    passed = np.flatnonzero(motion.at(grid).angle >= angle)
+    if not passed.size:
+        return float("nan")
+    low, high = grid[max(int(passed[0]) - 1, 0)], grid[int(passed[0])]
+    for _ in range(80):
+        middle = 0.5 * (low + high)
+        if motion.at(middle).angle < angle:
+            low = middle
+        else:
+            high = middle
+    return float(high)
+
+
+def crossings(motion: Trajectory, values: Any, times: Any, measure: Any) -> list[float]:
+    """Times at which `measure(sample)` changes sign, bisected from a sampled bracket [s]."""
+    found = []
+    for k in np.flatnonzero(np.sign(values[1:]) * np.sign(values[:-1]) < 0.0):
+        low, high = float(times[k]), float(times[k + 1])
+        sign = np.sign(values[k])
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            if np.sign(measure(motion.at(middle))) == sign:
+                low = middle
+            else:
+                high = middle
+        found.append(high)
+    return found
+
+
+def rolling_motion(gamma: float, mu: float, speed: float, duration: float) -> Trajectory:
+    """A hoop of another load fraction that starts rolling at the top."""
+    return simulate(Hoop.ideal(gamma), Plane(mu=mu), Start.rolling(speed), duration=duration)

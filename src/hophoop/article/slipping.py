@@ -1,0 +1,342 @@
+"""Statements on slipping, hopping, low friction and the massless hoop."""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from hophoop import theory
+from hophoop.article.runs import LONG, Runs, crossings
+from hophoop.article.statement import WITHIN_READING, Check, Statement, agreement, difference
+from hophoop.scenario import Hoop, Plane, Scenario, Start
+from hophoop.simulation import simulate
+from hophoop.trajectory import Trajectory
+
+
+def slips(runs: Runs) -> Statement:
+    motion, sample = runs.motion("slipping"), runs.sample("slipping")
+    sliding = np.isin(sample.mode, ["S", "K"])
+    used = sample.utilization(1.0)[sliding]
+    apart = float(np.max(np.abs(sample.vx - sample.omega)))
+    begin = motion.find("slip_start")[0]
+    return Statement(
+        "slips",
+        "Increase the Speed",
+        "At 2.8 m/s the friction used levels out at 1: the hoop slips, and v and Rθ̇ part.",
+        "slip",
+        f"phases {motion.sequence[:7]}…; skids from {math.degrees(begin.angle):.2f}° (t = {begin.t:.4f} "
+        "s), v and Rθ̇ "
+        f"up to {apart:.3f} m/s apart",
+        agreement(
+            "K" in motion.sequence and "S" in motion.sequence and bool(np.all(np.abs(used - 1.0) < 1e-9))
+        ),
+        "It skids (slides ahead) on the way down and spins (over-rotates) on the way up, with rolling "
+        "between.",
+        {"sequence": motion.sequence, "slip_angle": begin.angle, "largest_slip": apart},
+    )
+
+
+def peaks_of(motion: Trajectory, turns: int) -> list[float]:
+    """Greatest velocity of the centre in each of the first turns [m/s]."""
+    times = motion.times(int(min(400_000, 2000 * motion.duration)))
+    sample = motion.at(times)
+    turn = np.floor(sample.angle / (2.0 * math.pi)).astype(int)
+    whole = [k for k in range(turns) if (turn > k).any()]
+    return [float(np.max(sample.vx[turn == k])) for k in whole]
+
+
+def peaks_fall(runs: Runs) -> Statement:
+    motion = simulate(runs.motion("slipping").scenario.replace("duration", 9.0))
+    peaks = peaks_of(motion, 6)
+    return Statement(
+        "peaks_fall",
+        "Increase the Speed",
+        "At 2.8 m/s the peak of the velocity decreases with each cycle.",
+        "decreasing",
+        ", ".join(f"{peak:.3f}" for peak in peaks) + " m/s",
+        agreement(len(peaks) >= 5 and all(b < a for a, b in pairwise(peaks))),
+        numbers={"peaks": peaks},
+    )
+
+
+def ends_rolling(runs: Runs) -> Statement:
+    """Slip above the critical speed never ends: the loss of a cycle goes as the square of the excess."""
+    motion = runs.long_slipping
+    critical = float(theory.first_slip_speed(runs.hoop, runs.plane))
+    floor = (1.0 + runs.hoop.eccentricity) * critical**2  # W_k of rolling with it at the top
+    sticks = motion.find("stick")
+    marks = {
+        t: next(event for event in reversed(sticks) if event.t <= t) for t in (30.0, 300.0, LONG / 2.0, LONG)
+    }
+    excess = {t: _energy(motion, event) - floor for t, event in marks.items()}
+    products = [float(excess[t] * marks[t].t) for t in (LONG / 2.0, LONG)]
+    times = slip_below(motion, (0.1, 0.01))
+    algebraic = abs(products[1] / products[0] - 1.0) < 0.02
+    still = (
+        motion.sequence[-8:].count("S") + motion.sequence[-8:].count("K") >= 3 and min(excess.values()) > 0.0
+    )
+    return Statement(
+        "ends_rolling",
+        "Increase the Speed",
+        "Continued, the motion at 2.8 m/s would end in pure rolling, once enough energy has been dissipated.",
+        "ends in pure rolling (no time given)",
+        f"it tends to rolling with {critical:.6f} m/s at the top, but never gets there: what it has above "
+        "that energy "
+        f"falls as {products[1]:.0f} J s/t ({excess[30.0]:.3f} J after 30 s, {excess[LONG]:.4f} J after "
+        f"{LONG:.0f} s); "
+        f"slip stays below 0.1 m/s after {times[0.1]:.0f} s, below 1 cm/s after {times[0.01]:.0f} s",
+        difference(algebraic and still),
+        "The nearer to the critical speed, the shorter and slower the slip: the loss of a cycle goes as "
+        "the square of "
+        "the excess energy, and an excess that falls as 1/t never is zero. On a plot it soon looks like "
+        "rolling.",
+        {
+            "critical_speed": critical,
+            "excess_energy": {f"{t:g}": float(value) for t, value in excess.items()},
+            "excess_times_t": products,
+            "slip_below": {f"{speed:g}": t for speed, t in times.items()},
+        },
+    )
+
+
+def _energy(motion: Trajectory, event: Any) -> float:
+    return float(motion.at(event.t).total)
+
+
+def slip_below(motion: Trajectory, limits: tuple[float, ...]) -> dict[float, float]:
+    """From when on a motion's slip velocity stays below a limit [s]."""
+    starts = np.array([event.t for event in motion.events if event.to_mode in "SK" and event.kind != "end"])
+    ends = np.array([event.t for event in motion.find("stick")])
+    count = min(len(starts), len(ends))
+    share = np.linspace(0.0, 1.0, 41)[1:-1]
+    times = starts[:count, None] + (ends[:count] - starts[:count])[:, None] * share
+    largest = np.max(np.abs(motion.at(times).slip), axis=1)
+    result = {}
+    for limit in limits:
+        above = np.flatnonzero(largest >= limit)
+        result[limit] = float(ends[above[-1]]) if above.size else 0.0
+    return result
+
+
+def hops(runs: Runs) -> Statement:
+    motion = runs.motion("hop")
+    off, down = motion.find("takeoff")[0], motion.find("impact")[0]
+    top = motion.find("apex")[0].height
+    least = float(theory.first_hop_speed(runs.hoop, runs.plane))
+    angle = math.degrees(off.angle)
+    return Statement(
+        "hops",
+        "Let's Hop!",
+        "At 3.1 m/s the hoop jumps, just before a full revolution is completed.",
+        "before 360°",
+        f"takes off at {angle:.3f}° (t = {off.t:.6f} s), rises {top:.4f} m, lands at "
+        f"{math.degrees(down.angle):.3f}° "
+        f"(t = {down.t:.6f} s)",
+        agreement(270.0 < angle < 360.0),
+        f"It hops in its first turn from v₀ = {least:.6f} m/s on; at 2.8 m/s it does not.",
+        {
+            "takeoff_angle_deg": angle,
+            "takeoff_t": off.t,
+            "rise": top,
+            "landing_angle_deg": math.degrees(down.angle),
+            "landing_t": down.t,
+            "first_hop_speed": least,
+        },
+    )
+
+
+def spin_in_flight(runs: Runs) -> Statement:
+    sample = runs.sample("hop")
+    rates = sample.omega[sample.mode == "H"]
+    spread = float(np.ptp(rates))
+    return Statement(
+        "constant_rotation",
+        "Let's Hop!",
+        "In flight the angular velocity is constant.",
+        "constant",
+        f"{rates[0]:.6f} rad/s throughout, to {spread:.0e}",
+        agreement(spread <= 1e-12 * rates[0]),
+        numbers={"omega": float(rates[0]), "spread": spread},
+    )
+
+
+def center_in_flight(runs: Runs) -> Statement:
+    sample = runs.sample("hop")
+    air = sample.mode == "H"
+    inner = np.flatnonzero(air)[1:-1]
+    along = sample.vx + runs.hoop.eccentricity * sample.omega * np.cos(sample.angle)
+    height = 1.0 + sample.height + runs.hoop.eccentricity * np.cos(sample.angle)
+    t = sample.t[inner]
+    parabola = np.polynomial.Polynomial.fit(t, height[inner], 2)
+    bend = float(parabola.convert().coef[2])
+    off_line = float(np.max(np.abs(parabola(t) - height[inner])))
+    speeds = sample.vx[inner]
+    level = float(np.ptp(along[inner]))
+    return Statement(
+        "centre_in_flight",
+        "Let's Hop!",
+        "In flight the velocity of the centre varies, that of the centre of gravity along the plane does "
+        "not; its "
+        "path is a parabola.",
+        "varies; constant; parabola",
+        f"centre from {np.min(speeds):.4f} to {np.max(speeds):.4f} m/s; centre of gravity "
+        f"{along[inner][0]:.6f} m/s to "
+        f"{level:.0e}, off a parabola with g = {-2.0 * bend:.6f} m/s² by {off_line:.0e} m",
+        agreement(
+            np.ptp(speeds) > 1.0 and level < 1e-11 and off_line < 1e-11 and abs(-2.0 * bend - 9.81) < 1e-8
+        ),
+        numbers={"least": float(np.min(speeds)), "largest": float(np.max(speeds)), "gravity": -2.0 * bend},
+    )
+
+
+def positive_potential(runs: Runs) -> Statement:
+    motion, sample = runs.motion("hop"), runs.sample("hop")
+    late = sample.t > 0.5
+    times = crossings(motion, sample.potential[late], sample.t[late], lambda state: state.potential)
+    angles = [math.degrees(motion.at(t).angle) for t in times]
+    highest = float(np.max(sample.potential))
+    near = len(angles) >= 2 and abs(angles[0] - 350.0) < 2.5 and abs(angles[1] - 395.0) < 2.5
+    return Statement(
+        "positive_potential",
+        "Let's Hop!",
+        "The potential energy is above zero for a while, since the centre has moved up.",
+        "between 350° and 395°",
+        f"between {angles[0]:.3f}° and {angles[1]:.3f}°, up to {highest:.4f} J",
+        WITHIN_READING if near else difference(False),
+        "The article's bounds are read off its plot, to some 5°.",
+        {"angles_deg": angles[:2], "largest": highest},
+    )
+
+
+def landing(runs: Runs) -> Statement:
+    motion = runs.motion("hop")
+    down = motion.find("impact")[0]
+    slip = next((event for event in motion.find("slip_start") if event.t > down.t), None)
+    rolls = down.to_mode == "R"
+    again = (
+        ""
+        if slip is None
+        else (
+            f" up to {math.degrees(slip.angle):.2f}° ({slip.t - down.t:.3f} s, "
+            f"{math.degrees(slip.angle - down.angle):.0f}°), then it spins again"
+        )
+    )
+    return Statement(
+        "landing",
+        "Let's Hop!",
+        "After the landing there is pure rolling (a result that, it says, cannot be trusted).",
+        "pure rolling",
+        f"the landing ends the slip at once, and the hoop rolls{again}",
+        agreement(rolls) if slip is None else difference(rolls),
+        "The first part agrees: during a plastic impact on μ = 1 the slip stops before the normal "
+        "velocity does. "
+        "But the landing leaves more speed than rolling on to the top allows, so that slip returns on "
+        "the way up. "
+        "The article's simulation may end before it.",
+        {"mode_after": down.to_mode, "slips_again_deg": None if slip is None else math.degrees(slip.angle)},
+    )
+
+
+def impact_loss(runs: Runs) -> Statement:
+    motion = runs.motion("hop")
+    down = motion.find("impact")[0]
+    total = down.impact_normal + down.impact_tangential
+    before = down.friction
+    return Statement(
+        "impact_loss",
+        "Let's Hop!",
+        "The energy lost in the impact is significantly larger than the frictional loss at the same moment.",
+        "significantly larger",
+        f"{total:.4f} J lost in the impact, {down.impact_tangential:.4f} J of it to friction and "
+        f"{down.impact_normal:.4f} J in the normal direction; all slip before it took {before:.4f} J",
+        agreement(total > 1.5 * down.impact_tangential),
+        "The loss is as much the contact model's as the hoop's, as the article says itself: here a "
+        "plastic impact of "
+        "rigid bodies with Coulomb friction (Routh's impulse), where nothing is left to numerical "
+        "parameters.",
+        {
+            "lost": total,
+            "normal": down.impact_normal,
+            "tangential": down.impact_tangential,
+            "slip_before": before,
+        },
+    )
+
+
+def low_friction(runs: Runs) -> Statement:
+    motion = runs.motion("low_friction")
+    turns = motion.find("turn")
+    highest = math.degrees(max(event.angle for event in motion.events))
+    angles = [math.degrees(event.angle) for event in turns]
+    rocks = len(angles) >= 2 and highest < 360.0
+    return Statement(
+        "low_friction_rocks",
+        "Revisiting Low Friction",
+        "At 0.1 m/s on μ = 0.3 the hoop slips; too little energy is left to lift the load to the top "
+        "again. It turns "
+        "back and rocks to and fro.",
+        "turns back, rocks",
+        f"slips first at {math.degrees(motion.find('slip_start')[0].angle):.2f}°; turns back at "
+        + ", ".join(f"{angle:.1f}°" for angle in angles),
+        agreement(rocks and motion.sequence.startswith("RS")),
+        numbers={"turning_angles_deg": angles, "sequence": motion.sequence},
+    )
+
+
+def low_friction_slips(runs: Runs) -> Statement:
+    motion = runs.motion("low_friction")
+    slips_ = motion.find("slip_start")
+    lost = motion.ledger.friction
+    return Statement(
+        "low_friction_slips",
+        "Revisiting Low Friction",
+        "The lower friction lets the hoop slip several times.",
+        "several times",
+        f"{len(slips_)} times in {motion.duration:g} s, with {lost:.3f} J lost",
+        agreement(len(slips_) >= 3),
+        numbers={"slips": len(slips_), "friction": lost},
+    )
+
+
+def littlewood(runs: Runs) -> Statement:
+    """γ = 1: the contact force vanishes at 90°, but the rim skims the plane instead of hopping."""
+    loss = theory.massless_loss(0.0, plane=Plane(mu=2.0))
+    limit = math.degrees(float(loss.angle))
+    start = Start.rolling(1e-6)
+    motion = simulate(Scenario(hoop=Hoop.ideal(1.0), plane=Plane(mu=2.0), start=start, duration=12.0))
+    skim = motion.find("skim")
+    angle = math.degrees(skim[0].angle) if skim else math.nan
+    rises = any(event.height > 0.0 for event in motion.events) or "H" in motion.sequence
+    return Statement(
+        "littlewood",
+        "A First Attempt",
+        "With all mass in the load there should be a hop already at θ = 90° (Littlewood).",
+        "hop at 90°",
+        f"the contact force vanishes at {limit:.6f}° (computed motion: {angle:.6f}°), but the rim does "
+        "not rise: it "
+        f"skims the plane, phases {motion.sequence}",
+        difference(abs(limit - 90.0) < 1e-9 and abs(angle - 90.0) < 1e-6 and not rises),
+        "Littlewood's angle is right, and needs μ > 1. But the load then falls freely, and a massless "
+        "rim has nothing "
+        "that would lift it: it stays in touch without force (Butler; Theron and du Plessis).",
+        {"angle_deg": limit, "computed_deg": angle, "sequence": motion.sequence},
+    )
+
+
+CHECKS: tuple[Check, ...] = (
+    littlewood,
+    slips,
+    peaks_fall,
+    ends_rolling,
+    hops,
+    spin_in_flight,
+    center_in_flight,
+    positive_potential,
+    landing,
+    impact_loss,
+    low_friction,
+    low_friction_slips,
+)

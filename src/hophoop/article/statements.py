@@ -1,0 +1,47 @@
+"""All statements of the article that can be checked, in its order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from hophoop.article import rolling, slipping
+from hophoop.article.runs import Runs
+from hophoop.article.statement import Statement
+
+SECTIONS = ("A First Attempt", "Increase the Speed", "Let's Hop!", "Revisiting Low Friction")
+
+
+def statements(
+    runs: Runs | None = None, progress: Callable[[str], None] | None = None
+) -> tuple[Statement, ...]:
+    """Check every statement of the article against computed motions.
+
+    Parameters
+    ----------
+    runs : Runs, optional
+        The motions, where they have been computed already.
+    progress : callable, optional
+        Called with the key of each statement once it is checked.
+
+    Returns
+    -------
+    statements : tuple of Statement
+        In the order of the article's sections.
+
+    References
+    ----------
+    :cite:t:`Sonnerlind2023`.
+    """
+    runs = runs or Runs()
+    found = []
+    for check in (*rolling.CHECKS, *slipping.CHECKS):
+        statement = check(runs)
+        found.append(statement)
+        if progress is not None:
+            progress(statement.key)
+    return tuple(sorted(found, key=lambda statement: SECTIONS.index(statement.section)))
+
+
+def count() -> int:
+    """How many statements there are."""
+    return len(rolling.CHECKS) + len(slipping.CHECKS)
