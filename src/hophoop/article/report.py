@@ -65,7 +65,7 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path]) -
     html : str
     """
     style = files("hophoop.article").joinpath("report.css").read_text(encoding="utf-8")
-        number = {figure.name: k + 1 for k, figure in enumerate(FIGURES)}
+    number = {figure.name: k + 1 for k, figure in enumerate(FIGURES)}
     body = [_head(statements), _legend(), _runs(), _table(statements)]
     there = {path.stem: path for path in films}
     for section, text in SECTIONS.items():
