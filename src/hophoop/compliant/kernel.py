@@ -346,7 +346,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
 
 
 FIRST_EVENTS = 256
-MAX_STEPS = 2_000_000
+MAX_STEPS = 1_000_000
 
 
 def simulate_compliant(scenario: Scenario) -> tuple[int, np.ndarray, np.ndarray]:

@@ -402,17 +402,16 @@ class Compliant(Frozen):
     damping : float, optional
         Of the normal damper: c [N s/m] in Kelvin-Voigt's law, d [s/m] in Hunt and Crossley's.
     restitution : float, optional
-        e from 0 to 1 that the damping is chosen for, in place of damping; by default the plane's. It is that of
-        the whole mass on the contact, for Hunt and Crossley's law landing at √(g R). No finite damping gives 0,
-        so that 1/√(k R/(m g)), at most 0.1, stands for all below it [1].
+        e from 0 to 1 that the damping is chosen for, in place of damping; by default the plane's. It is that
+        of the whole mass on the contact, for Hunt and Crossley's law landing at √(g R). No finite damping
+        gives 0, so that √(m g/(k R)), at most 0.1, stands for all below it [1].
     law : {'kelvin-voigt', 'hunt-crossley'}, default 'kelvin-voigt'
-        Normal force: N = kδ + cδ̇ or N = kδ(1 + dδ̇) at the depth δ, never below 0.
+        Normal force at the depth δ: N = kδ + cδ̇ or N = kδ(1 + dδ̇), never below 0.
     friction : {'tanh', 'linear', 'bristle'}, default 'tanh'
         Regularised Coulomb law; only 'bristle' can hold a load at rest.
     slip_speed : float, optional
-        v_s, the slip velocity over which friction builds up: F = -μ N tanh(v_t/v_s), or linear up to v_s; the
-        bristle's damper is μs m g/v_s. By default the smaller of √(g R)/1000 and g √(m/k), for the bristle the
-        latter [m/s].
+        v_s, over which friction builds up: F = -μ N tanh(v_t/v_s), or linear up to v_s; the bristle's damper
+        is μs m g/v_s. By default √(g R) m g/(k R), from 10⁻⁹ to 10⁻³ of √(g R), for a bristle up to it [m/s].
     tangential_stiffness : float, optional
         Of the bristle; by default k [N/m].
     rtol : float, optional
