@@ -310,31 +310,22 @@ class Trajectory:
     @cached_property
     def ledger(self) -> Ledger:
         """Energies at the end, all that was lost on the way, and what does not add up."""
-        start = self.at(0.0, side="left") if len(self._segments) else self.at(0.0)
-        first = self._events[0]
         unit = self._units
-        begin_kinetic, begin_potential = self._energies(
-            {
-                "x": first["x"],
-                "height": first["height"],
-                "angle": first["angle"],
-                "slip": first["slip"],
-                "vy": first["vy"],
-                "omega": first["omega"],
-            }
-        )
-        last = self.at(self.duration)
-        lost = self._events[-1]
+        first, last = self._events[0], self._events[-1]
+        begin_kinetic, begin_potential = (float(energy) for energy in self._energies(_columns(first)))
+        kinetic, potential = (float(energy) for energy in self._energies(_columns(last)))
         friction, normal, tangential = (
-            float(lost[name]) * unit.energy for name in ("friction", "impact_normal", "impact_tangential")
+            float(last[name]) * unit.energy for name in ("friction", "impact_normal", "impact_tangential")
         )
-        residual = (last.total + last.spring + last.damping + friction + normal + tangential) - (
-            float(begin_kinetic) + float(begin_potential) + start.spring
+        begin, end = self.at(0.0, side="left"), self.at(self.duration)
+        residual = (kinetic + potential + end.spring + end.damping + friction + normal + tangential) - (
+            begin_kinetic + begin_potential + begin.spring
         )
-        weight = self.scenario.hoop.mass * self.scenario.plane.gravity * self.scenario.hoop.radius
-        size = max(abs(float(begin_kinetic)), last.kinetic, abs(last.potential), friction, weight)
+        hoop, plane = self.scenario.hoop, self.scenario.plane
+        weight = hoop.mass * plane.gravity * hoop.radius
+        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, weight)
         return Ledger(
-            last.kinetic, last.potential, friction, normal, tangential, last.spring, last.damping, residual, size
+            kinetic, potential, friction, normal, tangential, end.spring, end.damping, residual, size
         )
 
     # --- other forms ---------------------------------------------------------------------------
@@ -513,6 +504,10 @@ _EVENT_NUMBERS = (
     "friction", "impact_normal", "impact_tangential", "gain",
 )  # fmt: skip
 _JSON_STATE: Sequence[str] = ("x", "height", "angle", "vx", "vy", "omega")
+
+
+def _columns(row: np.void) -> dict[str, Any]:
+    return {name: row[name] for name in ("x", "height", "angle", "slip", "vy", "omega")}
 
 
 def _number(value: float) -> float | None:

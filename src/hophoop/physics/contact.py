@@ -35,8 +35,9 @@ def slip_stiffness(body, s, c, sigma):
 
 @jit
 def rolling_inertia(body, c):
-    """D = 1 + κ + ε² + 2 ε cos θ: moment of inertia about the contact point."""
-    return 1.0 + body.kap + body.eps * body.eps + 2.0 * body.eps * c
+    """D = 1 + κ + ε² + 2 ε cos θ: moment of inertia about the contact point, as κ + (1 − ε)² + 2 ε (1 + cos θ)."""
+    gap = 1.0 - body.eps
+    return (body.kap + gap * gap) + 2.0 * body.eps * (1.0 + c)
 
 
 @jit

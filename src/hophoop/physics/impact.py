@@ -139,7 +139,10 @@ def singular_slip(body, s, c, vt, om):
         # θ̇² grows until f_n = 0
         limit = (math.copysign(math.sqrt(body.gn / pull), om) - om) / lever if pull > 0.0 else math.inf
         if limit <= stop:
-            return True, vt, om, 0.0, 0.0
+            limit = max(limit, 0.0)
+            after = vt + rate * limit
+            loss = sigma * body.mu_k * 0.5 * (vt + after) * limit
+            return True, after, om + lever * limit, limit, loss
         length = stop
     else:
         length = min(stop, -2.0 * om / lever)
@@ -148,9 +151,13 @@ def singular_slip(body, s, c, vt, om):
 
 
 @jit
-def at_singular_angle(body, s, c, sigma):
-    """Whether κ p_σ is zero to rounding in the angle."""
+def at_singular_angle(body, s, c, u, sigma):
+    """Whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam)."""
     pull = sigma * body.mu_k
     arm = body.eps * s + pull * (1.0 + body.eps * c)
     slope = body.eps * c * arm + body.eps * s * body.eps * (c - pull * s)
-    return abs(body.kap + body.eps * s * arm) <= 1e-10 * abs(slope)
+    distance = abs(body.kap + body.eps * s * arm)
+    opening = abs(body.gn - body.eps * c * u)
+    return distance <= 1e-10 * abs(slope) or (
+        distance <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)
+    )

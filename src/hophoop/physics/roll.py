@@ -46,8 +46,9 @@ def rolling_u(body, th0, u0, offset):
 @lean_jit
 def u_on_panel(body, panel, ds, dc, offset):
     """θ̇² on a rolling panel, from sin θ − sin θ_ref, cos θ − cos θ_ref and θ − θ_ref."""
-    energy = rolling_inertia(body, panel.cosine) * panel.u + rolling_energy_change(body, ds, dc, offset)
-    return energy / rolling_inertia(body, panel.cosine + dc)
+    inertia = rolling_inertia(body, panel.cosine)
+    energy = inertia * panel.u + rolling_energy_change(body, ds, dc, offset)
+    return energy / (inertia + 2.0 * body.eps * dc)
 
 
 @lean_jit
@@ -59,7 +60,9 @@ def solve_roll(body, panel, work):
     fill_geometry(panel, work)
     s0 = panel.sine
     c0 = panel.cosine
-    start = rolling_inertia(body, c0) * panel.u
+    # as a change from `ref`: near θ = π and γ = 1 rounding would else be all that the panel shows
+    inertia = rolling_inertia(body, c0)
+    start = inertia * panel.u
     sines = work[SINE]
     cosines = work[COSINE]
     us = work[U]
@@ -71,11 +74,10 @@ def solve_roll(body, panel, work):
         ds = energies[i]
         dc = dcs[i]
         offset = angle_at(panel, NODES[i]) if body.gt != 0.0 else 0.0
-        c = c0 + dc
         energy = start + rolling_energy_change(body, ds, dc, offset)
-        u = energy / rolling_inertia(body, c)
+        u = energy / (inertia + 2.0 * body.eps * dc)
         sines[i] = s0 + ds
-        cosines[i] = c
+        cosines[i] = c0 + dc
         energies[i] = energy
         us[i] = u
     for i in range(ORDER):

@@ -85,6 +85,7 @@ def solve_slip(body, panel, work):
         drive[i] = body.gn * share
     if not lowest > 0.0:
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0)
+    least = lowest
     size = tail(damping, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0)
@@ -114,7 +115,9 @@ def solve_slip(body, panel, work):
         rates[i] = rate
         normals[i] = body.kap * load
         slip_rates[i] = (body.gt + eps * sines[i] * u - load * friction_part) * rate
-    size = max(size, tail(rates, 0.0), tail(normals, body.gn + panel.u))
+    # near p_σ = 0 the rounding of f_n is all that the force shows; it is not asked to be smoother than that
+    weight = body.gn + panel.u
+    size = max(size, tail(rates, 0.0), tail(normals, max(weight, 2e-3 * body.kap * weight / least)))
     if not size <= RESOLVED:
         return Totals(size, 0.0, u_far, 0.0, 0.0)
     time = total(rates)

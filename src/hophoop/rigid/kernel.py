@@ -46,6 +46,7 @@ UNDETERMINED, EVENT_LIMIT, BUFFER = (
 STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
 # A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
 CLOSING = 1e-12
+MOST_PANELS = 4_000_000
 
 
 @jit
@@ -226,7 +227,12 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
     fresh = True
     level = START_LEVEL
     new_phase = True
+    panels = 0
     while status == COMPLETED:
+        panels += 1
+        if panels > MOST_PANELS:
+            status = EVENT_LIMIT
+            break
         if count < 0:
             return EVENT_LIMIT, events.shape[0], pieces
         if pieces < 0:

@@ -94,17 +94,17 @@ def pass_singular(body, mode, state, events, count):
     s = math.sin(state.th)
     c = math.cos(state.th)
     sigma = slip_direction(mode)
-    if not at_singular_angle(body, s, c, sigma):
+    if not at_singular_angle(body, s, c, state.om * state.om, sigma):
         return False, UNDECIDED, state, count
     jams, vt, om, p_n, loss = singular_slip(body, s, c, state.vt, state.om)
-    if jams:
-        return True, mode, state, write_event(events, count, quiet(JAM, mode, state), mode, state, 0.0, -1)
-    count = write_event(events, count, quiet(PAINLEVE_INCONSISTENT, mode, state), mode, state, 0.0, -1)
     p_t = -sigma * body.mu_k * p_n
+    losses = state.impact_t + loss
+    after = State(state.t, state.x, 0.0, state.th, vt, 0.0, om, state.friction, state.impact_n, losses)
+    if jams:
+        cause = Cause(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
+        return True, mode, after, write_event(events, count, cause, mode, after, 0.0, -1)
+    count = write_event(events, count, quiet(PAINLEVE_INCONSISTENT, mode, state), mode, state, 0.0, -1)
     cause = Cause(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
-    after = State(
-        state.t, state.x, 0.0, state.th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t + loss
-    )
     if vt != 0.0:  # turned round, and still slipping
         return False, mode, after, write_event(events, count, cause, mode, after, 0.0, -1)
     mode, after, count = settle(body, after, cause, events, count)
