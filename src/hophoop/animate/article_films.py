@@ -12,7 +12,7 @@ from hophoop.scenario import Hoop, Plane, Scenario, Start
 from hophoop.simulation import simulate
 
 SIZE: Final = (960, 540)
-FPS: Final = 30.0
+FPS_2D, FPS_3D = 60.0, 30.0
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,8 @@ def article_films(
     for done, each in enumerate(ARTICLE_FILMS):
         motion = simulate(given.get(each.name, each.scenario))
         make = film_3d if each.three_d else film
-        path = make(motion, Path(out_dir) / f"{each.name}.mp4", size=SIZE, fps=FPS, **each.options)
+        rate = FPS_3D if each.three_d else FPS_2D
+        path = make(motion, Path(out_dir) / f"{each.name}.mp4", size=SIZE, fps=rate, **each.options)
         paths.append(path)
         if progress is not None:
             progress(done + 1, len(ARTICLE_FILMS))

@@ -229,8 +229,8 @@ def _encode(pictures: Iterable[Bytes], command: list[str]) -> None:
             code = encoder.wait()
         if code != 0 or broken.is_set():
             said.seek(0)
-            words = said.read().decode(errors="replace").strip().splitlines()
-            raise OSError(f"The encoder failed ({code}): {words[-1] if words else 'it said nothing'}")
+            words = "; ".join(said.read().decode(errors="replace").split("\n")).strip("; ")[:400]
+            raise OSError(f"The encoder failed ({code}): {words or 'it said nothing'}")
 
 
 def _write_png(pictures: Pictures, target: Path, progress: Progress | None) -> Path:

@@ -1,0 +1,55 @@
+"""What the tests of films share: motions, decoding, finding the load in a picture."""
+
+from functools import cache
+
+import imageio_ffmpeg
+import numpy as np
+from scipy import ndimage
+
+import hophoop as hh
+
+
+@cache
+def motion(speed=3.1, mu=1.0, duration=2.0, slope=0.0, load_fraction=0.75):
+    """A rolling start of an ideal hoop; the reference case hops."""
+    plane = hh.Plane(mu=mu, slope=slope)
+    return hh.simulate(hh.Hoop.ideal(load_fraction), plane, hh.Start.rolling(speed), duration=duration)
+
+
+def decoded(path):
+    """Pictures of a film, n × height × width × 3, and what its header says."""
+    reader = imageio_ffmpeg.read_frames(str(path), pix_fmt="rgb24")
+    header = next(reader)
+    width, height = header["size"]
+    pictures = [np.frombuffer(data, np.uint8).reshape(height, width, 3) for data in reader]
+    return np.array(pictures), header
+
+
+def darkest_spot(picture, radius, below=0):
+    """Centre of the blackest disc of a radius in pixels, as column and row; rows above `below` do not count."""
+    dark = (picture[..., :3].max(axis=-1) < 60).astype(float)
+    dark[:below] = 0.0
+    size = 2 * round(radius) + 1
+    row, column = np.unravel_index(np.argmax(ndimage.uniform_filter(dark, size)), dark.shape)
+    reach = size
+    top, left = max(row - reach, 0), max(column - reach, 0)
+    part = dark[top : row + reach + 1, left : column + reach + 1]
+    # thin lines, such as text and the plane's, go; the disc stays
+    part = ndimage.binary_opening(part > 0.0, iterations=max(1, round(radius) // 3))
+    y, x = ndimage.center_of_mass(part)
+    return np.array([left + x, top + y])
+
+
+def places(motion, times):
+    """Load in the world, X level and Y up, from the symbols of the model alone."""
+    sample = motion.at(np.asarray(times))
+    hoop, slope = motion.scenario.hoop, motion.scenario.plane.slope
+    along = sample.x + hoop.radius * np.sin(sample.angle)
+    above = hoop.radius + sample.height + hoop.radius * np.cos(sample.angle)
+    return np.stack(
+        [
+            along * np.cos(slope) + above * np.sin(slope),
+            above * np.cos(slope) - along * np.sin(slope),
+        ],
+        axis=-1,
+    )
