@@ -26,7 +26,7 @@ def decoded(path):
 
 
 def darkest_spot(picture, radius, below=0):
-    """Centre of the blackest disc of a radius in pixels, as column and row; rows above `below` do not count."""
+    """Centre of the blackest disc of a radius in pixels: column, row; rows above `below` do not count."""
     dark = (picture[..., :3].max(axis=-1) < 60).astype(float)
     dark[:below] = 0.0
     size = 2 * round(radius) + 1

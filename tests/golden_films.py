@@ -1,7 +1,7 @@
 """The pictures of films that are kept, and the program that makes them again: `python tests/golden_films.py`.
 
-They are kept at a quarter of their size, which is enough to see whether all is in its place and has its colour, and
-lets details of text and edges differ between versions of the drawing library.
+They are kept at a quarter of their size, which is enough to see whether all is in its place and has its
+colour, and lets details of text and edges differ between versions of the drawing library.
 """
 
 from pathlib import Path

@@ -160,7 +160,7 @@ def test_rim_speeds_are_those_of_the_moving_points():
         here, there = poses_of(run, [t - step]), poses_of(run, [t + step])
         body = np.linspace(0.0, 6.0, 7)
 
-        def point(poses):
+        def point(poses, body=body):
             turned = body + poses.angle[0]
             return poses.center[0] + np.stack([np.sin(turned), np.cos(turned)], axis=-1)
 

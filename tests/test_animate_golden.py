@@ -1,4 +1,4 @@
-"""Pictures of films against the ones kept in tests/baseline/films; `python tests/golden_films.py` makes them anew."""
+"""Pictures of films against those in tests/baseline/films; `python tests/golden_films.py` makes them anew."""
 
 import numpy as np
 import pytest

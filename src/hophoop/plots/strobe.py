@@ -9,8 +9,8 @@ import numpy as np
 
 from hophoop._extras import need
 from hophoop.plots import colors
-from hophoop.plots._style import new_axes
 from hophoop.plots._curves import curve
+from hophoop.plots._style import new_axes
 from hophoop.plots.path import _ground
 from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.trajectory import Trajectory
