@@ -117,7 +117,8 @@ def first_slip_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     Returns
     -------
     v0 : float or ndarray
-        Velocity of the centre at θ = 0 [m/s]; 0 where any push leads to slip, inf where friction is infinite.
+        Velocity of the centre at θ = 0 [m/s]; 0 where the smallest push leads to slip (a faster
+        hoop may then roll again), inf where friction is infinite.
 
     Raises
     ------

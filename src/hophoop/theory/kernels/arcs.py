@@ -16,18 +16,24 @@ from hophoop.physics.contact import rolling_acceleration
 from hophoop.physics.roll import rolling_u
 
 TURN = 2.0 * math.pi
-RESOLVED = 1e-14
+RESOLVED = 1e-13
+NOISE = 1e-6  # last coefficients below this that halving does not lower are rounding
 SMALLEST = 1e-300
 MOST_PANELS = 1_000_000
 
 
 @jit
-def is_resolved(series, scale, tolerance):
-    """Whether the last coefficients of a Chebyshev series are small beside the others and `scale`."""
+def relative_tail(series, scale):
+    """The last coefficients of a Chebyshev series beside the largest one or `scale`; nan where one is."""
+    end = 0.0
     for k in range(ORDER):
-        scale = max(scale, abs(series[k]))
-    end = max(abs(series[ORDER - 1]), abs(series[ORDER - 2]), abs(series[ORDER - 3]))
-    return end <= tolerance * scale < np.inf  # false for nan as well
+        size = abs(series[k])
+        if not size < np.inf:
+            return math.nan
+        scale = max(scale, size)
+        if k >= ORDER - 3:
+            end = max(end, size)
+    return end / scale if scale > 0.0 else 0.0
 
 
 # --- hills and turning points ----------------------------------------------------------------------
@@ -131,6 +137,7 @@ def travel_time(body, ref, u_ref, way, distance):
     total = 0.0
     low = 0.0
     width = 0.25 * end
+    before = math.inf
     for _ in range(MOST_PANELS):
         width = min(width, end - low)
         last = width == end - low
@@ -139,11 +146,14 @@ def travel_time(body, ref, u_ref, way, distance):
             values[i] = _rate(body, ref, u_ref, way, low + 0.5 * width * (1.0 + NODES[i]))
             part += WEIGHTS[i] * values[i]
         coefficients(values, series)
-        if not is_resolved(series, 0.0, RESOLVED):
+        tail = relative_tail(series, 0.0)
+        if not (tail <= RESOLVED or 0.25 * before < tail < NOISE):
+            before = tail
             width *= 0.5
             if width < SMALLEST or low + width == low:
                 return math.nan
             continue
+        before = math.inf
         total += 0.5 * width * part
         if last:
             return total

@@ -13,7 +13,7 @@ from hophoop._collocation import NODES, NOT_FOUND, ORDER, coefficients, first_fa
 from hophoop._jit import jit
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.roll import rolling_u
-from hophoop.theory.kernels.arcs import is_resolved
+from hophoop.theory.kernels.arcs import relative_tail
 
 # What is maximised; side = +1 for friction that pushes ahead (F > 0), −1 back.
 FORCE_ANGLE, SPEED_ANGLE = 0, 1
@@ -21,6 +21,7 @@ FORCE_ANGLE, SPEED_ANGLE = 0, 1
 PANELS = 16
 RESOLVED = 1e-11
 NARROWEST = 1e-14  # rad
+FLAT = 1e-14
 MOST = 100_000
 
 
@@ -87,12 +88,15 @@ def highest(what, body, w, begin, end, side, scratch):
         for i in range(ORDER):
             scratch.values[0, i] = searched(what, body, w, low + 0.5 * width * (1.0 + NODES[i]), side)
         coefficients(scratch.values[0], scratch.series)
-        if not is_resolved(scratch.series, 1.0, RESOLVED) and width > NARROWEST:
+        if not relative_tail(scratch.series, 1.0) <= RESOLVED and width > NARROWEST:
             width *= 0.5
             continue
         derivative(scratch.series, slope)
+        change = 0.0
+        for k in range(ORDER):
+            change += abs(slope[k])
         xi = -2.0
-        while True:
+        while change > FLAT:  # what is constant has no root to be found
             xi = first_fall_after(slope, xi, 0.0, scratch.stack)
             if xi == NOT_FOUND:
                 break
@@ -101,8 +105,12 @@ def highest(what, body, w, begin, end, side, scratch):
             if value > best:
                 best = value
                 place = th
+        low += width
         if last:
             break
-        low += width
+        value = searched(what, body, w, low, side)
+        if value > best:
+            best = value
+            place = low
         width *= 2.0
     return best, place
