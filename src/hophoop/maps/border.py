@@ -1,8 +1,8 @@
 """Borders between classes, followed point by point to rounding.
 
 From a point on the border the classes on a small circle around it are looked at; where they change from the
-one to the other class ahead, the circle is divided until neighbouring numbers are told apart. The radius goes
-with the curve: smaller where it bends, and smaller and smaller where it ends in a junction with a third class.
+one to the other class ahead, the circle is divided until neighbouring numbers are told apart. The radius is
+smaller where the curve bends, and smaller and smaller where it ends in a junction with a third class.
 """
 
 from __future__ import annotations
@@ -23,9 +23,13 @@ if TYPE_CHECKING:
 
 Curve = Callable[[Floats], tuple[Floats, Floats]]
 
-AROUND = 48  # classes looked at on a circle
-PARTS = 24  # into which an arc is divided at a time
-SMALLEST = 1e-9  # radius at which a curve that cannot be followed is taken to end, in parts of the window
+AHEAD, NARROW = 7, 0.35  # classes looked at first, and how far they reach to both sides [rad]
+AROUND, WIDE = 48, 0.75 * math.pi  # where the border is not among them
+PARTS = 4  # into which an arc is divided at a time
+# Where several events set in at once, rounding puts slivers of other classes between two: narrower than this,
+# in parts of the window, they are none.
+SLIVER = 1e-10
+SMALLEST = 1e-8  # radius at which a curve that cannot be followed is taken to end, in parts of the window
 BEND = 0.12  # rad between two steps at which the radius is halved
 
 
@@ -133,7 +137,7 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
         place = one[:, None] + (other - one)[:, None] * part
         return place[0], place[1]
 
-    parts, codes = _divide(classify, along, 0.0, 1.0, int(code))
+    parts, codes = _divide(classify, along, 0.0, 1.0, int(code), math.hypot(*(other - one)))
     point = np.array(along(np.array([parts]))).reshape(2)
     way = other - one
     # to the right of the way along the border lies the first class
@@ -152,29 +156,30 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
 
 
 def _divide(
-    classify: Classifier, curve: Curve, low: float, high: float, code: int
+    classify: Classifier, curve: Curve, low: float, high: float, code: int, length: float
 ) -> tuple[float, tuple[int, int]]:
-    """Where on a curve the class first changes from `code`, as far as seen, and the classes on both sides."""
-    beyond = -1
+    """Where on a curve the class first changes from `code`, as far as seen, and the classes on both sides.
+
+    `length` is that of the curve per unit of its parameter, in parts of the window.
+    """
+    way = 1.0 if high > low else -1.0
+    end = high
     while True:
         inner = low + (high - low) * np.arange(1, PARTS) / PARTS
-        inner = np.unique(inner[(inner > min(low, high)) & (inner < max(low, high))])
-        if high < low:
-            inner = inner[::-1]
+        inner = np.unique(inner[(inner > min(low, high)) & (inner < max(low, high))])[:: int(way)]
         if inner.size == 0:
             break
-        codes = classify(*curve(inner))
-        changed = np.flatnonzero(codes != code)
+        changed = np.flatnonzero(classify(*curve(inner)) != code)
         if changed.size:
             k = int(changed[0])
-            beyond = int(codes[k])
             high = float(inner[k])
             low = float(inner[k - 1]) if k else low
         else:
             low = float(inner[-1])
-    if beyond < 0:
-        beyond = int(classify(*curve(np.array([high])))[0])
-    return high, (code, beyond)
+    beyond = high + way * SLIVER / length
+    if way * beyond > way * end:
+        beyond = end
+    return high, (code, int(classify(*curve(np.array([beyond])))[0]))
 
 
 def _walk(
@@ -224,17 +229,18 @@ def _next(
             np.clip(point[1] + radius * np.sin(phi), 0.0, 1.0),
         )
 
-    # from the right, through ahead, to the left
-    angles = middle + np.linspace(-0.75 * math.pi, 0.75 * math.pi, AROUND)
-    seen = classify(*circle(angles))
-    changes = np.flatnonzero((seen[:-1] == codes[1]) & (seen[1:] == codes[0]))
-    if changes.size == 0:
-        return None
-    k = int(changes[np.argmin(np.abs(angles[changes] - middle))])
-    phi, pair = _divide(classify, circle, float(angles[k]), float(angles[k + 1]), codes[1])
-    if pair != (codes[1], codes[0]):
-        return None
-    return np.array([point[0] + radius * math.cos(phi), point[1] + radius * math.sin(phi)])
+    for count, reach in ((AHEAD, NARROW), (AROUND, WIDE)):
+        # from the right, through ahead, to the left
+        angles = middle + np.linspace(-reach, reach, count)
+        seen = classify(*circle(angles))
+        changes = np.flatnonzero((seen[:-1] == codes[1]) & (seen[1:] == codes[0]))
+        if changes.size == 0:
+            continue
+        k = int(changes[np.argmin(np.abs(angles[changes] - middle))])
+        phi, pair = _divide(classify, circle, float(angles[k]), float(angles[k + 1]), codes[1], radius)
+        if pair == (codes[1], codes[0]):
+            return np.array([point[0] + radius * math.cos(phi), point[1] + radius * math.sin(phi)])
+    return None
 
 
 def _leaving(point: Floats, found: Floats) -> float:
@@ -265,7 +271,7 @@ def _on_edge(classify: Classifier, edge: Floats, codes: tuple[int, int], radius:
     if not changes:
         return edge
     k = min(changes, key=lambda k: abs(float(shifts[k])))
-    shift, _ = _divide(classify, line, float(shifts[k]), float(shifts[k + 1]), int(seen[k]))
+    shift, _ = _divide(classify, line, float(shifts[k]), float(shifts[k + 1]), int(seen[k]), 1.0)
     return np.array(line(np.array([shift]))).reshape(2)
 
 

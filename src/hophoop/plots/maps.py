@@ -1,0 +1,321 @@
+"""Pictures of maps: regions of one class each in stable colours, or a number as a field."""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop import theory
+from hophoop._extras import need
+from hophoop.maps import Border, words_of
+from hophoop.maps.axes import ordered
+from hophoop.maps.cells import make_cells
+from hophoop.maps.kernel import CELL
+from hophoop.plots import colors
+from hophoop.plots._style import SMALL, new_axes
+from hophoop.scenario import Hoop, InputError, Scenario
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+SYMBOLS = {
+    "plane.mu": "Friction μ",
+    "plane.mu_static": r"Static friction $\mu_s$",
+    "plane.mu_kinetic": r"Kinetic friction $\mu_k$",
+    "plane.slope": "Slope β",
+    "plane.restitution": "Restitution e",
+    "hoop.load_fraction": "Load fraction γ",
+    "hoop.eccentricity": "Eccentricity ε",
+    "hoop.inertia_ratio": "Inertia ratio κ",
+    "start.speed": r"Speed at the start $v_0$",
+    "start.angle": "Angle at the start θ",
+    "start.omega": r"Angular velocity at the start $\dot\theta$",
+}
+SIZE = (8.2, 5.4)
+LABELLED = 0.012  # share of the map from which on a region gets its name written into it
+CODES = {
+    "hop": {"no": colors.LIGHT_GRAY, "yes": colors.MODES["H"]},
+    "painleve": {"no": colors.LIGHT_GRAY, "yes": colors.BLACK},
+    "ending": {
+        "duration": colors.GRAY, "revolutions": colors.MODES["R"], "reversal": colors.GREEN,
+        "takeoff": colors.MODES["H"], "rest": colors.SKY, "jam": colors.BLACK,
+        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
+    },
+    "status": {
+        "completed": colors.MODES["R"], "at_rest": colors.SKY, "jammed": colors.BLACK,
+        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
+    },
+    "first_event": {
+        "slip_start": colors.MODES["S"], "takeoff": colors.MODES["H"], "stick": colors.MODES["R"],
+        "turn": colors.GREEN, "end": colors.SKY, "impact": colors.YELLOW, "slip_reversal": colors.MODES["K"],
+        "rest": colors.LIGHT_GRAY, "jam": colors.BLACK,
+    },
+}  # fmt: skip
+# Colours of motions that do not hop, by their first slip and their last phase.
+FAMILIES = {
+    "SR": colors.GREEN, "SS": colors.YELLOW, "SK": colors.ORANGE,
+    "KR": colors.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4", "MM": colors.MODES["M"],
+}  # fmt: skip
+NOT_ALLOWED_COLOR = "#FFFFFF"
+
+
+def class_color(name: str) -> str:
+    """The colour of a class of motion, the same in every map.
+
+    Parameters
+    ----------
+    name : str
+        A sequence such as ``"RKRSH"``.
+
+    Returns
+    -------
+    color : str
+        As ``#RRGGBB``. Motions that hop are vermilion and those that only roll blue; the others differ by
+        their first slip and by how they end, and the more phases, the darker they are.
+
+    Examples
+    --------
+    >>> class_color("R"), class_color("RKRSH") == class_color("RKRSR")
+    ('#9ec7df', False)
+    """
+    to_rgb = need("matplotlib.colors", "plots").to_rgb
+    to_hex = need("matplotlib.colors", "plots").to_hex
+    first = next((letter for letter in name if letter in "SKM"), "R")
+    base = np.array(to_rgb(FAMILIES.get(first + name[-1:], colors.MODES["R"])))
+    if name.endswith("H"):
+        base = np.array(to_rgb(colors.MODES["H"]))
+    depth = min(len(name) - 1, 9) / 9.0
+    # classes of one length and family still differ a little, by their names
+    drift = (zlib.crc32(name.encode()) % 1000) / 1000.0
+    mixed = (1.0 - 0.2 * drift) * base + 0.2 * drift * base.mean()
+    light, dark = 0.62 - 0.62 * min(2.0 * depth, 1.0), max(2.0 * depth - 1.0, 0.0) * 0.5
+    return str(to_hex(np.clip((mixed + (1.0 - mixed) * light) * (1.0 - dark), 0.0, 1.0)))
+
+
+def motion_map(
+    dataset: xarray.Dataset,
+    quantity: str | None = None,
+    ax: Axes | None = None,
+    borders: Sequence[Border] = (),
+    painleve: bool = True,
+    most: int = 16,
+    names: bool = True,
+) -> Axes:
+    """A map of two parameters: its classes as coloured regions, or a number as a field.
+
+    The second axis of the map runs to the right, the first one up. Classes have the same colour in every map.
+    The dashed line is where friction becomes enough for Painlevé's paradox; hatched are the motions that meet
+    it, where the map holds the quantity ``painleve``.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        A map over two axes of numbers, as `hophoop.maps.sweep` gives it.
+    quantity : str, optional
+        One of its variables; by default the first.
+    ax : matplotlib.axes.Axes, optional
+        By default those of a new figure.
+    borders : sequence of Border, optional
+        Drawn as lines, as `hophoop.maps.borders` finds them.
+    painleve : bool, default True
+        Whether Painlevé's region is shown.
+    most : int, default 16
+        Most classes that the legend names; the rest is summed up in one line.
+    names : bool, default True
+        Whether large regions have their class written into them.
+
+    Returns
+    -------
+    ax : matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If the map has not two axes of numbers or no such variable.
+    ImportError
+        If Matplotlib is missing.
+    """
+    quantity = str(next(iter(dataset))) if quantity is None else quantity
+    if quantity not in dataset:
+        raise InputError(f"quantity = {quantity!r} must be one of {', '.join(map(str, dataset))}.")
+    array = dataset[quantity]
+    if array.ndim != 2:
+        raise InputError(f"the map must have two axes, not {array.ndim}.")
+    up, across = (str(name) for name in array.dims)
+    x, y = dataset[across].values, dataset[up].values
+    if any(values.dtype.kind != "f" for values in (x, y)):
+        raise InputError("the map's axes must be numbers.")
+    ax = new_axes(ax, SIZE)
+    if "flag_meanings" in array.attrs:
+        _classes(ax, quantity, x, y, array.values, words_of(array), most, names)
+    else:
+        _field(ax, x, y, array)
+    for border in borders:
+        _border(ax, border, across)
+    if painleve:
+        _painleve(ax, dataset, x, y)
+    for axis, name, values in ((ax.xaxis, across, x), (ax.yaxis, up, y)):
+        axis.set_label_text(_label(dataset, name))
+        if _by_ratio(values):
+            getattr(ax, f"set_{axis.axis_name}scale")("log")
+    ax.set_xlim(x[0], x[-1])
+    ax.set_ylim(y[0], y[-1])
+    return ax
+
+
+def _label(dataset: Any, name: str) -> str:
+    text = SYMBOLS.get(name, dataset[name].attrs.get("long_name", name))
+    unit = dataset[name].attrs.get("units", "1")
+    return str(text) if unit in ("1", "") else f"{text} ({unit})"
+
+
+def _by_ratio(values: NDArray[np.float64]) -> bool:
+    if values.size < 3 or values[0] <= 0.0:
+        return False
+    steps, ratios = np.diff(values), values[1:] / values[:-1]
+    return bool(np.ptp(ratios) < 1e-6 * ratios.max() and np.ptp(steps) > 1e-6 * np.abs(steps).max())
+
+
+def _mesh(ax: Axes, x: Any, y: Any, values: Any, **options: Any) -> Any:
+    return ax.pcolormesh(x, y, values, shading="nearest", rasterized=True, **options)
+
+
+def _classes(
+    ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int, names: bool
+) -> None:
+    matplotlib_colors = need("matplotlib.colors", "plots")
+    table = CODES.get(quantity)
+    if table is None:
+        paint = [class_color(word) for word in words]
+    else:
+        paint = [table.get(word, colors.GRAY) for word in words]
+    scale = matplotlib_colors.ListedColormap([NOT_ALLOWED_COLOR, *paint])
+    _mesh(ax, x, y, codes, cmap=scale, vmin=-1.5, vmax=len(words) - 0.5)
+    counts = np.bincount(codes[codes >= 0].astype(int).reshape(-1), minlength=len(words))
+    shares = counts / codes.size
+    order = [int(k) for k in np.argsort(-shares, kind="stable") if counts[k]]
+    _legend(ax, [(words[k], paint[k], float(shares[k])) for k in order], most, bool((codes < 0).any()))
+    if names:
+        for k in order:
+            if shares[k] >= LABELLED:
+                _name(ax, x, y, codes == k, words[k], paint[k])
+
+
+def _legend(ax: Axes, entries: list[tuple[str, str, float]], most: int, outside: bool) -> None:
+    patch = need("matplotlib.patches", "plots").Patch
+    shown, rest = entries[:most], entries[most:]
+    if len(rest) == 1:
+        shown, rest = entries, []
+    handles = [
+        patch(facecolor=color, edgecolor="black", linewidth=0.4, label=f"{name}  {_percent(share)}")
+        for name, color, share in shown
+    ]
+    if rest:
+        together = sum(share for _, _, share in rest)
+        handles.append(patch(facecolor="none", label=f"{len(rest)} more, together {_percent(together)}"))
+    if outside:
+        handles.append(patch(facecolor="white", edgecolor="black", linewidth=0.4, label="not allowed"))
+    ax.legend(
+        handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.01), frameon=False, fontsize=SMALL,
+        handlelength=1.3, handleheight=1.1, labelspacing=0.35, borderaxespad=0.0,
+    )  # fmt: skip
+
+
+def _percent(share: float) -> str:
+    percent = 100.0 * share
+    return f"{percent:.1f} %" if percent >= 0.1 else (f"{percent:.2g} %" if percent >= 0.01 else "< 0.01 %")
+
+
+def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: str) -> None:
+    """The class's name where its region is widest, if there is room."""
+    depth = _depth(mask)
+    i, j = np.unravel_index(int(np.argmax(depth)), depth.shape)
+    # a letter is about 1.3 % of the picture's width, and half as deep again
+    if (
+        2.0 * depth[i, j] / mask.shape[1] < 0.013 * len(word) * 0.8
+        or 2.0 * depth[i, j] / mask.shape[0] < 0.035
+    ):
+        return
+    red, green, blue = need("matplotlib.colors", "plots").to_rgb(color)
+    ink = "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else "black"
+    ax.text(x[j], y[i], word, ha="center", va="center", fontsize=SMALL, color=ink)
+
+
+def _depth(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """How many cells a square around each cell reaches without leaving the region."""
+    depth = np.zeros(mask.shape, np.int64)
+    inner = np.pad(mask, 1)
+    while inner.any():
+        depth += inner[1:-1, 1:-1]
+        shrunk = inner.copy()
+        for axis in (0, 1):
+            shrunk &= np.roll(shrunk, 1, axis) & np.roll(shrunk, -1, axis)
+        inner = shrunk
+    return depth
+
+
+def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
+    values = array.values.astype(float)
+    ax.set_facecolor(colors.LIGHT_GRAY)
+    mesh = _mesh(ax, x, y, np.ma.masked_invalid(values), cmap="viridis")
+    unit = array.attrs.get("units", "1")
+    label = array.attrs.get("long_name", array.name)
+    bar = ax.figure.colorbar(mesh, ax=ax, pad=0.02)
+    bar.set_label(label if unit == "1" else f"{label} ({unit})")
+    bar.outline.set_visible(False)
+    if np.isnan(values).any():
+        patch = need("matplotlib.patches", "plots").Patch(facecolor=colors.LIGHT_GRAY, label="none")
+        ax.legend(handles=[patch], loc="upper left", fontsize=SMALL, framealpha=0.85, edgecolor="none")
+
+
+def _border(ax: Axes, border: Border, across: str) -> None:
+    first, second = (border.x, border.y) if border.window.x == across else (border.y, border.x)
+    ax.plot(first, second, color="black", lw=0.7, solid_capstyle="round", zorder=3)
+
+
+def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
+    excess = _painleve_excess(dataset)
+    if excess is not None and (excess > 0).any() and (excess < 0).any():
+        line = ax.contour(
+            x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4
+        )
+        ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6)
+    if "painleve" in dataset:
+        met = dataset["painleve"].values == 1
+        if met.any():
+            hatched = ax.contourf(
+                x, y, met.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=4
+            )
+            hatched.set_edgecolor((0.0, 0.0, 0.0, 0.55))
+            hatched.set_linewidth(0.0)
+
+
+def _painleve_excess(dataset: Any) -> NDArray[np.float64] | None:
+    """Kinetic friction beyond that from which the paradox exists, in every cell."""
+    plan = json.loads(dataset.attrs["plan"]) if "plan" in dataset.attrs else None
+    if plan is None:
+        return None
+    base = Scenario.from_dict(plan["scenario"])
+    up, across = dataset[next(iter(dataset))].dims
+    grid = np.meshgrid(dataset[up].values, dataset[across].values, indexing="ij")
+    values = dict(zip((str(up), str(across)), (part.reshape(-1) for part in grid), strict=True))
+    cells = make_cells(base, {path: values[path] for path in ordered(list(values))}, grid[0].size)
+    body = cells[[CELL.index("eccentricity"), CELL.index("inertia_ratio")]]
+    kinds, place = np.unique(body, axis=1, return_inverse=True)
+    threshold = np.full(kinds.shape[1], np.inf)
+    for k, (eccentricity, inertia_ratio) in enumerate(kinds.T):
+        if inertia_ratio > 0.0:
+            hoop = Hoop(eccentricity=float(eccentricity), inertia_ratio=float(inertia_ratio))
+            threshold[k] = theory.painleve_minimum(hoop).mu
+    friction = cells[CELL.index("mu_kinetic")]
+    with np.errstate(invalid="ignore"):
+        excess = np.clip(friction, 0.0, 1e6) - np.clip(threshold[place.reshape(-1)], 0.0, 1e6)
+    return np.asarray(excess.reshape(grid[0].shape))
