@@ -4,6 +4,7 @@ Matplotlib is in the extra ``plots`` and loaded when a figure is drawn.
 """
 
 from hophoop.plots import colors
+from hophoop.plots.maps import class_color, motion_map
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, gap, velocities
 from hophoop.plots.overview import notebook, overview
 from hophoop.plots.path import geometry, path
@@ -20,6 +21,8 @@ __all__ = [
     "strobe",
     "phase_plane",
     "geometry",
+    "motion_map",
+    "class_color",
     "overview",
     "notebook",
     "colors",
