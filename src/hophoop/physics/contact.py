@@ -24,7 +24,7 @@ def delassus(body, s, c):
 @jit
 def slip_torque_arm(body, s, c, sigma):
     """q = ε sin θ + σ μk (1 + ε cos θ): torque about G over N in slip."""
-    return body.eps * s + sigma * body.mu_k * (1.0 + body.eps * c)
+    return body.eps * s + sigma * body.mu_k * ((1.0 - body.eps) + body.eps * load_height(s, c))
 
 
 @jit
@@ -34,24 +34,37 @@ def slip_stiffness(body, s, c, sigma):
 
 
 @jit
-def rolling_inertia(body, c):
-    """D = 1 + κ + ε² + 2 ε cos θ: moment of inertia about the contact point, as κ + (1 − ε)² + 2 ε (1 + cos θ)."""
+def load_height(s, c):
+    """1 + cos θ, with all its digits also near θ = π."""
+    return s * s / (1.0 - c) if c < 0.0 else 1.0 + c
+
+
+@jit
+def inertia_at_height(body, height):
+    """D = 1 + κ + ε² + 2 ε cos θ, the moment of inertia about the contact point, from 1 + cos θ."""
     gap = 1.0 - body.eps
-    return (body.kap + gap * gap) + 2.0 * body.eps * (1.0 + c)
+    return (body.kap + gap * gap) + 2.0 * body.eps * height
+
+
+@jit
+def rolling_inertia(body, c):
+    """`inertia_at_height` from cos θ: near θ = π only as exact as that is."""
+    return inertia_at_height(body, 1.0 + c)
 
 
 @jit
 def rolling_acceleration(body, s, c, u):
     """θ̈ in rolling."""
     torque = body.eps * s * (u + body.gn) + body.gt * (1.0 + body.eps * c)
-    return torque / rolling_inertia(body, c)
+    return torque / inertia_at_height(body, load_height(s, c))
 
 
 @jit
 def rolling_forces(body, s, c, u):
     """(F, N) in rolling, without division by κ."""
     alpha = rolling_acceleration(body, s, c, u)
-    friction = alpha * (1.0 + body.eps * c) - body.eps * s * u - body.gt
+    arm = (1.0 - body.eps) + body.eps * load_height(s, c)
+    friction = alpha * arm - body.eps * s * u - body.gt
     normal = body.gn - body.eps * s * alpha - body.eps * c * u
     return friction, normal
 

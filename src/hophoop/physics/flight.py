@@ -9,14 +9,13 @@ from hophoop._collocation import (
     NOT_FOUND,
     ORDER,
     coefficients,
-    first_fall,
     first_fall_after,
     left_value,
     turn_deficits,
 )
 from hophoop._jit import lean_jit
 
-PHASE = 4.0  # rad of rotation in one panel: its series is good to 1e-11, and roots are polished
+PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J₁₆(1.5), is 5e-16
 
 
 @lean_jit
@@ -57,6 +56,17 @@ def polished(body, s, c, om, y, vn, fn, tau, reach):
             return tau
         tau = better
     return tau
+
+
+@lean_jit
+def grazes(body, s, c, th, om, y, vn, fn, tau):
+    """Whether the gap has a minimum at or beside tau that is zero but for rounding: a touch without approach."""
+    gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
+    bend = -body.gn + body.eps * om * om * math.cos(th + om * tau)
+    if bend <= 0.0:
+        return False
+    size = y + body.eps + abs(vn * tau) + abs(fn) * tau * tau
+    return gap - 0.5 * rate * rate / bend > -4e-16 * size
 
 
 @lean_jit
@@ -111,16 +121,20 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
                 scale /= 0.5 * (1.0 + NODES[i])
             values[1, i] = rate / scale
         coefficients(values[0], series)
-        if start > 0.0 and left_value(series) <= 0.0:
+        if start > 0.0 and left_value(series) <= 0.0 and not grazes(body, s, c, th, om, y, vn, fn, start):
             return start, apex
-        size = 0.0
-        for i in range(ORDER):
-            size = max(size, abs(values[0, i]))
-        xi = first_fall(series, 4e-16 * size, stack)
         landing = -1.0
-        if xi != NOT_FOUND:
-            landing = start + 0.5 * length * (1.0 + xi)
-            landing = polished(body, s, c, om, y, vn, fn, landing, 0.01 * length)
+        begin = -2.0
+        while True:
+            xi = first_fall_after(series, begin, 0.0, stack)
+            if xi == NOT_FOUND:
+                break
+            tau = start + 0.5 * length * (1.0 + xi)
+            tau = polished(body, s, c, om, y, vn, fn, tau, 0.01 * length)
+            if not grazes(body, s, c, th, om, y, vn, fn, tau):
+                landing = tau
+                break
+            begin = xi
         # A panel turns by less than 2π, so the rate, a line plus a sine, falls through zero at most twice.
         coefficients(values[1], series)
         begin = -2.0

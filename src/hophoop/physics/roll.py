@@ -6,7 +6,7 @@ import math
 
 from hophoop._collocation import NODES, ORDER, tail, total
 from hophoop._jit import lean_jit
-from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
+from hophoop.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 from hophoop.physics.panel import (
     A,
     ARRIVE,
@@ -39,14 +39,15 @@ def rolling_u(body, th0, u0, offset):
     s0 = math.sin(th0)
     c0 = math.cos(th0)
     ds, dc = turn(s0, c0, offset)
-    energy = rolling_inertia(body, c0) * u0 + rolling_energy_change(body, ds, dc, offset)
-    return energy / rolling_inertia(body, c0 + dc)
+    inertia = inertia_at_height(body, load_height(s0, c0))
+    energy = inertia * u0 + rolling_energy_change(body, ds, dc, offset)
+    return energy / (inertia + 2.0 * body.eps * dc)
 
 
 @lean_jit
 def u_on_panel(body, panel, ds, dc, offset):
     """θ̇² on a rolling panel, from sin θ − sin θ_ref, cos θ − cos θ_ref and θ − θ_ref."""
-    inertia = rolling_inertia(body, panel.cosine)
+    inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))
     energy = inertia * panel.u + rolling_energy_change(body, ds, dc, offset)
     return energy / (inertia + 2.0 * body.eps * dc)
 
@@ -61,7 +62,7 @@ def solve_roll(body, panel, work):
     s0 = panel.sine
     c0 = panel.cosine
     # as a change from `ref`: near θ = π and γ = 1 rounding would else be all that the panel shows
-    inertia = rolling_inertia(body, c0)
+    inertia = inertia_at_height(body, load_height(s0, c0))
     start = inertia * panel.u
     sines = work[SINE]
     cosines = work[COSINE]

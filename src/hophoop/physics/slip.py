@@ -6,6 +6,7 @@ import math
 
 from hophoop._collocation import ANTIDERIVATIVE_T, ORDER, REMAINDER_T, antiderivative, product, tail, total
 from hophoop._jit import lean_jit
+from hophoop.physics.contact import load_height
 from hophoop.physics.panel import (
     ARM,
     ARRIVE,
@@ -135,6 +136,7 @@ def solve_slip(body, panel, work):
 def slip_displacement(body, sigma, vt, om, s, c, ds, dc, tau):
     """Change of x over the time tau from a state of slip: gravity alone changes ẋ_G + σ μk ẏ_G."""
     pull = sigma * body.mu_k
-    speed = vt + om * (1.0 + body.eps * c) - pull * body.eps * om * s
+    arm = (1.0 - body.eps) + body.eps * load_height(s, c)
+    speed = vt + om * arm - pull * body.eps * om * s
     steady = body.gt - pull * body.gn
     return speed * tau + 0.5 * steady * tau * tau - pull * body.eps * dc - body.eps * ds
