@@ -1,0 +1,328 @@
+"""Files of a motion: the same bits back, whole tables for other readers, clear refusals."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import os
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+import zarr
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import hophoop as hh
+from hophoop import cite, io
+
+FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
+
+
+@pytest.fixture(scope="module")
+def motion():
+    return hh.simulate(hh.Hoop(), hh.Plane(restitution=0.4), hh.Start.rolling(3.1), duration=3.0)
+
+
+@pytest.fixture(scope="module")
+def compliant():
+    contact = hh.Compliant(stiffness=1e4, restitution=0.5)
+    return hh.simulate(hh.Hoop(), hh.Plane(), hh.Start(height=0.02, omega=3.0), 0.3, contact)
+
+
+def assert_same_bits(one, other):
+    assert one.scenario == other.scenario
+    assert (one.status, one.sequence, one.version) == (other.status, other.sequence, other.version)
+    for name in ("_events", "_segments"):
+        before, after = getattr(one, name), getattr(other, name)
+        assert before.dtype == after.dtype
+        assert before.tobytes() == after.tobytes()
+    times = one.times(37)
+    for side in ("left", "right"):
+        before, after = one.at(times, side=side), other.at(times, side=side)
+        for name in vars(before):
+            assert np.asarray(getattr(before, name)).tobytes() == np.asarray(getattr(after, name)).tobytes()
+    assert one.ledger == other.ledger
+    # EventRecord holds nan where a massless hoop has no impulse
+    assert repr(one.events) == repr(other.events)
+
+
+# --- round trips -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_loaded_motion_is_the_same_to_the_last_bit(motion, tmp_path, name):
+    motion.save(tmp_path / name)
+    assert_same_bits(motion, hh.load(tmp_path / name))
+    assert os.listdir(tmp_path) == [name]
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_compliant_motion_too(compliant, tmp_path, name):
+    io.save(compliant, str(tmp_path / name), n=10)
+    assert_same_bits(compliant, hh.load(str(tmp_path / name)))
+
+
+@given(
+    st.floats(0.0, 0.99),
+    st.floats(0.0, 2.0),
+    st.floats(-0.5, 0.5),
+    st.floats(0.0, 0.9),
+    st.floats(-7.0, 7.0),
+    st.floats(0.0, 0.5),
+    st.floats(-5.0, 5.0),
+    st.floats(-9.0, 9.0),
+    st.sampled_from(FORMATS),
+)
+@settings(max_examples=12, suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_random_motions_come_back(tmp_path, gamma, mu, slope, rest, angle, height, vx, omega, name):
+    motion = hh.simulate(
+        hh.Hoop.ideal(gamma, radius=0.7, mass=2.5),
+        hh.Plane(mu=mu, slope=slope, restitution=rest),
+        hh.Start(angle=angle, height=height, vx=vx, omega=omega),
+        1.0,
+        hh.Rigid(max_events=200),
+    )
+    io.save(motion, tmp_path / name, n=5)
+    assert_same_bits(motion, hh.load(tmp_path / name))
+
+
+@pytest.mark.parametrize(
+    ("hoop", "plane", "start", "status"),
+    [
+        (hh.Hoop.ideal(1.0), hh.Plane(mu=3.0), hh.Start.rolling(-2.0), "undetermined"),
+        (hh.Hoop.ideal(1.0), hh.Plane(mu=math.inf), hh.Start.rolling(2.0), "at_rest"),
+        (hh.Hoop(), hh.Plane(), hh.Start(), "at_rest"),
+    ],
+)
+def test_odd_ends_come_back(tmp_path, hoop, plane, start, status):
+    motion = hh.simulate(hoop, plane, start, duration=3.0)
+    assert motion.status in (status, "at_rest")
+    motion.save(tmp_path / "end.nc")
+    assert_same_bits(motion, hh.load(tmp_path / "end.nc"))
+
+
+def test_a_body_of_parts_comes_back(tmp_path):
+    hoop = hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)])
+    motion = hh.simulate(hoop, hh.Plane(mu=0.7), hh.Start.rolling(1.0), duration=1.0)
+    motion.save(tmp_path / "parts.nc")
+    assert hh.load(tmp_path / "parts.nc").scenario.hoop == hoop
+
+
+# --- what other readers find -----------------------------------------------------------------------
+
+
+def test_the_dataset_describes_itself(motion):
+    dataset = motion.to_xarray(n=50)
+    sample = motion.at(dataset.time.values)
+    assert dataset.sizes == {"time": 50}
+    for name, variable in dataset.variables.items():
+        assert variable.attrs["units"], name
+        assert variable.attrs["long_name"], name
+        if name not in ("time", "mode"):
+            np.testing.assert_array_equal(variable.values, getattr(sample, name))
+    letters = np.array(dataset["mode"].attrs["flag_letters"].split())
+    assert dataset["mode"].attrs["flag_meanings"].split()[0] == "roll"
+    np.testing.assert_array_equal(letters[dataset["mode"].values], sample.mode)
+    assert json.loads(dataset.attrs["scenario"]) == motion.scenario.to_dict()
+    assert dataset.attrs["schema"] == "hophoop/1"
+    assert dataset.attrs["version"] == hh.__version__
+    assert set(json.loads(dataset.attrs["provenance"])) == {"python", "numpy", "numba", "machine"}
+    times = [0.0, 0.5, motion.duration]
+    np.testing.assert_array_equal(motion.to_xarray(t=times).time, times)
+    assert io.to_xarray(motion, 0.5).sizes == {"time": 1}
+
+
+@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
+def test_plain_xarray_reads_the_tables_in_si(motion, tmp_path, name):
+    scaled = hh.simulate(
+        hh.Hoop.ideal(0.6, radius=0.3, mass=2.0), hh.Plane(gravity=3.0), hh.Start.rolling(1.2), duration=2.0
+    )
+    scaled.save(tmp_path / name)
+    engine = "netcdf4" if name.endswith("nc") else "zarr"
+    options = {"engine": engine} | ({"consolidated": False} if engine == "zarr" else {})
+    with xr.open_dataset(tmp_path / name, **options) as dataset:
+        assert dataset.sizes == {"time": 1000}
+        np.testing.assert_array_equal(dataset.angle, scaled.to_xarray().angle)
+    with xr.open_dataset(tmp_path / name, group="events", **options) as events:
+        for field in ("t", "x", "vx", "omega", "friction"):
+            expected = [getattr(event, field) for event in scaled.events]
+            np.testing.assert_allclose(events[field], expected, rtol=1e-14, atol=1e-14)
+            assert events[field].attrs["units"] == io._EVENT_UNITS[field]
+        words = events["kind"].attrs["flag_meanings"].split()
+        assert [words[kind] for kind in events["kind"].values] == [event.kind for event in scaled.events]
+
+
+def test_csv_over_time(motion, tmp_path):
+    io.write_csv(motion, tmp_path / "hop.csv", motion.times(7))
+    with (tmp_path / "hop.csv").open(encoding="utf-8", newline="") as stream:
+        header, *rows = csv.reader(stream)
+    assert header[:4] == ["t [s]", "mode", "x [m]", "height [m]"]
+    assert len(rows) == 7
+    sample = motion.at(motion.times(7))
+    np.testing.assert_array_equal([float(row[header.index("omega [rad/s]")]) for row in rows], sample.omega)
+    assert [row[1] for row in rows] == list(sample.mode)
+
+
+def test_csv_of_events(motion, tmp_path):
+    io.write_events_csv(motion, tmp_path / "events.csv")
+    with (tmp_path / "events.csv").open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert [row["kind"] for row in rows] == [event.kind for event in motion.events]
+    impact = next(row for row in rows if row["kind"] == "impact")
+    event = motion.find("impact")[0]
+    assert float(impact["before_vy [m/s]"]) == event.before.vy
+    assert float(impact["impulse_normal [N s]"]) == event.impulse_normal
+    assert impact["collision"] == "True"
+
+
+def test_json_is_the_dict(motion, tmp_path):
+    io.write_json(motion, tmp_path / "hop.json")
+    assert json.loads((tmp_path / "hop.json").read_text(encoding="utf-8")) == motion.to_dict()
+
+
+# --- refusals and half-written files ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["hop.txt", "hop", "hop.nc.gz"])
+def test_other_endings_are_refused(motion, tmp_path, name):
+    sentence = r"must end in \.nc \(netCDF\), \.zarr or \.zarr\.zip \(Zarr\)\.$"
+    with pytest.raises(ValueError, match=sentence):
+        motion.save(tmp_path / name)
+    with pytest.raises(ValueError, match=sentence):
+        hh.load(tmp_path / name)
+    assert not os.listdir(tmp_path)
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_missing_file_is_named(tmp_path, name):
+    with pytest.raises(FileNotFoundError) as refusal:
+        hh.load(tmp_path / name)
+    assert refusal.value.filename == str(tmp_path / name)
+
+
+@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr.zip"])
+def test_noise_is_refused(tmp_path, name):
+    (tmp_path / name).write_bytes(b"this is no file of ours" * 99)
+    with pytest.raises(ValueError, match=f"{name} cannot be read as (netCDF|Zarr): "):
+        hh.load(tmp_path / name)
+
+
+def test_other_files_are_refused(tmp_path):
+    xr.Dataset({"x": ("time", [1.0])}).to_netcdf(tmp_path / "other.nc")
+    with pytest.raises(ValueError, match=r"other\.nc is not a saved motion of hophoop\.$"):
+        hh.load(tmp_path / "other.nc")
+    (tmp_path / "empty.zarr").mkdir()
+    with pytest.raises(ValueError, match=r"empty\.zarr cannot be read as Zarr"):
+        hh.load(tmp_path / "empty.zarr")
+
+
+def with_attributes(motion, path, **attributes):
+    motion.save(path)
+    if path.suffix == ".nc":
+        with netCDF4.Dataset(path, "a") as file:
+            file.setncatts(attributes)
+    else:
+        zarr.open_group(path, mode="a").attrs.update(attributes)
+    return path
+
+
+@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
+def test_another_schema_is_refused(motion, tmp_path, name):
+    path = with_attributes(motion, tmp_path / name, schema="hophoop/2")
+    with pytest.raises(ValueError, match=r"has the schema 'hophoop/2', but this version of hophoop reads"):
+        hh.load(path)
+
+
+@pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
+def test_another_version_is_read_with_a_warning(motion, tmp_path, name):
+    path = with_attributes(motion, tmp_path / name, version="0.0.1")
+    with pytest.warns(UserWarning, match=r"was written by hophoop 0\.0\.1; samples may differ"):
+        loaded = hh.load(path)
+    assert loaded.version == "0.0.1"
+    assert loaded.at(1.0) == motion.at(1.0)
+
+
+def test_segments_of_another_meaning_are_refused(motion, tmp_path):
+    path = with_attributes(motion, tmp_path / "hop.nc", version="0.0.1")
+    with netCDF4.Dataset(path, "a") as file:
+        file["segments"]["u"][:] = 2.0 * file["segments"]["u"][:]
+    with pytest.raises(ValueError, match=r"hophoop 0\.0\.1, whose segments this version .* cannot sample\."):
+        hh.load(path)
+
+
+def test_a_table_that_is_missing_is_noticed(motion, tmp_path):
+    motion.to_xarray(n=5).to_netcdf(tmp_path / "half.nc")
+    with pytest.raises(ValueError, match="is not whole: a table of the motion is missing"):
+        hh.load(tmp_path / "half.nc")
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_write_that_fails_leaves_the_old_file(motion, tmp_path, name, monkeypatch):
+    motion.save(tmp_path / name)
+    for method in ("to_netcdf", "to_zarr"):
+        whole = getattr(xr.Dataset, method)
+
+        def broken(self, *arguments, _whole=whole, **options):
+            if options.get("group") == "segments":
+                raise OSError(28, "No space left on device")
+            return _whole(self, *arguments, **options)
+
+        monkeypatch.setattr(xr.Dataset, method, broken)
+    shorter = hh.simulate(motion.scenario.replace("duration", 0.5))
+    with pytest.raises(OSError, match="No space left"):
+        shorter.save(tmp_path / name)
+    monkeypatch.undo()
+    assert os.listdir(tmp_path) == [name]
+    assert_same_bits(motion, hh.load(tmp_path / name))
+    shorter.save(tmp_path / name)
+    assert hh.load(tmp_path / name).duration == 0.5
+
+
+@pytest.mark.parametrize("write", [io.write_json, io.write_csv, io.write_events_csv, io.save])
+def test_a_folder_that_is_not_there_is_named(motion, tmp_path, write):
+    target = tmp_path / "nowhere" / "hop.nc"
+    with pytest.raises(OSError, match="nowhere"):
+        write(motion, target)
+
+
+# --- what to cite ----------------------------------------------------------------------------------
+
+
+def test_the_library_reads_as_people_write():
+    works = cite.references()
+    assert str(works["Gomez2012"]).startswith("R. W. Gómez and J. J. Hernández-Gómez and V. Marquina (2012).")
+    assert "Várkonyi" in str(works["ChampneysVarkonyi2016"])
+    for work in works.values():
+        assert not set(str(work)) & set("{}\\")
+        assert work.bibtex.startswith(f"@{work.kind}{{{work.key},\n")
+
+
+def test_a_run_cites_what_it_rests_on(motion, compliant):
+    def keys(**scenario):
+        return {work.key for work in cite.cite(hh.simulate(hh.Scenario.from_dict(scenario)))}
+
+    bounced = {work.key: work.reason for work in cite.cite(motion)}
+    assert {"hophoop", "Theron2000", "TheronMaritz2008", "Routh1877", "Stronge2000"} <= set(bounced)
+    assert all(bounced.values())
+    assert "Gomez2012" in keys(plane={"slope": 0.2})
+    assert "Littlewood1953" in keys(hoop={"load_fraction": 1.0})
+    assert "Stronge2000" not in keys(plane={"impact_law": "poisson", "restitution": 0.5})
+    assert "Painleve1895" in keys(plane={"mu": 2.0}, start={"angle": 0.6, "vx": -1.0, "omega": 1.0})
+    assert "Sonnerlind2023" in {work.key for work in cite.cite(compliant)}
+
+
+def test_bibtex_comes_back_as_it_was(motion, tmp_path, monkeypatch):
+    text = cite.bibtex(motion)
+    assert "% the program that computed the motion\n@software{hophoop," in text
+    (tmp_path / "references.bib").write_text(text, encoding="utf-8")
+    monkeypatch.setattr(cite, "_path", lambda: tmp_path / "references.bib")
+    cite._library.cache_clear()
+    read = cite.references()
+    monkeypatch.undo()
+    cite._library.cache_clear()
+    assert [(work.key, work.fields) for work in read.values()] == [
+        (work.key, work.fields) for work in cite.cite(motion)
+    ]
