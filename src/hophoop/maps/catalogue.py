@@ -1,0 +1,95 @@
+"""The catalogue: every sequence of the first revolution, with an example and the area that it fills."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+from typing import Any, NamedTuple
+
+from hophoop.scenario import InputError, Scenario
+
+DATA = "catalogue.json"
+
+
+class Entry(NamedTuple):
+    """One class of motion over the first revolution.
+
+    Attributes
+    ----------
+    sequence : str
+        One letter a phase, from rolling with the load at the top; H last where it takes off.
+    ending : str
+        What ends it: revolutions (a full turn), reversal or takeoff.
+    load_fraction : float
+        γ of the ideal hoops among which it was found [1].
+    area : float
+        Share of the window of friction and speed that it fills [1].
+    uncertainty : float
+        How far the area may be off [1].
+    mu, speed : float
+        Friction [1] and speed at the start [m/s] of an example, as far inside as was seen.
+    """
+
+    sequence: str
+    ending: str
+    load_fraction: float
+    area: float
+    uncertainty: float
+    mu: float
+    speed: float
+
+    def scenario(self) -> Scenario:
+        """The example.
+
+        Returns
+        -------
+        scenario : Scenario
+        """
+        base = Scenario().replace("hoop.load_fraction", self.load_fraction)
+        return base.replace("plane.mu", self.mu).replace("start.speed", self.speed)
+
+
+def catalogue(load_fraction: float = 0.75) -> list[Entry]:
+    """Classes of the first revolution of an ideal hoop, greatest area first.
+
+    Parameters
+    ----------
+    load_fraction : float, default 0.75
+        γ, one of `catalogued` [1].
+
+    Returns
+    -------
+    entries : list of Entry
+
+    Raises
+    ------
+    ValueError
+        If there is no catalogue for this γ.
+
+    Examples
+    --------
+    >>> catalogue()[0].sequence
+    'R'
+    """
+    hoops = _data()["hoops"]
+    key = repr(float(load_fraction))
+    if key not in hoops:
+        raise InputError(f"load_fraction = {load_fraction!r} must be one of {', '.join(hoops)}.")
+    return [Entry(load_fraction=float(load_fraction), **entry) for entry in hoops[key]["entries"]]
+
+
+def catalogued() -> list[float]:
+    """The hoops in the catalogue.
+
+    Returns
+    -------
+    load_fractions : list of float
+        Values of γ [1].
+    """
+    return [float(key) for key in _data()["hoops"]]
+
+
+def _data() -> dict[str, Any]:
+    text = files("hophoop.maps").joinpath(DATA).read_text(encoding="utf-8")
+    data: dict[str, Any] = json.loads(text)
+    return data
