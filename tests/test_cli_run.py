@@ -124,9 +124,9 @@ def test_free_start_and_degrees():
 
 
 def test_any_parameter():
-    assert of("--set", "contact.max_events=7", "--set", "plane.impact_law=newton", "--v0", "1")["contact"] == {
-        "model": "rigid", "max_events": 7,
-    }  # fmt: skip
+    data = of("--set", "contact.max_events=7", "--set", "plane.impact_law=newton", "--v0", "1")
+    assert data["contact"] == {"model": "rigid", "max_events": 7}
+    assert data["plane"]["impact_law"] == "newton"
 
 
 # Files

@@ -157,7 +157,7 @@ def spin_in_flight(runs: Runs) -> Statement:
         "Let's Hop!",
         "In flight the angular velocity is constant.",
         "constant",
-        f"{rates[0]:.6f} rad/s throughout, to {spread:.0e}",
+        f"{rates[0]:.6f} rad/s throughout, " + (f"to {spread:.0e}" if spread else "to the last bit"),
         agreement(spread <= 1e-12 * rates[0]),
         numbers={"omega": float(rates[0]), "spread": spread},
     )

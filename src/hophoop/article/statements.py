@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from hophoop.article import rolling, slipping
 from hophoop.article.runs import Runs
-from hophoop.article.statement import Statement
+from hophoop.article.statement import FAILS, Statement
 
 SECTIONS = ("A First Attempt", "Increase the Speed", "Let's Hop!", "Revisiting Low Friction")
 
@@ -35,7 +35,12 @@ def statements(
     runs = runs or Runs()
     found = []
     for check in (*rolling.CHECKS, *slipping.CHECKS):
-        statement = check(runs)
+        try:
+            statement = check(runs)
+        except (IndexError, StopIteration):
+            # no such event in the motion: the statement does not hold, whatever else it asks for
+            why = "The computed motion does not have what the statement is about."
+            statement = Statement(check.__name__, SECTIONS[0], check.__name__, "–", "–", FAILS, why)
         found.append(statement)
         if progress is not None:
             progress(statement.key)
