@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.1.0"
 
 if TYPE_CHECKING:
+    import hophoop.animate as animate
     import hophoop.article as article
     import hophoop.maps as maps
     import hophoop.plots as plots
@@ -52,6 +53,7 @@ _HOMES: dict[str, str | None] = {
     "article": None,
     "maps": None,
     "plots": None,
+    "animate": None,
 }
 
 __all__ = [
@@ -72,6 +74,7 @@ __all__ = [
     "article",
     "maps",
     "plots",
+    "animate",
     "show",
     "__version__",
 ]

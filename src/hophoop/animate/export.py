@@ -149,7 +149,7 @@ def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
 
 _PALETTE = ["-vf", "palettegen=max_colors=255:reserve_transparent=0:stats_mode=full", "-frames:v", "1"]
 # H.264 in the profile that every browser plays, its index in front; colours as in HDTV, and said so.
-_BT709 = "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd,format=yuv420p"
+_BT709 = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
 _TAGS = ["-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"]
 _OPTIONS = {
     "mp4": [

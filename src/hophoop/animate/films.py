@@ -296,7 +296,7 @@ class Player:
 def player(
     motions: Motions, *, three_d: bool = False, size: tuple[int, int] = (960, 540), **options: object
 ) -> Player:
-    """A film that plays in place in a notebook.
+    """A film that plays in place in a notebook; it takes all else that `film` or `film_3d` takes.
 
     Parameters
     ----------
@@ -305,8 +305,6 @@ def player(
         Whether in 3D.
     size : (int, int), default (960, 540)
         Width and height [pixels].
-    **options
-        All else that `film` or `film_3d` takes.
 
     Returns
     -------
