@@ -5,6 +5,7 @@ xarray and Zarr are in the extra ``maps``, Dask in ``cluster``; both are loaded 
 
 from hophoop.maps.axes import linear, logarithmic, scenario_at
 from hophoop.maps.border import Border, borders, boundary
+from hophoop.maps.catalog import Entry, catalogue, catalogued
 from hophoop.maps.evaluate import points
 from hophoop.maps.quantities import QUANTITIES, SPANS, Quantity, words_of
 from hophoop.maps.refinement import Refined, refine
@@ -25,6 +26,9 @@ __all__ = [
     "QUANTITIES",
     "SPANS",
     "Quantity",
+    "catalogue",
+    "catalogued",
+    "Entry",
     "Border",
     "Refined",
 ]

@@ -23,7 +23,6 @@ def compute_on_cluster(
     indices: Sequence[int],
     scheduler: str | None,
     workers: int | None,
-    device: str,
     report: Callable[[int], None],
 ) -> None:
     """Compute chunks on the workers of a cluster; the store's own marks say what is there.
@@ -38,7 +37,6 @@ def compute_on_cluster(
         Address of a running scheduler; None starts a cluster on this machine.
     workers : int or None
         How many processes the cluster on this machine has.
-    device : {'cpu', 'gpu'}
     report : callable
         Called with the cells of every chunk that is done.
 
@@ -48,18 +46,17 @@ def compute_on_cluster(
         If no scheduler answers at that address.
     """
     need("distributed", "cluster")
-    # one thread a worker: the cluster is what runs in parallel
-    how = "gpu" if device == "gpu" else "serial"
     place = str(path.resolve())
     with _client(scheduler, workers) as client:
         as_completed = need("distributed", "cluster").as_completed
         queue = iter(indices)
         running = as_completed(raise_errors=True)
 
+        # one thread a worker: the cluster is what runs in parallel
         def submit() -> None:
             index = next(queue, None)
             if index is not None:
-                running.add(client.submit(compute_chunk, place, index, how, pure=False, retries=RETRIES))
+                running.add(client.submit(compute_chunk, place, index, "serial", pure=False, retries=RETRIES))
 
         for _ in range(WAITING * max(1, sum(client.nthreads().values()))):
             submit()

@@ -159,8 +159,8 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     span : Span
     wanted : int
         Sum of the kernel's flags.
-    device : {'cpu', 'serial', 'gpu'}
-        All cores, this thread only, or a GPU.
+    device : {'cpu', 'serial'}
+        All cores, or this thread only.
 
     Returns
     -------
@@ -172,11 +172,7 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
         np.empty((count, len(kernel.WORDS)), np.int32),
         np.empty((count, kernel.KEYS), np.uint64),
     )
-    if device == "gpu":
-        from hophoop.maps.gpu import evaluate_on_gpu
-
-        evaluate_on_gpu(cells, span, wanted, results)
-    elif device == "serial":
+    if device == "serial":
         kernel.evaluate_block(cells, 0, count, span.angle, span.stop, span.timed, wanted, *results)
     else:
         announce_compilation(kernel.evaluate)

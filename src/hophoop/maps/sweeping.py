@@ -61,7 +61,7 @@ def sweep(
     threads : int, optional
         How many cores; all by default [1].
     device : {'cpu', 'gpu'}
-        Where to compute.
+        Where to compute; a GPU is refused with the reason, see the documentation.
     workers : int, optional
         Start a Dask cluster of so many processes on this machine [1].
     scheduler : str, optional
@@ -132,7 +132,7 @@ def sweep(
         if clustered:
             from hophoop.maps.distributed import compute_on_cluster
 
-            compute_on_cluster(place, sorted(todo), scheduler, workers, device, report)
+            compute_on_cluster(place, sorted(todo), scheduler, workers, report)
         else:
             for index in sorted(todo):
                 report(store.compute_chunk(str(place), index, device))
