@@ -434,7 +434,8 @@ class Trajectory:
         omega = columns["omega"]
         with np.errstate(invalid="ignore"):
             # from v_t, which keeps its digits: ẋ_G = v_t + θ̇ (1 + ε cos θ)
-            along = columns["slip"] + omega * (1.0 + eps * cosine)
+            height = 2.0 * np.cos(0.5 * columns["angle"]) ** 2  # 1 + cos θ, exact also near θ = π
+            along = columns["slip"] + omega * ((1.0 - eps) + eps * height)
             up = columns["vy"] - eps * omega * sine
             kinetic = 0.5 * (along**2 + up**2 + kap * omega**2)
         drop = columns["height"] - 2.0 * eps * np.sin(0.5 * columns["angle"]) ** 2
