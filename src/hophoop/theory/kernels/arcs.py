@@ -181,6 +181,15 @@ def time_from_top(body, w, angle):
         if rest <= math.pi:
             return 2.0 * half * turns + travel_time(body, 0.0, w, 1.0, rest)
         return 2.0 * half * (turns + 1.0) - travel_time(body, 0.0, w, 1.0, max(TURN - rest, 0.0))
+    if w > 0.0:
+        # near a turning point ahead the time to it is known better than θ̇ is
+        blocked = blocking(body, 0.0, w, angle + way * TURN)
+        if not math.isnan(blocked):
+            far = turning_point(body, 0.0, w, blocked)
+            left = abs(far - angle)
+            if left < abs(angle):
+                whole = travel_time(body, far, 0.0, -way, abs(far))
+                return whole - travel_time(body, far, 0.0, -way, left)
     return travel_time(body, 0.0, w, way, abs(angle))
 
 
