@@ -51,7 +51,9 @@ def friction(case: Case, contact: Contact, slides: int, load: float, slip: float
     return -contact.tangential_stiffness * stretch - contact.tangential_damping * slip
 
 
-def stretch_rate(case: Case, contact: Contact, slides: int, load: float, slip: float, stretch: float) -> float:
+def stretch_rate(
+    case: Case, contact: Contact, slides: int, load: float, slip: float, stretch: float
+) -> float:
     """ż of the bristle, whose foot slides under the friction that its spring and damper balance [m/s]."""
     if contact.friction != "bristle":
         return 0.0
@@ -61,7 +63,9 @@ def stretch_rate(case: Case, contact: Contact, slides: int, load: float, slip: f
     return pull / contact.tangential_damping
 
 
-def motion(case: Case, contact: Contact, start: Vector, touching: bool, duration: float, times: Vector) -> Vector:
+def motion(
+    case: Case, contact: Contact, start: Vector, touching: bool, duration: float, times: Vector
+) -> Vector:
     """Rows (x, y, θ, ẋ, ẏ, θ̇, z, friction loss, damping loss) at the times; μs = μk is assumed."""
     jacobian = contact_jacobian(case)
     state = np.array(start, dtype=float)
@@ -74,7 +78,14 @@ def motion(case: Case, contact: Contact, start: Vector, touching: bool, duration
         inside = times[(times >= t) & (times <= duration)]
         # a first step beyond the event that began the phase, so that it is not found again
         solution = solve_ivp(
-            rhs, (t, duration), state, method="Radau", rtol=1e-10, atol=1e-13, events=events, dense_output=True
+            rhs,
+            (t, duration),
+            state,
+            method="Radau",
+            rtol=1e-10,
+            atol=1e-13,
+            events=events,
+            dense_output=True,
         )
         until = solution.t[-1]
         now = inside[inside <= until]

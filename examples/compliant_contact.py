@@ -1,0 +1,69 @@
+"""Figures of the page on compliant contact: how it converges to the rigid plane, and what it makes of landings.
+
+Usage: python examples/compliant_contact.py [FOLDER]   (default: docs/figures)
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from hophoop.plots import compliant as figures
+from hophoop.plots import compliant_study as study
+
+
+def main(folder: Path) -> None:
+    """Draw all figures and print their numbers."""
+    folder.mkdir(parents=True, exist_ok=True)
+    k = study.STIFFNESSES
+
+    figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.6), layout="constrained", sharey=True)
+    for ax, title, contact in (
+        (axes[0], "slip speed 1/k (default)", {}),
+        (axes[1], "slip speed fixed at 10⁻⁴ √(g R)", {"slip_speed": 1e-4}),
+    ):
+        errors = study.convergence(k, **contact)
+        figures.error_lines(errors, k, ax)
+        ax.set_title(title, fontsize="medium")
+        for name, values in errors.items():
+            print(title, name, " ".join(f"{value:.1e}" for value in values))
+    axes[1].set_ylabel("")
+    keep(figure, folder / "compliant-convergence.svg")
+
+    figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.2), layout="constrained")
+    matched = study.matched_landings()
+    lines = {f"e = {e}, c = {number:.3f} √(k m)": errors for e, (number, errors) in matched.items()}
+    figures.error_lines(lines, k, axes[0])
+    axes[0].set_title("landing at v₀ = 3.1 m/s, damping matched to e", fontsize="medium")
+    paradox = {
+        "inconsistent": study.painleve_errors(0.0, "flight"),
+        "indeterminate, impact": study.painleve_errors(5.0, "impact"),
+        "inconsistent, Hunt–Crossley": study.painleve_errors(0.0, "flight", law="hunt-crossley"),
+    }
+    figures.error_lines(paradox, k, axes[1])
+    axes[1].set_title("slip in Painlevé's region", fontsize="medium")
+    for name, values in {**lines, **paradox}.items():
+        print(name, " ".join(f"{value:.1e}" for value in values))
+    keep(figure, folder / "compliant-landing-order.svg")
+
+    figure, axes = plt.subplots(1, 3, figsize=(13.0, 4.0), layout="constrained")
+    figures.landing_against_stiffness(10.0 ** np.arange(2.0, 10.5, 0.5), axes[0])
+    figures.landing_against_slip_speed(10.0 ** np.arange(-8.0, 1.5, 0.5), ax=axes[1])
+    figures.landing_against_restitution(np.linspace(0.0, 1.0, 11), ax=axes[2])
+    keep(figure, folder / "compliant-landing.svg")
+
+    left, _ = figures.energy_balance()
+    keep(left.figure, folder / "compliant-energy.svg")
+
+
+def keep(figure: plt.Figure, path: Path) -> None:
+    """Save a figure without a date, so that the same numbers give the same file."""
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent.parent / "docs" / "figures")

@@ -1,0 +1,212 @@
+"""Figures of compliant contact beside the rigid one; their numbers come from `compliant_study`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from hophoop._extras import need
+from hophoop.plots import colors
+from hophoop.plots.compliant_study import Landing, landing, landing_scenario, order, with_contact
+from hophoop.simulation import simulate
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_INKS = (colors.BLUE, colors.VERMILION, colors.GREEN, colors.PURPLE, colors.BLACK, colors.ORANGE, colors.SKY)
+_MARKS = "osD^vPX"
+_STIFFNESS = "stiffness k over m g/R"
+
+
+def error_lines(
+    errors: dict[str, Any], stiffnesses: ArrayLike, ax: Axes | None = None, fit_from: float = 1e5, fit_to: float = 1e9
+) -> Axes:
+    """Convergence: the largest difference of θ against stiffness, one line a motion, with the fitted order.
+
+    Parameters
+    ----------
+    errors : dict of array_like
+        Name of the motion and its errors [rad].
+    stiffnesses : array_like
+        Over m g / R [1].
+    ax : matplotlib Axes, optional
+        A new one by default.
+    fit_from, fit_to : float
+        Range of the fit of the order [1].
+
+    Returns
+    -------
+    ax : matplotlib Axes
+    """
+    ax = _axes(ax)
+    k = np.asarray(stiffnesses, dtype=float)
+    inside = (k >= fit_from * 0.99) & (k <= fit_to * 1.01)
+    for index, (name, values) in enumerate(errors.items()):
+        values = np.asarray(values)
+        label = f"{name}: order {order(k[inside], values[inside]):.2f}"
+        ax.loglog(k, values, marker=_MARKS[index], ms=4, lw=1.2, color=_INKS[index], label=label)
+    ax.set_xlabel(_STIFFNESS)
+    ax.set_ylabel("largest difference of θ (rad)")
+    ax.grid(True, which="major", alpha=0.3)
+    ax.legend(fontsize="small", loc="lower left", framealpha=0.9)
+    return ax
+
+
+def landing_against_stiffness(stiffnesses: ArrayLike, ax: Axes | None = None) -> Axes:
+    """What the landing at v₀ = 3.1 m/s loses on a stiffer and stiffer plane (e = 0), beside the rigid one.
+
+    Parameters
+    ----------
+    stiffnesses : array_like
+        Over m g / R [1].
+    ax : matplotlib Axes, optional
+        A new one by default.
+
+    Returns
+    -------
+    ax : matplotlib Axes
+    """
+    ax = _axes(ax)
+    k = np.asarray(stiffnesses, dtype=float)
+    soft = [landing(simulate(with_contact(landing_scenario(), value))) for value in k]
+    _losses(ax, k, soft)
+    _rigid_lines(ax, landing(simulate(landing_scenario())))
+    ax.set_xscale("log")
+    ax.set_xlabel(_STIFFNESS)
+    return ax
+
+
+def landing_against_slip_speed(
+    slip_speeds: ArrayLike, stiffness: float = 1e8, ax: Axes | None = None, friction: str = "tanh"
+) -> Axes:
+    """The same against the slip speed of the friction law.
+
+    Parameters
+    ----------
+    slip_speeds : array_like
+        Over √(g R) [1].
+    stiffness : float, default 1e8
+        Over m g / R [1].
+    ax : matplotlib Axes, optional
+        A new one by default.
+    friction : {'tanh', 'linear', 'bristle'}
+
+    Returns
+    -------
+    ax : matplotlib Axes
+    """
+    ax = _axes(ax)
+    speeds = np.asarray(slip_speeds, dtype=float)
+    soft = [
+        landing(simulate(with_contact(landing_scenario(), stiffness, speed, friction=friction))) for speed in speeds
+    ]
+    _losses(ax, speeds, soft)
+    _rigid_lines(ax, landing(simulate(landing_scenario())))
+    ax.set_xscale("log")
+    ax.set_xlabel("slip speed v$_s$ over √(g R)")
+    return ax
+
+
+def landing_against_restitution(
+    restitutions: ArrayLike, stiffness: float = 1e6, ax: Axes | None = None
+) -> Axes:
+    """The same against restitution: the rigid plane's three laws, and the compliant plane's nominal value.
+
+    Parameters
+    ----------
+    restitutions : array_like
+        e [1].
+    stiffness : float, default 1e6
+        Over m g / R [1].
+    ax : matplotlib Axes, optional
+        A new one by default.
+
+    Returns
+    -------
+    ax : matplotlib Axes
+    """
+    ax = _axes(ax)
+    e = np.asarray(restitutions, dtype=float)
+    for law, dashes in (("stronge", "-"), ("poisson", "--"), ("newton", ":")):
+        rigid = [landing(simulate(landing_scenario(value, law))) for value in e]
+        ax.plot(e, [one.normal for one in rigid], dashes, color=colors.BLUE, lw=1.2)
+        ax.plot(e, [one.tangential for one in rigid], dashes, color=colors.VERMILION, lw=1.2)
+        ax.plot([], [], dashes, color=colors.BLACK, lw=1.2, label=f"rigid, {law.capitalize()}")
+    soft = [landing(simulate(with_contact(landing_scenario(value), stiffness))) for value in e]
+    _losses(ax, e, soft, line="")
+    ax.set_xlabel("restitution e")
+    return ax
+
+
+def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, stiffness: float = 1e6) -> Any:
+    """The article's energy balance at v₀ = 3.1 m/s, in both models.
+
+    Parameters
+    ----------
+    ax_rigid, ax_soft : matplotlib Axes, optional
+        Two new ones by default.
+    stiffness : float, default 1e6
+        Of the compliant model, over m g / R [1].
+
+    Returns
+    -------
+    axes : tuple of matplotlib Axes
+    """
+    if ax_rigid is None or ax_soft is None:
+        figure = need("matplotlib.pyplot", "plots").figure(figsize=(9.5, 4.0), layout="constrained")
+        ax_rigid, ax_soft = figure.subplots(1, 2, sharey=True)
+    assert ax_rigid is not None
+    assert ax_soft is not None
+    scenario = landing_scenario()
+    for ax, one, title in (
+        (ax_rigid, scenario, "rigid, e = 0"),
+        (ax_soft, with_contact(scenario, stiffness), f"compliant, k = {stiffness:.0e} m g/R"),
+    ):
+        motion = simulate(one)
+        t = np.linspace(0.0, motion.duration, 4000)
+        for event in motion.find("impact"):
+            t = np.sort(np.append(t, [event.t * (1 - 1e-13), event.t]))
+        s = motion.at(t)
+        angle = np.degrees(s.angle)
+        lost = s.impact_normal + s.impact_tangential + s.damping
+        ax.plot(angle, s.kinetic, color=colors.KINETIC, label="kinetic $W_k$")
+        ax.plot(angle, s.potential, "--", color=colors.POTENTIAL, label="potential $W_p$")
+        ax.plot(angle, s.total, color=colors.TOTAL, lw=2, label="$W_k + W_p$")
+        ax.plot(angle, s.friction, "-.", color=colors.FRICTION_LOSS, label="lost in friction")
+        label = "lost in the impact" if one.contact.model == "rigid" else "lost in the damper"
+        ax.plot(angle, lost, ":", color=colors.IMPACT_LOSS, lw=2, label=label)
+        ax.set_title(title, fontsize="medium")
+        ax.set_xlabel("rotation angle θ (°)")
+        ax.set_xticks(np.arange(0, 541, 90))
+        ax.grid(True, alpha=0.3)
+        ax.legend(fontsize="small", loc="upper left")
+    ax_rigid.set_ylabel("energy (J)")
+    return ax_rigid, ax_soft
+
+
+def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-") -> None:
+    ax.plot(at, [one.normal for one in landings], line + "o", color=colors.BLUE, ms=4, lw=1.0, label="compliant, normal")
+    ax.plot(
+        at, [one.tangential for one in landings], line + "s", color=colors.VERMILION, ms=4, lw=1.0,
+        label="compliant, friction",
+    )  # fmt: skip
+    ax.set_ylabel("energy lost in the landing (J)")
+    ax.set_ylim(bottom=0.0)
+    ax.grid(True, alpha=0.3)
+    ax.legend(fontsize="small")
+
+
+def _rigid_lines(ax: Axes, rigid: Landing) -> None:
+    ax.axhline(rigid.normal, color=colors.BLUE, ls="--", lw=1.0, label="rigid, normal")
+    ax.axhline(rigid.tangential, color=colors.VERMILION, ls="--", lw=1.0, label="rigid, friction")
+    ax.legend(fontsize="small")
+
+
+def _axes(ax: Axes | None) -> Axes:
+    if ax is not None:
+        return ax
+    figure = need("matplotlib.pyplot", "plots").figure(figsize=(5.2, 4.0), layout="constrained")
+    made: Axes = figure.subplots()
+    return made
