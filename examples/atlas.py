@@ -60,8 +60,8 @@ def best_hop(quantity: str, rounds: int = 40, count: int = 1500, seed: int = 7) 
 
     The hop must begin within the first revolution but not at once (a hoop thrown fast enough flies as high as
     one likes): v0 is sought as a part of √(g R/γ), from which on it leaves the plane at the start. Each round
-    draws points in a box around the best so far, and the box shrinks; there are several peaks, so this is done from
-    several seeds.
+    draws points in a box around the best so far, which shrinks; there are several peaks, so this is done
+    from several seeds. Friction is drawn by its logarithm, up to 1000.
     """
     tries = [climb(quantity, rounds, count, seed + i) for i in range(6)]
     return max(tries, key=lambda found: found[quantity])
@@ -70,14 +70,14 @@ def best_hop(quantity: str, rounds: int = 40, count: int = 1500, seed: int = 7) 
 def climb(quantity: str, rounds: int, count: int, seed: int) -> dict[str, float]:
     """One search from one seed."""
     rng = np.random.default_rng(seed)
-    low, high = np.array([0.01, 0.005, 0.05]), np.array([0.999, 3.0, 1.0 - 1e-9])
+    low, high = np.array([0.01, -2.0, 0.05]), np.array([0.999, 3.0, 1.0 - 1e-9])
     best, place, size = -np.inf, 0.5 * (low + high), high - low
     for _ in range(rounds):
         box = np.clip(place - 0.5 * size, low, high), np.clip(place + 0.5 * size, low, high)
         draws = rng.uniform(*box, (count, 3))
         values = {
             "hoop.load_fraction": draws[:, 0],
-            "plane.mu": draws[:, 1],
+            "plane.mu": 10.0 ** draws[:, 1],
             "start.speed": draws[:, 2] * np.sqrt(GRAVITY / draws[:, 0]),
         }
         found = np.nan_to_num(maps.points(None, values, [quantity])[quantity], nan=-np.inf)
@@ -88,7 +88,7 @@ def climb(quantity: str, rounds: int, count: int, seed: int) -> dict[str, float]
     return {
         quantity: best,
         "load_fraction": float(place[0]),
-        "mu": float(place[1]),
+        "mu": float(10.0 ** place[1]),
         "part_of_immediate_hop": float(place[2]),
         "speed": float(place[2] * math.sqrt(GRAVITY / place[0])),
     }

@@ -4,8 +4,8 @@
 
 For each γ the window of friction and speed is cut into squares of one class, halved again and again where the
 class changes (`hophoop.maps.refine`), so that what counts is how thin a region is, not where a grid's points
-fall. Around every place where three classes meet, smaller and smaller circles are looked at for classes that only
-live there.
+fall. Around every place where three classes meet, smaller and smaller circles are looked at for classes that
+only live there.
 """
 
 from __future__ import annotations
