@@ -4,6 +4,7 @@ import base64
 import json
 import re
 import struct
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -116,11 +117,30 @@ def test_gltf_moves_the_load_as_the_motion_does(tmp_path, slope):
             times = values(sampler["input"])[:, 0]
     np.testing.assert_allclose(times, np.arange(len(times)) / 60, atol=1e-6)
     np.testing.assert_allclose(np.linalg.norm(tracks["rotation"], axis=1), 1.0, atol=1e-6)
+    assert text["nodes"][hoop]["translation"] == pytest.approx(tracks["translation"][0], abs=1e-6)
     load = text["nodes"][names.index("load")]["translation"]
     wanted = places(run, np.minimum(times, 1.5))
     for k in range(0, len(times), 7):
         place = tracks["translation"][k] + turned(tracks["rotation"][k], np.array(load))
         np.testing.assert_allclose(place, [*wanted[k], 0.0], atol=1e-5)
+
+
+def test_gltf_traces_are_whole_and_change_colour_in_flight(tmp_path):
+    text, values = read_glb(scene(motion(), tmp_path / "hop.glb"))
+    parts, paint = [], []
+    for node in text["nodes"]:
+        if node["name"].startswith("trace of the centre"):
+            (part,) = text["meshes"][node["mesh"]]["primitives"]
+            parts.append(values(part["attributes"]["POSITION"]))
+            paint.append(
+                tuple(text["materials"][part["material"]]["pbrMetallicRoughness"]["baseColorFactor"])
+            )
+    assert len(parts) == 3
+    assert paint[0] == paint[2] != paint[1]
+    for before, after in pairwise(parts):
+        np.testing.assert_array_equal(before[-1], after[0])
+    event = motion().find("takeoff")[0]
+    np.testing.assert_allclose(parts[1][0][0], event.x + 0.75 * np.sin(event.angle), atol=0.05)
 
 
 def test_gltf_meshes_are_sound(tmp_path):

@@ -91,6 +91,8 @@ class _Writer:
         return len(self.nodes) - 1
 
     def animate(self, node: int, path: str, times: int, values: Floats) -> None:
+        # at rest, for programs that do not play, the node stands as at the start
+        self.nodes[node][path] = np.asarray(values[0], dtype=float).tolist()
         self.samplers.append({"input": times, "output": self.array(values), "interpolation": "LINEAR"})
         self.channels.append({"sampler": len(self.samplers) - 1, "target": {"node": node, "path": path}})
 
@@ -175,11 +177,23 @@ def glb(data: dict[str, Any]) -> bytes:
                 scale[:, axis] = np.where(np.abs(length) < 1e-4 * size, 1e-4 * size, length)
                 writer.animate(pointer, "scale", moments, scale)
         if hoop["traces"] is not None:
-            track = hoop["traces"]
-            for name, color in (("load", data["theme"]["load"]), ("heavy", data["colors"]["center"])):
-                line = writer.mesh(_lifted(track[name], lane), None, None, color, LINE_STRIP)
-                roots.append(writer.node(f"trace of the {name} {i + 1}", mesh=line))
+            roots += _trace_nodes(writer, hoop, data, i)
     return writer.packed(roots)
+
+
+def _trace_nodes(writer: _Writer, hoop: dict[str, Any], data: dict[str, Any], i: int) -> list[int]:
+    track, lane = hoop["traces"], hoop["lane"]
+    line = writer.mesh(_lifted(track["load"], lane), None, None, data["theme"]["load"], LINE_STRIP)
+    nodes = [writer.node(f"trace of the load {i + 1}", mesh=line)]
+    airborne = track["airborne"]
+    edges = [0, *(np.flatnonzero(np.diff(airborne[:-1])) + 1).tolist(), len(airborne) - 1]
+    for a, b in pairwise(edges):
+        if b <= a:
+            continue
+        color = data["colors"]["airborne" if airborne[a] else "center"]
+        part = writer.mesh(_lifted(track["heavy"][a : b + 1], lane), None, None, color, LINE_STRIP)
+        nodes.append(writer.node(f"trace of the centre of gravity {i + 1}", mesh=part))
+    return nodes
 
 
 def _turned(points: Floats) -> Floats:
