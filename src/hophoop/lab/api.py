@@ -31,8 +31,9 @@ Compute = Callable[[], bytes]
 class Gate:
     """Lets so many requests compute, so many wait, and turns the others away."""
 
-    def __init__(self, limits: Limits, threads: int = 2) -> None:
-        self.limits = limits
+    def __init__(self, threads: int, waiting: int, patience: float) -> None:
+        self.waiting = waiting
+        self.patience = patience
         self.inside = 0
         self._threads = threads
         self._limiter: anyio.CapacityLimiter | None = None
@@ -47,17 +48,17 @@ class Gate:
         TooMuch
             If it takes too long.
         """
-        if self.inside >= self.limits.waiting:
+        if self.inside >= self.waiting:
             raise TooBusy("The lab is busy; try again in a second.")
         if self._limiter is None:
             self._limiter = anyio.CapacityLimiter(self._threads)
         self.inside += 1
         try:
-            async with asyncio.timeout(self.limits.patience):
+            async with asyncio.timeout(self.patience):
                 return await to_thread.run_sync(compute, limiter=self._limiter, abandon_on_cancel=True)
         except TimeoutError:
             raise TooMuch(
-                f"This takes longer than {self.limits.patience:g} s; ask for a shorter motion or fewer cells."
+                f"This takes longer than {self.patience:g} s; ask for a shorter motion or fewer cells."
             ) from None
         finally:
             self.inside -= 1
@@ -77,8 +78,9 @@ def create_app(limits: Limits = USUAL) -> FastAPI:
     """
     # The usual documentation pages load scripts from elsewhere; /openapi.json is enough for any tool.
     app = FastAPI(title="hophoop lab", version=hophoop.__version__, docs_url=None, redoc_url=None)
-    gate = Gate(limits)
-    app.state.gate = gate
+    gate = Gate(2, limits.waiting, limits.patience)
+    # a film keeps a core busy for a while: one at a time, and few that wait
+    film_gate = Gate(1, 3, limits.film_patience)
     app.openapi = lambda: openapi.document(app.version)  # type: ignore[method-assign]
 
     @app.exception_handler(InputError)
@@ -88,6 +90,10 @@ def create_app(limits: Limits = USUAL) -> FastAPI:
     @app.exception_handler(TooBusy)
     async def _busy(request: Request, error: TooBusy) -> JSONResponse:
         return JSONResponse({"detail": str(error)}, 429, headers={"Retry-After": "1"})
+
+    @app.exception_handler(ImportError)
+    async def _missing(request: Request, error: ImportError) -> JSONResponse:
+        return JSONResponse({"detail": str(error)}, 501)
 
     @app.middleware("http")
     async def _guard(request: Request, following: Any) -> Response:
@@ -142,8 +148,9 @@ def create_app(limits: Limits = USUAL) -> FastAPI:
         headers = {"ETag": tag, "Content-Disposition": f'attachment; filename="hophoop-{name}"'}
         if tag in _tags(request.headers.get("if-none-match", "")):
             return Response(status_code=304, headers=headers)
-        content = await gate.run(lambda: files.KINDS[name].make(asked.scenario, limits))
-        return Response(content, media_type=files.KINDS[name].media_type, headers=headers)
+        kind = files.KINDS[name]
+        content = await (film_gate if kind.slow else gate).run(lambda: kind.make(asked.scenario, limits))
+        return Response(content, media_type=kind.media_type, headers=headers)
 
     @app.get("/healthz")
     async def health() -> dict[str, str]:

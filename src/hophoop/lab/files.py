@@ -2,30 +2,27 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import tempfile
 from collections.abc import Callable
-from dataclasses import fields
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
-
-from hophoop._extras import need
+from hophoop.io import write_csv
 from hophoop.lab.limits import Limits, TooMuch, within
 from hophoop.scenario import Scenario
 from hophoop.simulation import simulate
 
 SAMPLES_PER_SECOND = 200
+FILM_SIZE, FILM_RATE = (960, 540), 25
 
 
 class Kind(NamedTuple):
-    """How a file is made, and what it is."""
+    """How a file is made, and what it is; a slow one takes many seconds."""
 
     make: Callable[[Scenario, Limits], bytes]
     media_type: str
+    slow: bool = False
 
 
 def toml(scenario: Scenario, limits: Limits) -> bytes:
@@ -42,21 +39,7 @@ def table(scenario: Scenario, limits: Limits) -> bytes:
     """Sampled states as CSV; the unit stands in each column's heading."""
     motion = simulate(within(scenario, limits))
     count = min(max(int(motion.duration * SAMPLES_PER_SECOND) + 1, 2), limits.samples)
-    sample = motion.at(motion.times(count))
-    names = [field.name for field in fields(sample)]
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([f"{name} [{UNITS[name]}]" if UNITS[name] else name for name in names])
-    # tolist: plain numbers, written with all their digits
-    writer.writerows(zip(*(np.asarray(getattr(sample, name)).tolist() for name in names), strict=True))
-    return text.getvalue().encode()
-
-
-UNITS = {
-    "t": "s", "mode": "", "x": "m", "height": "m", "angle": "rad", "vx": "m/s", "vy": "m/s", "omega": "rad/s",
-    "slip": "m/s", "friction_force": "N", "normal_force": "N", "kinetic": "J", "potential": "J", "friction": "J",
-    "impact_normal": "J", "impact_tangential": "J", "spring": "J", "damping": "J",
-}  # fmt: skip
+    return _through_file(lambda path: write_csv(motion, path, motion.times(count)), "motion.csv")
 
 
 def netcdf(scenario: Scenario, limits: Limits) -> bytes:
@@ -79,9 +62,10 @@ def _film(scenario: Scenario, limits: Limits, name: str) -> bytes:
         raise TooMuch(
             f"duration = {scenario.duration:g} must be at most {limits.film:g} s for a film from the lab."
         )
+    from hophoop.animate import film
+
     motion = simulate(within(scenario, limits))
-    export = need("hophoop.animate", "films").animate
-    return _through_file(lambda path: export(motion, path), name)
+    return _through_file(lambda path: film(motion, path, size=FILM_SIZE, fps=FILM_RATE), name)
 
 
 def _through_file(write: Callable[[Path], object], name: str) -> bytes:
@@ -96,6 +80,6 @@ KINDS = {
     "motion.json": Kind(result, "application/json"),
     "motion.csv": Kind(table, "text/csv; charset=utf-8"),
     "motion.nc": Kind(netcdf, "application/x-netcdf"),
-    "motion.mp4": Kind(mp4, "video/mp4"),
-    "motion.gif": Kind(gif, "image/gif"),
+    "motion.mp4": Kind(mp4, "video/mp4", slow=True),
+    "motion.gif": Kind(gif, "image/gif", slow=True),
 }

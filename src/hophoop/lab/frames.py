@@ -55,12 +55,14 @@ def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[s
         if name == "mode":
             pair = [_codes(letters) for letters in pair]
         joined[name] = np.concatenate(pair)[order]
-    limit = (
-        np.where(np.isin(joined["mode"], (1, 2)), plane.mu_kinetic, plane.mu_static) * joined["normal_force"]
-    )
+    slip = np.isin(joined["mode"], (1, 2))
+    limit = np.where(slip, plane.mu_kinetic, plane.mu_static) * joined["normal_force"]
     with np.errstate(divide="ignore", invalid="ignore"):
         share = np.abs(joined["friction_force"]) / limit
     joined["utilization"] = np.where(limit > 0.0, share, np.nan)
+    if plane.mu_kinetic > 0.0:
+        # also at the instant of lift-off, where both forces are zero
+        joined["utilization"][slip] = 1.0
     return joined
 
 

@@ -43,6 +43,8 @@ class Limits:
         Estimated steps of the compliant contact's integration [1].
     film : float
         Length of a film [s].
+    film_patience : float
+        Time after which a request for a film is answered at the latest [s].
     waiting : int
         Requests that compute or wait at the same time, in one process [1].
     patience : float
@@ -57,7 +59,8 @@ class Limits:
     cells: int = 65_536
     map_seconds: float = 400_000.0
     steps: float = 3e6
-    film: float = 30.0
+    film: float = 20.0
+    film_patience: float = 180.0
     waiting: int = 64
     patience: float = 20.0
 

@@ -6,6 +6,7 @@ import math
 from functools import cache
 from typing import NamedTuple
 
+from hophoop.article import scenarios
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 
 
@@ -46,31 +47,32 @@ def presets() -> tuple[Preset, ...]:
     -------
     presets : tuple of Preset
     """
+    article = scenarios()
     return (
         Preset(
             "hop", ARTICLE, "It hops: 3.1 m/s",
             "Slips twice, then leaves the plane just before a full turn and flies for three quarters of a second.",
-            _rolling(3.1),
+            article["hop"],
         ),
         Preset(
             "slip", ARTICLE, "It slips: 2.8 m/s",
             "Friction is used up twice a turn; each slip costs energy, until the motion is pure rolling again.",
-            _rolling(2.8),
+            article["slipping"],
         ),
         Preset(
             "roll", ARTICLE, "It rolls: 2 m/s",
             "Pure rolling, faster and more even than after a slow start, and close to the limit of friction.",
-            _rolling(2.0),
+            article["faster"],
         ),
         Preset(
             "slow", ARTICLE, "The smallest push: 0.1 m/s",
             "Nearly at rest with the load at the top, fast with the load at the bottom; 38 % of the friction is used.",
-            _rolling(0.1),
+            article["slow"],
         ),
         Preset(
             "slippery", ARTICLE, "Low friction: 0.1 m/s, μ = 0.3",
             "Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",
-            _rolling(0.1, mu=0.3, duration=12.0),
+            article["low_friction"],
         ),
         Preset(
             "littlewood", LITTLEWOOD, "All mass in the load",
@@ -99,8 +101,9 @@ def presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "jam", PARADOX, "Dynamic jam",
-            "From an ordinary slip, with the reference friction, the contact force grows without bound in finite time.",
-            Scenario(start=Start(angle=-1.27, vx=-3.45, omega=2.93), duration=2.0),
+            "A fast slide after a hop: the contact force grows without bound in finite time, and no law says what "
+            "follows.",
+            Scenario(hoop=Hoop.ideal(0.9), start=Start(angle=5.14, vx=23.0, omega=5.6), duration=3.0),
         ),
         Preset(
             "kane", PARADOX, "Kane: energy out of nothing",
@@ -113,7 +116,7 @@ def presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "downhill", MORE, "Downhill",
-            "On a slope of 10° the hoop gains speed from turn to turn, until it hops again and again.",
+            "On a slope of 10° the hoop gains speed from turn to turn, until it hops.",
             Scenario(plane=Plane(mu=0.8, slope=math.radians(10.0)), start=Start.rolling(1.5), duration=5.0),
         ),
         Preset(

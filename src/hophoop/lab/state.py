@@ -32,13 +32,12 @@ class Reply:
 
     def packed(self) -> bytes:
         """As one block of bytes."""
-        return frames.pack(self.header, self.arrays or {})
+        return frames.pack(finite(self.header), self.arrays or {})
 
     def json(self) -> bytes:
         """As JSON; what is not finite becomes null."""
-        content = dict(self.header)
-        for name, array in (self.arrays or {}).items():
-            content[name] = _finite_list(array.tolist())
+        content = {**self.header, **{name: array.tolist() for name, array in (self.arrays or {}).items()}}
+        content = finite(content)
         return json.dumps(content, allow_nan=False, ensure_ascii=False, separators=(",", ":")).encode()
 
 
@@ -188,16 +187,21 @@ def simulated(request: Request, limits: Limits) -> Reply:
     if count:
         sample = motion.at(motion.times(count))
         header["samples"] = {
-            field.name: _finite_list(getattr(sample, field.name).tolist())
+            field.name: getattr(sample, field.name).tolist()
             for field in dataclasses.fields(sample)
         }
     return Reply(header)
 
 
-def _finite_list(values: Any) -> Any:
-    if isinstance(values, list):
-        return [_finite_list(value) for value in values]
-    return None if isinstance(values, float) and not math.isfinite(values) else values
+def finite(value: Any) -> Any:
+    """JSON has no infinity and no nan: both become null."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [finite(item) for item in value]
+    return value
 
 
 def python_code(scenario: Scenario) -> str:
@@ -236,11 +240,11 @@ def _call(model: Any) -> str:
     if name == "Start" and "speed" in keys:
         name = "Start.rolling"
     parts = keys.pop("parts", None)
-    usual = {} if name == "Start.rolling" else type(model)().to_dict()
+    usual = {"angle": 0.0, "x": 0.0} if name == "Start.rolling" else type(model)().to_dict()
     arguments = [
         f"{key}={_argument(value)}"
         for key, value in keys.items()
-        if usual.get(key, 0.0) != value or key == "speed"
+        if key not in usual or usual[key] != value
     ]
     if parts is not None:
         listed = ", ".join(_part(part) for part in model.parts)

@@ -69,6 +69,8 @@ def summary(motion: Trajectory, most: int = 6) -> str:
         phrase = _SHORT.get(event.kind, "")
         if event.kind == "slip_start" or event.kind == "slip_reversal":
             phrase = VERBS[event.to_mode]
+        if event.collision is False:
+            phrase = "stops its slip at once"
         if not phrase:
             continue
         changes += 1

@@ -37,7 +37,7 @@ export class Lab {
     this.show();
     this.clock.listeners.add(() => this.request());
     new ResizeObserver(() => this.show()).observe(this.stageBox);
-    root_ready(this.root);
+    this.root.dataset.ready = "true";
   }
 
   // --- scenarios -----------------------------------------------------------------------------
@@ -119,6 +119,20 @@ export class Lab {
     }
     this.now = now;
     this.addressed();
+  }
+
+  // Another motion, from outside.
+  replace(reply) {
+    this.lanes[this.active].film = new Film(reply);
+    this.clear();
+    this.show();
+    this.remember();
+  }
+
+  close() {
+    this.clock.playing = false;
+    this.asked?.abort();
+    this.map.asked?.abort();
   }
 
   async undo() {
@@ -263,6 +277,7 @@ export class Lab {
       if (this.outputs[i][1].textContent !== value) this.outputs[i][1].textContent = value;
     });
     this.outputs[0][1].hidden = this.outputs[0][1].previousSibling.hidden = this.lanes.length < 2;
+    this.outputs[1][1].className = "mode";
     this.outputs[1][1].style.setProperty("--mode", this.colors.modes[pose.mode]);
   }
 
@@ -435,8 +450,4 @@ function store(key, value) {
   } catch {
     // nothing to keep
   }
-}
-
-function root_ready(root) {
-  root.dataset.ready = "true";
 }

@@ -32,7 +32,6 @@ function render({ model, el }) {
   const backend = new KernelBackend(model);
   const lab = new Lab(root, backend, { panels: model.get("panels") });
   lab.start({ setup: model.get("setup"), films: [unpack(model.get("film"))] });
-  root.addEventListener("hophoop-scenario", () => {});
   const replaced = () => lab.replace(unpack(model.get("film")));
   model.on("change:film", replaced);
   return () => {

@@ -1,0 +1,272 @@
+"""The lab's programming interface: results, errors in one sentence, limits, caching, and nothing but its own files."""
+
+import asyncio
+import json
+import threading
+from dataclasses import replace
+
+import pytest
+
+fastapi = pytest.importorskip("fastapi", reason="the extra 'lab' is not installed")
+pytest.importorskip("httpx", reason="httpx is not installed")
+from fastapi.testclient import TestClient  # noqa: E402
+
+import hophoop as hh  # noqa: E402
+from hophoop.lab import api, app, frames, state  # noqa: E402
+from hophoop.lab.limits import USUAL, TooBusy  # noqa: E402
+from hophoop.scenario import InputError  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def client():
+    return TestClient(api.create_app())
+
+
+def test_simulate_gives_the_result_file(client):
+    reply = client.post("/api/v1/simulate", json={"duration": 2.0})
+    assert reply.status_code == 200
+    expected = hh.simulate(hh.Scenario(duration=2.0)).to_dict()
+    assert reply.json() == json.loads(json.dumps(expected))
+
+
+def test_simulate_samples_on_request(client):
+    got = client.post("/api/v1/simulate?samples=5", json={"duration": 2.0}).json()["samples"]
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    assert got["t"] == [0.0, 0.5, 1.0, 1.5, 2.0]
+    assert got["x"] == motion.at(got["t"]).x.tolist()
+    assert got["mode"] == motion.at(got["t"]).mode.tolist()
+
+
+def test_an_empty_body_is_the_reference_case(client):
+    assert client.post("/api/v1/simulate").json()["sequence"] == hh.simulate(hh.Scenario()).sequence
+
+
+@pytest.mark.parametrize(
+    ("path", "body", "status", "said"),
+    [
+        ("/api/v1/simulate", {"hoop": {"mass": -1}}, 422, "hoop.mass = -1 must be greater than 0."),
+        ("/api/v1/simulate", {"hop": 1}, 422, "hop is not a known key; did you mean hoop?"),
+        ("/api/v1/simulate", [], 422, "scenario = [] must be a table of keys."),
+        ("/api/v1/simulate", {"duration": 1e9}, 413, "duration = 1e+09 must be at most 600 s"),
+        ("/api/v1/simulate?samples=1", {}, 422, "samples = 1 must be a whole number"),
+        ("/api/v1/simulate?samples=x", {}, 422, "samples = 'x' must be a whole number."),
+        ("/api/v1/simulate?samples=30000", {}, 413, "samples = 30000 must be at most 20001"),
+        ("/api/v1/theory", {"plane": {"mu": "high"}}, 422, "plane.mu = 'high' must be a number."),
+        ("/api/v1/map", {}, 422, "x must be an object"),
+        ("/lab/film", {"changes": 1}, 422, "changes = 1 must be a list"),
+        ("/lab/nothing", {}, 404, "There is no call 'nothing'."),
+    ],
+)
+def test_errors_are_one_sentence(client, path, body, status, said):
+    reply = client.post(path, json=body)
+    assert reply.status_code == status
+    assert list(reply.json()) == ["detail"]
+    assert said in reply.json()["detail"]
+
+
+@pytest.mark.parametrize("body", [b"{", b"NaN", b'{"duration": Infinity}', b"\xff", b"[" * 50_000])
+def test_what_is_not_json_is_said(client, body):
+    reply = client.post("/api/v1/simulate", content=body, headers={"Content-Type": "application/json"})
+    assert reply.status_code == 422
+    assert "not valid JSON" in reply.json()["detail"]
+
+
+def test_a_body_has_its_limit(client):
+    reply = client.post("/api/v1/simulate", content=b" " * (USUAL.body + 1))
+    assert reply.status_code == 413
+    assert "more than 65536 bytes" in reply.json()["detail"]
+
+
+def test_other_content_is_refused(client):
+    reply = client.post("/api/v1/simulate", content=b"a=1", headers={"Content-Type": "text/csv"})
+    assert reply.status_code == 422
+
+
+def test_equal_scenarios_have_equal_tags(client):
+    one = client.post("/api/v1/simulate", json={"duration": 1.0})
+    two = client.post("/api/v1/simulate", json={"plane": {"mu": 1.0}, "duration": 1})
+    other = client.post("/api/v1/simulate", json={"duration": 1.5})
+    assert one.headers["etag"] == two.headers["etag"] != other.headers["etag"]
+    assert one.content == two.content
+    known = client.post(
+        "/api/v1/simulate", json={"duration": 1.0}, headers={"If-None-Match": one.headers["etag"]}
+    )
+    assert known.status_code == 304
+    assert known.content == b""
+
+
+def test_theory_and_map_answer(client):
+    found = client.post("/api/v1/theory", json={}).json()["thresholds"]
+    assert {"first_slip", "first_hop", "immediate_hop", "painleve"} <= {entry["key"] for entry in found}
+    body = {
+        "x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 4},
+        "y": {"path": "plane.mu", "from": 0.2, "to": 1.0, "cells": 3},
+    }
+    got = client.post("/api/v1/map", json=body)
+    assert [len(row) for row in got.json()["values"]] == [4, 4, 4]
+    packed = client.post("/api/v1/map", json=body, headers={"Accept": "application/octet-stream"})
+    header, arrays = frames.unpack(packed.content)
+    assert arrays["values"].tolist() == got.json()["values"]
+    assert header["classes"] == got.json()["classes"]
+    assert packed.headers["etag"] != got.headers["etag"]
+
+
+def test_files_are_served_by_name_only(client):
+    got = client.get("/api/v1/files/motion.toml?start.speed=2")
+    assert hh.Scenario.loads(got.text) == hh.Scenario(start=hh.Start.rolling(2.0))
+    assert "hophoop-motion.toml" in got.headers["content-disposition"]
+    again = client.get(
+        "/api/v1/files/motion.toml?start.speed=2", headers={"If-None-Match": got.headers["etag"]}
+    )
+    assert again.status_code == 304
+    assert client.get("/api/v1/files/motion.csv?start.speed=x").status_code == 422
+    for name in ("motion.exe", "..%2f..%2fpyproject.toml", "%2fetc%2fpasswd"):
+        assert client.get(f"/api/v1/files/{name}").status_code == 404
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["/static/x/../../page.py", "/static/x/page.py", "/static/x/..%2f..%2fapi.py", "/static/lab.js", "/etc/passwd",
+     "/static/x/%2e%2e%2f%2e%2e%2fapi.py", "/.git/config", "//etc/passwd", "/docs", "/redoc"],
+)  # fmt: skip
+def test_no_other_file_can_be_reached(client, path):
+    assert client.get(path).status_code == 404
+
+
+def test_the_page_names_its_assets_and_allows_no_others(client):
+    got = client.get("/")
+    assert got.status_code == 200
+    assert "default-src 'self'" in got.headers["content-security-policy"]
+    for line in got.text.splitlines():
+        for quoted in line.split('"')[1::2]:
+            if quoted.startswith("static/"):
+                asset = client.get("/" + quoted)
+                assert asset.status_code == 200
+                assert "immutable" in asset.headers["cache-control"]
+    assert client.get("/favicon.ico").status_code == 200
+
+
+def test_health(client):
+    assert client.get("/healthz").json() == {"status": "ok", "version": hh.__version__}
+
+
+def test_openapi_describes_every_route(client):
+    document = client.get("/openapi.json").json()
+    assert set(document["paths"]) == {
+        "/api/v1/simulate", "/api/v1/theory", "/api/v1/map", "/api/v1/files/{name}", "/healthz",
+    }  # fmt: skip
+    for operations in document["paths"].values():
+        for operation in operations.values():
+            assert "200" in operation["responses"]
+    text = json.dumps(document)
+    for name in document["components"]["schemas"]:
+        assert f"#/components/schemas/{name}" in text, name
+
+
+# Too much at once
+
+
+def test_too_many_requests_are_turned_away():
+    async def crowd():
+        gate = api.Gate(threads=1, waiting=2, patience=5.0)
+        leave = threading.Event()
+        inside = [asyncio.create_task(gate.run(lambda: leave.wait(5) and b"done")) for _ in range(2)]
+        await asyncio.sleep(0.05)
+        with pytest.raises(TooBusy, match="try again"):
+            await gate.run(lambda: b"late")
+        leave.set()
+        assert await asyncio.gather(*inside) == [b"done", b"done"]
+        assert await gate.run(lambda: b"later") == b"later"
+
+    asyncio.run(crowd())
+
+
+def test_what_takes_too_long_is_given_up():
+    async def wait():
+        gate = api.Gate(threads=1, waiting=2, patience=0.05)
+        stop = threading.Event()
+        with pytest.raises(InputError, match=r"longer than 0\.05 s"):
+            await gate.run(lambda: stop.wait(2) and b"")
+        stop.set()
+
+    asyncio.run(wait())
+
+
+def test_a_busy_lab_answers_429():
+    client = TestClient(api.create_app(replace(USUAL, waiting=0)))
+    reply = client.post("/api/v1/simulate", json={})
+    assert reply.status_code == 429
+    assert reply.headers["retry-after"] == "1"
+    assert "busy" in reply.json()["detail"]
+
+
+def test_a_missing_extra_answers_501(monkeypatch, client):
+    def missing(request, limits):
+        raise ImportError("matplotlib is not installed; it comes with the extra 'plots'.")
+
+    call = state.CALLS["theory"]
+    monkeypatch.setitem(state.CALLS, "theory", call._replace(answer=missing))
+    assert client.post("/api/v1/theory", json={"duration": 3}).status_code == 501
+
+
+# The server
+
+
+def test_serve_refuses_bad_addresses():
+    with pytest.raises(InputError, match="port = 70000 must be from 0 to 65535"):
+        app.serve(port=70000)
+    with pytest.raises(InputError, match="workers = 0 must be from 1 to 256"):
+        app.serve(workers=0)
+    import socket
+
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        with pytest.raises(InputError, match=r"cannot be used on 127\.0\.0\.1: .*in use"):
+            app.serve(port=taken.getsockname()[1])
+
+
+def test_serve_listens_on_loopback_unless_told_otherwise(monkeypatch):
+    uvicorn = pytest.importorskip("uvicorn")
+    seen = {}
+    monkeypatch.setattr(uvicorn, "run", lambda application, **options: seen.update(options, app=application))
+    monkeypatch.setattr(app, "warm_up", lambda: None)
+    app.serve(port=0, workers=3)
+    assert seen["host"] == "127.0.0.1"
+    assert seen["workers"] == 3
+    assert seen["port"] > 0
+
+
+# Anything at all
+
+
+def test_schemathesis_finds_nothing():
+    schemathesis = pytest.importorskip("schemathesis", reason="schemathesis is not installed")
+    from hypothesis import HealthCheck, Phase, given, settings
+
+    schema = schemathesis.openapi.from_asgi(
+        "/openapi.json", api.create_app(replace(USUAL, duration=30.0, cells=400))
+    )
+    names = [
+        "not_a_server_error",
+        "status_code_conformance",
+        "content_type_conformance",
+        "response_schema_conformance",
+    ]
+    chosen = schemathesis.checks.CHECKS.get_by_names(names)
+    covered = set()
+
+    for result in schema.exclude(path_regex="files").get_all_operations():
+        operation = result.ok()
+        covered.add(operation.path)
+
+        @settings(
+            max_examples=25, deadline=None, database=None, phases=[Phase.generate],
+            suppress_health_check=list(HealthCheck),
+        )  # fmt: skip
+        @given(case=operation.as_strategy())
+        def run(case):
+            case.call_and_validate(checks=chosen)
+
+        run()
+    assert covered == {"/api/v1/simulate", "/api/v1/theory", "/api/v1/map", "/healthz"}
