@@ -17,22 +17,33 @@ from numba.core import config
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 PACKAGE = Path(__file__).parent
-COMPILED = ("physics", "rigid", "compliant", "maps", "theory")  # the rooms that hold kernels
+SHARED = ("physics", "rigid")  # the rooms whose kernels others are made of
 
 
 @cache
-def source_stamp() -> str:
-    """Hash of the source that kernels are made of: Numba does not notice an edited callee in another file."""
+def source_stamp(room: str = "") -> str:
+    """Hash of the source that the kernels of a room are made of.
+
+    Numba does not notice an edited callee in another file. A room stands on the shared ones and on its own files.
+    """
     digest = hashlib.sha256(numba.__version__.encode())
-    rooms = [PACKAGE.glob("*.py"), *(PACKAGE.joinpath(room).rglob("*.py") for room in COMPILED)]
-    for path in sorted(file for room in rooms for file in room):
+    files = [PACKAGE / "_jit.py", PACKAGE / "_collocation.py"]
+    for name in sorted({*SHARED, room} - {""}):
+        files += sorted(PACKAGE.joinpath(name).rglob("*.py"))
+    for path in files:
         digest.update(path.relative_to(PACKAGE).as_posix().encode())
         digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 
 
+def room_of(function: Any) -> str:
+    """The room (sub-package) of a function where it is none of the shared ones, else nothing."""
+    parts = function.__module__.split(".")
+    return parts[1] if len(parts) > 2 and parts[0] == "hophoop" and parts[1] not in SHARED else ""
+
+
 @cache
-def cache_folder() -> Path:
+def cache_folder(room: str = "") -> Path:
     """A writable folder for compiled code, also when the package itself is installed read-only."""
     wanted = os.environ.get("NUMBA_CACHE_DIR")
     candidates = [Path(wanted)] if wanted else []
@@ -44,7 +55,7 @@ def cache_folder() -> Path:
     user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
     candidates.append(Path(tempfile.gettempdir()) / f"hophoop-{user}")
     for candidate in candidates:
-        folder = candidate / source_stamp()
+        folder = candidate / source_stamp(room)
         try:
             folder.mkdir(parents=True, exist_ok=True)
             with tempfile.TemporaryFile(dir=folder):
@@ -57,7 +68,7 @@ def cache_folder() -> Path:
 def _compiled(function: Function, **options: Any) -> Function:
     before = config.CACHE_DIR
     # Read by Numba at decoration only, so other packages keep their own setting.
-    config.CACHE_DIR = str(cache_folder())
+    config.CACHE_DIR = str(cache_folder(room_of(function)))
     try:
         return numba.njit(  # type: ignore[no-any-return]
             cache=True, error_model="numpy", nogil=True, **options
@@ -87,7 +98,7 @@ def announce_compilation(function: Any) -> None:
         return
     _announced.add(function)
     name = function.py_func.__name__
-    if any(cache_folder().rglob(f"*.{name}-*.nbi")):
+    if any(cache_folder(room_of(function.py_func)).rglob(f"*.{name}-*.nbi")):
         return
     print("hophoop compiles its kernel; this takes some 20 seconds and happens once.", file=sys.stderr)
 
