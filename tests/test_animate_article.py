@@ -1,20 +1,17 @@
 """The films of the article: all of them, of its runs, small here."""
 
 import pytest
-from animate_tools import decoded
 
 import hophoop as hh
-from hophoop.animate import article_films
-from hophoop.animate.article_films import ARTICLE_FILMS
+from animate_tools import decoded
+from hophoop.animate import article, article_films
+from hophoop.animate.article import ARTICLE_FILMS
 
 
 @pytest.fixture
 def small(monkeypatch):
-    import sys
-
-    module = sys.modules["hophoop.animate.article_films"]
-    for name, value in (("SIZE", (96, 54)), ("FPS_2D", 4.0), ("FPS_3D", 2.0)):
-        monkeypatch.setattr(module, name, value)
+    for name, value in (("SIZE", (128, 72)), ("FPS_2D", 4.0), ("FPS_3D", 2.0)):
+        monkeypatch.setattr(article, name, value)
 
 
 def test_all_films_are_made(tmp_path, small):
@@ -25,7 +22,7 @@ def test_all_films_are_made(tmp_path, small):
     for path, film in zip(paths, ARTICLE_FILMS, strict=True):
         pictures, _ = decoded(path)
         assert len(pictures) >= film.duration * (2 if film.three_d else 4)
-        assert pictures.shape[1:] == (54, 96, 3)
+        assert pictures.shape[1:] == (72, 128, 3)
 
 
 def test_the_runs_are_the_articles():

@@ -3,7 +3,7 @@
 What they need is in the extra ``films`` and loaded when a film is made.
 """
 
-from hophoop.animate.article_films import article_films
+from hophoop.animate.article import article_films
 from hophoop.animate.export import bar
 from hophoop.animate.films import Player, film, film_3d, picture, player
 from hophoop.animate.web import scene
