@@ -124,7 +124,7 @@ def films(out: Path, progress: Progress) -> list[Path]:
     need("imageio_ffmpeg", "films")
     if find_spec("hophoop.animate") is None:
         raise ImportError("this version makes no films.")
-    from hophoop.animate.article_films import article_films
+    from hophoop.animate import article_films
 
     fresh = out.with_name(f".{out.name}-new")
     shutil.rmtree(fresh, ignore_errors=True)
