@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -79,7 +79,7 @@ def map(
     if plot is not None:
         from hophoop.plots.maps import motion_map
 
-        axes_drawn = motion_map(dataset, quantities[0])
-        axes_drawn.figure.savefig(plot)
+        drawn: Any = motion_map(dataset, quantities[0])
+        drawn.figure.savefig(plot)
     if out is not None:
         typer.echo(f"{dataset[quantities[0]].size:,} motions in {out}", err=True)

@@ -287,7 +287,9 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
         line = ax.contour(
             x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4
         )
-        ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6)
+        halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
+        for text in ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6):
+            text.set_path_effects([halo])
     if "painleve" in dataset:
         met = dataset["painleve"].values == 1
         if met.any():
