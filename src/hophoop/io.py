@@ -381,7 +381,10 @@ def _describe_events(dataset: Any, motion: Trajectory) -> None:
 def _read(file: Path, kind: str) -> tuple[dict[str, Any], dict[str, Any]]:
     """The attributes of a file and its tables; a table that is not there is left out."""
     xr = need("xarray", "maps")
-    need("netCDF4" if kind == "netcdf" else "zarr", "maps")
+    if kind == "netcdf":
+        need("netCDF4", "maps")
+    else:
+        need("zarr", "maps")
     tables: dict[str, Any] = {}
     attributes: dict[str, Any] = {}
     store: Any = str(file)
