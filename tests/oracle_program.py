@@ -56,9 +56,37 @@ def reference(name: str) -> dict[str, Any]:
     return document
 
 
+def highest_apexes(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The same events with the oracles' apexes, all maxima of the gap, only the highest of each flight.
+
+    A flight that is highest at its own beginning has no apex.
+    """
+    kept: list[dict[str, Any]] = []
+    apex: dict[str, Any] | None = None
+    begin = 0.0
+    for event in events:
+        if event["kind"] == "apex":
+            if event["height"] > (apex["height"] if apex else begin):
+                apex = event
+            continue
+        if apex:
+            kept.append(apex)
+        apex, begin = None, event["height"]
+        kept.append(event)
+    return [*kept, apex] if apex else kept
+
+
 def essential(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """Events without the marks of beginning and end and without notes that leave the motion as it is."""
-    return [event for event in events if event["kind"] not in ("start", "end", "kane_gain", "bounce_limit")]
+    """Events without the marks of beginning and end and without notes that leave the motion as it is.
+
+    The apex of a flight that the end of the run cuts short is left out: the highest point is not yet known.
+    """
+    kept = [event for event in events if event["kind"] not in ("start", "kane_gain", "bounce_limit")]
+    if kept and kept[-1]["kind"] == "end":
+        kept.pop()
+        if kept and kept[-1]["kind"] == "apex":
+            kept.pop()
+    return kept
 
 
 def program_events(motion: hh.Trajectory) -> list[dict[str, Any]]:

@@ -30,6 +30,7 @@ class Case:
     omega: float = 0.0
     rolling: bool = False  # omega is then exactly vx / radius, whatever its field says
     duration: float = 6.0
+    rest_below: float = 0.0  # slower impacts [m/s] are plastic: this ends an accumulation of bounces
     max_events: int = 40  # state changes, impacts, turns and apexes together
 
     def is_ideal(self) -> bool:
@@ -73,6 +74,29 @@ OTHERS = (
         )
         for law in ("newton", "poisson", "stronge")
     ),
+    # bounces without end in finite time, closed where they are 1e-17 m/s small, and what follows them
+    *(
+        Case(
+            f"accumulation_{law}",
+            height=0.3,
+            angle=angle,
+            vx=0.5,
+            omega=2.0,
+            slope=slope,
+            mu_static=mu,
+            mu_kinetic=mu,
+            restitution=restitution,
+            impact_law=law,
+            rest_below=1e-17,
+            duration=duration,
+            max_events=3000,
+        )
+        for law, restitution, mu, angle, slope, duration in (
+            ("newton", 0.5, 0.4, 0.4, 0.0, 2.0),
+            ("poisson", 0.8, 0.1, 2.0, 0.1, 3.0),
+            ("stronge", 0.9, 0.3, 2.5, 0.0, 5.0),
+        )
+    ),
     rolling("rolling_back", -1.0, 1.0, angle=2.0),
     Case("spinning_start", angle=math.pi, omega=8.0, mu_static=0.5, mu_kinetic=0.5),
     Case("spinning_start_hops_at_once", omega=8.0, mu_static=0.5, mu_kinetic=0.5),
@@ -104,6 +128,37 @@ OTHERS = (
         painleve="impact",
         duration=2.0,
     ),
+    # slip comes within a hair of p = 0, the edge of the Painlevé region, and stops there in time: no jam
+    Case(
+        "narrow_escape_ideal",
+        angle=-1.76,
+        vx=22.16,
+        omega=1.985,
+        mu_static=1.365,
+        mu_kinetic=1.365,
+        duration=0.6,
+    ),
+    Case(
+        "narrow_escape_fast",
+        angle=-1.896,
+        vx=26.62,
+        omega=5.9,
+        mu_static=1.352,
+        mu_kinetic=1.352,
+        duration=0.6,
+    ),
+    Case(
+        "narrow_escape_slope",
+        eccentricity=0.79594489775011,
+        inertia_ratio=0.020647517490374176,
+        slope=0.4075715758006839,
+        mu_static=0.5235644207101874,
+        mu_kinetic=0.3855999705760886,
+        angle=1.1526905230864948,
+        vx=2.3598820998676766,
+        omega=-0.4148122693817507,
+        duration=2.5,
+    ),
     Case(
         "reversal_in_impact",
         height=0.05,
@@ -121,6 +176,18 @@ OTHERS = (
 )
 
 CASES = ARTICLE + OTHERS
+
+# A dynamic jam: p and the free acceleration vanish together. Without reference data: the solution has no
+# digits to give beyond the instant that it comes to, which is known in closed form.
+JAM = Case(
+    "jam",
+    angle=-2.312,
+    vx=30.37,
+    omega=5.654,
+    mu_static=1.219,
+    mu_kinetic=1.219,
+    duration=1.0,
+)
 
 
 def by_name(name: str) -> Case:

@@ -26,6 +26,7 @@ from .mechanics import (
     SKID,
     SPIN,
     Vector,
+    applied_forces,
     contact_jacobian,
     free_normal_acceleration,
     kinetic_energy,
@@ -350,7 +351,7 @@ def flow(
     remaining = case.duration - t
     solver = DOP853(rates(case, mode), 0.0, state, remaining, max_step=0.2 * time_scale(case), **TOLERANCES)
     tests = guards(case, mode)
-    armed = dict.fromkeys(tests, False)
+    armed = {name: abs(guard(state)) > small.get(name, 1e-11) for name, guard in tests.items()}
     while solver.status == "running":
         begin = solver.y.copy()
         solver.step()
@@ -443,3 +444,47 @@ def settle(motion: Motion, t: float, state: Vector, mode: str, forced: str) -> t
         kind = {ROLL: "stick", FLIGHT: "takeoff"}.get(following, "slip_reversal")
         record("start" if mode == "start" else kind, following)
     return following, state
+
+
+def slip_over_impulse(case: Case, mode: str, t: float, state: Vector) -> tuple[float, Vector]:
+    """Time and state where slip from `state` stops or the rotation turns, integrated over the normal impulse.
+
+    With dp = N dt the rates are finite however large N becomes: 1/N, the time per unit impulse, goes to zero
+    together with the response off the plane. So this passes where an integration over time cannot.
+    """
+    jacobian, sigma = contact_jacobian(case), DIRECTION[mode]
+
+    def right(_: float, s: Vector) -> Vector:
+        angle, omega = s[2], s[5]
+        mass = mass_matrix(case, angle)
+        push = np.linalg.solve(mass, jacobian[1] - sigma * case.mu_kinetic * jacobian[0])
+        free = np.linalg.solve(mass, applied_forces(case, angle, omega))
+        time = -push[1] / free[1]
+        rate = push + time * free
+        rate[1] = 0.0
+        loss = sigma * case.mu_kinetic * slip_velocity(case, s)
+        return np.array([s[3] * time, 0.0, omega * time, *rate, loss, time])
+
+    def stops(_: float, s: Vector) -> float:
+        return slip_velocity(case, s)
+
+    def turns(_: float, s: Vector) -> float:
+        return float(s[5])
+
+    stops.terminal = turns.terminal = True  # type: ignore[attr-defined]
+    start = np.array([*state, t])
+    # a bound on the impulse: what would stop the whole body many times over
+    horizon = 1e3 * case.mass * (abs(slip_velocity(case, state)) + case.radius * abs(state[5]))
+    run = solve_ivp(
+        right,
+        (0.0, horizon),
+        start,
+        "DOP853",
+        events=[stops, turns],
+        max_step=horizon,
+        rtol=3e-14,
+        atol=1e-15,
+    )
+    if run.status != 1:
+        raise RuntimeError("the slip neither stops nor turns")
+    return float(run.y[7, -1]), run.y[:7, -1]

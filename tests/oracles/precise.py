@@ -113,6 +113,8 @@ def impact(p: Parameters, state: tuple[mpf, ...]) -> dict[str, Any]:
     work, loss_tangential = mpf(0), mpf(0)  # work = ∫ v_n dp
     compressing, impulse_compression, work_compression = True, mpf(0), mpf(0)
     e, law = p.restitution, p.case.impact_law
+    if -vn < p.case.rest_below:
+        e = mpf(0)
     while True:
         if stuck and abs(holding) <= p.mu_static:
             ratio = holding
@@ -316,7 +318,7 @@ def _solve(case: Case, p: Parameters, order: int) -> Solution:
         piece = expand(p, mode, t, state, work, order)
         solution.pieces.append(piece)
         span = min(piece.span, duration - t)
-        if span < p.time_scale * mpf(10) ** -7:
+        if span < p.time_scale * mpf(10) ** (-mp.dps // 3):
             if span == duration - t:
                 break
             solution.status = "jammed"

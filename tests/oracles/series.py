@@ -46,8 +46,8 @@ def integral(series: Series) -> Series:
 
 
 def leading(series: Series, scale: mpf, time: mpf, orders: int = 8) -> tuple[int, mpf]:
-    """First order not zero to half the working digits, and its coefficient; (-1, 0) if none."""
-    small = scale * mpf(10) ** (-mp.dps // 2)
+    """First order not zero to all but twelve of the working digits, and its coefficient; (-1, 0) if none."""
+    small = scale * mpf(10) ** (12 - mp.dps)
     for k, coefficient in enumerate(series[:orders]):
         if abs(coefficient) * time**k > small:
             return k, coefficient

@@ -1,0 +1,214 @@
+"""The program's impacts against exact fractions worked by hand and against integration over the impulse."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction as Q
+from typing import Any
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from oracles import hybrid, mechanics, rational
+from oracles.cases import Case
+
+LAWS = ("newton", "poisson", "stronge")
+DISK = {"eccentricity": Q(0), "inertia_ratio": Q(1, 2), "sine": Q(0), "cosine": Q(1)}
+ROD = {"eccentricity": Q(1, 2), "inertia_ratio": Q(39, 100), "sine": Q(-4, 5), "cosine": Q(3, 5)}
+
+
+def impact_at_start(
+    contact: rational.Contact, velocity: tuple[Q, Q, Q], restitution: Q, law: str
+) -> hh.Trajectory:
+    """The program's motion that starts with this impact, R = m = 1."""
+    hoop = hh.Hoop(
+        radius=1.0,
+        mass=1.0,
+        eccentricity=float(contact.eccentricity),
+        inertia_ratio=float(contact.inertia_ratio),
+    )
+    plane = hh.Plane(
+        mu_static=float(contact.mu_static),
+        mu_kinetic=float(contact.mu_kinetic),
+        restitution=float(restitution),
+        impact_law=law,
+    )
+    start = hh.Start(
+        angle=math.atan2(float(contact.sine), float(contact.cosine)),
+        vx=float(velocity[0]),
+        vy=float(velocity[1]),
+        omega=float(velocity[2]),
+    )
+    return hh.simulate(hoop, plane, start, duration=1e-3)
+
+
+def check(motion: hh.Trajectory, exact: dict[str, Any], tolerance: float = 1e-14) -> None:
+    """Velocities, impulse and losses of the impact at t = 0."""
+    (impact,) = [event for event in motion.find("impact") if event.t == 0.0]
+    got = (impact.vx, impact.vy, impact.omega)
+    size = max(1.0, *(abs(float(v)) for v in exact["velocity"]))
+    for value, true in zip(got, exact["velocity"], strict=True):
+        assert abs(value - float(true)) <= tolerance * size
+    assert impact.impulse_normal == pytest.approx(float(exact["impulse"]["normal"]), rel=tolerance)
+    assert impact.impulse_tangential == pytest.approx(
+        float(exact["impulse"]["tangential"]), rel=10 * tolerance, abs=tolerance
+    )
+    assert impact.impact_normal == pytest.approx(
+        float(exact["loss_normal"]), rel=10 * tolerance, abs=tolerance
+    )
+    assert impact.impact_tangential == pytest.approx(
+        float(exact["loss_tangential"]), rel=10 * tolerance, abs=tolerance
+    )
+    assert impact.collision is True
+
+
+@pytest.mark.parametrize(
+    ("mu", "restitution", "after", "impulse", "losses"),
+    [
+        # derived in oracles.rational: the disk that sticks, and the one that slips all through
+        (Q(1), Q(0), (1, 0, 1), (1, 2), (Q(2), Q(3, 2))),
+        (Q(1, 4), Q(0), (Q(1, 2), 0, 2), (Q(1, 2), 2), (Q(2), Q(9, 8))),
+        (Q(1), Q(1, 2), (1, 1, 1), (1, 3), (Q(3, 2), Q(3, 2))),
+        (Q(1, 4), Q(1, 2), (Q(3, 4), 1, Q(3, 2)), (Q(3, 4), 3), (Q(3, 2), Q(45, 32))),
+    ],
+)
+@pytest.mark.parametrize("law", LAWS)
+def test_disk_dropped_with_spin(
+    mu: Q, restitution: Q, after: Any, impulse: Any, losses: Any, law: str
+) -> None:
+    """Uncoupled normal and tangential motion: numbers by hand, alike under the three laws."""
+    contact = rational.Contact(**DISK, mu_static=mu, mu_kinetic=mu)
+    motion = impact_at_start(contact, (Q(0), Q(-2), Q(3)), restitution, law)
+    hand = {
+        "velocity": after,
+        "impulse": {"tangential": impulse[0], "normal": impulse[1]},
+        "loss_normal": losses[0],
+        "loss_tangential": losses[1],
+    }
+    check(motion, hand)
+
+
+def test_rod_at_the_sticking_limit() -> None:
+    """|r*| = μ exactly: stick and reversed slip have one ratio, the result has no jump there."""
+    down = (Q(-1), Q(-3), Q(0))
+    hand = {
+        "velocity": (Q(-125, 112), 0, Q(-125, 112)),
+        "impulse": {"normal": Q(143, 56), "tangential": Q(-101, 224)},
+        "loss_normal": Q(797, 224),
+        "loss_tangential": Q(3, 64),
+    }
+    for shift in (Q(0), Q(1, 10**13), Q(-1, 10**13)):
+        contact = rational.Contact(**ROD, mu_static=Q(1, 4) + shift, mu_kinetic=Q(1, 4) + shift)
+        check(impact_at_start(contact, down, Q(0), "stronge"), hand, 1e-12)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_rod_with_reversed_slip(law: str) -> None:
+    """Slip stops in compression and cannot stick: it goes on the other way, by hand for e = 0."""
+    contact = rational.Contact(**ROD, mu_static=Q(1, 8), mu_kinetic=Q(1, 8))
+    down = (Q(-1), Q(-3), Q(0))
+    motion = impact_at_start(contact, down, Q(0), law)
+    (impact,) = motion.find("impact")
+    assert impact.impulse_normal == pytest.approx(221 / 97, rel=1e-14)
+    assert impact.impulse_tangential == pytest.approx(-31 / 194, rel=1e-13)
+    assert impact.slip == pytest.approx(115 / 97, rel=1e-14)
+    assert impact.before.slip == pytest.approx(-1.0, rel=1e-15)
+    for restitution in (Q(1, 4), Q(1, 2), Q(1)):
+        check(
+            impact_at_start(contact, down, restitution, law),
+            rational.collide(contact, down, restitution, law),
+            1e-13,
+        )
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("restitution", [Q(1, 10), Q(1, 2), Q(3, 4), Q(1)])
+def test_slip_that_stops_in_either_phase(law: str, restitution: Q) -> None:
+    """Exact fractions for slip that ends early, late or never, in either direction, μs above μk too."""
+    met = set()
+    for sine, cosine in (
+        (Q(-4, 5), Q(3, 5)),
+        (Q(5, 13), Q(12, 13)),
+        (Q(24, 25), Q(-7, 25)),
+        (Q(-3, 5), Q(-4, 5)),
+    ):
+        for mu_kinetic, mu_static in ((Q(1, 8), Q(1, 6)), (Q(1, 3), Q(1, 3)), (Q(4, 5), Q(1))):
+            contact = rational.Contact(
+                Q(3, 5), Q(1, 4), sine, cosine, mu_static=mu_static, mu_kinetic=mu_kinetic
+            )
+            for vx, omega in ((Q(1, 5), Q(0)), (Q(2), Q(1)), (Q(-1), Q(1)), (Q(-6), Q(3)), (Q(1), Q(1))):
+                velocity = (vx, Q(-1), omega)
+                exact = rational.collide(contact, velocity, restitution, law)
+                before, after = vx - omega, exact["velocity"][0] - exact["velocity"][2]
+                met.add((before > 0) - (before < 0) if after == 0 else 2 if after * before < 0 else 3)
+                check(impact_at_start(contact, velocity, restitution, law), exact, 2e-13)
+    assert met == {-1, 0, 1, 2, 3}  # stuck from either side and from rest, reversed, still slipping
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_random_impacts_against_integration(law: str) -> None:
+    """Any body, size and slip against SciPy's integration over the normal impulse."""
+    random = np.random.default_rng(20240)
+    gains = 0
+    for _ in range(60):
+        eccentricity = float(random.uniform(0.0, 0.95))
+        mu = float(random.uniform(0.0, 2.0))
+        case = Case(
+            "impact",
+            radius=float(random.uniform(0.2, 2.0)),
+            mass=float(random.uniform(0.2, 5.0)),
+            eccentricity=eccentricity,
+            inertia_ratio=float((1.0 - eccentricity**2) * random.uniform(0.1, 1.0)),
+            mu_static=mu * float(random.uniform(1.0, 1.3)),
+            mu_kinetic=mu,
+            restitution=float(random.choice([0.0, random.uniform(0.0, 1.0)])),
+            impact_law=law,
+            angle=float(random.uniform(-math.pi, math.pi)),
+            vx=float(random.normal() * 3),
+            vy=float(-random.uniform(0.1, 5.0)),
+            omega=float(random.normal() * 5),
+        )
+        state = np.array([0.0, 0.0, case.angle, case.vx, case.vy, case.omega, 0.0])
+        after, more = hybrid.impact(case, state)
+        hoop = hh.Hoop(
+            radius=case.radius,
+            mass=case.mass,
+            eccentricity=case.eccentricity,
+            inertia_ratio=case.inertia_ratio,
+        )
+        plane = hh.Plane(
+            mu_static=case.mu_static,
+            mu_kinetic=case.mu_kinetic,
+            restitution=case.restitution,
+            impact_law=law,
+        )
+        start = hh.Start(angle=case.angle, vx=case.vx, vy=case.vy, omega=case.omega)
+        motion = hh.simulate(hoop, plane, start, duration=1e-4)
+        impact = motion.find("impact")[0]
+        size = abs(case.vx) + abs(case.vy) + case.radius * abs(case.omega)
+        assert impact.t == 0.0
+        for value, true in ((impact.vx, after[3]), (impact.vy, after[4])):
+            assert value == pytest.approx(true, abs=3e-12 * size), case
+        assert impact.omega == pytest.approx(after[5], abs=3e-12 * size / case.radius), case
+        impulse = more["impulse"]
+        assert impact.impulse_normal == pytest.approx(impulse["normal"], rel=1e-11)
+        assert impact.impulse_tangential == pytest.approx(
+            impulse["tangential"], abs=1e-11 * impulse["normal"] * 3
+        )
+        energy = mechanics.kinetic_energy(case, case.angle, state[3:6])
+        assert impact.impact_normal == pytest.approx(more["loss_normal"], abs=1e-11 * energy)
+        assert impact.impact_tangential == pytest.approx(more["loss_tangential"], abs=1e-11 * energy)
+        # the two parts are all that is missing
+        left = mechanics.kinetic_energy(case, case.angle, np.array([impact.vx, impact.vy, impact.omega]))
+        assert left + impact.impact_normal + impact.impact_tangential == pytest.approx(energy, rel=1e-13)
+        gained = left - energy
+        if law != "newton":
+            assert gained <= 1e-13 * energy
+        else:
+            kane = motion.find("kane_gain")
+            assert bool(kane) == (gained > 1e-13 * energy)
+            gains += len(kane)
+            if kane:
+                assert kane[0].gain == pytest.approx(gained, rel=1e-8, abs=1e-12 * energy)
+    assert (gains > 0) == (law == "newton")  # the sample holds a case of what is tested
