@@ -1,4 +1,4 @@
-"""The lab's programming interface: results, errors in one sentence, limits, caching, and nothing but its own files."""
+"""The lab's programming interface: results, errors in one sentence, limits, caching, no file but its own."""
 
 import asyncio
 import json
@@ -126,7 +126,8 @@ def test_files_are_served_by_name_only(client):
 
 @pytest.mark.parametrize(
     "path",
-    ["/static/x/../../page.py", "/static/x/page.py", "/static/x/..%2f..%2fapi.py", "/static/lab.js", "/etc/passwd",
+    ["/static/x/../../page.py", "/static/x/page.py", "/static/x/..%2f..%2fapi.py", "/static/lab.js",
+     "/etc/passwd",
      "/static/x/%2e%2e%2f%2e%2e%2fapi.py", "/.git/config", "//etc/passwd", "/docs", "/redoc"],
 )  # fmt: skip
 def test_no_other_file_can_be_reached(client, path):

@@ -1,4 +1,4 @@
-"""The real page in headless Chromium: what a visitor does, with no error on the console and nothing from elsewhere."""
+"""The page in headless Chromium: what a visitor does, with no console error and nothing from elsewhere."""
 
 import base64
 import os

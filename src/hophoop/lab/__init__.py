@@ -1,1 +1,1 @@
-"""The lab: an interactive page, its programming interface over HTTP and the same player as a notebook widget."""
+"""The lab: an interactive page, its programming interface over HTTP, the same player as a notebook widget."""

@@ -1,7 +1,8 @@
 """The lab over HTTP: the programming interface under /api/v1, the page's own calls, the page itself.
 
-Stateless: every answer follows from its request alone, so that any number of workers can serve it and any cache
-may keep it.
+Stateless: every answer follows from its request alone, so that any number of workers can serve it and any
+cache may keep it. That is also why the page is plain modules on FastAPI and not a NiceGUI page, which keeps a
+session for each visitor in one process.
 """
 
 from __future__ import annotations

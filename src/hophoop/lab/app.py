@@ -19,7 +19,7 @@ APPLICATION = "hophoop.lab.api:create_app"
 
 
 def warm_up() -> None:
-    """Compile, or load from the cache, before the first visitor waits for it; workers find the result on disk."""
+    """Compile before the first visitor waits for it; workers find the result on disk."""
     from hophoop import theory
     from hophoop.lab import state
 

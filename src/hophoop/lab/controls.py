@@ -1,4 +1,4 @@
-"""What the page lets one change: sliders with their ranges, and choices. Meanings and units are the scenario's own."""
+"""What the page lets one change: sliders with their ranges, and choices; the units are the scenario's own."""
 
 from __future__ import annotations
 

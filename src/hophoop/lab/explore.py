@@ -1,4 +1,4 @@
-"""What surrounds a motion: theory's thresholds for its hoop, the regions of the (θ, θ̇) plane, maps of motions."""
+"""What surrounds a motion: theory's thresholds, the regions of the (θ, θ̇) plane, maps of motions."""
 
 from __future__ import annotations
 
@@ -64,7 +64,8 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
         beyond = float(least) <= plane.mu_kinetic
         add(
             "painleve", "Painlevé’s paradox", float(least), "1",
-            f"from μ = {float(least):.3g} on, at {degrees(float(angle))}: {'possible here' if beyond else 'not here'}",
+            f"from μ = {float(least):.3g} on, at {degrees(float(angle))}: "
+            + ("possible here" if beyond else "not here"),
         )  # fmt: skip
     states = theory.jam_states(hoop, plane) if plane.gravity > 0.0 else ()
     if states:
@@ -126,8 +127,8 @@ def regions(scenario: Scenario, rate: float, columns: int = 180, rows: int = 120
     Returns
     -------
     regions : dict of ndarray
-        `modes` (rows from −rate upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for each
-        column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
+        `modes` (rows from −rate upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for
+        each column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
     """
     angles = (np.arange(columns) + 0.5) * (2.0 * math.pi / columns)
     rates = (np.arange(rows) + 0.5) * (2.0 * rate / rows) - rate
@@ -238,8 +239,8 @@ def motion_map(
     cells = x["cells"] * y["cells"]
     if cells * scenario.duration > limits.map_seconds and span != "first_revolution":
         raise TooMuch(
-            f"{cells} cells times duration = {scenario.duration:g} s is {cells * scenario.duration:.3g} s of motion and "
-            f"must be at most {limits.map_seconds:.3g} s in the lab."
+            f"{cells} cells times duration = {scenario.duration:g} s is {cells * scenario.duration:.3g} s of "
+            f"motion and must be at most {limits.map_seconds:.3g} s in the lab."
         )
     base = within(scenario, limits)
     if isinstance(base.contact, Rigid) and base.contact.max_events > MAP_EVENTS:
@@ -269,8 +270,9 @@ def motion_map(
 
 
 def _middles(axis: Mapping[str, Any]) -> np.ndarray:
-    low, high, cells = axis["from"], axis["to"], axis["cells"]
-    return low + (np.arange(cells) + 0.5) * ((high - low) / cells)
+    low, high, cells = float(axis["from"]), float(axis["to"]), int(axis["cells"])
+    middles: np.ndarray = low + (np.arange(cells) + 0.5) * ((high - low) / cells)
+    return middles
 
 
 _PHASES = {"R": "roll", "S": "spin", "K": "skid", "H": "hop", "M": "skim", "+": "…"}

@@ -1,4 +1,4 @@
-"""What one request to the lab may cost, and the two answers that are not errors of input: too much, too busy."""
+"""What one request to the lab may cost, and two answers that are no errors of input: too much, too busy."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
         steps = _steps(scenario, scenario.contact)
         if steps > limits.steps:
             raise TooMuch(
-                f"contact.stiffness, contact.slip_speed and duration together need about {steps:.0e} steps of "
+                f"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of "
                 f"integration and must need at most {limits.steps:.0e} in the lab."
             )
     if scenario.contact.max_events > limits.events:

@@ -17,7 +17,7 @@ def _number() -> dict[str, Any]:
 
 RESULT = {
     "type": "object",
-    "description": "A motion: events with the states just after them, final state, energies; SI units, radians.",
+    "description": "A motion: events with the states just after them, final state, energies; SI, radians.",
     "required": ["schema", "version", "scenario", "status", "sequence", "events", "final", "energy"],
     "properties": {
         "schema": {"const": "hophoop/1"},
@@ -144,7 +144,7 @@ def document(version: str) -> dict[str, Any]:
         "info": {
             "title": "hophoop lab",
             "version": version,
-            "description": "Exact motion of a loaded hoop on a plane. Stateless; equal requests have equal ETags.",
+            "description": "Exact motion of a loaded hoop on a plane. Equal requests have equal ETags.",
         },
         "paths": {
             "/api/v1/simulate": {

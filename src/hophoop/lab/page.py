@@ -22,8 +22,9 @@ MODULES = (
 # Nothing may come from, or go, anywhere else; a film recorded in the page is a blob.
 SECURITY_HEADERS = {
     "Content-Security-Policy": (
-        "default-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; style-src 'self' 'unsafe-inline'; "
-        "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+        "default-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; "
+        "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'; "
+        "frame-ancestors 'self'"
     ),
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
@@ -40,7 +41,7 @@ def static_text(name: str) -> str:
 
 @cache
 def script() -> str:
-    """All modules as one, since a notebook takes a single file: each keeps its own scope, imports become constants.
+    """All modules as one, since a notebook takes a single file: imports become constants of each one's scope.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Motions worth starting from: the article's five, Littlewood's own hoop, and each paradox of rigid contact."""
+"""Motions worth starting from: the article's five, Littlewood's own hoop, each paradox of rigid contact."""
 
 from __future__ import annotations
 
@@ -51,12 +51,12 @@ def presets() -> tuple[Preset, ...]:
     return (
         Preset(
             "hop", ARTICLE, "It hops: 3.1 m/s",
-            "Slips twice, then leaves the plane just before a full turn and flies for three quarters of a second.",
+            "Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.",
             article["hop"],
         ),
         Preset(
             "slip", ARTICLE, "It slips: 2.8 m/s",
-            "Friction is used up twice a turn; each slip costs energy, until the motion is pure rolling again.",
+            "Friction is used up twice a turn; each slip costs energy, until all is rolling again.",
             article["slipping"],
         ),
         Preset(
@@ -66,7 +66,7 @@ def presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "slow", ARTICLE, "The smallest push: 0.1 m/s",
-            "Nearly at rest with the load at the top, fast with the load at the bottom; 38 % of the friction is used.",
+            "Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.",
             article["slow"],
         ),
         Preset(
@@ -76,7 +76,7 @@ def presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "littlewood", LITTLEWOOD, "All mass in the load",
-            "A massless ring: at 90° no contact force is left, the load falls freely and the rim skims the plane.",
+            "A massless ring: at 90° no contact force is left; the load falls, the rim skims the plane.",
             _rolling(0.1, duration=3.0, load_fraction=1.0),
         ),
         Preset(
@@ -101,13 +101,13 @@ def presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "jam", PARADOX, "Dynamic jam",
-            "A fast slide after a hop: the contact force grows without bound in finite time, and no law says what "
-            "follows.",
+            "A fast slide after a hop: the contact force grows without bound in finite time, and "
+            "no law says what follows.",
             Scenario(hoop=Hoop.ideal(0.9), start=Start(angle=5.14, vx=23.0, omega=5.6), duration=3.0),
         ),
         Preset(
             "kane", PARADOX, "Kane: energy out of nothing",
-            "Newton's law of impact with friction creates two joules. Switch the law to Stronge's, and it does not.",
+            "Newton's law of impact with friction creates two joules. Stronge's law does not.",
             Scenario(
                 plane=Plane(mu=0.6, restitution=0.8, impact_law="newton"),
                 start=Start(angle=1.45, vx=2.16, omega=-6.44, height=0.3),

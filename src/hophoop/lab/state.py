@@ -179,7 +179,7 @@ def simulated(request: Request, limits: Limits) -> Reply:
     motion = computed(request.scenario, limits)
     if motion.status == "event_limit" and request.scenario.contact.max_events > limits.events:
         raise TooMuch(
-            f"The motion has {limits.events} events within {motion.duration:.4g} s, which is as many as the lab "
+            f"The motion has {limits.events} events within {motion.duration:.4g} s, as many as the lab "
             f"computes; ask for a duration below {request.scenario.duration:g} s."
         )
     header = {**motion.to_dict(), "scenario": request.scenario.to_dict()}
@@ -187,8 +187,7 @@ def simulated(request: Request, limits: Limits) -> Reply:
     if count:
         sample = motion.at(motion.times(count))
         header["samples"] = {
-            field.name: getattr(sample, field.name).tolist()
-            for field in dataclasses.fields(sample)
+            field.name: getattr(sample, field.name).tolist() for field in dataclasses.fields(sample)
         }
     return Reply(header)
 
@@ -242,9 +241,7 @@ def _call(model: Any) -> str:
     parts = keys.pop("parts", None)
     usual = {"angle": 0.0, "x": 0.0} if name == "Start.rolling" else type(model)().to_dict()
     arguments = [
-        f"{key}={_argument(value)}"
-        for key, value in keys.items()
-        if key not in usual or usual[key] != value
+        f"{key}={_argument(value)}" for key, value in keys.items() if key not in usual or usual[key] != value
     ]
     if parts is not None:
         listed = ", ".join(_part(part) for part in model.parts)
@@ -366,7 +363,7 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
     call : str
         A key of `CALLS`.
     body : dict
-        JSON: `scenario` or `query`, optional `changes` to it (pairs of path and value), and the call's options.
+        JSON: `scenario` or `query`, optional `changes` to it (pairs of path and value), and its options.
     limits : Limits, optional
 
     Returns

@@ -46,7 +46,8 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
     for panel in panels:
         if panel not in PANELS:
             raise InputError(f"panels holds {panel!r}, which must be one of {', '.join(PANELS)}.")
-    return _widget_class()(motion, list(panels))
+    widget: AnyWidget = _widget_class()(motion, list(panels))
+    return widget
 
 
 def _widget_class() -> Any:
@@ -57,7 +58,7 @@ def _widget_class() -> Any:
     traitlets = need("traitlets", "lab")
     from hophoop.lab import page, state
 
-    class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc]
+    class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
         """One motion, its player and its sliders."""
 
         _esm = page.script()

@@ -186,8 +186,13 @@ export class MotionMap {
         const value = values[row * x.cells + column];
         const place = 4 * ((y.cells - 1 - row) * x.cells + column);
         if (!Number.isFinite(value)) continue;
+        // a class ends where a neighbour is another: a darker edge tells pale ones apart
+        const edge =
+          palette &&
+          ((column + 1 < x.cells && values[row * x.cells + column + 1] !== value) ||
+            (row + 1 < y.cells && values[(row + 1) * x.cells + column] !== value));
         const color = palette
-          ? palette[value]
+          ? palette[value].map((part) => (edge ? 0.72 * part : part))
           : SPEED_COLORS[clamp(Math.round((255 * (value - low)) / (high - low || 1)), 0, 255)];
         image.data.set([...color, 255], place);
       }
