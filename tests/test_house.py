@@ -122,7 +122,7 @@ def extra_modules(extra):
 
 
 def test_every_module_imports_without_the_extras():
-    # The pages of the lab are written in NiceGUI throughout; they are loaded by `hophoop lab` alone.
+    # The lab is written on FastAPI throughout; its modules are loaded by `hophoop lab` alone.
     absent = set().union(*map(extra_modules, PROJECT["optional-dependencies"]))
     code = """
 import hophoop

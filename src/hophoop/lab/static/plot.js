@@ -123,7 +123,7 @@ export class Plot {
     context.strokeStyle = look.line;
     context.fillStyle = look.soft;
     context.lineWidth = 1;
-    const tall = Math.max(this.box.height / 34, 2);
+    const tall = Math.max(this.box.height / 28, 4);
     const step = niceStep(this.heights[1] - this.heights[0], tall);
     context.textAlign = "right";
     context.textBaseline = "middle";

@@ -75,7 +75,7 @@ export class Plots {
     const watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) this.seen.set(target, isIntersecting);
       this.redraw();
-    });
+    }, { rootMargin: "400px" });
     for (const plot of this.plots) watch.observe(plot.element);
     this.axis = h(
       "select",
