@@ -179,7 +179,7 @@ def rim_speeds(poses: Poses, angles: ArrayLike, radius: float) -> Floats:
     turning = radius * _finite(poses.omega)[:, None]
     along = poses.velocity[:, :1] + turning * np.cos(phi)
     away = poses.velocity[:, 1:] - turning * np.sin(phi)
-    return np.hypot(along, away)
+    return np.asarray(np.hypot(along, away))
 
 
 def event_times(motion: Trajectory) -> Floats:
@@ -253,4 +253,4 @@ def _grid(motion: Trajectory) -> Floats:
 
 def _finite(values: Any) -> Floats:
     # the ring of a massless hoop has no finite rotation as its load strikes the plane
-    return np.nan_to_num(np.asarray(values, dtype=float), nan=0.0, posinf=0.0, neginf=0.0)
+    return np.asarray(np.nan_to_num(np.asarray(values, dtype=float), nan=0.0, posinf=0.0, neginf=0.0))
