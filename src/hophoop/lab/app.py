@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 import webbrowser
+from typing import Any
 from urllib.request import urlopen
 
 from hophoop._extras import need
@@ -15,7 +16,7 @@ from hophoop.simulation import simulate
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-APPLICATION = "hophoop.lab.api:create_app"
+APPLICATION = "hophoop.lab.app:warmed_app"
 
 
 def warm_up() -> None:
@@ -32,6 +33,14 @@ def warm_up() -> None:
     }
     for call, options in (("map", axes), ("regions", {}), ("theory", {})):
         state.answer(state.read(call, options))
+
+
+def warmed_app() -> Any:
+    """The application of one worker, with its kernels loaded before it takes a request."""
+    from hophoop.lab.api import create_app
+
+    warm_up()
+    return create_app()
 
 
 def serve(
