@@ -62,30 +62,26 @@ class Totals(NamedTuple):
 
 @lean_jit
 def fill_geometry(panel, work):
-    """Rows A and B: sin θ − sin θ_ref and cos θ − cos θ_ref at the nodes, exact for small steps; STRETCH: abs(dθ/dξ)."""
-    s0 = panel.sine
-    c0 = panel.cosine
-    ds = work[A]
-    dc = work[B]
+    """Rows A and B: sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes; STRETCH: abs(dθ/dξ)."""
+    sines = work[A]
+    versines = work[B]
     stretch = work[STRETCH]
     if panel.kind == LINEAR:
         way = panel.way
         half = 0.5 * panel.extent
-        sines = SINES[panel.level]
-        versines = VERSINES[panel.level]
+        table = SINES[panel.level]
+        other = VERSINES[panel.level]
         for i in range(ORDER):
-            sine = way * sines[i]
-            ds[i] = c0 * sine - s0 * versines[i]
-            dc[i] = -s0 * sine - c0 * versines[i]
+            sines[i] = way * table[i]
+            versines[i] = other[i]
             stretch[i] = half
         return
+    way = -panel.way if panel.kind == ARRIVE else panel.way
     for i in range(ORDER):
         part = 0.5 * (1.0 - NODES[i] if panel.kind == ARRIVE else 1.0 + NODES[i])
         offset = panel.extent * part * part
-        sine = math.sin(offset) * (-panel.way if panel.kind == ARRIVE else panel.way)
-        versine = 2.0 * math.sin(0.5 * offset) ** 2
-        ds[i] = c0 * sine - s0 * versine
-        dc[i] = -s0 * sine - c0 * versine
+        sines[i] = way * math.sin(offset)
+        versines[i] = 2.0 * math.sin(0.5 * offset) ** 2
         stretch[i] = panel.extent * part
 
 
@@ -163,11 +159,18 @@ def turn(s, c, angle):
 
 
 @lean_jit
-def turn_over(panel):
-    """`turn` from ref over the whole of a LINEAR panel, from the tables."""
-    sine = panel.way * FAR_SINES[panel.level]
-    versine = FAR_VERSINES[panel.level]
-    return panel.cosine * sine - panel.sine * versine, -panel.sine * sine - panel.cosine * versine
+def rotated(s, c, sine, versine):
+    """`turn`, where the sine and 1 − cosine of the angle are known."""
+    return c * sine - s * versine, -s * sine - c * versine
+
+
+@lean_jit
+def chord(panel, xi):
+    """(sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; from the table over a whole LINEAR panel."""
+    if panel.kind == LINEAR and xi >= 1.0:
+        return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
+    angle = angle_at(panel, xi)
+    return math.sin(angle), 2.0 * math.sin(0.5 * angle) ** 2
 
 
 @lean_jit

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NODES, ORDER, tail, total
+from hophoop._collocation import NODES, ORDER, tail, total, turn_deficits
 from hophoop._jit import lean_jit
 from hophoop.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 from hophoop.physics.panel import (
@@ -12,7 +12,6 @@ from hophoop.physics.panel import (
     ARRIVE,
     B,
     COSINE,
-    LINEAR,
     NORMAL,
     RATE,
     RESOLVED,
@@ -21,35 +20,45 @@ from hophoop.physics.panel import (
     U,
     Totals,
     angle_at,
+    chord,
     fill_geometry,
-    turn,
-    turn_over,
+    rotated,
 )
 
 
 @lean_jit
-def rolling_energy_change(body, ds, dc, offset):
-    """Change of D θ̇² when sin θ, cos θ and θ change by these."""
-    return 2.0 * (body.eps * (body.gt * ds - body.gn * dc) + body.gt * offset)
+def rolling_energy_change(body, s0, c0, sine, versine, angle):
+    """Change of D θ̇² over an angle φ, from sin φ and 1 − cos φ.
+
+    Written with the torque and the stiffness at the start, so that near an equilibrium on a slope, where the
+    weights of hoop and slope balance, nothing is lost.
+    """
+    change = sine * (body.eps * (body.gn * s0 + body.gt * c0) + body.gt)
+    change += versine * body.eps * (body.gn * c0 - body.gt * s0)
+    if body.gt != 0.0:
+        change += body.gt * turn_deficits(angle)[0]
+    return 2.0 * change
+
+
+@lean_jit
+def _u_after(body, s0, c0, u0, sine, versine, angle):
+    inertia = inertia_at_height(body, load_height(s0, c0))
+    energy = inertia * u0 + rolling_energy_change(body, s0, c0, sine, versine, angle)
+    return energy / (inertia + 2.0 * body.eps * rotated(s0, c0, sine, versine)[1])
 
 
 @lean_jit
 def rolling_u(body, th0, u0, offset):
     """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
-    s0 = math.sin(th0)
-    c0 = math.cos(th0)
-    ds, dc = turn(s0, c0, offset)
-    inertia = inertia_at_height(body, load_height(s0, c0))
-    energy = inertia * u0 + rolling_energy_change(body, ds, dc, offset)
-    return energy / (inertia + 2.0 * body.eps * dc)
+    sine = math.sin(offset)
+    versine = 2.0 * math.sin(0.5 * offset) ** 2
+    return _u_after(body, math.sin(th0), math.cos(th0), u0, sine, versine, offset)
 
 
 @lean_jit
-def u_on_panel(body, panel, ds, dc, offset):
-    """θ̇² on a rolling panel, from sin θ − sin θ_ref, cos θ − cos θ_ref and θ − θ_ref."""
-    inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))
-    energy = inertia * panel.u + rolling_energy_change(body, ds, dc, offset)
-    return energy / (inertia + 2.0 * body.eps * dc)
+def u_on_panel(body, panel, sine, versine, offset):
+    """θ̇² on a rolling panel at φ = offset from its reference, with sin φ and 1 − cos φ."""
+    return _u_after(body, panel.sine, panel.cosine, panel.u, sine, versine, offset)
 
 
 @lean_jit
@@ -70,12 +79,13 @@ def solve_roll(body, panel, work):
     rates = work[RATE]
     stretch = work[STRETCH]
     energies = work[A]
-    dcs = work[B]
+    versines = work[B]
     for i in range(ORDER):
-        ds = energies[i]
-        dc = dcs[i]
+        sine = energies[i]
+        versine = versines[i]
         offset = angle_at(panel, NODES[i]) if body.gt != 0.0 else 0.0
-        energy = start + rolling_energy_change(body, ds, dc, offset)
+        energy = start + rolling_energy_change(body, s0, c0, sine, versine, offset)
+        ds, dc = rotated(s0, c0, sine, versine)
         u = energy / (inertia + 2.0 * body.eps * dc)
         sines[i] = s0 + ds
         cosines[i] = c0 + dc
@@ -90,12 +100,8 @@ def solve_roll(body, panel, work):
     if panel.kind == ARRIVE:
         u = 0.0
     else:
-        offset = panel.way * panel.extent
-        if panel.kind == LINEAR:
-            ds, dc = turn_over(panel)
-        else:
-            ds, dc = turn(s0, c0, offset)
-        u = u_on_panel(body, panel, ds, dc, offset)
+        sine, versine = chord(panel, 1.0)
+        u = u_on_panel(body, panel, sine, versine, panel.way * panel.extent)
         if not u > 0.0:
             size = math.inf
     return Totals(size, time, u, 0.0, 0.0)

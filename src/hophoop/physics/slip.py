@@ -26,6 +26,7 @@ from hophoop.physics.panel import (
     Totals,
     U,
     fill_geometry,
+    rotated,
 )
 
 
@@ -69,8 +70,7 @@ def solve_slip(body, panel, work):
     lowest = math.inf
     for i in range(ORDER):
         # as changes from `ref`: near p_σ = 0 rounding would else be all that the panel shows
-        ds = damping[i]
-        dc = drive[i]
+        ds, dc = rotated(s0, c0, damping[i], drive[i])
         s = s0 + ds
         c = c0 + dc
         turned = eps * (ds + pull * dc)

@@ -24,7 +24,6 @@ from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
     LEAVE,
-    LINEAR,
     LOSS,
     RATE,
     RESOLVED,
@@ -37,10 +36,11 @@ from hophoop.physics.panel import (
     fill_inside,
     arriving_panel,
     leaving_panel,
+    chord,
     linear_panel,
     place_of,
+    rotated,
     turn,
-    turn_over,
 )
 from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
@@ -227,16 +227,13 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
         return state
     offset = angle_at(panel, xi)
     inside = xi < 1.0
-    if panel.kind == LINEAR and not inside:
-        ds, dc = turn_over(panel)
-    else:
-        ds, dc = turn(panel.sine, panel.cosine, offset)
+    sine, versine = chord(panel, xi)
     if inside:
         fill_inside(panel, work)
         lagrange(xi, scratch.weights)
         tau = dot(scratch.weights, work[TIME])
         if panel.sigma == 0:
-            u = u_on_panel(body, panel, ds, dc, offset)
+            u = u_on_panel(body, panel, sine, versine, offset)
             vt = 0.0
             loss = 0.0
         else:
@@ -254,6 +251,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     else:
         s0 = panel.sine
         c0 = panel.cosine
+        ds, dc = rotated(s0, c0, sine, versine)
         if panel.kind == ARRIVE:  # from the start of the panel, not from its reference
             back = turn(s0, c0, angle_at(panel, -1.0))
             s0 += back[0]
