@@ -115,16 +115,19 @@ def mujoco_sequence(mu: float, speed: float, most: float) -> str:
     model = mujoco.MjModel.from_xml_string(MODEL.format(step=STEP, mu=max(mu, 1e-6)))
     data = mujoco.MjData(model)
     data.qvel[:] = speed, 0.0, speed
-    modes = []
+    modes: list[str] = []
+    gaps: list[float] = []
     while data.time < most and abs(data.qpos[2]) < 2.0 * math.pi and data.qvel[2] > 0.0:
         mujoco.mj_step(model, data)
         slip = data.qvel[0] - data.qvel[2]
-        if data.qpos[1] > LIFTED:
-            modes.append("H")
-            break  # it has taken off
-        else:
-            modes.append("R" if abs(slip) < SLIPPING else ("K" if slip > 0 else "S"))
-    return phases(modes) + ("H" if modes[-1] == "H" else "")
+        gaps.append(data.qpos[1])
+        if gaps[-1] > LIFTED:
+            # it took off where the gap began to grow
+            while len(gaps) > 1 and gaps[-2] < gaps[-1]:
+                gaps.pop()
+            return phases(modes[: len(gaps) - 1]) + "H"
+        modes.append("R" if abs(slip) < SLIPPING else ("K" if slip > 0 else "S"))
+    return phases(modes)
 
 
 def phases(modes: list[str]) -> str:

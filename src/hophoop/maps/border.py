@@ -101,7 +101,7 @@ def boundary(
     Examples
     --------
     >>> border = boundary(
-    ...     None, {"plane.mu": (0.9, 1.1), "start.speed": (2.0, 3.5)}, one=(1.0, 3.1), other=(1.0, 3.5)
+    ...     None, {"plane.mu": (0.9, 1.1), "start.speed": (2.0, 4.0)}, one=(1.0, 3.1), other=(1.0, 3.8)
     ... )
     >>> border.classes, border.ends
     (('H', 'RKRSH'), ('edge', 'edge'))

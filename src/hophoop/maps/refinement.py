@@ -48,7 +48,7 @@ class Refined(NamedTuple):
 
     @property
     def mixed(self) -> NDArray[np.bool_]:
-        """Which squares a border crosses, as far as their corners tell."""
+        """Which squares a border crosses, as far as their corners tell [1]."""
         return np.asarray((self.codes != self.codes[:, :1]).any(axis=1))
 
     def shares(self) -> dict[str, tuple[float, float]]:
@@ -121,7 +121,7 @@ def refine(
     Examples
     --------
     >>> refined = refine(None, {"plane.mu": (0.02, 2.0), "start.speed": (0.05, 5.0)}, levels=3, cells=16)
-    >>> refined.evaluated < 129**2 / 3
+    >>> refined.evaluated < 129**2 / 2
     True
     """
     if not 0 <= levels <= MOST_LEVELS:

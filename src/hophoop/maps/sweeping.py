@@ -89,10 +89,11 @@ def sweep(
 
     Examples
     --------
-    >>> dataset = sweep(axes={"plane.mu": [0.3, 1.0], "start.speed": [0.1, 3.1, 5.0]})
-    >>> words = words_of(dataset["sequence"])
+    >>> import hophoop as hh
+    >>> dataset = hh.maps.sweep(axes={"plane.mu": [0.3, 1.0], "start.speed": [0.1, 3.1, 5.0]})
+    >>> words = hh.maps.words_of(dataset["sequence"])
     >>> [[words[code] for code in row] for row in dataset["sequence"].values]
-    [['RKS', 'RSKS', 'H'], ['RKRSR', 'RKRSH', 'H']]
+    [['RSRKRSRKR', 'RKRSH', 'H'], ['R', 'RKRSH', 'H']]
     """
     need("xarray", "maps")
     if axes is None:

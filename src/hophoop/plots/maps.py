@@ -84,7 +84,7 @@ def class_color(name: str) -> str:
     Examples
     --------
     >>> class_color("R"), class_color("RKRSH") == class_color("RKRSR")
-    ('#9ec7df', False)
+    ('#9fc9e1', False)
     """
     to_rgb = need("matplotlib.colors", "plots").to_rgb
     to_hex = need("matplotlib.colors", "plots").to_hex
