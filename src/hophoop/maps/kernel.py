@@ -225,7 +225,7 @@ def reduce_flight(body, row, unit, second, energy, passing, scratch, numbers, k)
         opening = 0.0
     segments = np.empty(0, SEGMENT)
     what, landed, apexes, _ = fly(
-        body, state, opening, zeros, FOREVER, math.nan, passing, 0, segments, 0, scratch
+        body, state, opening, zeros, FOREVER, 0.0, math.nan, passing, 0, segments, 0, scratch
     )
     if what != STOP:
         return

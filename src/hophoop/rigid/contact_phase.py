@@ -156,7 +156,7 @@ def fall_of(row, state_is_fresh, scratch):
 
 
 @lean_jit
-def earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target, scratch):
+def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 
     Simultaneous events: the cone (roll), then lift-off before the end of slip, then the limits.
@@ -190,13 +190,13 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target
         if found < xi:
             xi = found
             what = STOP
-    if not math.isnan(angle_target):
-        offset = panel.way * (angle_target - panel.ref)
-        if panel.kind == ARRIVE:
-            offset = -offset
-        if 0.0 <= offset <= panel.extent:
-            found = place_of(panel, offset)
-            if found < xi and not (fresh and found <= -1.0):
+    if not math.isnan(span):
+        ahead = span - panel.way * (state.th - origin)
+        if ahead <= panel.extent:
+            found = -1.0  # an event fell on the angle itself
+            if ahead > 0.0:
+                found = place_of(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
+            if found < xi:
                 xi = found
                 what = FULL_ANGLE
     left = t_end - state.t
@@ -274,7 +274,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
 
 
 @lean_jit
-def advance_contact(body, mode, state, fresh, zeros, level, t_end, angle_target, scratch, segments, count):
+def advance_contact(body, mode, state, fresh, zeros, level, t_end, origin, span, scratch, segments, count):
     """Roll or slip over one panel or up to the first event in it.
 
     Parameters
@@ -298,14 +298,14 @@ def advance_contact(body, mode, state, fresh, zeros, level, t_end, angle_target,
     panel, totals, level = choose_panel(body, sigma, state, level, FIRST_EXTENT, scratch)
     if not totals.tail <= RESOLVED:
         return STUCK, state, level, count
-    xi, what = earliest_event(body, panel, totals, state, fresh, zeros, t_end, angle_target, scratch)
+    xi, what = earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span, scratch)
     after = state_on_panel(body, panel, totals, state, xi, scratch)
     if what == STOP:
         after = revised(after, after.t, after.th, 0.0, after.om)
     elif what == LIMIT:
         after = revised(after, t_end, after.th, after.vt, after.om)
     elif what == FULL_ANGLE:
-        after = revised(after, after.t, angle_target, after.vt, after.om)
+        after = revised(after, after.t, origin + panel.way * span, after.vt, after.om)
     if xi > -1.0:
         count = write_segment(segments, count, mode, panel, xi, 0.0, state, after.t)
     return what, after, level, count

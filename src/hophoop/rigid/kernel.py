@@ -9,7 +9,7 @@ from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.contact import free_acceleration
 from hophoop.physics.flight import first_landing, flight_gap, flight_state
 from hophoop.physics.massless import skim_duration, skim_state, strike
-from hophoop.physics.modes import UNDECIDED, slip_direction, slip_mode
+from hophoop.physics.modes import UNDECIDED, can_roll, slip_direction, slip_mode
 from hophoop.physics.panel import FLY, HOLD, SKIMMING, no_panel
 from hophoop.rigid.contact_phase import (
     CONE_AHEAD,
@@ -50,7 +50,7 @@ MOST_PANELS = 4_000_000
 
 
 @jit
-def fly(body, state, opening, zeros, t_end, angle_target, events, count, segments, pieces, scratch):
+def fly(body, state, opening, zeros, t_end, origin, span, events, count, segments, pieces, scratch):
     """Fly until landing, the limit of time or of angle.
 
     `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
@@ -60,9 +60,10 @@ def fly(body, state, opening, zeros, t_end, angle_target, events, count, segment
     """
     limit = t_end - state.t
     what = LIMIT
-    if not math.isnan(angle_target) and state.om != 0.0:
-        until = (angle_target - state.th) / state.om
-        if 0.0 < until < limit:
+    angle_target = origin + math.copysign(span, state.om)
+    if not math.isnan(span) and state.om != 0.0:
+        until = max((angle_target - state.th) / state.om, 0.0)
+        if until < limit:
             limit = until
             what = FULL_ANGLE
     landing, apex = first_landing(
@@ -110,12 +111,27 @@ def fly(body, state, opening, zeros, t_end, angle_target, events, count, segment
 
 
 @jit
+def let_go(body, state, events, count):
+    """The massless hoop has lost its contact force: the load falls freely and the rim skims.
+
+    Returns (mode, state, count); the mode is UNDECIDED where the load rises, which leaves the rim's rotation open.
+    """
+    s = math.sin(state.th)
+    if not (s * state.om > 0.0 or (state.om == 0.0 and s != 0.0) or math.cos(state.th) == 1.0):
+        return UNDECIDED, state, count
+    if s == 0.0:
+        jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
+        state = revised(state, state.t, state.th, state.vt - 2.0 * jump, state.om + jump)
+    return SKIM, state, write_event(events, count, quiet(SKIM_START, ROLL, state), SKIM, state, 0.0, -1)
+
+
+@jit
 def skim(body, state, t_end, segments, pieces):
     """The massless hoop after the loss of its contact force: (whether the load strikes, state, v_x, pieces).
 
     The last answer but one is the speed of the load along the plane.
     """
-    way = 1.0 if state.om > 0.0 else -1.0
+    way = 1.0 if state.om > 0.0 or (state.om == 0.0 and math.sin(state.th) > 0.0) else -1.0
     c = math.cos(state.th)
     along = state.vt + state.om * (1.0 + c)
     duration = skim_duration(body, c, math.sin(state.th) * state.om)
@@ -196,11 +212,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
     last_bounce = 0.0
     status = COMPLETED
     massless = body.kap == 0.0
-    target_ahead = math.nan
-    target_back = math.nan
-    if not math.isnan(angle_span):
-        target_ahead = state.th + angle_span
-        target_back = state.th - angle_span
+    origin = state.th
     # The start.
     if state.y > 0.0 or state.vn != 0.0:
         count = write_event(events, count, quiet(START, FLIGHT, state), FLIGHT, state, 0.0, -1)
@@ -219,6 +231,8 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             # next_mode needs κ > 0 beyond rolling; without mass only rolling and skimming exist
             mode = ROLL
             count = write_event(events, count, cause, ROLL, state, 0.0, -1)
+            if math.cos(state.th) > -1.0 and not can_roll(body, state.th, state.om):
+                mode, state, count = let_go(body, state, events, count)
         else:
             mode, state, count = settle(body, state, cause, events, count)
     if mode == UNDECIDED:
@@ -237,7 +251,6 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             return EVENT_LIMIT, events.shape[0], pieces
         if pieces < 0:
             return BUFFER, count, segments.shape[0]
-        target = target_ahead if state.om >= 0.0 else target_back
         if mode == FLIGHT:
             if stop & STOP_AT_TAKEOFF and state.t > 0.0:
                 break
@@ -255,7 +268,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
                     opening = 0.0
                     zeros = 3
             what, state, count, pieces = fly(
-                body, state, opening, zeros, t_end, target, events, count, segments, pieces, scratch
+                body, state, opening, zeros, t_end, origin, angle_span, events, count, segments, pieces, scratch
             )
             if what != STOP:
                 break
@@ -292,7 +305,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             continue
         was = mode
         what, state, level, pieces = advance_contact(
-            body, mode, state, fresh, slip_zeros, level, t_end, target, scratch, segments, pieces
+            body, mode, state, fresh, slip_zeros, level, t_end, origin, angle_span, scratch, segments, pieces
         )
         fresh = False
         if what == ON:
@@ -343,15 +356,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             slip_zeros = 1 if state.vt == 0.0 else 0
             fresh = True
         elif massless:
-            # the contact force is lost: the load falls freely and the rim skims
-            if math.sin(state.th) * state.om > 0.0 or math.cos(state.th) == 1.0:
-                mode = SKIM
-                if math.sin(state.th) == 0.0:
-                    jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
-                    state = revised(state, state.t, state.th, state.vt - 2.0 * jump, state.om + jump)
-                count = write_event(events, count, quiet(SKIM_START, ROLL, state), SKIM, state, 0.0, -1)
-            else:
-                status = UNDETERMINED
+            mode, state, count = let_go(body, state, events, count)
         elif math.isinf(body.mu_s):
             opens = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
             if opens >= 0.0:
