@@ -1,4 +1,4 @@
-"""Figures of the page on compliant contact: how it converges to the rigid plane, and what it makes of landings.
+"""Figures of the page on compliant contact: its convergence to the rigid plane, and its landings.
 
 Usage: python examples/compliant_contact.py [FOLDER]   (default: docs/figures)
 """
@@ -50,8 +50,8 @@ def main(folder: Path) -> None:
     keep(figure, folder / "compliant-landing-order.svg")
 
     figure, axes = plt.subplots(1, 3, figsize=(13.0, 4.0), layout="constrained")
-    figures.landing_against_stiffness(10.0 ** np.arange(2.0, 10.5, 0.5), axes[0])
-    figures.landing_against_slip_speed(10.0 ** np.arange(-8.0, 1.5, 0.5), ax=axes[1])
+    figures.landing_against_stiffness(10.0 ** np.arange(1.0, 10.5, 0.5), axes[0])
+    figures.landing_against_slip_speed(10.0 ** np.arange(-8.0, 0.25, 0.25), ax=axes[1])
     figures.landing_against_restitution(np.linspace(0.0, 1.0, 11), ax=axes[2])
     keep(figure, folder / "compliant-landing.svg")
 

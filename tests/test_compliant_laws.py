@@ -1,4 +1,4 @@
-"""Force laws of the compliant contact: closed forms against numerical solutions, Jacobians, method constants."""
+"""Laws of the compliant contact: closed forms against numerical solutions, Jacobians, method constants."""
 
 import math
 

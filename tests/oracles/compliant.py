@@ -1,6 +1,6 @@
 r"""Compliant contact by SciPy's Radau, on the equations of :mod:`oracles.mechanics` in SI units.
 
-Coordinates are those of the Lagrangian, (x, y, θ), their velocities, the bristle's stretch z and the two losses.
+Coordinates are those of the Lagrangian, (x, y, θ), their velocities, the bristle's stretch z and both losses.
 The contact force is written from its laws alone; each phase (flight, or contact in one regime of friction) is
 integrated to its own event and the next one starts there.
 """
@@ -95,7 +95,7 @@ def motion(
         if solution.status == 0:
             return out
         state, t = solution.y[:, -1], until
-        fired = [i for i, found in enumerate(solution.t_events) if found.size][0]
+        fired = next(i for i, found in enumerate(solution.t_events) if found.size)
         if not touching:
             touching = True
             slides = direction(case, contact, state)
@@ -162,7 +162,8 @@ def _events(case, contact, touching, slides):  # type: ignore[no-untyped-def]
         return function
 
     if not touching:
-        return [falling(lambda _, u: u[1] if u[1] > 0.0 or u[4] < 0.0 else 1.0)]
+        # the contact acts below the plane's level, where its law pushes
+        return [falling(lambda _, u: max(u[1], -normal(contact, u[1], u[4]) / contact.stiffness))]
 
     def load(u: Vector) -> float:
         return normal(contact, u[1], u[4])

@@ -30,9 +30,9 @@ def guard(comp, regime, which, y, vt, vn, z):
             pull = abs(comp.k_t * z + comp.c_t * vt)
             return comp.mu_s * normal - pull, 1e-8 * (pull + comp.mu_s * normal) + 1e-11
         rate = bristle_rate(comp, regime, normal, z, vt)
-        return regime * (vt - rate), 1e-8 * (
-            abs(vt) + abs(rate) + comp.mu_s * abs(normal) / comp.c_t
-        ) + 1e-11 * comp.v_s
+        size = abs(vt) + abs(rate) + comp.mu_s * abs(normal) / comp.c_t
+        size = abs(vt) + abs(rate) + comp.mu_s * abs(normal) / comp.c_t
+        return regime * (vt - rate), 1e-8 * size + 1e-11 * comp.v_s
     limit = creep_speed(comp)
     return (limit - abs(vt) if regime == 0 else regime * vt - limit), 1e-8 * limit
 
@@ -50,8 +50,8 @@ def guard_at(comp, regime, which, poly, s):
 def first_exit(comp, regime, poly, armed):
     """(guard, s) of the first one to fall through zero in the step, or NONE.
 
-    A guard that begins on its surface, since the regime was entered there, is not armed: it must first leave the
-    surface. `armed` is updated to the end of the step.
+    A guard that begins on its surface, since the regime was entered there, is not armed: it must first leave
+    the surface. `armed` is updated to the end of the step.
     """
     best = 1.0
     which = NONE
@@ -114,7 +114,7 @@ def _fall(comp, regime, which, poly, low, high):
 
 @jit
 def remaining(comp, regime, which, poly):
-    """What is left of a step that was to end where a guard falls: the factor to its length, 1 if it is right."""
+    """Factor to the length of a step that was to end where a guard falls; 1 if it does."""
     value, floor = guard_at(comp, regime, which, poly, 1.0)
     if abs(value) <= 0.1 * floor:
         return 1.0

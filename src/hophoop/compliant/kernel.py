@@ -59,9 +59,9 @@ from hophoop.scenario import Scenario
 ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
 START, SLIP_START, STICK, TAKEOFF, IMPACT, TURN, APEX, REST, END = (
     np.int64(Event[name])
-    for name in "START SLIP_START STICK TAKEOFF IMPACT TURN APEX REST END".split()
+    for name in ("START", "SLIP_START", "STICK", "TAKEOFF", "IMPACT", "TURN", "APEX", "REST", "END")
 )
-NO_MODE = np.int64(-1)
+NO_MODE, AHEAD = np.int64(-1), np.int64(1)
 COMPLETED, AT_REST, UNDETERMINED, EVENT_LIMIT = (
     int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.UNDETERMINED, Status.EVENT_LIMIT)
 )
@@ -212,6 +212,8 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
             apex = -1.0
             if u[Y] < 0.0:
                 what, tau = fly_below(body, comp, u, opening, t_end - t, work)
+            elif u[Y] == 0.0 and u[VN] < 0.0:  # a start that lands at once
+                what, tau = LANDED, 0.0
             else:
                 zeros = 0 if u[Y] > 0.0 else 1 if u[VN] > 0.0 else 2
                 what, tau, apex = fly_above(body, u, opening, zeros, t_end - t, work)
@@ -322,9 +324,9 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
             if regime != 0:
                 regime = np.int64(0)
             elif comp.friction == BRISTLE:
-                regime = 1 if comp.k_t * u[Z] + comp.c_t * u[VT] > 0.0 else -1
+                regime = AHEAD if comp.k_t * u[Z] + comp.c_t * u[VT] > 0.0 else -AHEAD
             else:
-                regime = 1 if u[VT] > 0.0 else -1
+                regime = AHEAD if u[VT] > 0.0 else -AHEAD
             mode = mode_of(regime)
             count = note(events, count, STICK if regime == 0 else SLIP_START, was, mode, t, u)
             if comp.friction == TANH:  # smooth across its threshold

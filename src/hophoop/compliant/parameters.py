@@ -1,4 +1,4 @@
-"""From a scenario to the numbers of the kernel: units, defaults, and a start in which the spring is loaded."""
+"""From a scenario to the numbers of the kernel: units, defaults, a start with the spring loaded."""
 
 from __future__ import annotations
 
@@ -65,8 +65,9 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
     if contact.slip_speed is not None:
         v_s = contact.slip_speed * second / hoop.radius
     else:
-        # a bristle may relax as slowly as the hoop moves, which takes c_t = μ k_t
-        v_s = min(max(1.0 / k, LEAST_SLIP_SPEED), 1.0 if friction == FrictionLaw.BRISTLE else SLIP_SPEED)
+        v_s = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
+        if friction == FrictionLaw.BRISTLE:  # it may relax as slowly as the hoop moves: c_t = μ k_t
+            v_s = min(1.0 / k, 1.0)
     if body.mu_s == 0.0:  # nothing for a bristle to hold
         friction = FrictionLaw.LINEAR
     k_t = k if contact.tangential_stiffness is None else contact.tangential_stiffness * second**2 / hoop.mass
@@ -107,7 +108,7 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
     """The start of the kernel, and whether the contact acts there.
 
     A start at rest on the plane (height 0, vy 0) has its spring compressed by the normal force that rigid
-    contact would have, and friction's creep or bristle at work: otherwise every motion would begin with a drop.
+    contact would have, and its bristle stretched: otherwise every motion would begin with a drop.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from hophoop._collocation import DEPTH, ORDER
 from hophoop._jit import jit
 from hophoop.compliant.tableau import PAIRS, STAGES
 
-# What the state array holds, in kernel units; `bristle` is z, `friction` and `damping` are energies lost so far.
+# What the state array holds, in kernel units; `bristle` is z; `friction`, `damping`: energy lost so far.
 VARIABLES = ("height", "angle", "slip", "vy", "omega", "bristle", "x", "friction", "damping")
 Y, TH, VT, VN, OM, Z, X, FRICTION, DAMPING = range(9)
 DYNAMIC = 6  # the first ones; the others are integrals over the motion that nothing depends on
@@ -18,7 +18,8 @@ SIZE = len(VARIABLES)
 
 # Kinds of segments.
 STEP, FLY, HOLD = 0.0, 1.0, 2.0
-# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − origin)/step; FLY and HOLD keep p_0 alone.
+# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − origin)/step; FLY and HOLD keep p_0
+# alone, and FLY has f_n at its start for `step`.
 T, T_END, KIND, MODE, REGIME, ORIGIN, LENGTH, FIRST = range(8)  # FIRST: where the polynomials begin
 WIDTH = FIRST + SIZE * (STAGES + 1)
 SEGMENT = np.dtype(

@@ -1,4 +1,4 @@
-"""The state at any time of a computed compliant motion: the steps' own polynomials, so that it is exact replay."""
+"""The state at any time of a computed compliant motion: exact replay of the steps' own polynomials."""
 
 from __future__ import annotations
 

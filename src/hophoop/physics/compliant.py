@@ -8,8 +8,8 @@ Kernel units (R, m, √(R/g)). The rim may sink into the plane: y < 0 there. Whi
 and the friction is one of
 
     tanh, linear       F = −N φ(v_t/v_s), creeping under every load
-    bristle            a spring and damper along the plane, F = −(k_t z + c_t ż), whose foot sticks to the plane
-                       (ż = v_t) while abs(F) ≤ μs N and else slides with abs(F) = μk N
+    bristle            a spring and damper along the plane, F = −(k_t z + c_t ż), whose foot sticks to
+                       the plane (ż = v_t) while abs(F) ≤ μs N and else slides with abs(F) = μk N
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class Compliance(NamedTuple):
 
 # The part of friction that is above the kinetic one falls off over so many slip speeds in the tanh law.
 STRIBECK = 3.0
-# Slip is called roll below so many slip speeds: there tanh reaches 99.93 % of the friction, and the linear law all.
+# Slip is called roll below so many slip speeds, where tanh gives 99.93 % of the friction, the linear law all.
 TANH_CREEP, LINEAR_CREEP = 4.0, 1.0
 
 
@@ -151,7 +151,7 @@ def ratio_restitution(ratio: float) -> float:
     Returns
     -------
     restitution : float
-        Of the contact that ends where N = 0: exp(−ζ/√(1 − ζ²) (π − 2 asin ζ)), and its continuation to ζ > 1 [1].
+        Of the contact that ends where N = 0: exp(−ζ/√(1 − ζ²) (π − 2 asin ζ)), continued to ζ > 1 [1].
     """
     if ratio < 1.0:
         root = math.sqrt((1.0 - ratio) * (1.0 + ratio))

@@ -9,7 +9,14 @@ from numpy.typing import ArrayLike
 
 from hophoop._extras import need
 from hophoop.plots import colors
-from hophoop.plots.compliant_study import Landing, landing, landing_scenario, order, with_contact
+from hophoop.plots.compliant_study import (
+    Landing,
+    landing,
+    landing_scenario,
+    order,
+    touch_scenario,
+    with_contact,
+)
 from hophoop.simulation import simulate
 
 if TYPE_CHECKING:
@@ -21,7 +28,11 @@ _STIFFNESS = "stiffness k over m g/R"
 
 
 def error_lines(
-    errors: dict[str, Any], stiffnesses: ArrayLike, ax: Axes | None = None, fit_from: float = 1e5, fit_to: float = 1e9
+    errors: dict[str, Any],
+    stiffnesses: ArrayLike,
+    ax: Axes | None = None,
+    fit_from: float = 1e5,
+    fit_to: float = 1e9,
 ) -> Axes:
     """Convergence: the largest difference of θ against stiffness, one line a motion, with the fitted order.
 
@@ -70,18 +81,18 @@ def landing_against_stiffness(stiffnesses: ArrayLike, ax: Axes | None = None) ->
     """
     ax = _axes(ax)
     k = np.asarray(stiffnesses, dtype=float)
-    soft = [landing(simulate(with_contact(landing_scenario(), value))) for value in k]
+    soft = [landing(simulate(with_contact(touch_scenario(), value))) for value in k]
     _losses(ax, k, soft)
-    _rigid_lines(ax, landing(simulate(landing_scenario())))
+    _rigid_lines(ax, landing(simulate(touch_scenario())))
     ax.set_xscale("log")
     ax.set_xlabel(_STIFFNESS)
     return ax
 
 
 def landing_against_slip_speed(
-    slip_speeds: ArrayLike, stiffness: float = 1e8, ax: Axes | None = None, friction: str = "tanh"
+    slip_speeds: ArrayLike, stiffness: float = 1e8, ax: Axes | None = None
 ) -> Axes:
-    """The same against the slip speed of the friction law.
+    """The same against the slip speed: a creeping friction law, and a bristle as stiff as the normal spring.
 
     Parameters
     ----------
@@ -91,7 +102,6 @@ def landing_against_slip_speed(
         Over m g / R [1].
     ax : matplotlib Axes, optional
         A new one by default.
-    friction : {'tanh', 'linear', 'bristle'}
 
     Returns
     -------
@@ -99,11 +109,11 @@ def landing_against_slip_speed(
     """
     ax = _axes(ax)
     speeds = np.asarray(slip_speeds, dtype=float)
-    soft = [
-        landing(simulate(with_contact(landing_scenario(), stiffness, speed, friction=friction))) for speed in speeds
-    ]
-    _losses(ax, speeds, soft)
-    _rigid_lines(ax, landing(simulate(landing_scenario())))
+    one = touch_scenario()
+    for friction in ("tanh", "bristle"):
+        soft = [landing(simulate(with_contact(one, stiffness, speed, friction=friction))) for speed in speeds]
+        _losses(ax, speeds, soft, line="-" if friction == "tanh" else ":", what=friction)
+    _rigid_lines(ax, landing(simulate(touch_scenario())))
     ax.set_xscale("log")
     ax.set_xlabel("slip speed v$_s$ over √(g R)")
     return ax
@@ -130,11 +140,11 @@ def landing_against_restitution(
     ax = _axes(ax)
     e = np.asarray(restitutions, dtype=float)
     for law, dashes in (("stronge", "-"), ("poisson", "--"), ("newton", ":")):
-        rigid = [landing(simulate(landing_scenario(value, law))) for value in e]
+        rigid = [landing(simulate(touch_scenario(value, law))) for value in e]
         ax.plot(e, [one.normal for one in rigid], dashes, color=colors.BLUE, lw=1.2)
         ax.plot(e, [one.tangential for one in rigid], dashes, color=colors.VERMILION, lw=1.2)
         ax.plot([], [], dashes, color=colors.BLACK, lw=1.2, label=f"rigid, {law.capitalize()}")
-    soft = [landing(simulate(with_contact(landing_scenario(value), stiffness))) for value in e]
+    soft = [landing(simulate(with_contact(touch_scenario(value), stiffness))) for value in e]
     _losses(ax, e, soft, line="")
     ax.set_xlabel("restitution e")
     return ax
@@ -170,30 +180,32 @@ def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, st
             t = np.sort(np.append(t, [event.t * (1 - 1e-13), event.t]))
         s = motion.at(t)
         angle = np.degrees(s.angle)
-        lost = s.impact_normal + s.impact_tangential + s.damping
+        friction = s.friction + s.impact_tangential
         ax.plot(angle, s.kinetic, color=colors.KINETIC, label="kinetic $W_k$")
         ax.plot(angle, s.potential, "--", color=colors.POTENTIAL, label="potential $W_p$")
         ax.plot(angle, s.total, color=colors.TOTAL, lw=2, label="$W_k + W_p$")
-        ax.plot(angle, s.friction, "-.", color=colors.FRICTION_LOSS, label="lost in friction")
-        label = "lost in the impact" if one.contact.model == "rigid" else "lost in the damper"
-        ax.plot(angle, lost, ":", color=colors.IMPACT_LOSS, lw=2, label=label)
+        ax.plot(angle, friction, "-.", color=colors.FRICTION_LOSS, label="lost in friction")
+        label = "lost in the normal impact" if one.contact.model == "rigid" else "lost in the damper"
+        ax.plot(angle, s.impact_normal + s.damping, ":", color=colors.IMPACT_LOSS, lw=2, label=label)
         ax.set_title(title, fontsize="medium")
         ax.set_xlabel("rotation angle θ (°)")
         ax.set_xticks(np.arange(0, 541, 90))
         ax.grid(True, alpha=0.3)
-        ax.legend(fontsize="small", loc="upper left")
+        ax.set_ylim(-18.0, 49.0)
+        ax.legend(fontsize="small", loc="upper left", ncols=2)
     ax_rigid.set_ylabel("energy (J)")
     return ax_rigid, ax_soft
 
 
-def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-") -> None:
-    ax.plot(at, [one.normal for one in landings], line + "o", color=colors.BLUE, ms=4, lw=1.0, label="compliant, normal")
-    ax.plot(
-        at, [one.tangential for one in landings], line + "s", color=colors.VERMILION, ms=4, lw=1.0,
-        label="compliant, friction",
-    )  # fmt: skip
+def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: str = "compliant") -> None:
+    face = "white" if line == ":" else None
+    for mark, color, part in (("o", colors.BLUE, "normal"), ("s", colors.VERMILION, "friction")):
+        lost = [one.normal if part == "normal" else one.tangential for one in landings]
+        ax.plot(
+            at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face
+        )
     ax.set_ylabel("energy lost in the landing (J)")
-    ax.set_ylim(bottom=0.0)
+    ax.set_ylim(0.0, 1.12 * max(np.max(np.asarray(each.get_ydata()), initial=0.1) for each in ax.lines))
     ax.grid(True, alpha=0.3)
     ax.legend(fontsize="small")
 

@@ -31,7 +31,9 @@ STIFFNESSES: Floats = 10.0 ** np.arange(3.0, 10.5, 0.5)
 """Stiffness over m g / R."""
 
 
-def with_contact(scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any) -> Scenario:
+def with_contact(
+    scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any
+) -> Scenario:
     """The same scenario on a compliant contact whose stiffness and slip speed are in natural units.
 
     Parameters
@@ -139,18 +141,14 @@ class Landing(NamedTuple):
     ----------
     normal, tangential : float
         Energy lost in the normal direction and along the plane [J].
-    omega, slip, rise : float
-        Angular velocity [rad/s], slip velocity and velocity of separation [m/s] after it.
-    angle : float
-        θ after it [rad].
+    slip, rise : float
+        Slip velocity and velocity of separation after it [m/s].
     """
 
     normal: float
     tangential: float
-    omega: float
     slip: float
     rise: float
-    angle: float
 
 
 def landing(motion: Trajectory, within: float = 0.02) -> Landing:
@@ -172,38 +170,37 @@ def landing(motion: Trajectory, within: float = 0.02) -> Landing:
     ValueError
         If nothing lands.
     """
-    impacts = motion.find("impact")
-    if not impacts:
+    events = motion.events
+    index = next((i for i, event in enumerate(events) if event.kind == "impact"), -1)
+    if index < 0:
         raise ValueError("the motion has no landing.")
-    touch = impacts[0]
+    touch = events[index]
     if motion.scenario.contact.model == "rigid":
-        before = motion.at(touch.t, side="left")
+        ahead = events[index - 1]
         return Landing(
-            touch.impact_normal - before.impact_normal,
-            touch.impact_tangential - before.impact_tangential,
-            touch.omega,
+            touch.impact_normal - ahead.impact_normal,
+            touch.impact_tangential - ahead.impact_tangential,
             touch.slip,
             touch.vy,
-            touch.angle,
         )
     leaves = [event.t for event in motion.find("takeoff") if event.t > touch.t]
     end = min([touch.t + within, motion.duration, *leaves[:1]])
     before, after = motion.at(touch.t), motion.at(end, side="left")
     return Landing(
-        after.damping - before.damping + after.spring,  # what is still in the spring is lost after the lift-off
+        after.damping
+        - before.damping
+        + after.spring,  # what is still in the spring is lost after the lift-off
         after.friction - before.friction,
-        after.omega,
         after.slip,
         after.vy,
-        after.angle,
     )
 
 
 def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: float, law: str) -> float:
     """Energetic restitution of one landing on a contact that is stiff without limit.
 
-    Then the hoop does not move while the impulse grows, and the ratio of the impulses is Coulomb's: the landing is
-    Routh's, which the normal law only ends.
+    Then the hoop does not move while the impulse grows, and the ratio of impulses is Coulomb's: the landing
+    is Routh's, which the normal law only ends.
 
     Parameters
     ----------
@@ -236,7 +233,7 @@ def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: flo
         r, stuck = impulse_ratio(body, W_tt, W_nn, W_tn, vt)
         gain, drag = W_nn + W_tn * r, W_tn + W_tt * r
         length = step
-        for _ in range(60):  # the midpoint rule, and again for a shorter step where the slip or the contact ends in it
+        for _ in range(60):  # the midpoint rule, and again where the slip or the contact ends in it
             force = normal_force(comp, y, vn)[0]
             middle = vn + 0.5 * length * gain * force
             force = normal_force(comp, y + 0.5 * length * vn, middle)[0]
@@ -289,7 +286,9 @@ def matched_number(hoop: Hoop, plane: Plane, touch: EventRecord, restitution: fl
     return 0.5 * (low + high)
 
 
-def landing_scenario(restitution: float = 0.0, impact_law: str = "stronge", duration: float = 2.0) -> Scenario:
+def landing_scenario(
+    restitution: float = 0.0, impact_law: str = "stronge", duration: float = 2.0
+) -> Scenario:
     """The article's hop at 3.1 m/s.
 
     Parameters
@@ -304,8 +303,28 @@ def landing_scenario(restitution: float = 0.0, impact_law: str = "stronge", dura
     -------
     scenario : Scenario
     """
-    plane = Plane(restitution=restitution, impact_law=impact_law)  # type: ignore[arg-type]
+    plane = Plane(restitution=restitution, impact_law=impact_law)
     return Scenario(plane=plane, start=Start.rolling(3.1), duration=duration)
+
+
+def touch_scenario(restitution: float = 0.0, impact_law: str = "stronge", duration: float = 0.05) -> Scenario:
+    """The landing of that hop alone: a start at the plane with the velocities of the rigid hoop at touch.
+
+    Parameters
+    ----------
+    restitution, impact_law
+        As in `landing_scenario`.
+    duration : float, default 0.05
+        [s].
+
+    Returns
+    -------
+    scenario : Scenario
+    """
+    whole = landing_scenario(restitution, impact_law)
+    touch = simulate(whole).find("impact")[0]
+    start = Start(angle=touch.angle, vx=touch.before.vx, vy=touch.before.vy, omega=touch.before.omega)
+    return whole.model_copy(update={"start": start.to_dict(), "duration": duration})
 
 
 def matched_landings(
@@ -354,8 +373,8 @@ def matched_landings(
 def painleve_scenario(omega: float = 0.0, duration: float = 0.4, painleve: str = "flight") -> Scenario:
     """The reference hoop sliding ahead at 1 m/s on its rim at θ = −41.4°, where cos θ = γ, with μ = 1.
 
-    Its slip is then inside Painlevé's region: nothing holds the rim up (`omega` = 0, inconsistent), or more than
-    one motion is possible (`omega` = 5, indeterminate).
+    Its slip is then inside Painlevé's region: nothing holds the rim up (`omega` = 0, inconsistent), or more
+    than one motion is possible (`omega` = 5, indeterminate).
 
     Parameters
     ----------
@@ -370,7 +389,7 @@ def painleve_scenario(omega: float = 0.0, duration: float = 0.4, painleve: str =
     scenario : Scenario
     """
     start = Start(angle=-math.acos(0.75), vx=1.0 + omega, omega=omega)
-    return Scenario(plane=Plane(painleve=painleve), start=start, duration=duration)  # type: ignore[arg-type]
+    return Scenario(plane=Plane(painleve=painleve), start=start, duration=duration)
 
 
 def painleve_errors(

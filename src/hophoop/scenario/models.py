@@ -411,7 +411,7 @@ class Compliant(Frozen):
         Regularised Coulomb law; only 'bristle' can hold a load at rest.
     slip_speed : float, optional
         v_s, over which friction builds up: F = -μ N tanh(v_t/v_s), or linear up to v_s; the bristle's damper
-        is μs m g/v_s. By default √(g R) m g/(k R), from 10⁻⁹ to 10⁻³ of √(g R), for a bristle up to it [m/s].
+        is μs m g/v_s. By default √(g R) m g/(k R), for the first two from 10⁻⁹ to 10⁻³ of √(g R) [m/s].
     tangential_stiffness : float, optional
         Of the bristle; by default k [N/m].
     rtol : float, optional
