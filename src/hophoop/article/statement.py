@@ -48,7 +48,12 @@ class Statement:
     numbers: dict[str, Any] = field(default_factory=dict)
 
     def to_dict(self) -> dict[str, Any]:
-        """The statement as it stands in ``statements.json``."""
+        """The statement as it stands in ``statements.json``.
+
+        Returns
+        -------
+        keys : dict
+        """
         return {
             "key": self.key,
             "section": self.section,

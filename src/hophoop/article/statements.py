@@ -37,8 +37,8 @@ def statements(
     for check in (*rolling.CHECKS, *slipping.CHECKS):
         try:
             statement = check(runs)
-        except (IndexError, StopIteration):
-            # no such event in the motion: the statement does not hold, whatever else it asks for
+        except (IndexError, StopIteration, ValueError):
+            # no such event or phase in the motion: the statement does not hold, whatever else it asks for
             why = "The computed motion does not have what the statement is about."
             statement = Statement(check.__name__, SECTIONS[0], check.__name__, "–", "–", FAILS, why)
         found.append(statement)
