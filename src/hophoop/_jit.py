@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
 import sys
@@ -48,10 +49,8 @@ def cache_folder(room: str = "") -> Path:
     wanted = os.environ.get("NUMBA_CACHE_DIR")
     candidates = [Path(wanted)] if wanted else []
     home = os.environ.get("XDG_CACHE_HOME")
-    try:
+    with contextlib.suppress(RuntimeError):  # no home directory
         candidates.append((Path(home) if home else Path.home() / ".cache") / "hophoop")
-    except RuntimeError:  # no home directory
-        pass
     user = os.getuid() if hasattr(os, "getuid") else os.environ.get("USERNAME", "user")
     candidates.append(Path(tempfile.gettempdir()) / f"hophoop-{user}")
     for candidate in candidates:

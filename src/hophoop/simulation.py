@@ -136,4 +136,4 @@ def _hold_at(event: np.void, segment: np.void) -> None:
     segment["t_end"] = event["t"]
     segment["mode"] = event["after_mode"]
     segment["kind"] = HOLD
-    
+

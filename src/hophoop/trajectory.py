@@ -7,6 +7,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from functools import cached_property
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -204,7 +205,7 @@ class Trajectory:
         """One letter a phase: R roll, S spin, K skid, H flight (hop), M skim."""
         marks = [row for row in self._events if row["kind"] not in _PASSING]
         letters = []
-        for row, following in zip(marks, marks[1:], strict=False):
+        for row, following in pairwise(marks):
             if following["t"] > row["t"]:
                 letters.append(MODE_LETTERS[row["after_mode"]])
         if not letters and len(self._events):
@@ -379,7 +380,8 @@ class Trajectory:
         ImportError
             If xarray is missing.
         """
-        return _io().to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
+        dataset: xarray.Dataset = _io().to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
+        return dataset
 
     def save(self, path: str | Path) -> None:
         """Write the motion to a file that `hophoop.load` reads back, sampling alike to the last bit.
@@ -399,7 +401,8 @@ class Trajectory:
         _io().save(self, path)
 
     def _repr_html_(self) -> str:
-        return importlib.import_module("hophoop.plots").notebook(self)
+        html: str = importlib.import_module("hophoop.plots").notebook(self)
+        return html
 
     def __repr__(self) -> str:
         return (
@@ -430,7 +433,7 @@ class Trajectory:
         hoop, plane = self.scenario.hoop, self.scenario.plane
         eps, kap = hoop.eccentricity, hoop.inertia_ratio
         weight = 1.0 if plane.gravity > 0.0 else 0.0
-        sine, cosine = np.sin(columns["angle"]), np.cos(columns["angle"])
+        sine = np.sin(columns["angle"])
         omega = columns["omega"]
         with np.errstate(invalid="ignore"):
             # from v_t, which keeps its digits: ẋ_G = v_t + θ̇ (1 + ε cos θ)
@@ -473,7 +476,16 @@ class Units:
 
     @classmethod
     def of_scenario(cls, scenario: Scenario) -> Units:
-        """The units of a scenario."""
+        """The units of a scenario.
+
+        Parameters
+        ----------
+        scenario : Scenario
+
+        Returns
+        -------
+        units : Units
+        """
         return cls(scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane), scenario.hoop.mass)
 
     @property
@@ -482,7 +494,18 @@ class Units:
         return self.mass * (self.length / self.time) ** 2
 
     def of(self, name: str) -> float:
-        """Unit of a quantity by its name."""
+        """Unit of a quantity by its name.
+
+        Parameters
+        ----------
+        name : str
+            Of a column or an event's number, such as 'vx'.
+
+        Returns
+        -------
+        unit : float
+            How much of the SI unit [1] a kernel unit is.
+        """
         if name in ("x", "height"):
             return self.length
         if name in ("vx", "vy", "slip"):

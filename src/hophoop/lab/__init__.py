@@ -1,1 +1,14 @@
 """The lab: an interactive page, its programming interface over HTTP, the same player as a notebook widget."""
+
+from typing import Any
+
+__all__ = ["show"]
+
+
+def __getattr__(name: str) -> Any:
+    # the widget brings its own libraries; the server does without them
+    if name == "show":
+        from hophoop.lab.widget import show
+
+        return show
+    raise AttributeError(f"module 'hophoop.lab' has no attribute {name!r}")

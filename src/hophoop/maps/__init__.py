@@ -7,6 +7,7 @@ from hophoop.maps.axes import linear, logarithmic, scenario_at
 from hophoop.maps.border import Border, borders, boundary
 from hophoop.maps.catalog import Entry, catalogue, catalogued
 from hophoop.maps.evaluate import points
+from hophoop.maps.paradoxes import paradoxes
 from hophoop.maps.quantities import QUANTITIES, SPANS, Quantity, words_of
 from hophoop.maps.refinement import Refined, refine
 from hophoop.maps.store import open_map
@@ -18,6 +19,7 @@ __all__ = [
     "boundary",
     "borders",
     "refine",
+    "paradoxes",
     "open_map",
     "words_of",
     "linear",

@@ -54,7 +54,6 @@ _PLAIN = {
     "start.angle": ANGLE,
     "contact.max_events": MAX_EVENTS,
 }
-_DEFINES_HOOP = {"hoop.load_fraction", "hoop.eccentricity", "hoop.inertia_ratio"}
 
 
 def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArray[np.float64]:
@@ -148,7 +147,7 @@ def _is_made_of_parts(base: Scenario, paths: Sequence[str]) -> bool:
     """Whether radius and mass mean parts, so that ε and κ follow from them."""
     if any(path.startswith("hoop.parts") for path in paths):
         return True
-    return base.hoop.parts is not None and not _DEFINES_HOOP & set(paths)
+    return base.hoop.parts is not None
 
 
 def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> None:

@@ -8,17 +8,17 @@ from hophoop._collocation import NODES, ORDER, tail, total, turn_deficits
 from hophoop._jit import lean_jit
 from hophoop.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 from hophoop.physics.panel import (
-    A,
     ARRIVE,
-    B,
     COSINE,
     NORMAL,
     RATE,
     RESOLVED,
     SINE,
     STRETCH,
-    U,
+    A,
+    B,
     Totals,
+    U,
     angle_at,
     chord,
     fill_geometry,

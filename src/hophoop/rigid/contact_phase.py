@@ -18,12 +18,18 @@ from hophoop._collocation import (
 )
 from hophoop._jit import lean_jit
 from hophoop.physics.body import Mode
-from hophoop.physics.contact import rolling_acceleration, slip_motion
+from hophoop.physics.contact import (
+    inertia_at_height,
+    load_height,
+    rolling_acceleration,
+    slip_motion,
+    slip_stiffness,
+)
 from hophoop.physics.modes import slip_direction
 from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
-    LEAVE,
+    HOLD,
     LOSS,
     RATE,
     RESOLVED,
@@ -31,12 +37,13 @@ from hophoop.physics.panel import (
     TIME,
     A,
     B,
+    Panel,
     U,
     angle_at,
-    fill_inside,
     arriving_panel,
-    leaving_panel,
     chord,
+    fill_inside,
+    leaving_panel,
     linear_panel,
     place_of,
     rotated,
@@ -56,6 +63,10 @@ WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
 SMALLEST_EXTENT = 1e-40
 STILL_ACCELERATION = 1e-15
+# Below this speed a look is taken whether θ̇ hardly matters beside θ̈: panels in θ shrink without end there.
+SLOW = 1e-3
+CREEP = 1e-8  # rad, over which θ̈ counts as constant
+SMALLEST_SQUARE = 1e-290  # a smaller θ̇² is on the way to underflow
 
 
 @lean_jit
@@ -274,6 +285,65 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
 
 
 @lean_jit
+def creeps(body, sigma, state):
+    """Whether θ̇ is so small beside θ̈ that the motion starts or turns within `CREEP`, where θ̈ hardly changes."""
+    s = math.sin(state.th)
+    c = math.cos(state.th)
+    u = state.om * state.om
+    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma)
+    if not firm > 1e-4 * (1.0 + body.mu_k * abs(sigma)):
+        return False
+    return u < 2.0 * CREEP * abs(angular_acceleration(body, sigma, state.th, u))
+
+
+@lean_jit
+def creep(body, mode, state, t_end, angle_target, segments, count):
+    """Turn by at most `CREEP` under constant θ̈, or up to θ̇ = 0: (what, state, count)."""
+    sigma = slip_direction(mode)
+    s = math.sin(state.th)
+    c = math.cos(state.th)
+    om = state.om
+    if sigma == 0:
+        alpha, normal, rate = rolling_acceleration(body, s, c, om * om), 0.0, 0.0
+    else:
+        alpha, normal, rate = slip_motion(body, s, c, om * om, sigma)
+    if om * alpha < 0.0:
+        tau = -om / alpha
+        what = TURNED
+    else:
+        tau = (math.sqrt(om * om + 2.0 * abs(alpha) * CREEP) - abs(om)) / abs(alpha)
+        what = ON
+    if state.vt * rate < 0.0 and -state.vt / rate <= tau:
+        tau = -state.vt / rate
+        what = STOP
+    turned = om * tau + 0.5 * alpha * tau * tau
+    if not math.isnan(angle_target):
+        toward = angle_target - state.th
+        if toward * turned > 0.0 and abs(toward) <= abs(turned):
+            tau = 2.0 * toward / (om + math.copysign(math.sqrt(om * om + 2.0 * alpha * toward), turned))
+            what = FULL_ANGLE
+    if tau >= t_end - state.t:
+        tau = max(t_end - state.t, 0.0)
+        what = LIMIT
+    turned = om * tau + 0.5 * alpha * tau * tau
+    slid = state.vt * tau + 0.5 * rate * tau * tau
+    after = State(
+        t_end if what == LIMIT else state.t + tau,
+        state.x + slid + turned,
+        0.0,
+        angle_target if what == FULL_ANGLE else state.th + turned,
+        0.0 if what == STOP else state.vt + rate * tau,
+        0.0,
+        0.0 if what == TURNED else om + alpha * tau,
+        state.friction + sigma * body.mu_k * normal * slid,
+        state.impact_n,
+        state.impact_t,
+    )
+    panel = Panel(sigma, HOLD, 0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, alpha, 0.0)
+    return what, after, write_segment(segments, count, mode, panel, 0.0, rate, state, after.t)
+
+
+@lean_jit
 def advance_contact(body, mode, state, fresh, zeros, level, t_end, origin, span, scratch, segments, count):
     """Roll or slip over one panel or up to the first event in it.
 
@@ -289,6 +359,13 @@ def advance_contact(body, mode, state, fresh, zeros, level, t_end, origin, span,
     what, state, level, count
     """
     sigma = slip_direction(mode)
+    if abs(state.om) < SLOW and state.om != 0.0:
+        if state.om * state.om < SMALLEST_SQUARE:
+            state = revised(state, state.t, state.th, state.vt, 0.0)
+        elif not (fresh and zeros > 0 and sigma != 0) and creeps(body, sigma, state):
+            target = origin + math.copysign(span, state.om)
+            what, state, count = creep(body, mode, state, t_end, target, segments, count)
+            return what, state, START_LEVEL, count
     if state.om == 0.0:
         if body.kap == 0.0 and (sigma != 0 or math.cos(state.th) <= -1.0):
             return STILL, state, level, count  # the massless hoop with its load on the plane

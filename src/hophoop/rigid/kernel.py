@@ -13,7 +13,6 @@ from hophoop.physics.modes import UNDECIDED, can_roll, slip_direction, slip_mode
 from hophoop.physics.panel import FLY, HOLD, SKIMMING, no_panel
 from hophoop.rigid.contact_phase import (
     CONE_AHEAD,
-    CONE_BACK,
     FULL_ANGLE,
     LIFT,
     LIMIT,
@@ -46,6 +45,7 @@ UNDETERMINED, EVENT_LIMIT, BUFFER = (
 STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
 # A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
 CLOSING = 1e-12
+SLOWEST_BOUNCE = 1e-100  # heights of slower ones are on the way to underflow
 MOST_PANELS = 4_000_000
 
 
@@ -170,10 +170,12 @@ def hold(body, mode, state, t_end, segments, pieces):
 @jit
 def is_last_bounce(body, state, after, last):
     """Whether the bounces that would follow take less than `CLOSING` of the time so far."""
-    if not (last > 0.0 and 0.0 < after.vn < last):
-        return False
     pull = -free_acceleration(body, math.sin(state.th), math.cos(state.th), after.om * after.om)[1]
-    if pull <= 0.0:
+    if not (after.vn > 0.0 and pull > 0.0):
+        return False
+    if after.vn < SLOWEST_BOUNCE:
+        return True
+    if not after.vn < last:
         return False
     ratio = after.vn / last
     return 2.0 * after.vn / (pull * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
@@ -219,7 +221,10 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
         if massless:
             status = UNDETERMINED
         if state.y == 0.0 and state.vn < 0.0 and not massless:
-            state, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
+            after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
+            if is_last_bounce(body, state, after, 0.0):
+                after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
+            state = after
             last_bounce = state.vn
             mode, state, count = settle(body, state, cause, events, count)
     else:
@@ -314,7 +319,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             count = write_event(events, count, quiet(TURN, mode, state), mode, state, 0.0, -1)
             if stop & STOP_AT_TURN:
                 break
-        elif what == LIMIT or what == FULL_ANGLE:
+        elif what in (LIMIT, FULL_ANGLE):
             break
         elif what == STILL:
             if mode == ROLL:

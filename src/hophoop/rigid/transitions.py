@@ -8,7 +8,6 @@ from hophoop._jit import jit
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.impact import at_singular_angle, impact, singular_slip, spin_change
 from hophoop.physics.modes import (
-    INCONSISTENT,
     INDETERMINATE,
     UNDECIDED,
     next_mode,
