@@ -147,9 +147,7 @@ def test_slow_end_goes_as_the_inverse_of_time(found):
 def test_turning_angles_are_at_rest(found, runs):
     motion = runs.motion("low_friction")
     turns = motion.find("turn")
-    assert [math.degrees(turn.angle) for turn in turns] == found["low_friction_rocks"].numbers[
-        "turning_angles_deg"
-    ]
+    assert [math.degrees(turn.angle) for turn in turns] == found["low_friction_rocks"].numbers["turning_angles_deg"]
     assert all(abs(turn.omega) < 1e-12 for turn in turns)
 
 
@@ -157,9 +155,7 @@ def test_a_wrong_motion_fails(runs):
     """The checks can fail: they are given motions that are not the article's."""
     wrong = Runs()
     motion = wrong.motion
-    names = dict.fromkeys(("slow", "faster"), "slipping") | dict.fromkeys(
-        ("slipping", "low_friction"), "slow"
-    )
+    names = dict.fromkeys(("slow", "faster"), "slipping") | dict.fromkeys(("slipping", "low_friction"), "slow")
     wrong.motion = lambda name: motion(names.get(name, name))
     checks = (
         rolling.slow_rolls,

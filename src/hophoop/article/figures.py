@@ -110,9 +110,7 @@ def _slow_end(runs: Runs, ax: Axes) -> None:
     ax.loglog(t, excess, ".", color=colors.TOTAL, ms=3, label="after each slip")
     law = excess[-1] * t[-1]
     late = t[t > 10.0]
-    ax.loglog(
-        late, law / late, color=colors.FRICTION_LOSS, lw=1.4, ls=(0, (5, 2)), label=f"{law:.0f} J s / t"
-    )
+    ax.loglog(late, law / late, color=colors.FRICTION_LOSS, lw=1.4, ls=(0, (5, 2)), label=f"{law:.0f} J s / t")
     ax.set_xlim(0.5, LONG * 1.2)
     finish(ax, "Time (s)", "Energy above rolling at the critical speed (J)")
 
@@ -159,9 +157,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ),
     ArticleFigure("forces_slow", PART1, "v₀ = 0.1 m/s: contact forces on the hoop.", _forces("slow")),
     ArticleFigure("friction_slow", PART1, "v₀ = 0.1 m/s: share of the friction used.", _used("slow")),
-    ArticleFigure(
-        "path_faster", PART2, "v₀ = 2 m/s: two turns, rolling throughout.", _path("faster"), (8.6, 2.8)
-    ),
+    ArticleFigure("path_faster", PART2, "v₀ = 2 m/s: two turns, rolling throughout.", _path("faster"), (8.6, 2.8)),
     ArticleFigure(
         "forces_faster",
         PART2,
@@ -174,9 +170,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
         "Share of the friction used, v₀ = 0.1 and 2 m/s: a little more speed, and it slips.",
         _used("slow", "faster"),
     ),
-    ArticleFigure(
-        "path_slipping", PART2, "v₀ = 2.8 m/s: rolling, skidding and spinning.", _path("slipping"), (8.6, 2.8)
-    ),
+    ArticleFigure("path_slipping", PART2, "v₀ = 2.8 m/s: rolling, skidding and spinning.", _path("slipping"), (8.6, 2.8)),
     ArticleFigure(
         "friction_slipping",
         PART2,
@@ -247,8 +241,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ArticleFigure(
         "phase_plane_low_friction",
         PART4,
-        "The (θ, θ̇) plane for μ = 0.3: rolling is left with a band, and the motion leaves it again "
-        "and again.",
+        "The (θ, θ̇) plane for μ = 0.3: rolling is left with a band, and the motion leaves it again and again.",
         _phase_plane_low,
         (8.6, 5.2),
         ours=True,

@@ -43,9 +43,7 @@ FILM_CAPTIONS = {
     "v0.1-mu0.3": "v₀ = 0.1 m/s on μ = 0.3.",
 }
 
-SOURCE = (
-    "Henrik Sönnerlind, <cite>The Physics of a Hopping Hoop</cite> (2023); figures and words are our own."
-)
+SOURCE = "Henrik Sönnerlind, <cite>The Physics of a Hopping Hoop</cite> (2023); figures and words are our own."
 CLASSES = dict(zip(VERDICTS, ("agrees", "reading", "differs", "fails"), strict=True))
 
 
@@ -70,9 +68,7 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path]) -
     there = {path.stem: path for path in films}
     for section, text in SECTIONS.items():
         body.append(f"<section id='{_anchor(section)}'><h2>{escape(section)}</h2><p>{escape(text)}</p>")
-        body += [
-            _figure(figure, number[figure.name], folder) for figure in FIGURES if figure.section == section
-        ]
+        body += [_figure(figure, number[figure.name], folder) for figure in FIGURES if figure.section == section]
         shown = [name for name in FILMS.get(section, ()) if name in there]
         if shown:
             players = "".join(_film(name, there[name], folder) for name in shown)
@@ -96,17 +92,13 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path]) -
 
 
 def _anchor(section: str) -> str:
-    return "".join(
-        letter for letter in section.lower().replace(" ", "-") if letter.isalnum() or letter == "-"
-    )
+    return "".join(letter for letter in section.lower().replace(" ", "-") if letter.isalnum() or letter == "-")
 
 
 def _head(statements: Sequence[Statement]) -> str:
     counts = {verdict: sum(one.verdict == verdict for one in statements) for verdict in VERDICTS}
     badges = " ".join(
-        f"<span class='badge {CLASSES[verdict]}'>{count} "
-        f"{'agree' if verdict == 'agrees' else escape(_plural(verdict))}"
-        "</span>"
+        f"<span class='badge {CLASSES[verdict]}'>{count} {'agree' if verdict == 'agrees' else escape(_plural(verdict))}</span>"
         for verdict, count in counts.items()
         if count
     )
@@ -173,8 +165,7 @@ def _degrees(angle: float) -> str:
 def _ribbon(sequence: str, most: int = 16) -> str:
     shown = sequence[:most]
     marks = "".join(
-        f"<i style='background:{colors.MODES[letter]}' title='{colors.MODE_NAMES[letter]}'>{letter}</i>"
-        for letter in shown
+        f"<i style='background:{colors.MODES[letter]}' title='{colors.MODE_NAMES[letter]}'>{letter}</i>" for letter in shown
     )
     return f"<span class='ribbon'>{marks}{'…' if len(sequence) > most else ''}</span>"
 

@@ -50,9 +50,7 @@ class Reproduction:
         return tuple(one for one in self.statements if one.verdict == FAILS)
 
 
-def reproduce(
-    out: str | Path = "article", progress: Progress | None = None, with_films: bool = True
-) -> Reproduction:
+def reproduce(out: str | Path = "article", progress: Progress | None = None, with_films: bool = True) -> Reproduction:
     """Compute the article's motions, draw its figures, check its statements and write a report.
 
     Parameters

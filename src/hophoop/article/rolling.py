@@ -52,9 +52,7 @@ def angular_velocity(runs: Runs) -> Statement:
     for name in ("slow", "faster"):
         sample, speed = runs.sample(name), RUNS[name][0]
         cosine = np.cos(sample.angle)
-        formula = np.sqrt(
-            (GAMMA * GRAVITY * (1.0 - cosine) + speed**2 * (1.0 + GAMMA)) / (1.0 + GAMMA * cosine)
-        )
+        formula = np.sqrt((GAMMA * GRAVITY * (1.0 - cosine) + speed**2 * (1.0 + GAMMA)) / (1.0 + GAMMA * cosine))
         errors[name] = float(np.max(np.abs(sample.omega / formula - 1.0)))
     return Statement(
         "angular_velocity",
@@ -92,8 +90,7 @@ def slow_rolls(runs: Runs) -> Statement:
         "A First Attempt",
         "At 0.1 m/s the hoop rolls through the whole turn; back at the top it has almost stopped.",
         "pure rolling",
-        f"phases {motion.sequence}; up to {peak:.3f} m/s, and {back.vx:.6f} m/s again at 360° "
-        f"(t = {back.t:.3f} s)",
+        f"phases {motion.sequence}; up to {peak:.3f} m/s, and {back.vx:.6f} m/s again at 360° (t = {back.t:.3f} s)",
         agreement(motion.sequence == "R" and abs(back.vx - 0.1) < 1e-9),
         numbers={
             "sequence": motion.sequence,
@@ -132,8 +129,7 @@ def friction_needed(runs: Runs) -> Statement:
         "μ ≥ 0.38 (later: 'approximately 0.4')",
         f"μ ≥ {needed:.9f}",
         agreement(abs(needed - 0.38) < 0.005 and above == "R" and below != "R"),
-        "The motion rolls throughout with a friction greater by 10⁻⁹ of it, and slips with one smaller "
-        "by as much.",
+        "The motion rolls throughout with a friction greater by 10⁻⁹ of it, and slips with one smaller by as much.",
         {"mu": needed, "sequence_above": above, "sequence_below": below},
     )
 
@@ -192,8 +188,7 @@ def critical_speed(runs: Runs) -> Statement:
         "a little above 2 m/s",
         f"from v₀ = {ours:.9f} m/s on, {100.0 * (ours / 2.0 - 1.0):.1f} % more",
         agreement(2.0 < ours < 2.1 and below == "R" and above != "R", exact=True),
-        "Solved to rounding; the motion rolls at a speed smaller by 10⁻⁹ of it and slips at one greater "
-        "by as much.",
+        "Solved to rounding; the motion rolls at a speed smaller by 10⁻⁹ of it and slips at one greater by as much.",
         {"first_slip_speed": ours, "sequence_above": above, "sequence_below": below},
     )
 
@@ -207,8 +202,7 @@ def massless_speed(runs: Runs) -> Statement:
         "A First Attempt",
         "As γ approaches 1 the largest angular velocity of rolling approaches infinity.",
         "θ̇max → ∞",
-        f"{', '.join(f'{speed:.1f}' for speed in speeds)} rad/s at γ = {', '.join(map(str, loads))}: "
-        f"as (1 − γ)^{slope:.3f}",
+        f"{', '.join(f'{speed:.1f}' for speed in speeds)} rad/s at γ = {', '.join(map(str, loads))}: as (1 − γ)^{slope:.3f}",
         agreement(abs(slope + 0.5) < 0.01),
         "As the formula has it, (1 − γ)^(−1/2).",
         {"gamma": loads, "omega": speeds, "exponent": slope},
@@ -226,9 +220,7 @@ def massless_slips(runs: Runs) -> Statement:
         motion = rolling_motion(gamma, mu, 0.1, 12.0)
         slips = motion.find("slip_start") or motion.find("takeoff")
         cases[mu] = (gamma, math.degrees(slips[0].angle) if slips else math.nan)
-    said = "; ".join(
-        f"μ = {mu:g}: γ = {gamma:.11g} slips at {angle:.1f}°" for mu, (gamma, angle) in cases.items()
-    )
+    said = "; ".join(f"μ = {mu:g}: γ = {gamma:.11g} slips at {angle:.1f}°" for mu, (gamma, angle) in cases.items())
     return Statement(
         "massless_slips",
         "A First Attempt",

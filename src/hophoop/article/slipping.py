@@ -30,11 +30,8 @@ def slips(runs: Runs) -> Statement:
         f"phases {motion.sequence[:7]}…; skids from {math.degrees(begin.angle):.2f}° (t = {begin.t:.4f} "
         "s), v and Rθ̇ "
         f"up to {apart:.3f} m/s apart",
-        agreement(
-            "K" in motion.sequence and "S" in motion.sequence and bool(np.all(np.abs(used - 1.0) < 1e-9))
-        ),
-        "It skids (slides ahead) on the way down and spins (over-rotates) on the way up, with rolling "
-        "between.",
+        agreement("K" in motion.sequence and "S" in motion.sequence and bool(np.all(np.abs(used - 1.0) < 1e-9))),
+        "It skids (slides ahead) on the way down and spins (over-rotates) on the way up, with rolling between.",
         {"sequence": motion.sequence, "slip_angle": begin.angle, "largest_slip": apart},
     )
 
@@ -68,16 +65,12 @@ def ends_rolling(runs: Runs) -> Statement:
     critical = float(theory.first_slip_speed(runs.hoop, runs.plane))
     floor = (1.0 + runs.hoop.eccentricity) * critical**2  # W_k of rolling with it at the top
     sticks = motion.find("stick")
-    marks = {
-        t: next(event for event in reversed(sticks) if event.t <= t) for t in (30.0, 300.0, LONG / 2.0, LONG)
-    }
+    marks = {t: next(event for event in reversed(sticks) if event.t <= t) for t in (30.0, 300.0, LONG / 2.0, LONG)}
     excess = {t: _energy(motion, event) - floor for t, event in marks.items()}
     products = [float(excess[t] * marks[t].t) for t in (LONG / 2.0, LONG)]
     times = slip_below(motion, (0.1, 0.01))
     algebraic = abs(products[1] / products[0] - 1.0) < 0.02
-    still = (
-        motion.sequence[-8:].count("S") + motion.sequence[-8:].count("K") >= 3 and min(excess.values()) > 0.0
-    )
+    still = motion.sequence[-8:].count("S") + motion.sequence[-8:].count("K") >= 3 and min(excess.values()) > 0.0
     return Statement(
         "ends_rolling",
         "Increase the Speed",
@@ -185,9 +178,7 @@ def center_in_flight(runs: Runs) -> Statement:
         f"centre from {np.min(speeds):.4f} to {np.max(speeds):.4f} m/s; centre of gravity "
         f"{along[inner][0]:.6f} m/s to "
         f"{level:.0e}, off a parabola with g = {-2.0 * bend:.6f} m/s² by {off_line:.0e} m",
-        agreement(
-            np.ptp(speeds) > 1.0 and level < 1e-11 and off_line < 1e-11 and abs(-2.0 * bend - 9.81) < 1e-8
-        ),
+        agreement(np.ptp(speeds) > 1.0 and level < 1e-11 and off_line < 1e-11 and abs(-2.0 * bend - 9.81) < 1e-8),
         numbers={"least": float(np.min(speeds)), "largest": float(np.max(speeds)), "gravity": -2.0 * bend},
     )
 

@@ -11,9 +11,7 @@ from hophoop.article.statement import FAILS, Statement
 SECTIONS = ("A First Attempt", "Increase the Speed", "Let's Hop!", "Revisiting Low Friction")
 
 
-def statements(
-    runs: Runs | None = None, progress: Callable[[str], None] | None = None
-) -> tuple[Statement, ...]:
+def statements(runs: Runs | None = None, progress: Callable[[str], None] | None = None) -> tuple[Statement, ...]:
     """Check every statement of the article against computed motions.
 
     Parameters
