@@ -206,7 +206,7 @@ def first_fall_after(series, begin, floor, stack):
     spread = 0.0
     for k in range(1, ORDER):
         spread += abs(series[k])
-    if abs(series[0]) > spread:
+    if abs(series[0]) > spread or spread == 0.0:
         return NOT_FOUND
     for k in range(ORDER):
         stack[0, k] = series[k]
@@ -220,7 +220,7 @@ def first_fall_after(series, begin, floor, stack):
         spread = 0.0
         for k in range(1, ORDER):
             spread += abs(row[k])
-        if abs(row[0]) > spread:
+        if abs(row[0]) > spread or spread == 0.0:
             top -= 1
             continue
         # derivative series, from the top coefficient down
