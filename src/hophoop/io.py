@@ -101,7 +101,7 @@ def to_xarray(motion: Trajectory, times: ArrayLike | None = None) -> xarray.Data
     >>> motion = hh.simulate(hh.Hoop(), hh.Plane(), hh.Start.rolling(3.1), duration=2.0)
     >>> dataset = to_xarray(motion, times=[0.0, 1.2, 2.0])
     >>> dataset.angle.attrs["units"], dataset.height.values.round(6)
-    ('rad', array([0.      , 0.206896, 0.      ]))
+    ('rad', array([0.      , 0.020767, 0.      ]))
     """
     xr = need("xarray", "maps")
     grid = _grid(motion, times)

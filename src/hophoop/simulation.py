@@ -67,7 +67,7 @@ def simulate(
     >>> import hophoop as hh
     >>> motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(3.1), duration=2.0)
     >>> motion.sequence
-    'RKRSHRS'
+    'RKRSHR'
     >>> round(motion.find("takeoff")[0].t, 9)
     1.044713027
     """

@@ -59,7 +59,7 @@ def paradoxes(
     Examples
     --------
     >>> found = paradoxes([0.5, 0.75], [0.5, 1.0], speeds=[0.1, 1.0, 2.0, 3.0])
-    >>> found["met"].values.max() <= 1.0
+    >>> bool(found["met"].values.max() <= 1.0)
     True
     """
     library = need("xarray", "maps")
