@@ -102,6 +102,22 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
         never = min(limit, 2.0 * reach / rise + 1e-300)
     elif rise == 0.0 and om != 0.0:
         never = min(limit, 7.0 / abs(om))
+    spread = vn * vn - 2.0 * fn * y
+    if order <= 1 and spread >= 0.0 and (vn < 0.0 or fn < 0.0):
+        # a flight too short for rounding to leave a panel its beginning: nearly a parabola
+        if vn < 0.0:
+            landing = 2.0 * y / (math.sqrt(spread) - vn)
+        else:
+            landing = (vn + math.sqrt(spread)) / -fn
+        turned = abs(om) * landing
+        bends = body.eps * om * om * turned
+        if 0.0 < landing < never and turned < 1e-2 and bends < 1e-4 * (abs(fn) + abs(vn) / landing):
+            if vn > 0.0:
+                apex = -vn / fn
+                for _ in range(3):
+                    bend = -body.gn + body.eps * om * om * math.cos(th + om * apex)
+                    apex -= flight_gap(body, s, c, om, y, vn, fn, apex)[1] / bend
+            return polished(body, s, c, om, y, vn, fn, landing, 0.1 * landing), apex
     start = 0.0
     while start < never:
         length = never - start

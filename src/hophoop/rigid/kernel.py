@@ -27,7 +27,7 @@ from hophoop.rigid.contact_phase import (
     frozen_end,
 )
 from hophoop.rigid.state import Cause, State, quiet, revised, write_event, write_segment
-from hophoop.rigid.transitions import collide, pass_singular, settle
+from hophoop.rigid.transitions import close_bounces, collide, pass_singular, settle
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 START, SLIP_START, STICK, TAKEOFF = (
@@ -223,7 +223,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
         if state.y == 0.0 and state.vn < 0.0 and not massless:
             after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
             if is_last_bounce(body, state, after, 0.0):
-                after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
+                after, cause = close_bounces(body, state)
             state = after
             last_bounce = state.vn
             mode, state, count = settle(body, state, cause, events, count)
@@ -279,7 +279,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
                 break
             after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
             if is_last_bounce(body, state, after, last_bounce):
-                after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
+                after, cause = close_bounces(body, state)
             last_bounce = after.vn
             mode, state, count = settle(body, after, cause, events, count)
             if mode == UNDECIDED:

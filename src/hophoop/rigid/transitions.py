@@ -6,6 +6,7 @@ import math
 
 from hophoop._jit import jit
 from hophoop.physics.body import Event, Mode
+from hophoop.physics.contact import delassus
 from hophoop.physics.impact import at_singular_angle, impact, singular_slip, spin_change
 from hophoop.physics.modes import (
     INDETERMINATE,
@@ -19,6 +20,7 @@ from hophoop.rigid.state import Cause, State, quiet, write_event
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 STICK, SLIP_REVERSAL, TAKEOFF = int(Event.STICK), int(Event.SLIP_REVERSAL), int(Event.TAKEOFF)
 IMPACT, KANE_GAIN, JAM = int(Event.IMPACT), int(Event.KANE_GAIN), int(Event.JAM)
+BOUNCE_LIMIT = int(Event.BOUNCE_LIMIT)
 PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
 PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
 
@@ -42,6 +44,26 @@ def collide(body, rest, state, kind, mode, collision):
         state.t, state.x, state.y, state.th, vt, vn, om, state.friction, losses_n, losses_t
     )
     return after, cause
+
+
+@jit
+def close_bounces(body, state):
+    """(state after, cause) of the impact that ends endless bounces: e = 0, and no jerk along the plane lifts it again."""
+    after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
+    if not after.vn > 0.0:
+        return after, cause
+    # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
+    s = math.sin(state.th)
+    c = math.cos(state.th)
+    W_tt, W_nn, W_tn = delassus(body, s, c)
+    p_n = -after.vn / (W_nn - W_tn * W_tn / W_tt)
+    p_t = -W_tn / W_tt * p_n
+    om = after.om + spin_change(body, s, c, p_n, p_t)
+    lost = after.impact_n - 0.5 * after.vn * p_n
+    still = State(state.t, state.x, state.y, state.th, 0.0, 0.0, om, state.friction, lost, after.impact_t)
+    p_n += cause.p_n
+    p_t += cause.p_t
+    return still, Cause(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
 
 
 @jit

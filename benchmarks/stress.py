@@ -1,0 +1,367 @@
+"""Random motions by the million: how they end, and the worst violation of any law of the model.
+
+    python benchmarks/stress.py                        # a million
+    python benchmarks/stress.py --motions 20000 --jobs 2 --json stress.json
+    python benchmarks/stress.py --show 1234            # one of them, as a scenario and its events
+
+Every motion runs through the kernel that `simulate` runs and is sampled at `SAMPLES` times as `at` does. The checks
+are made with formulas of their own: energies, the gap in flight, the friction cone. A motion is drawn from
+(seed, index) alone, so any of them can be had again.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import json
+import math
+import multiprocessing
+import sys
+import time
+from typing import Any
+
+import numpy as np
+
+import hophoop as hh
+from hophoop._jit import jit
+from hophoop.maps.kernel import CELL, body_of, second_of, start_of
+from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
+from hophoop.rigid.kernel import run
+from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
+from hophoop.rigid.sampling import COLUMNS, find_segment, sample
+
+SAMPLES = 24
+BLOCK = 500
+EVENTS = 2000  # beyond these an elastic or nearly elastic bouncing is cut off
+SEGMENTS = 150_000
+
+MEASURES = ("ledger at the end", "ledger at any time", "penetration", "pull", "cone", "friction along slip", "mirror")
+LEDGER, ALWAYS, GAP, PULL, CONE, POWER, MIRROR = range(len(MEASURES))
+KINDS = ("ideal, 1 − γ ≥ 0.001", "general", "nearly massless, 1 − γ from 0.001 to 1e-12")
+
+
+def draw(seed: int, index: int) -> tuple[int, dict[str, Any]]:
+    """(kind of hoop, sections of a scenario) of a motion."""
+    random = np.random.default_rng([seed, index])
+    kind = int(random.choice(3, p=[0.48, 0.47, 0.05]))
+    hoop: dict[str, Any] = {"radius": float(10 ** random.uniform(-1, 0.5)), "mass": float(10 ** random.uniform(-1, 1))}
+    if kind == 0:
+        hoop["load_fraction"] = float(random.random() ** 0.5 * 0.999)
+    elif kind == 1:
+        eccentricity = float(random.random())
+        hoop["eccentricity"] = eccentricity
+        within = float(random.random() * (1 - eccentricity**2))
+        spread = float(10 ** random.uniform(-4, 0.5))
+        hoop["inertia_ratio"] = max(within if random.random() < 0.7 else spread, 1e-6)
+    else:
+        hoop["load_fraction"] = 1.0 - float(10 ** random.uniform(-12, -3))
+    static = float(10 ** random.uniform(-2, 1))
+    near = random.random()
+    if near < 0.1:
+        static = 0.0
+    elif near < 0.2 and kind == 0:  # just beside the least friction of Painlevé's paradox
+        gamma = max(hoop["load_fraction"], 0.1)
+        static = math.sqrt(1 - gamma**2) / gamma * (1 + float(random.normal()) * 10 ** float(random.uniform(-8, -1)))
+    elif near < 0.23:
+        static = math.inf
+    plane: dict[str, Any] = {
+        "gravity": 0.0 if random.random() < 0.1 else 9.81,
+        "slope": 0.0 if random.random() < 0.6 else float(random.uniform(-1.2, 1.2)),
+        "mu_static": static,
+        "mu_kinetic": static * (float(random.random()) if random.random() < 0.3 and math.isfinite(static) else 1.0),
+        "restitution": float(random.choice([0.0, random.random(), 1.0], p=[0.5, 0.4, 0.1])),
+        "impact_law": str(random.choice(["stronge", "newton", "poisson"])),
+        "painleve": str(random.choice(["flight", "impact"])),
+    }
+    speed = math.sqrt(hoop["radius"] * 9.81)
+    angle = float(random.choice([0.0, random.uniform(-4, 4)], p=[0.2, 0.8]))
+    state = {"angle": angle, "vx": float(random.normal() * 1.3 * speed)}
+    spin = float(random.normal() * 1.6 * speed / hoop["radius"])
+    chosen = random.random()
+    if chosen < 0.35:
+        start = {"speed": state["vx"], "angle": angle}
+    elif chosen < 0.7:
+        start = {**state, "omega": spin}
+    else:
+        height = 0.0 if random.random() < 0.3 else float(random.random() * 2 * hoop["radius"])
+        start = {**state, "omega": spin, "height": height, "vy": float(random.normal() * speed)}
+    duration = float(random.choice([6.0, 20.0])) * math.sqrt(hoop["radius"] / 9.81)
+    return kind, {"hoop": hoop, "plane": plane, "start": start, "duration": duration}
+
+
+def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
+    """The scenario, or its mirror image, as a column for the kernel."""
+    hoop, plane, start = sections["hoop"], sections["plane"], sections["start"]
+    if "load_fraction" in hoop:
+        gamma = hoop["load_fraction"]
+        eccentricity, inertia_ratio = gamma, (1 - gamma) * (1 + gamma)
+    else:
+        eccentricity, inertia_ratio = hoop["eccentricity"], hoop["inertia_ratio"]
+    radius = hoop["radius"]
+    omega = start["speed"] / radius if "speed" in start else start["omega"]
+    slip = 0.0 if "speed" in start else start["vx"] - radius * omega
+    values = {
+        "radius": radius,
+        "mass": hoop["mass"],
+        "eccentricity": eccentricity,
+        "inertia_ratio": inertia_ratio,
+        **{name: plane[name] for name in ("gravity", "mu_static", "mu_kinetic", "restitution")},
+        "slope": sign * plane["slope"],
+        "law": int(ImpactLaw[plane["impact_law"].upper()]),
+        "strike": plane["painleve"] == "impact",
+        "x": 0.0,
+        "height": start.get("height", 0.0),
+        "angle": sign * start["angle"],
+        "vy": start.get("vy", 0.0),
+        "omega": sign * omega,
+        "slip": sign * slip,
+        "duration": sections["duration"],
+        "max_events": EVENTS,
+        "allowed": 1,
+    }
+    return np.array([float(values[name]) for name in CELL]) + 0.0
+
+
+def scenario_of(sections: dict[str, Any]) -> hh.Scenario:
+    """The same for `simulate`."""
+    return hh.Scenario(
+        hoop=hh.Hoop(**sections["hoop"]),
+        plane=hh.Plane(**sections["plane"]),
+        start=hh.Start(**sections["start"]),
+        duration=sections["duration"],
+        contact=hh.Rigid(max_events=EVENTS),
+    )
+
+
+@jit
+def energies(body, height, x, angle, slip, vy, omega):
+    """Kinetic and potential energy, from the velocity of G."""
+    s, c = math.sin(angle), math.cos(angle)
+    half = math.cos(0.5 * angle)
+    along = slip + omega * ((1.0 - body.eps) + 2.0 * body.eps * half * half)
+    up = vy - body.eps * omega * s
+    kinetic = 0.5 * (along * along + up * up + body.kap * omega * omega)
+    potential = body.gn * (height + body.eps * (c - 1.0)) - body.gt * (x + body.eps * s)
+    return kinetic, potential
+
+
+@jit
+def measure(body, events, count, segments, pieces, out, times, worst):
+    """Fill `worst` with the largest violations of one motion, each beside what it is to be judged by."""
+    first = events[0]
+    end = segments[pieces - 1]["t_end"]
+    for k in range(times.shape[0]):
+        times[k] = end * k / (times.shape[0] - 1)
+    sample(body, segments[:pieces], times, False, out)
+    kinetic, potential = energies(
+        body, first["height"], first["x"], first["angle"], first["before_slip"], first["before_vy"], first["before_omega"]
+    )
+    whole = kinetic + potential
+    size = max(kinetic, body.gn + abs(body.gt))
+    fastest = 0.0
+    for k in range(times.shape[0]):
+        fastest = max(fastest, out[k, 6] * out[k, 6])
+    last = out[times.shape[0] - 1]
+    ended, low = energies(body, last[2], last[1], last[3], last[7], last[5], last[6])
+    size = max(size, ended, abs(low), last[10])
+    force = body.gn + abs(body.gt) + fastest
+    for k in range(times.shape[0]):
+        row = out[k]
+        mode = int(row[0])
+        kinetic, potential = energies(body, row[2], row[1], row[3], row[7], row[5], row[6])
+        residual = abs(kinetic + potential + row[10] + row[11] + row[12] - whole) / size
+        if not residual <= worst[ALWAYS]:
+            worst[ALWAYS] = residual
+        if k == times.shape[0] - 1:
+            worst[LEDGER] = residual
+        if mode == 3:
+            segment = segments[find_segment(segments[:pieces], times[k], False)]
+            tau = times[k] - segment["t"]
+            rise = segment["vy"] - body.eps * math.sin(segment["angle"]) * segment["omega"]
+            top = segment["height"] + body.eps * math.cos(segment["angle"])
+            gap = top + rise * tau - 0.5 * body.gn * tau * tau - body.eps * math.cos(row[3])
+            worst[GAP] = max(worst[GAP], -gap / (1.0 + abs(rise * tau)))
+            continue
+        friction, normal = row[8], row[9]
+        worst[PULL] = max(worst[PULL], -normal / force)
+        if not math.isinf(body.mu_s):
+            excess = abs(friction) - body.mu_s * max(normal, 0.0)
+            worst[CONE] = max(worst[CONE], excess / (force * (1.0 + body.mu_s) + abs(friction)))
+        worst[POWER] = max(worst[POWER], friction * row[7] / ((force + abs(friction)) * (1.0 + abs(row[7]))))
+
+
+@jit
+def one_motion(cell, events, segments, scratch):
+    """Status and numbers of events and segments."""
+    second = second_of(cell, 0)
+    body = body_of(cell, 0)
+    start = start_of(cell, 0, second)
+    return run(body, start, cell[17, 0] / second, math.nan, 0, events, segments, scratch)
+
+
+@jit
+def evaluate(cells, mirrors, kinds, worst):
+    """Rows of statuses, numbers of events of each kind, and worst violations."""
+    scratch = new_scratch()
+    events = np.empty(EVENTS, EVENT)
+    other = np.empty(EVENTS, EVENT)
+    segments = np.empty(SEGMENTS, SEGMENT)
+    times = np.empty(SAMPLES)
+    out = np.empty((SAMPLES, len(COLUMNS)))
+    statuses = np.empty(cells.shape[0], np.int64)
+    for i in range(cells.shape[0]):
+        cell = cells[i].reshape(-1, 1)
+        status, count, pieces = one_motion(cell, events, segments, scratch)
+        statuses[i] = status
+        for k in range(count):
+            kinds[i, events[k]["kind"]] += 1
+        if pieces > 0:
+            measure(body_of(cell, 0), events, count, segments, pieces, out, times, worst[i])
+        mirror = mirrors[i].reshape(-1, 1)
+        again, number, _ = one_motion(mirror, other, segments, scratch)
+        differs = 0.0
+        if again != status or number != count:
+            differs = math.inf
+        else:
+            for k in range(count):
+                scale = 1.0 + abs(events[k]["angle"]) + abs(events[k]["omega"])
+                differs = max(differs, abs(events[k]["angle"] + other[k]["angle"]) / scale)
+                differs = max(differs, abs(events[k]["omega"] + other[k]["omega"]) / scale)
+        worst[i, MIRROR] = differs
+    return statuses
+
+
+def work(task: tuple[int, int, int]) -> dict[str, Any]:
+    """One block of motions."""
+    seed, low, high = task
+    drawn = [draw(seed, index) for index in range(low, high)]
+    cells = np.array([cell_of(sections) for _, sections in drawn])
+    mirrors = np.array([cell_of(sections, -1.0) for _, sections in drawn])
+    kinds = np.zeros((high - low, len(EVENT_NAMES)), np.int64)
+    worst = np.zeros((high - low, len(MEASURES)))
+    statuses = evaluate(cells, mirrors, kinds, worst)
+    hoops = np.array([kind for kind, _ in drawn])
+    endless = np.array([math.isinf(sections["plane"]["mu_static"]) for _, sections in drawn])
+    newton = np.array([sections["plane"]["impact_law"] == "newton" for _, sections in drawn])
+    gain = kinds[:, Event.KANE_GAIN] > 0
+    result: dict[str, Any] = {
+        "statuses": collections.Counter(),
+        "events": collections.Counter(),
+        "odd": collections.defaultdict(list),
+        "worst": {},
+        "above": collections.Counter(),
+    }
+    for kind in range(3):
+        for rough, tail in ((False, ""), (True, ", μ = ∞")):
+            chosen = statuses[(hoops == kind) & (endless == rough)]
+            for status, number in zip(*np.unique(chosen, return_counts=True), strict=True):
+                result["statuses"][kind, Status(status).name.lower() + tail] += int(number)
+        mine = np.flatnonzero(hoops == kind)
+        for m in range(len(MEASURES)):
+            if len(mine):
+                at = mine[np.argmax(np.nan_to_num(worst[mine, m], nan=math.inf))]
+                result["worst"][kind, m] = (float(worst[at, m]), low + int(at))
+                result["above"][kind, m] += int(np.sum(~(worst[mine, m] <= 1e-11)))
+    for name, number in zip(EVENT_NAMES, np.count_nonzero(kinds, axis=0), strict=True):
+        result["events"][name] = int(number)
+    for name in ("jammed", "undetermined", "event_limit", "buffer"):
+        where = np.flatnonzero((statuses == Status[name.upper()]) & ~endless)
+        result["odd"][name] = [low + int(i) for i in where[:5]]
+    result["odd"]["gain without Newton"] = [low + int(i) for i in np.flatnonzero(gain & ~newton)[:5]]
+    return result
+
+
+def together(results: list[dict[str, Any]]) -> dict[str, Any]:
+    """Add the blocks up."""
+    total: dict[str, Any] = {
+        "statuses": collections.Counter(),
+        "events": collections.Counter(),
+        "odd": collections.defaultdict(list),
+        "worst": {},
+        "above": collections.Counter(),
+    }
+    for result in results:
+        for name in ("statuses", "events", "above"):
+            total[name].update(result[name])
+        for name, found in result["odd"].items():
+            total["odd"][name] = (total["odd"][name] + found)[:8]
+        for key, (value, index) in result["worst"].items():
+            if not value <= total["worst"].get(key, (-1.0, 0))[0]:
+                total["worst"][key] = (value, index)
+    return total
+
+
+def report(total: dict[str, Any], motions: int, seconds: float) -> str:
+    """The result in words and columns."""
+    lines = [f"{motions} motions, each also mirrored, in {seconds:.0f} s", ""]
+    for kind, title in enumerate(KINDS):
+        of_kind = {name: number for (k, name), number in total["statuses"].items() if k == kind}
+        lines.append(f"{title}: {sum(of_kind.values())}")
+        lines += [f"    {name:20s} {number:9d}" for name, number in sorted(of_kind.items(), key=lambda item: -item[1])]
+        for m, measure_name in enumerate(MEASURES):
+            if (kind, m) in total["worst"]:
+                value, index = total["worst"][kind, m]
+                above = total["above"][kind, m]
+                lines.append(f"    worst {measure_name:20s} {value:9.2e}  (motion {index}; {above} above 1e-11)")
+    lines.append("motions with at least one event of a kind:")
+    lines += [f"    {name:24s} {number:9d}" for name, number in total["events"].items()]
+    lines += [f"{name}: first {found}" for name, found in total["odd"].items() if found]
+    return "\n".join(lines)
+
+
+def show(seed: int, index: int) -> None:
+    """One motion, in full."""
+    kind, sections = draw(seed, index)
+    print(KINDS[kind])
+    print(json.dumps(sections, indent=2))
+    motion = hh.simulate(scenario_of(sections))
+    print(motion, motion.ledger)
+    for event in motion.events[:60]:
+        print(
+            f"{event.t:.12g} {event.kind} {event.from_mode}→{event.to_mode} angle {event.angle:.12g} "
+            f"omega {event.omega:.6g} slip {event.slip:.6g} vy {event.vy:.6g}"
+        )
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--motions", type=int, default=1_000_000)
+    parser.add_argument("--first", type=int, default=0, help="index of the first motion")
+    parser.add_argument("--seed", type=int, default=2026)
+    parser.add_argument("--jobs", type=int, default=multiprocessing.cpu_count())
+    parser.add_argument("--json", metavar="FILE")
+    parser.add_argument("--show", type=int, metavar="INDEX")
+    arguments = parser.parse_args()
+    if arguments.show is not None:
+        show(arguments.seed, arguments.show)
+        return 0
+    begin = time.perf_counter()
+    work((arguments.seed, 0, 1))  # compiles before the processes part
+    end = arguments.first + arguments.motions
+    tasks = [(arguments.seed, low, min(low + BLOCK, end)) for low in range(arguments.first, end, BLOCK)]
+    with multiprocessing.Pool(arguments.jobs) as pool:
+        results = []
+        for result in pool.imap_unordered(work, tasks):
+            results.append(result)
+            if sys.stderr.isatty():
+                print(f"\r{len(results) * BLOCK} / {arguments.motions}", end="", file=sys.stderr)
+    total = together(results)
+    print(report(total, arguments.motions, time.perf_counter() - begin))
+    if arguments.json:
+        plain = {
+            "motions": arguments.motions,
+            "seed": arguments.seed,
+            "version": hh.__version__,
+            "statuses": {KINDS[k]: {n: v for (j, n), v in total["statuses"].items() if j == k} for k in range(3)},
+            "worst": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["worst"].items() if j == k} for k in range(3)},
+            "above 1e-11": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["above"].items() if j == k} for k in range(3)},
+            "events": dict(total["events"]),
+            "odd": dict(total["odd"]),
+        }
+        with open(arguments.json, "w", encoding="utf-8") as file:
+            json.dump(plain, file, indent=2)
+    return int(bool(total["odd"]["gain without Newton"] or total["odd"]["buffer"]))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,276 @@
+r"""Impacts worked by hand, and what the three laws of restitution promise.
+
+All of the hand-worked cases are of one body, R = m = 1, in exact fractions. With sin θ = −4/5, cos θ = 3/5 and
+ε = 1/2 the lever arms are a = 1 + ε cos θ = 13/10 and b = ε sin θ = −2/5, so that a unit impulse changes the
+velocity of the contact point by
+
+    W_tt = 1 + a²/κ,    W_nn = 1 + b²/κ,    W_tn = −ab/κ = (13/25)/κ.
+
+`BLOCK` has κ = 39/100: W = (16/3, 55/39, 4/3). `SHARP` has κ = 1/25: W = (173/4, 5, 13). Slip backwards (v_t < 0)
+drags friction r = +μ along, so v_t grows at W_tn + μ W_tt and v_n at W_nn + μ W_tn.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import hophoop as hh
+
+LAWS = ("newton", "poisson", "stronge")
+ANGLE = math.atan2(-0.8, 0.6)
+BLOCK = hh.Hoop(radius=1.0, mass=1.0, eccentricity=0.5, inertia_ratio=0.39)
+SHARP = hh.Hoop(radius=1.0, mass=1.0, eccentricity=0.5, inertia_ratio=0.04)
+
+
+def strike(hoop, mu, restitution, law, angle=ANGLE, vx=0.0, vy=0.0, omega=0.0, **plane):
+    """The impact at t = 0 and the motion that it begins."""
+    where = hh.Plane(mu=mu, restitution=restitution, impact_law=law, **plane)
+    start = hh.Start(angle=angle, vx=vx, vy=vy, omega=omega)
+    motion = hh.simulate(hoop, where, start, duration=1e-3, contact=hh.Rigid(max_events=12))
+    return motion.find("impact")[0], motion
+
+
+def kinetic(hoop, angle, vx, vy, omega):
+    """½ m (ẋ_G² + ẏ_G²) + ½ κ m R² θ̇² [J], from the velocity of the centre."""
+    arm = hoop.eccentricity * hoop.radius
+    along = vx + arm * omega * math.cos(angle)
+    up = vy - arm * omega * math.sin(angle)
+    return 0.5 * hoop.mass * (along**2 + up**2) + 0.5 * hoop.inertia * omega**2
+
+
+def test_slip_that_stops_in_compression():
+    r"""`BLOCK`, v = (−1, −3), μ = 1/2, e = 1: each law by hand.
+
+    Slip: v_t grows at 4/3 + 8/3 = 4 and stops at p = 1/4; v_n grows at 55/39 + 2/3 = 27/13 to −129/52. Then it sticks
+    with r* = −(4/3)/(16/3) = −1/4 and v_n grows at 55/39 − 1/3 = 14/13, zero after another 129/56: p_c = 143/56.
+    Compression work: ¼·(3 + 129/52)/2 + (129/52)(129/56)/2 = 20631/5824.
+
+    Newton    v_n = 3.
+    Poisson   another 143/56 at 14/13: v_n = 11/4.
+    Stronge   v_n² = 2 (14/13)(20631/5824) = 20631/2704: v_n = √20631/52.
+
+    All of the tangential loss is in the slip: ½·1·½·¼ = 1/16.
+    """
+    expected = {"newton": 3.0, "poisson": 11 / 4, "stronge": math.sqrt(20631) / 52}
+    for law, separation in expected.items():
+        impact, _ = strike(BLOCK, 0.5, 1.0, law, vx=-1.0, vy=-3.0)
+        assert impact.vy == pytest.approx(separation, rel=1e-14), law
+        assert impact.slip == 0.0
+        assert impact.impact_tangential == pytest.approx(1 / 16, rel=1e-14)
+        normal = 143 / 56 + separation / (14 / 13)
+        assert impact.impulse_normal == pytest.approx(normal, rel=1e-14)
+        assert impact.impulse_tangential == pytest.approx(1 / 8 - (normal - 1 / 4) / 4, rel=1e-13)
+    # Stronge's e = 1 gives back all that compression took
+    assert strike(BLOCK, 0.5, 1.0, "stronge", vx=-1.0, vy=-3.0)[0].impact_normal == pytest.approx(0, abs=1e-15)
+
+
+def test_kanes_gain_by_hand():
+    r"""The same under Newton's law creates 257/448 J, and `kane_gain` says so.
+
+    Normal work: −(3 + 129/52)/2·¼ + (3 − 129/52)/2·(285/56) = −285/416 + 7695/5824 = 285/448.
+    Tangential: −1/16. Together 285/448 − 28/448 = 257/448.
+    """
+    impact, motion = strike(BLOCK, 0.5, 1.0, "newton", vx=-1.0, vy=-3.0)
+    (gain,) = motion.find("kane_gain")
+    assert gain.gain == pytest.approx(257 / 448, rel=1e-13)
+    assert gain.t == impact.t == 0.0
+    assert impact.impact_normal == pytest.approx(-285 / 448, rel=1e-13)
+    after = kinetic(BLOCK, ANGLE, impact.vx, impact.vy, impact.omega)
+    before = kinetic(BLOCK, ANGLE, -1.0, -3.0, 0.0)
+    assert after - before == pytest.approx(257 / 448, rel=1e-13)
+    assert abs(motion.ledger.residual) <= 1e-14 * motion.ledger.range  # reported, and booked
+    for law in ("poisson", "stronge"):
+        assert not strike(BLOCK, 0.5, 1.0, law, vx=-1.0, vy=-3.0)[1].find("kane_gain")
+
+
+def test_slip_that_stops_in_restitution():
+    r"""`BLOCK`, v = (−8, −3), μ = 1/2: slip outlasts compression, and Stronge's integral is split where it stops.
+
+    Slip stops at p = 2; v_n grows at 27/13 and is zero before, at p_c = 13/9, after the work ½·3·13/9 = 13/6. At p = 2
+    v_n = (27/13)(5/9) = 15/13, having got back ½ (15/13)(5/9) = 25/78. Then stick, at 14/13.
+
+    Newton, e = ½    v_n = 3/2 after (3/2 − 15/13)/(14/13) = 9/28 more.
+    Poisson, e = ½   13/18 to give, 5/9 of it given in slip; 1/6 left: v_n = 15/13 + (14/13)/6 = 4/3.
+    Stronge, e = 1   v_n² = (15/13)² + 2 (14/13)(13/6 − 25/78) = 897/169.
+    """
+    for law, restitution, separation in (
+        ("newton", 0.5, 1.5),
+        ("poisson", 0.5, 4 / 3),
+        ("stronge", 1.0, math.sqrt(897) / 13),
+    ):
+        impact, _ = strike(BLOCK, 0.5, restitution, law, vx=-8.0, vy=-3.0)
+        assert impact.vy == pytest.approx(separation, rel=1e-14), law
+        assert impact.slip == 0.0
+        assert impact.impulse_normal == pytest.approx(2 + (separation - 15 / 13) * 13 / 14, rel=1e-14)
+        assert impact.impact_tangential == pytest.approx(0.5 * 8 * 0.5 * 2, rel=1e-14)  # ½·v_t·μ p
+
+
+def test_slip_that_reverses():
+    r"""`BLOCK`, v = (−1, −3), μ = 1/8 < abs(r*) = 1/4: slip stops in compression and goes on forwards.
+
+    It stops at p = 1/2 (v_t grows at 2) with v_n = −115/52. Forwards r = −1/8: v_t grows at 4/3 − 2/3 = 2/3, v_n at
+    55/39 − 1/6 = 97/78. Newton with e = 1 adds (3 + 115/52)(78/97) = 813/194, so v_t = 271/97. Normal work
+    −271/208 + 33333/20176 = 3523/10088; tangential loss 1/32 + (1/8)(271/194)(813/194): no gain here.
+    """
+    impact, motion = strike(BLOCK, 0.125, 1.0, "newton", vx=-1.0, vy=-3.0)
+    assert impact.slip == pytest.approx(271 / 97, rel=1e-14)
+    assert impact.impulse_normal == pytest.approx(1 / 2 + 813 / 194, rel=1e-14)
+    assert impact.impact_normal == pytest.approx(-3523 / 10088, rel=1e-12)
+    assert impact.impact_tangential == pytest.approx(1 / 32 + 271 * 813 / (8 * 194 * 194), rel=1e-13)
+    assert not motion.find("kane_gain")
+    assert impact.to_mode == "H"
+
+
+def test_friction_just_enough_to_stick():
+    r"""From v_t = 0, `BLOCK` sticks for μ ≥ 1/4 and slips forwards below; the result has no jump there."""
+    held = strike(BLOCK, 0.25, 0.0, "stronge", vy=-3.0)[0]
+    assert held.slip == 0.0
+    assert held.vx == pytest.approx(held.omega, abs=1e-15)
+    barely = strike(BLOCK, 0.25 - 1e-12, 0.0, "stronge", vy=-3.0)[0]
+    assert 0.0 < barely.slip < 1e-10
+    assert barely.impulse_normal == pytest.approx(held.impulse_normal, rel=1e-11)
+
+
+def test_impact_without_collision():
+    r"""`SHARP`, v_t = 1, v_n = 0, μ = 1: p_σ = 5 − 13 = −8, an impact though nothing collides.
+
+    v_t falls at 13 − 173/4 = −121/4 and stops at p = 4/121, v_n = −32/121. Stick: r* = −52/173, v_n grows at
+    5 − 13·52/173 = 189/173 and is zero at p_c = 4/121 + (32/121)(173/189) = 52/189. Compression work
+    ½ (32/121)(52/189) = 832/22869.
+
+    Newton    v_n = 0: there was no approach to give back.
+    Poisson   e p_c·189/173 = 52 e/173.
+    Stronge   v_n = e √(2 (189/173)(832/22869)) = (e/11) √(1664/173).
+    """
+    expected = {"newton": 0.0, "poisson": 26 / 173, "stronge": math.sqrt(1664 / 173) / 22}
+    for law, separation in expected.items():
+        impact, motion = strike(SHARP, 1.0, 0.5, law, vx=1.0)
+        (paradox,) = motion.find("painleve_inconsistent")
+        assert paradox.t == impact.t == 0.0
+        assert impact.collision is False
+        assert impact.vy == pytest.approx(separation, rel=1e-13, abs=1e-16), law
+        assert impact.slip == 0.0
+        normal = 52 / 189 + separation * 173 / 189
+        assert impact.impulse_normal == pytest.approx(normal, rel=1e-13)
+        assert impact.impulse_tangential == pytest.approx(-4 / 121 - 52 / 173 * (normal - 4 / 121), rel=1e-12)
+        assert impact.impact_tangential == pytest.approx(0.5 * 1 * 4 / 121, rel=1e-13)
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_disk_dropped_with_spin(law):
+    r"""A solid disk (ε = 0, κ = ½) dropped from 0.2 m with 30 rad/s: no coupling, so the laws are one.
+
+    v_n = −√(2 g h); over p = (1 + e) m abs(v_n) friction μ turns spin into travel, ẋ = μ p and θ̇ = 30 − 2 μ p, until
+    they meet. With μ = 0.1 and e = 0.6 it still slips after the first bounce.
+    """
+    disk = hh.Hoop.from_parts(radius=1.0, parts=[hh.Disk(1.0, 1.0)])
+    plane = hh.Plane(mu=0.1, restitution=0.6, impact_law=law)
+    motion = hh.simulate(disk, plane, hh.Start(height=0.2, omega=30.0), duration=0.5)
+    impact = motion.find("impact")[0]
+    speed = math.sqrt(2 * 9.81 * 0.2)
+    assert impact.t == pytest.approx(speed / 9.81, rel=1e-14)
+    assert impact.vy == pytest.approx(0.6 * speed, rel=1e-13)
+    assert impact.vx == pytest.approx(0.1 * 1.6 * speed, rel=1e-13)
+    assert impact.omega == pytest.approx(30 - 0.2 * 1.6 * speed, rel=1e-14)
+
+
+def test_elastic_frictionless_bounces_conserve_energy():
+    """e = 1 without friction: hundreds of bounces of an eccentric hoop keep every joule, under each law."""
+    hoop = hh.Hoop(radius=0.7, mass=2.0, eccentricity=0.6, inertia_ratio=0.2)
+    for law in LAWS:
+        plane = hh.Plane(mu=0.0, restitution=1.0, impact_law=law)
+        start = hh.Start(height=0.4, angle=0.9, vx=1.0, omega=-3.0)
+        motion = hh.simulate(hoop, plane, start, duration=120.0)
+        assert len(motion.find("impact")) > 100
+        first, last = motion.at(0.0), motion.at(motion.duration)
+        assert last.total == pytest.approx(first.total, abs=1e-12 * motion.ledger.range), law
+        lost = motion.ledger
+        assert lost.friction == 0.0
+        assert abs(lost.impact_normal) <= 1e-12 * lost.range
+        assert lost.impact_tangential == 0.0
+        momentum = motion.at(motion.times(50))
+        along = momentum.vx + 0.42 * momentum.omega * np.cos(momentum.angle)
+        np.testing.assert_allclose(along, along[0], rtol=1e-12)
+
+
+def test_laws_agree_where_theory_says():
+    """Without restitution, without friction, and wherever the slip keeps its direction throughout."""
+    random = np.random.default_rng(3)
+    kept = 0
+    for _ in range(60):
+        angle, vx, omega = random.uniform(-3, 3), random.normal() * 4, random.normal() * 4
+        for mu, restitution in ((0.7, 0.0), (0.0, 0.6), (0.3, 0.6)):
+            results = [strike(BLOCK, mu, restitution, law, angle=angle, vx=vx, vy=-1.0, omega=omega)[0] for law in LAWS]
+            if mu == 0.3:
+                if any(result.slip * result.before.slip <= 0.0 for result in results):
+                    continue
+                kept += 1
+            for result in results[1:]:
+                for name in ("vx", "vy", "omega", "impulse_normal", "impulse_tangential"):
+                    assert getattr(result, name) == pytest.approx(getattr(results[0], name), rel=1e-12, abs=1e-13)
+    assert kept > 10
+
+
+@settings(max_examples=120)
+@given(
+    eccentricity=st.floats(0.0, 0.98),
+    share=st.floats(0.02, 1.0),
+    angle=st.floats(-math.pi, math.pi),
+    mu=st.floats(0.0, 3.0),
+    ratio=st.floats(0.0, 1.0),
+    restitution=st.floats(0.0, 1.0),
+    vx=st.floats(-5.0, 5.0),
+    vy=st.floats(-5.0, 0.0),
+    omega=st.floats(-5.0, 5.0),
+    law=st.sampled_from(LAWS),
+)
+def test_impacts_are_dissipative(eccentricity, share, angle, mu, ratio, restitution, vx, vy, omega, law):
+    """Energy never grows under Poisson's and Stronge's laws; under Newton's it grows by what `kane_gain` says.
+
+    The impulse lies in the friction cone, the rim does not go on into the plane, and the losses are what is missing.
+    """
+    hoop = hh.Hoop(radius=1.0, mass=1.0, eccentricity=eccentricity, inertia_ratio=share * (1 - eccentricity**2))
+    plane = hh.Plane(mu_static=mu, mu_kinetic=mu * ratio, restitution=restitution, impact_law=law, painleve="impact")
+    start = hh.Start(angle=angle, vx=vx, vy=vy, omega=omega)
+    # a slow elastic approach would bounce thousands of times in any duration
+    motion = hh.simulate(hoop, plane, start, duration=1e-6, contact=hh.Rigid(max_events=12))
+    scale = kinetic(hoop, angle, vx, vy, omega) + 1e-300
+    impacts = [event for event in motion.find("impact") if event.t == 0.0]
+    for impact in impacts:
+        before = kinetic(hoop, angle, impact.before.vx, impact.before.vy, impact.before.omega)
+        after = kinetic(hoop, angle, impact.vx, impact.vy, impact.omega)
+        assert impact.vy >= 0.0
+        assert impact.impulse_normal >= 0.0
+        assert abs(impact.impulse_tangential) <= mu * impact.impulse_normal * (1 + 1e-13)
+        if law != "newton":
+            assert after <= before + 1e-13 * scale
+    if len(impacts) == 1:
+        gained = after - before
+        assert impact.impact_normal + impact.impact_tangential == pytest.approx(-gained, abs=1e-12 * scale)
+        assert impact.impact_tangential >= -1e-15 * scale
+        gains = motion.find("kane_gain")
+        if gains:
+            assert law == "newton"
+            assert gains[0].gain == pytest.approx(gained, rel=1e-6, abs=1e-12 * scale)
+        else:
+            assert gained <= 1e-12 * scale
+
+
+def test_infinite_friction_stops_slip_at_once():
+    r"""μ = ∞: an impulse along the plane alone ends the slip; then `BLOCK` sticks with r* = −1/4.
+
+    v = (−1, −3): the stop takes p_t = 1/W_tt = 3/16 and gives v_n = −3 + (4/3)(3/16) = −11/4, ended by
+    p_n = (11/4)(13/14) = 143/56.
+    """
+    impact, _ = strike(BLOCK, math.inf, 0.0, "stronge", vx=-1.0, vy=-3.0)
+    assert impact.slip == 0.0
+    assert impact.impulse_normal == pytest.approx(143 / 56, rel=1e-14)
+    assert impact.impulse_tangential == pytest.approx(3 / 16 - 143 / 224, rel=1e-14)
+    close = strike(BLOCK, 1e9, 0.0, "stronge", vx=-1.0, vy=-3.0)[0]  # and it is the limit of large μ
+    assert close.vx == pytest.approx(impact.vx, rel=1e-8)
+    assert close.impact_tangential == pytest.approx(impact.impact_tangential, rel=1e-8)

@@ -1,0 +1,132 @@
+r"""The massless hoop, γ = 1: rolling, the loss of its contact force, skimming, and what heavy rims do instead.
+
+All of it is the motion of one particle. Rolling, it is at the height R (1 + cos θ) on a cycloid and the force on it
+points along the line from the contact, F/N = tan(θ/2). Energy gives (1 + cos θ) R θ̇² = g (1 − cos θ) + 2 v0²/R, so that
+N = m (g cos θ − v0²/R); where that is zero, θ̇² = g/R. Then the particle falls freely.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+
+G = 9.81
+MASSLESS = hh.Hoop.ideal(1.0)
+
+
+def roll(speed, mu=2.0, angle=0.0, hoop=MASSLESS, duration=6.0, **plane):
+    return hh.simulate(hoop, hh.Plane(mu=mu, **plane), hh.Start.rolling(speed=speed, angle=angle), duration=duration)
+
+
+@pytest.mark.parametrize("speed", [0.01, 0.1, 0.5, 1.0, 2.0, 3.0])
+@pytest.mark.parametrize("mu", [1.0, 5.0, math.inf])
+def test_contact_is_lost_where_the_particle_says(speed, mu):
+    """cos θ = v0²/(gR), or where tan(θ/2) = μ if that is sooner; then θ̇ = √(g/R)."""
+    motion = roll(speed, mu)
+    (skim,) = motion.find("skim")
+    ratio = speed**2 / G
+    by_force = math.acos(ratio)
+    by_friction = 2 * math.atan(mu)
+    assert skim.angle == pytest.approx(min(by_force, by_friction), rel=1e-12)
+    if by_force <= by_friction:
+        assert skim.omega == pytest.approx(math.sqrt(G), rel=1e-12)
+    loss = hh.theory.massless_loss(speed, plane=hh.Plane(mu=mu))
+    assert (skim.angle, skim.omega) == pytest.approx((loss.angle, loss.omega), rel=1e-11)
+
+
+def test_littlewoods_ninety_degrees():
+    """From rest at the top the force goes when the load is level with the centre: θ → 90° as v0 → 0."""
+    gaps = [0.5 * math.pi - roll(speed, duration=9.0).find("skim")[0].angle for speed in (0.1, 0.01, 0.001)]
+    for speed, gap in zip((0.1, 0.01, 0.001), gaps, strict=True):
+        assert gap == pytest.approx(speed**2 / G, rel=1e-4)
+
+
+def test_it_does_not_hop_but_skim():
+    """After that the rim stays on the plane without force, and the load strikes it at 180° (no hop)."""
+    motion = roll(1.0)
+    assert motion.sequence == "RMR"
+    skim, impact = motion.find("skim")[0], motion.find("impact")[0]
+    assert impact.angle == pytest.approx(math.pi, rel=1e-14)
+    # the particle's free fall, by itself
+    height = 1 + math.cos(skim.angle)
+    sinking = math.sin(skim.angle) * skim.omega
+    fall = (-sinking + math.sqrt(sinking**2 + 2 * G * height)) / G
+    assert impact.t - skim.t == pytest.approx(fall, rel=1e-12)
+    times = np.linspace(skim.t, impact.t, 40)[1:-1]
+    sample = motion.at(times)
+    assert (sample.height == 0.0).all()
+    assert (sample.normal_force == 0.0).all()
+    tau = times - skim.t
+    np.testing.assert_allclose(1 + np.cos(sample.angle), height - sinking * tau - 0.5 * G * tau**2, rtol=1e-10, atol=1e-12)
+    place = motion.at(skim.t)
+    along = place.vx + skim.omega * math.cos(skim.angle)
+    np.testing.assert_allclose(sample.x + np.sin(sample.angle), place.x + math.sin(skim.angle) + along * tau, rtol=1e-12)
+
+
+def test_fast_starts_lose_it_at_once():
+    """v0² ≥ gR: no force from the first instant; the rim skims with θ = √(g/R) t near the top."""
+    for speed in (math.sqrt(G) * (1 + 1e-9), 3.2, 5.0):
+        motion = roll(speed)
+        (skim,) = motion.find("skim")
+        assert skim.t == 0.0
+        assert skim.angle == 0.0
+        assert skim.omega == pytest.approx(math.sqrt(G), rel=1e-12)
+        impact = motion.find("impact")[0]
+        assert impact.t == pytest.approx(math.sqrt(4 / G), rel=1e-12)  # a fall from 2R
+        assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
+
+
+def test_the_load_at_rest_above_too_little_friction_falls():
+    """Released at 100° the force would need tan 50° = 1.19: with μ = 1 the load falls straight down."""
+    motion = roll(0.0, mu=1.0, angle=math.radians(100))
+    impact = motion.find("impact")[0]
+    assert impact.t == pytest.approx(math.sqrt(2 * (1 + math.cos(math.radians(100))) / G), rel=1e-12)
+    assert impact.x == pytest.approx(math.sin(math.radians(100)), rel=1e-12)
+    assert motion.status == "at_rest"
+
+
+def test_rising_load_is_undetermined():
+    """Where the load would rise freely nothing turns the massless rim: the run says so and keeps what it has."""
+    motion = roll(4.0, mu=2.0, angle=math.radians(-80))
+    assert motion.status == "undetermined"
+    assert not motion.ok
+
+
+@pytest.mark.parametrize("mu", [1.0, 5.0])
+def test_heavy_rims_come_to_it(mu):
+    """γ = 1 − 10⁻ᵏ down to 10⁻¹²: the first slip goes to the massless loss of contact, but as a skid and not a hop.
+
+    Just before N = 0 the needed friction passes any μ, so that slip begins first; the angle differs by an amount that does
+    not vanish with 1 − γ for the mass on the rim that is left must still be turned.
+    """
+    speed = 1.0
+    angles, rest = [], []
+    for k in range(2, 13):
+        motion = roll(speed, mu, hoop=hh.Hoop.ideal(1 - 10.0**-k))
+        first = motion.find("slip_start")[0]
+        angles.append(first.angle)
+        rest.append(abs(motion.ledger.residual) / motion.ledger.range)
+        assert first.to_mode == "K"
+        assert motion.sequence.startswith("RKRS")
+    limit = math.acos(speed**2 / G)
+    gaps = [limit - angle for angle in angles]
+    steps = [abs(after - before) for before, after in pairwise(angles)]
+    assert all(later < 0.2 * sooner for sooner, later in pairwise(steps[:9]))
+    assert abs(gaps[-1]) < 1e-9 + abs(gaps[0])
+    assert steps[-1] < 1e-10
+    assert max(rest[:3]) < 1e-12
+    assert max(rest) < 1e-8  # θ itself has so few digits where θ̇ → ∞
+
+
+def test_units():
+    """R, m and g only scale it."""
+    hoop = hh.Hoop.ideal(1.0, radius=0.25, mass=3.0)
+    motion = hh.simulate(hoop, hh.Plane(mu=2.0, gravity=1.6), hh.Start.rolling(0.2), duration=6.0)
+    skim = motion.find("skim")[0]
+    assert math.cos(skim.angle) == pytest.approx(0.04 / 0.4, rel=1e-12)
+    assert skim.omega == pytest.approx(math.sqrt(1.6 / 0.25), rel=1e-12)
