@@ -114,6 +114,26 @@ def test_every_kind_of_event_has_words():
     assert {"takeoff", "impact", "jam", "skim", "rest", "kane_gain", "painleve_inconsistent"} <= seen
 
 
+def test_bounces_without_number_are_counted_not_listed():
+    computed = state.computed(next(p for p in presets.presets() if p.key == "bounces").scenario)
+    bounces = [e for e in computed.find("impact") if e.to_mode == "H"]
+    assert len(bounces) > 20
+    said = [told["text"] for told in words.story(computed)]
+    assert sum("and bounces" in text for text in said) == 3
+    assert f"It bounces {len(bounces) - 3} more times." in said
+    assert f"bounces at 64.9° and {len(bounces) - 1} more times, has bounced out" in words.summary(computed)
+    # two bounces are told one by one
+    few = state.computed(hh.Scenario(plane=hh.Plane(restitution=0.9), start=hh.Start(height=1.0), duration=2.0))
+    assert 1 < len([e for e in few.find("impact") if e.to_mode == "H"]) < 6
+    assert not any("more times" in told["text"] for told in words.story(few))
+
+
+def test_numbers_in_words_have_a_minus_sign_and_powers():
+    assert words.degrees(-1.0) == "−57.3°"
+    fast = state.computed(hh.Scenario(start=hh.Start(height=1.0, vx=-1.5e4), duration=0.1))
+    assert "the centre at −1.5·10⁴ m/s" in words.story(fast)[0]["text"]
+
+
 def test_a_long_story_says_what_it_leaves_out():
     bounces = next(preset for preset in presets.presets() if preset.key == "bounces")
     story = words.story(state.computed(bounces.scenario), most=5)
@@ -210,6 +230,11 @@ def test_python_makes_parts_friction_and_compliance():
     assert 'float("inf")' in state.python_code(hh.Scenario(plane=hh.Plane(mu=math.inf)))
 
 
+def test_python_names_what_one_will_want_to_change():
+    assert "hh.Hoop(load_fraction=0.75)" in state.python_code(HOP)
+    assert "hh.Plane(mu=1.0)" in state.python_code(HOP)
+
+
 # Requests
 
 
@@ -244,7 +269,9 @@ def test_equal_requests_have_equal_tags():
         ("film", {"query": "plane.mu=x"}, "plane.mu = 'x' must be a number"),
         ("simulate", {"samples": 1}, "samples = 1 must be a whole number from 0 and not 1."),
         ("simulate", {"samples": True}, "samples = true must be a whole number"),
-        ("regions", {"rate": 0}, "rate = 0 must be a number above 0."),
+        ("regions", {"window": [0, 1, 2]}, "window = [0, 1, 2] must be four numbers"),
+        ("regions", {"window": [0, 1, 3, 2]}, "window = [0, 1, 3, 2] must be four numbers"),
+        ("regions", {"window": [0, True, 2, 3]}, "window = [0, true, 2, 3] must be four numbers"),
         ("file", {"name": "../../etc/passwd"}, "must be one of motion.toml"),
         ("map", {}, "x must be an object with path, from, to and cells."),
         ("map", {"x": {"path": "plane.law"}, "y": {}}, "plane.law is not a parameter"),
@@ -317,6 +344,18 @@ def test_too_many_events_are_said():
     assert answered("simulate", own, few).header["status"] == "event_limit"
 
 
+def test_what_a_compliant_contact_chooses_is_shown():
+    assert answered("film", {}).header["automatic"] == {}
+    own = hh.Scenario(contact=hh.Compliant(), duration=0.2)
+    chosen = state.film_of(state.computed(own)).header["automatic"]
+    # given as numbers, the same motion
+    given = own.replace("contact.stiffness", chosen["contact.stiffness"])
+    given = given.replace("contact.slip_speed", chosen["contact.slip_speed"])
+    assert state.computed(given).at(0.2).x == pytest.approx(state.computed(own).at(0.2).x, rel=1e-12)
+    for slider in controls.controls()["groups"]["contact"]:
+        assert slider["least"] <= chosen[slider["path"]] <= slider["most"], slider["path"]
+
+
 # What surrounds a motion
 
 
@@ -348,7 +387,7 @@ def test_theory_and_film_answer_at_the_edges(query):
 
 
 def test_regions_are_the_modes_of_theory():
-    got = explore.regions(HOP, rate=12.0, columns=40, rows=30)
+    got = explore.regions(HOP, (0.0, 2 * np.pi, -12.0, 12.0), columns=40, rows=30)
     angles = (np.arange(40) + 0.5) * (2 * np.pi / 40)
     rates = (np.arange(30) + 0.5) * 0.8 - 12.0
     for row, column in [(20, 3), (29, 20), (25, 5), (18, 35), (0, 0)]:

@@ -153,7 +153,7 @@ def create_app(limits: Limits = USUAL) -> FastAPI:
         content = await (film_gate if kind.slow else gate).run(lambda: kind.make(asked.scenario, limits))
         return Response(content, media_type=kind.media_type, headers=headers)
 
-    @app.get("/healthz")
+    @app.api_route("/healthz", methods=["GET", "HEAD"])
     async def health() -> dict[str, str]:
         return {"status": "ok", "version": hophoop.__version__}
 

@@ -27,15 +27,15 @@ _SLIDERS: dict[str, list[tuple[str, str, str, float, float, float]]] = {
     ],
     "start": [
         ("start.speed", "Speed", "v₀", -6.0, 6.0, 0.01),
-        ("start.angle", "Angle of the load", "θ₀", -180.0, 180.0, 0.5),
+        ("start.angle", "Load angle", "θ₀", -180.0, 180.0, 0.5),
         ("start.height", "Height of the gap", "y₀", 0.0, 2.0, 0.01),
         ("start.vx", "Speed along", "ẋ₀", -8.0, 8.0, 0.01),
         ("start.vy", "Speed upwards", "ẏ₀", -5.0, 5.0, 0.01),
         ("start.omega", "Angular velocity", "θ̇₀", -15.0, 15.0, 0.05),
     ],
     "contact": [
-        ("contact.stiffness", "Stiffness", "k", 1e2, 1e7, 0.0),
-        ("contact.slip_speed", "Slip speed", "vₛ", 1e-5, 1e-1, 0.0),
+        ("contact.stiffness", "Stiffness", "k", 1e2, 1e8, 0.0),
+        ("contact.slip_speed", "Slip speed", "vₛ", 1e-7, 1e-1, 0.0),
         ("contact.restitution", "Restitution", "e", 0.0, 1.0, 0.01),
     ],
     "motion": [("duration", "Duration", "T", 0.5, 30.0, 0.5)],
@@ -47,15 +47,15 @@ CHOICES: dict[str, list[tuple[str, str]]] = {
         ("poisson", "Poisson (impulse)"),
         ("newton", "Newton (velocity)"),
     ],
-    "plane.painleve": [("flight", "takes off"), ("impact", "impact without collision")],
-    "contact.model": [("rigid", "Rigid"), ("compliant", "Compliant (spring and damper)")],
+    "plane.painleve": [("flight", "flight"), ("impact", "impact")],
+    "contact.model": [("rigid", "rigid"), ("compliant", "compliant")],
     "contact.law": [("kelvin-voigt", "Kelvin–Voigt"), ("hunt-crossley", "Hunt–Crossley")],
     "contact.friction": [("tanh", "smooth (tanh)"), ("linear", "linear"), ("bristle", "bristle (can hold)")],
 }
 
 CHOICE_LABELS = {
     "plane.impact_law": "Law of impact",
-    "plane.painleve": "Where Painlevé leaves it open",
+    "plane.painleve": "Painlevé: two solutions",
     "contact.model": "Contact model",
     "contact.law": "Normal force",
     "contact.friction": "Friction law",

@@ -112,26 +112,29 @@ def _add_rest(scenario: Scenario, add: Any) -> None:
 PARADOX = 6  # one more than the codes of modes and of 'no answer'
 
 
-def regions(scenario: Scenario, rate: float, columns: int = 180, rows: int = 120) -> dict[str, Any]:
+def regions(
+    scenario: Scenario, window: tuple[float, float, float, float], columns: int = 360, rows: int = 240
+) -> dict[str, Any]:
     """The mode that follows contact without slip over the (θ, θ̇) plane.
 
     Parameters
     ----------
     scenario : Scenario
         Its hoop and plane count.
-    rate : float
-        The plane reaches from −rate to rate [rad/s].
+    window : tuple of float
+        θ from and to [rad], θ̇ from and to [rad/s].
     columns, rows : int
-        Cells over θ from 0 to 2π, and over θ̇ [1].
+        Cells over θ, and over θ̇ [1].
 
     Returns
     -------
     regions : dict of ndarray
-        `modes` (rows from −rate upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for
+        `modes` (rows upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for
         each column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
     """
-    angles = (np.arange(columns) + 0.5) * (2.0 * math.pi / columns)
-    rates = (np.arange(rows) + 0.5) * (2.0 * rate / rows) - rate
+    left, right, bottom, top = window
+    angles = left + (np.arange(columns) + 0.5) * ((right - left) / columns)
+    rates = bottom + (np.arange(rows) + 0.5) * ((top - bottom) / rows)
     letters = theory.mode_of(angles[None, :], rates[:, None], scenario.hoop, scenario.plane)
     codes = np.full(letters.shape, len(MODE_LETTERS), np.uint8)
     for code, letter in enumerate(MODE_LETTERS):

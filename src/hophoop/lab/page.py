@@ -95,7 +95,8 @@ def html() -> str:
 def mount(app: FastAPI) -> None:
     """Add the page to the application."""
 
-    @app.get("/", include_in_schema=False)
+    # those who watch over a server ask with HEAD
+    @app.api_route("/", methods=["GET", "HEAD"], include_in_schema=False)
     async def index() -> Response:
         return Response(html(), media_type="text/html; charset=utf-8", headers={"Cache-Control": "no-cache"})
 

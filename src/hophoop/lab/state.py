@@ -18,7 +18,7 @@ from hophoop.lab.controls import controls
 from hophoop.lab.limits import USUAL, Limits, TooMuch, whole_number, within
 from hophoop.lab.presets import presets
 from hophoop.plots import colors
-from hophoop.scenario import InputError, Scenario
+from hophoop.scenario import Compliant, InputError, Scenario, time_unit
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
 
@@ -120,6 +120,8 @@ def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
             "start.vy": state.vy,
             "start.omega": state.omega,
         },
+        # what is chosen by itself where the scenario leaves it open
+        "automatic": _automatic(scenario),
         "massless": hoop.massless,
         "summary": words.summary(motion),
         "story": words.story(motion),
@@ -127,6 +129,21 @@ def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
         "shortened": many,
     }
     return Reply(header, frames.columns(motion))
+
+
+def _automatic(scenario: Scenario) -> dict[str, float]:
+    contact = scenario.contact
+    if not isinstance(contact, Compliant):
+        return {}
+    from hophoop.compliant.parameters import to_compliance
+
+    _, chosen, _, _ = to_compliance(scenario)
+    second = time_unit(scenario.hoop, scenario.plane)
+    return {
+        "contact.stiffness": chosen.k * scenario.hoop.mass / second**2,
+        "contact.slip_speed": chosen.v_s * scenario.hoop.radius / second,
+        "contact.restitution": scenario.plane.restitution,
+    }
 
 
 def _finite(value: float | None) -> float | str | None:
@@ -240,8 +257,11 @@ def _call(model: Any) -> str:
         name = "Start.rolling"
     parts = keys.pop("parts", None)
     usual = {"angle": 0.0, "x": 0.0} if name == "Start.rolling" else type(model)().to_dict()
+    # what a reader will want to change is written out also where it is as usual
     arguments = [
-        f"{key}={_argument(value)}" for key, value in keys.items() if key not in usual or usual[key] != value
+        f"{key}={_argument(value)}"
+        for key, value in keys.items()
+        if key in ("load_fraction", "mu") or key not in usual or usual[key] != value
     ]
     if parts is not None:
         listed = ", ".join(_part(part) for part in model.parts)
@@ -265,8 +285,8 @@ def thresholds(request: Request, limits: Limits) -> Reply:
 
 def regions(request: Request, limits: Limits) -> Reply:
     """The regions of the (θ, θ̇) plane."""
-    arrays = explore.regions(request.scenario, request.options["rate"])
-    return Reply({"rate": request.options["rate"]}, arrays)
+    window = request.options["window"]
+    return Reply({"window": window}, explore.regions(request.scenario, tuple(window)))
 
 
 def motion_map(request: Request, limits: Limits) -> Reply:
@@ -316,17 +336,22 @@ def sampling_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:
 
 
 def region_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:
-    """`rate`: how far the (θ, θ̇) plane reaches [rad/s].
+    """`window`: the part of the (θ, θ̇) plane: θ from and to [rad], θ̇ from and to [rad/s].
 
     Raises
     ------
     ValueError
-        If it is not a positive number.
+        If it is not four numbers, each pair rising.
     """
-    rate = body.get("rate", 12.0)
-    if isinstance(rate, bool) or not isinstance(rate, int | float) or not 0.0 < rate < math.inf:
-        raise InputError(f"rate = {json.dumps(rate)[:60]} must be a number above 0.")
-    return {"rate": float(rate)}
+    window = body.get("window", [0.0, 2.0 * math.pi, -12.0, 12.0])
+    numbers = isinstance(window, list) and all(
+        isinstance(end, int | float) and not isinstance(end, bool) and abs(end) < 1e300 for end in window
+    )
+    if not numbers or len(window) != 4 or not (window[0] < window[1] and window[2] < window[3]):
+        raise InputError(
+            f"window = {json.dumps(window)[:60]} must be four numbers: θ from and to [rad], θ̇ from and to [rad/s]."
+        )
+    return {"window": [float(end) for end in window]}
 
 
 def file_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:

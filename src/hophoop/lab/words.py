@@ -34,8 +34,11 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
     """
     told: list[dict[str, Any]] = []
     left_out = 0
+    many = _many_bounces(motion)
     for number, event in enumerate(motion.events):
-        text = _say(motion, number, event)
+        if many.get(number) == 0:
+            continue
+        text = f"It bounces {many[number]} more times." if number in many else _say(motion, number, event)
         if not text:
             continue
         if len(told) >= most:
@@ -45,6 +48,26 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
     if left_out:
         told.append({**told[-1], "text": f"… and {left_out} more."})
     return told
+
+
+def _many_bounces(motion: Trajectory, least: int = 6, told: int = 3) -> dict[int, int]:
+    """Where bounces follow each other: at the first that is not told by itself, how many there are; at the others 0."""
+    found: dict[int, int] = {}
+    run: list[int] = []  # events of one row of bounces
+    for number, event in [*enumerate(motion.events), (-1, None)]:
+        if event is not None and (_bounces(event) or (run and event.kind == "apex")):
+            run.append(number)
+            continue
+        bounces = [at for at in run if motion.events[at].kind == "impact"]
+        if len(bounces) >= least:
+            found.update(dict.fromkeys(run[run.index(bounces[told]) :], 0))
+            found[bounces[told]] = len(bounces) - told
+        run = []
+    return found
+
+
+def _bounces(event: EventRecord) -> bool:
+    return event.kind == "impact" and event.to_mode == "H" and event.collision is not False
 
 
 def summary(motion: Trajectory, most: int = 6) -> str:
@@ -62,13 +85,20 @@ def summary(motion: Trajectory, most: int = 6) -> str:
     """
     phrases: list[str] = []
     changes = 0
-    for event in motion.events:
+    many = _many_bounces(motion, told=1)
+    for number, event in enumerate(motion.events):
+        if number in many:
+            if many[number]:
+                phrases.append(f"and {many[number]} more times")
+            continue
         if event.kind == "start" or not phrases:
             phrases.append(VERBS[event.to_mode])
             continue
         phrase = _SHORT.get(event.kind, "")
         if event.kind == "slip_start" or event.kind == "slip_reversal":
             phrase = VERBS[event.to_mode]
+        if _bounces(event):
+            phrase = "bounces"
         if event.collision is False:
             phrase = "stops its slip at once"
         if not phrase:
@@ -77,7 +107,7 @@ def summary(motion: Trajectory, most: int = 6) -> str:
         if changes <= most:
             phrases.append(f"{phrase} at {degrees(event.angle)}")
     more = f", … ({changes - most} more)" if changes > most else ""
-    text = ", ".join(phrases) + more
+    text = ", ".join(phrases).replace(", and ", " and ") + more
     return f"{text[:1].upper()}{text[1:]}. {ENDINGS[motion.status]}".strip()
 
 
@@ -108,7 +138,7 @@ def degrees(angle: float) -> str:
     text : str
         In degrees with one decimal.
     """
-    return f"{math.degrees(angle):.1f}°"
+    return f"{math.degrees(angle):.1f}°".replace("-", "−")
 
 
 def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
@@ -116,7 +146,7 @@ def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
     verb = VERBS[event.to_mode]
     kind = event.kind
     if kind == "start":
-        return f"It {_started(event)} with the load at {where} and the centre at {event.vx:.3g} m/s."
+        return f"It {_started(event)} with the load at {where} and the centre at {_number(event.vx)} m/s."
     if kind == "slip_start":
         why = "friction is used up: the rim"
         turn = "turns faster than it rolls" if event.to_mode == "S" else "slides ahead"
@@ -129,7 +159,7 @@ def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
         landing = next((later for later in motion.events[number + 1 :] if later.kind == "impact"), None)
         top = max((e.height for e in motion.events[number:] if landing and e.t <= landing.t), default=0.0)
         how = (
-            f" It rises {_length(top)} and stays up for {landing.t - event.t:.3g} s."
+            f" It rises {_length(top)} and stays up for {_number(landing.t - event.t)} s."
             if landing and top
             else ""
         )
@@ -139,7 +169,7 @@ def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
             return f"An impact without collision at {where} stops the slip; then it {verb}."
         lost = math.hypot(event.before.vy, 0.0)
         after = "bounces" if event.to_mode == "H" else verb
-        return f"It lands at {where} with {lost:.3g} m/s downwards and {after}."
+        return f"It lands at {where} with {_number(lost)} m/s downwards and {after}."
     return _say_the_rest(event, where)
 
 
@@ -151,7 +181,7 @@ def _say_the_rest(event: EventRecord, where: str) -> str:
         "painleve_inconsistent": f"Painlevé's paradox at {where}: no contact force agrees with this slip.",
         "painleve_indeterminate": f"Painlevé's paradox at {where}: several contact forces agree with it.",
         "jam": f"Dynamic jam at {where}: the contact force grows without bound.",
-        "kane_gain": f"Newton's law of impact has created {event.gain:.3g} J (Kane's example).",
+        "kane_gain": f"Newton's law of impact has created {_number(event.gain)} J (Kane's example).",
         "skim": f"No contact force is left at {where}: the load falls freely and the rim skims the plane.",
         "rest": f"It rests at {where}" + ("." if event.stable is not False else ", which is not stable."),
         "end": "",
@@ -167,5 +197,15 @@ def _started(event: EventRecord) -> str:
 
 def _length(value: float) -> str:
     if value >= 0.995:
-        return f"{value:.3g} m"
-    return f"{value * 100:.3g} cm" if value >= 0.00995 else f"{value * 1000:.3g} mm"
+        return f"{_number(value)} m"
+    return f"{_number(value * 100)} cm" if value >= 0.00995 else f"{_number(value * 1000)} mm"
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def _number(value: float | None) -> str:
+    """Three digits, a real minus sign, powers of ten as they are written."""
+    mantissa, _, power = f"{value:.3g}".replace("nan", "?").partition("e")
+    raised = f"·10{str(int(power)).translate(_RAISED)}" if power else ""
+    return f"{mantissa}{raised}".replace("-", "−")

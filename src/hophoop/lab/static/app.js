@@ -1,7 +1,7 @@
 // The lab: one or two motions, the clock, and everything that shows them.
 
 import { Clock } from "./clock.js";
-import { h, icon, once, readable, show, theme, withUnit } from "./dom.js";
+import { degrees, h, icon, length, once, readable, show, theme, withUnit } from "./dom.js";
 import { Film } from "./frames.js";
 import { build } from "./layout.js";
 import { Stage3D } from "./stage3d.js";
@@ -199,7 +199,7 @@ export class Lab {
     this.compareButton.setAttribute("aria-pressed", String(two));
     this.root.classList.toggle("two", two);
     this.tabBar.hidden = !two;
-    this.tabs.forEach((tab, i) => tab.setAttribute("aria-selected", String(i === this.active)));
+    this.tabs.forEach((tab, i) => tab.setAttribute("aria-pressed", String(i === this.active)));
     for (const [name, button] of this.switches) button.setAttribute("aria-pressed", String(this.options[name]));
     this.drawStage();
     this.drawReadout();
@@ -218,9 +218,9 @@ export class Lab {
     this.surrounding = false;
     const films = this.films();
     this.timeline.draw(films, this.look, this.colors);
-    this.plots.draw(films, this.look);
-    this.phase.draw(films, this.look);
-    this.story.draw(films, this.colors);
+    this.plots.draw(films, this.active, this.look);
+    this.phase.draw(films, this.active, this.look);
+    this.story.draw(films, this.active, this.colors);
     this.drawTime();
     this.map.mark(this.film());
     this.stageBox.setAttribute("aria-label", `The hoop. ${films.map((film) => film.summary).join(" ")}`);
@@ -234,7 +234,8 @@ export class Lab {
   drawStage() {
     const { clock, options, look, inks } = this;
     this.legend.hidden = !options.speed;
-    this.fastest.textContent = `${show(Math.max(...this.films().map((film) => film.extent.speed)), 2)} m/s`;
+    this.stageKeys.at(-1).hidden = !(options.three && this.lanes.length > 1);
+    this.fastest.textContent = `≥ ${show(Math.max(...this.films().map((film) => film.extent.speed)), 2)} m/s`;
     if (options.three) {
       this.stage3 ??= new Stage3D(this.canvas3, () => this.request());
       this.stage3.draw(this.films(), clock.time, options, look, inks);
@@ -264,10 +265,10 @@ export class Lab {
       ["hoop", this.lanes.length > 1 ? "AB"[this.active] : ""],
       ["mode", this.colors.mode_names[pose.mode]],
       ["time", `${pose.t.toFixed(3)} s`],
-      ["angle", `${((pose.angle * 180) / Math.PI).toFixed(1)}°`],
+      ["angle", degrees(pose.angle)],
       ["v", withUnit(show(pose.vx, 3), "m/s")],
       ["R θ̇", withUnit(show(pose.omega * film.radius, 3), "m/s")],
-      ["gap", pose.height > 0 ? withUnit(show(pose.height * 100, 3), "cm") : "0"],
+      ["gap", pose.height > 0 ? length(pose.height) : "0"],
     ];
     if (!this.outputs) {
       this.outputs = rows.map(([name]) => [name, h("dd", {})]);
@@ -305,7 +306,7 @@ export class Lab {
     this.asked = new AbortController();
     try {
       const reply = await this.backend.call("theory", { scenario }, this.asked.signal);
-      this.theory.draw(reply.header.thresholds);
+      this.theory.draw(reply.header.thresholds, this.lanes.length > 1 ? "AB"[this.active] : "");
       await this.phase.fetch(scenario, this.asked.signal);
     } catch (error) {
       if (error.name !== "AbortError") this.theory.draw([{ label: "–", text: error.message }]);

@@ -1,6 +1,6 @@
 // Sliders with exact entry, and choices; what they show comes back from the server with each motion.
 
-import { clamp, h, show, withUnit } from "./dom.js";
+import { clamp, focused, h, show, withUnit } from "./dom.js";
 import { Parts, partsLike } from "./parts.js";
 
 const DEGREE = Math.PI / 180;
@@ -26,7 +26,6 @@ class Slider {
       step: "any",
       class: "exact",
       "aria-label": `${info.label}, exact value${info.unit ? ` in ${info.unit}` : ""}`,
-      placeholder: "auto",
       onchange: () => this.typed(),
     });
     this.element = h(
@@ -67,17 +66,21 @@ class Slider {
     this.range.setAttribute("aria-valuetext", withUnit(show(value, 4), this.info.unit));
   }
 
-  show(value) {
-    if (document.activeElement === this.number && this.number.matches(":focus-visible") && this.number.dirty) return;
-    if (value === null || value === undefined) {
+  show(value, automatic = null) {
+    // what the lab chooses by itself stands behind an empty field
+    const own = value !== null && value !== undefined;
+    const found = own ? value : automatic;
+    if (found === null || found === undefined) {
       this.number.value = "";
       return;
     }
-    const shown = value === "inf" ? Infinity : this.info.degrees ? value / DEGREE : value;
-    if (Number.isFinite(shown)) this.number.value = String(Number(shown.toPrecision(12)));
-    else this.number.value = "";
+    const shown = found === "inf" ? Infinity : this.info.degrees ? found / DEGREE : found;
+    const text = Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "";
+    this.number.value = own ? text : "";
+    this.number.placeholder = !own ? `auto ${show(shown, 2)}` : Number.isFinite(shown) ? "" : "∞";
+    this.number.title = own ? withUnit(String(shown), this.info.unit) : "";
     const place = this.info.logarithmic ? Math.log10(shown) : shown;
-    if (document.activeElement !== this.range || Math.abs(Number(this.range.value) - place) > 1e-6) {
+    if (!focused(this.range) || Math.abs(Number(this.range.value) - place) > 1e-6) {
       this.range.value = String(clamp(place, this.low(), this.high()));
     }
     this.say(shown);
@@ -129,7 +132,7 @@ export class Controls {
   hoop() {
     this.way = this.select(
       "Given by",
-      [["load_fraction", "load fraction γ (ideal hoop)"], ["eccentricity", "ε and κ (any body)"], ["parts", "real parts"]],
+      [["load_fraction", "load fraction γ"], ["eccentricity", "ε and κ"], ["parts", "real parts"]],
       (way) => {
         const { values } = this.film;
         if (way === "parts") this.onchange([["hoop.parts", partsLike(values)]]);
@@ -258,7 +261,7 @@ export class Controls {
           (way === "parts" ? `, m = ${show(values["hoop.mass"], 5)} kg` : "");
     for (const [path, slider] of this.sliders) {
       const [section, key] = path.split(".");
-      slider.show(values[path] ?? (key ? scenario[section]?.[key] : scenario[section]));
+      slider.show(values[path] ?? (key ? scenario[section]?.[key] : scenario[section]), film.automatic?.[path]);
     }
     for (const [path, { select }] of this.choices) {
       const [section, key] = path.split(".");

@@ -16,6 +16,9 @@ export function h(tag, attributes = {}, ...children) {
   return element;
 }
 
+// Also inside a shadow tree, where notebooks put widgets.
+export const focused = (element) => element.getRootNode().activeElement === element;
+
 export const clamp = (value, least, most) => Math.min(Math.max(value, least), most);
 
 // A number as a reader wants it: so many significant digits, no trailing zeros, a real minus sign.
@@ -46,6 +49,15 @@ function superscript(number) {
 }
 
 export const withUnit = (text, unit) => (unit ? (unit === "°" ? `${text}°` : `${text} ${unit}`) : text);
+
+export const degrees = (angle) => `${((angle * 180) / Math.PI).toFixed(1)}°`.replace("-", "−");
+
+// A length in the unit in which it reads well.
+export function length(metres) {
+  const size = Math.abs(metres);
+  const [scale, unit] = size >= 0.995 ? [1, "m"] : size >= 0.00995 ? [100, "cm"] : [1000, "mm"];
+  return withUnit(show(metres * scale, 3), unit);
+}
 
 // Round steps for an axis: 1, 2 or 5 times a power of ten.
 export function niceStep(span, count) {
@@ -92,6 +104,9 @@ export function parsed(color) {
   const value = Number.parseInt(color.slice(1, 7), 16);
   return [(value >> 16) & 255, (value >> 8) & 255, value & 255];
 }
+
+// Dark or light writing, whichever is easier to read on the colour.
+export const writing = (color) => (luminance(color) > 0.2 ? "#111111" : "#ffffff");
 
 export const faded = (color, opacity) => `rgba(${parsed(color).join(",")},${opacity})`;
 
@@ -175,6 +190,60 @@ export function theme(element) {
     font: read("--font"),
     dark: read("--dark") === "1",
   };
+}
+
+// One press: `move` follows the finger, `end` gets the last event and whether the finger was lifted (or taken away).
+export function follow(element, event, move, end = () => {}) {
+  const leave = new AbortController();
+  const { signal } = leave;
+  const on = (kind, action) =>
+    element.addEventListener(kind, (other) => other.pointerId === event.pointerId && action(other), { signal });
+  const finish = (lifted) => (last) => {
+    leave.abort();
+    end(last, lifted);
+  };
+  element.setPointerCapture(event.pointerId);
+  on("pointermove", move);
+  on("pointerup", finish(true));
+  on("pointercancel", finish(false));
+}
+
+// Two fingers zoom: `zoom` gets the factor by which they have spread and the point between them. The function that
+// comes back tells whether two fingers are down; what one finger does has to wait then.
+export function pinch(element, zoom) {
+  const fingers = new Map();
+  let before = null;
+  const measured = () => {
+    const [a, b] = [...fingers.values()];
+    return {
+      span: Math.max(Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY), 1),
+      clientX: 0.5 * (a.clientX + b.clientX),
+      clientY: 0.5 * (a.clientY + b.clientY),
+    };
+  };
+  element.addEventListener("pointerdown", (event) => {
+    if (event.pointerType === "mouse") return;
+    fingers.set(event.pointerId, event);
+    before = fingers.size === 2 ? measured() : null;
+  });
+  element.addEventListener("pointermove", (event) => {
+    if (!fingers.has(event.pointerId)) return;
+    fingers.set(event.pointerId, event);
+    if (fingers.size !== 2 || !before) return;
+    const now = measured();
+    zoom(now.span / before.span, now);
+    before = now;
+  });
+  for (const kind of ["pointerup", "pointercancel"]) {
+    element.addEventListener(kind, (event) => {
+      fingers.delete(event.pointerId);
+      before = null;
+    });
+  }
+  // the page neither scrolls nor zooms under two fingers
+  const still = (event) => event.touches.length > 1 && event.cancelable && event.preventDefault();
+  element.addEventListener("touchmove", still, { passive: false });
+  return () => fingers.size > 1;
 }
 
 export function saveBlob(blob, name) {

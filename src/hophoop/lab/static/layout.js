@@ -33,6 +33,14 @@ export function build(lab) {
     h("span", {}, "rim speed"),
     (lab.fastest = h("span", {})),
   );
+  const dot = (color, words) =>
+    h("span", {}, h("i", { class: "dot", style: `background:${color}` }), words);
+  lab.stageKeys = [
+    dot("var(--ink)", "load"),
+    dot(lab.colors.gravity_center, "centre of gravity"),
+    dot(lab.colors.airborne, "airborne"),
+    h("span", { hidden: true }, "A in front, B behind"),
+  ];
   lab.stageBox = h(
     "div",
     { class: "stage", role: "img", "aria-label": "The hoop", tabindex: "0" },
@@ -40,6 +48,7 @@ export function build(lab) {
     lab.canvas3,
     lab.readout,
     lab.legend,
+    h("div", { class: "stage-keys", "aria-hidden": "true" }, lab.stageKeys),
   );
   lab.timeline = new Timeline(clock);
   lab.story = new Story(clock);
@@ -109,11 +118,12 @@ function header(lab) {
     h("button", { type: "button", title, "aria-label": title, onclick: action, ...extra }, label);
   lab.undoButton = button(icon("undo"), "Undo (z)", () => lab.undo());
   lab.redoButton = button(icon("redo"), "Redo (y)", () => lab.redo());
-  lab.compareButton = button("Compare", "Compare two hoops", () => lab.compare(), { "aria-pressed": "false" });
+  const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, "A | B"));
+  lab.compareButton = button(words, "Compare two hoops", () => lab.compare(), { "aria-pressed": "false" });
   return h(
     "header",
     { class: "top" },
-    h("h1", {}, h("span", { class: "logo", "aria-hidden": "true" }), "hophoop lab"),
+    h("h1", {}, h("span", { class: "logo", "aria-hidden": "true" }), h("span", {}, "hophoop", h("span", { class: "long" }, " lab"))),
     lab.presets,
     h("div", { class: "buttons" }, lab.undoButton, lab.redoButton, lab.compareButton),
     h(
@@ -128,11 +138,11 @@ function header(lab) {
 
 function lanesBar(lab) {
   lab.tabs = ["A", "B"].map((name, i) =>
-    h("button", { type: "button", role: "tab", onclick: () => lab.choose(i) }, `Hoop ${name}`),
+    h("button", { type: "button", "aria-pressed": "false", onclick: () => lab.choose(i) }, `Hoop ${name}`),
   );
-  lab.tabBar = h("div", { class: "tabs", role: "tablist", "aria-label": "Which hoop", hidden: true }, lab.tabs);
+  lab.tabBar = h("div", { class: "tabs", role: "group", "aria-label": "Which hoop the controls change", hidden: true }, lab.tabs);
   lab.presetText = h("p", { class: "preset-text" });
-  return h("div", {}, lab.tabBar, lab.presetText);
+  return h("div", { class: "lanes" }, lab.tabBar, lab.presetText);
 }
 
 function transport(lab) {

@@ -1,8 +1,10 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
-import { SPEED_COLORS, clamp, fitted, h, niceStep, once, parsed, show, tickText, ticks, withUnit } from "./dom.js";
+import {
+  SPEED_COLORS, clamp, fitted, focused, follow, h, niceStep, once, parsed, pinch, show, tickText, ticks, withUnit,
+} from "./dom.js";
 
-const LEFT = 62;
+const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
 const RIGHT = 12;
 const TOP = 10;
 const BOTTOM = 36;
@@ -64,12 +66,18 @@ export class MotionMap {
         h("label", {}, "of", this.quantity),
         this.selects.x,
         this.selects.y,
-        h("button", { type: "button", onclick: () => this.home() }, "Whole map"),
+        h(
+          "span",
+          { class: "buttons" },
+          h("button", { type: "button", "aria-label": "Zoom into the map", onclick: () => this.zoom(0.5) }, "+"),
+          h("button", { type: "button", "aria-label": "Zoom out of the map", onclick: () => this.zoom(2) }, "−"),
+          h("button", { type: "button", onclick: () => this.home() }, "Whole map"),
+        ),
         this.state,
       ),
       this.body,
       this.keys,
-      h("p", { class: "hint" }, "Click to take that motion into the player; wheel to zoom, drag to move."),
+      h("p", { class: "hint" }, "Click to take that motion into the player; wheel or two fingers to zoom, drag to move."),
     );
     this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.body.addEventListener("pointerdown", (event) => this.press(event));
@@ -77,6 +85,8 @@ export class MotionMap {
     this.body.addEventListener("pointerleave", () => (this.tip.hidden = true));
     this.body.addEventListener("dblclick", () => this.zoom(0.35, this.pointed));
     this.body.addEventListener("keydown", (event) => this.key(event));
+    this.pinched = pinch(this.body, (factor, at) => this.box && this.zoom(1 / factor, this.place(at)));
+    this.left = LEFT;
     this.soon = once(() => this.refresh(), 140);
     // only a map that is looked at is computed
     this.seen = false;
@@ -140,6 +150,8 @@ export class MotionMap {
     this.asked = new AbortController();
     const { signal } = this.asked;
     const base = this.film.scenario;
+    // maps know rigid contact only
+    const changes = base.contact.model === "rigid" ? [] : [["contact.model", "rigid"]];
     this.computing = true;
     // the coarse layers stay below as long as they show the same quantity of the same motion
     const kind = `${this.what} ${this.paths.x} ${this.paths.y} ${this.key_now}`;
@@ -149,10 +161,10 @@ export class MotionMap {
     try {
       for (const [x, y] of LEVELS) {
         this.state.textContent = `computing ${x * y} motions …`;
-        const body = { scenario: base, x: this.axis("x", x), y: this.axis("y", y), what: this.what };
+        const body = { scenario: base, changes, x: this.axis("x", x), y: this.axis("y", y), what: this.what };
         const reply = await this.lab.backend.call("map", body, signal);
         this.add(reply);
-        this.state.textContent = `${x * y} motions`;
+        this.state.textContent = `${x * y} motions${changes.length ? ", with rigid contact" : ""}`;
         this.redraw();
       }
       this.level = LEVELS.length;
@@ -222,6 +234,7 @@ export class MotionMap {
         h("span", {}, `${header.label}: ${high >= low ? show(low * scale, 3) : "none"} `),
         bar,
         h("span", {}, high >= low ? withUnit(show(high * scale, 3), unit) : ""),
+        values.some((value) => !Number.isFinite(value)) ? h("span", {}, h("i", { class: "blank" }), "none") : "",
       );
       return;
     }
@@ -239,7 +252,7 @@ export class MotionMap {
 
   x(value) {
     const [low, high] = this.windows.x;
-    return LEFT + ((value - low) / (high - low)) * this.box.width;
+    return this.left + ((value - low) / (high - low)) * this.box.width;
   }
 
   y(value) {
@@ -251,11 +264,12 @@ export class MotionMap {
     if (!this.film) return;
     const { look } = this.lab;
     const { context, width, height } = fitted(this.canvas);
-    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    this.left = this.deep("y") ? LEFT_DEEP : LEFT;
+    this.box = { width: width - this.left - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     context.save();
     context.beginPath();
-    context.rect(LEFT, TOP, this.box.width, this.box.height);
+    context.rect(this.left, TOP, this.box.width, this.box.height);
     context.clip();
     context.imageSmoothingEnabled = false;
     for (const layer of this.layers) {
@@ -265,7 +279,7 @@ export class MotionMap {
     }
     const here = this.here();
     if (here) this.cross(context, this.x(here.x), this.y(here.y), look.ink, look.paper);
-    if (this.pointed && document.activeElement === this.body) {
+    if (this.pointed && focused(this.body)) {
       this.cross(context, this.x(this.pointed.x), this.y(this.pointed.y), "#D55E00", look.paper);
     }
     context.restore();
@@ -300,11 +314,17 @@ export class MotionMap {
     return typeof place.x === "number" && typeof place.y === "number" ? place : null;
   }
 
+  // Whether the numbers on an axis would differ in digits only that have no room.
+  deep(name) {
+    const [low, high] = this.windows[name];
+    return high - low < 5e-5 * Math.max(Math.abs(low), Math.abs(high));
+  }
+
   frame(context, width, height, look) {
     context.strokeStyle = look.soft;
     context.fillStyle = look.soft;
     context.lineWidth = 1;
-    context.strokeRect(LEFT + 0.5, TOP + 0.5, this.box.width - 1, this.box.height - 1);
+    context.strokeRect(this.left + 0.5, TOP + 0.5, this.box.width - 1, this.box.height - 1);
     context.font = `11px ${look.font}`;
     for (const name of ["x", "y"]) {
       const info = this.axes.get(this.paths[name]);
@@ -313,7 +333,7 @@ export class MotionMap {
       const count = name === "x" ? this.box.width / 80 : this.box.height / 40;
       const step = niceStep(high - low, count);
       // far in, the labels show the distance from a rounded value that stands with the axis' name
-      const deep = step < 1e-5 * Math.max(Math.abs(low), Math.abs(high));
+      const deep = this.deep(name);
       const origin = deep ? Number((0.5 * (low + high)).toPrecision(12)) : 0;
       const all = deep ? ticks(low - origin, high - origin, count).map((v) => v + origin) : ticks(low, high, count);
       for (const value of all) {
@@ -324,7 +344,7 @@ export class MotionMap {
         } else {
           context.textAlign = "right";
           context.textBaseline = "middle";
-          context.fillText(text, LEFT - 5, this.y(value / scale));
+          context.fillText(text, this.left - 5, this.y(value / scale));
           context.textBaseline = "alphabetic";
         }
       }
@@ -332,7 +352,7 @@ export class MotionMap {
       const label = `${info.label}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
       context.save();
       context.textAlign = "center";
-      if (name === "x") context.translate(LEFT + 0.5 * this.box.width, height - 5);
+      if (name === "x") context.translate(this.left + 0.5 * this.box.width, height - 5);
       else {
         context.translate(12, TOP + 0.5 * this.box.height);
         context.rotate(-Math.PI / 2);
@@ -346,7 +366,7 @@ export class MotionMap {
 
   place(event) {
     const box = this.body.getBoundingClientRect();
-    const across = (event.clientX - box.left - LEFT) / this.box.width;
+    const across = (event.clientX - box.left - this.left) / this.box.width;
     const up = 1 - (event.clientY - box.top - TOP) / this.box.height;
     const at = ([low, high], share) => low + clamp(share, 0, 1) * (high - low);
     return { x: at(this.windows.x, across), y: at(this.windows.y, up) };
@@ -370,13 +390,17 @@ export class MotionMap {
   said(place) {
     const part = (name) => {
       const info = this.axes.get(this.paths[name]);
-      return `${info.label} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], 6), info.unit)}`;
+      // as many digits as tell a cell from the next
+      const [low, high] = this.windows[name];
+      const size = Math.max(Math.abs(low), Math.abs(high));
+      const digits = clamp(Math.ceil(Math.log10(size / (high - low))) + 4, 4, 16);
+      return `${info.label} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
     };
     return `${part("x")}, ${part("y")}: ${this.value(place)}`;
   }
 
   hover(event) {
-    if (!this.box || this.dragging) return;
+    if (!this.box || this.dragging || event.pointerType === "touch") return;
     const place = this.place(event);
     this.tip.textContent = this.said(place);
     this.tip.hidden = false;
@@ -391,8 +415,10 @@ export class MotionMap {
     const start = [event.clientX, event.clientY];
     const from = { x: [...this.windows.x], y: [...this.windows.y] };
     this.pointed = this.place(event);
-    this.body.setPointerCapture(event.pointerId);
+    let twoFingers = this.pinched();
     const move = (moved) => {
+      twoFingers ||= this.pinched();
+      if (twoFingers) return;
       const [dx, dy] = [moved.clientX - start[0], moved.clientY - start[1]];
       if (Math.hypot(dx, dy) < 5 && !this.dragging) return;
       this.dragging = true;
@@ -403,14 +429,10 @@ export class MotionMap {
       this.redraw();
       this.soon();
     };
-    const stop = () => {
-      this.body.removeEventListener("pointermove", move);
-      if (!this.dragging) this.take(this.pointed);
+    follow(this.body, event, move, (last, lifted) => {
+      if (lifted && !this.dragging && !twoFingers) this.take(this.pointed);
       this.dragging = false;
-    };
-    this.body.addEventListener("pointermove", move);
-    this.body.addEventListener("pointerup", stop, { once: true });
-    this.body.addEventListener("pointercancel", stop, { once: true });
+    });
   }
 
   take(place) {
@@ -425,6 +447,7 @@ export class MotionMap {
   }
 
   zoom(factor, center) {
+    this.tip.hidden = true;
     const next = {};
     for (const name of ["x", "y"]) {
       const [low, high] = this.windows[name];

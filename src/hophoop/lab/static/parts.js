@@ -64,7 +64,7 @@ export class Parts {
 
   show(parts, radius, mass) {
     const text = JSON.stringify(parts);
-    if (text === this.text || this.list.contains(document.activeElement)) {
+    if (text === this.text || this.list.contains(this.list.getRootNode().activeElement)) {
       this.parts = parts;
       return;
     }

@@ -1,6 +1,6 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
-import { clamp, faded, fitted, h, niceStep, parsed, tickText, ticks } from "./dom.js";
+import { clamp, faded, fitted, focused, h, niceStep, once, parsed, pinch, tickText, ticks } from "./dom.js";
 import { swatch } from "./plot.js";
 
 const LEFT = 52;
@@ -29,25 +29,55 @@ export class PhasePlane {
       { class: "phase" },
       h("header", {}, h("h3", {}, "Plane of θ and θ̇"), this.keys),
       this.body,
-      h("p", { class: "hint" }, "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."),
+      h(
+        "p",
+        { class: "hint" },
+        "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox. " +
+          (matchMedia("(hover: none)").matches
+            ? "Tap to go there, two fingers zoom."
+            : "Click to go there; with Ctrl or Shift the wheel zooms, double-click for all."),
+      ),
     );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
     this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.body.addEventListener("dblclick", () => this.zoomTo(null));
+    this.body.addEventListener("keydown", (event) => this.key(event));
+    this.pinched = pinch(this.body, (factor, at) => this.box && this.zoomAbout(this.point(at), 1 / factor));
     this.range = [0, 2 * Math.PI];
     this.asked = "";
+    this.soon = once(() => this.sharpen(), 140);
   }
 
   // The regions belong to hoop and plane alone: they are asked for when those change, or the reach grows.
   async fetch(scenario, signal) {
     const reach = this.reach();
     const key = JSON.stringify([scenario.hoop, scenario.plane, reach]);
-    if (key === this.asked) return;
-    const reply = await this.lab.backend.call("regions", { scenario, rate: reach }, signal);
-    this.asked = key;
-    this.regions = { ...reply.arrays, rate: reply.header.rate, shape: reply.header.arrays[0].shape };
-    this.picture = null;
-    this.redraw();
+    if (key !== this.asked) {
+      const whole = await this.painted(scenario, [0, 2 * Math.PI, -reach, reach], signal);
+      this.asked = key;
+      this.pictures = [whole];
+      this.redraw();
+    }
+    if (this.window) await this.sharpen();
+  }
+
+  // The part that is zoomed into, as fine as the whole.
+  async sharpen() {
+    if (!this.pictures || !this.window) return;
+    this.sharpening?.abort();
+    this.sharpening = new AbortController();
+    try {
+      const part = await this.painted(this.films[this.active].scenario, [...this.range, ...this.window], this.sharpening.signal);
+      this.pictures = [this.pictures[0], part];
+      this.redraw();
+    } catch (error) {
+      if (error.name !== "AbortError") throw error;
+    }
+  }
+
+  async painted(scenario, window, signal) {
+    const { header, arrays } = await this.lab.backend.call("regions", { scenario, window }, signal);
+    return { window: header.window, paradox: arrays.paradox, picture: this.paint(arrays.modes, header.arrays[0].shape) };
   }
 
   reach() {
@@ -68,24 +98,47 @@ export class PhasePlane {
   zoomTo(range) {
     this.range = range ?? [0, 2 * Math.PI];
     this.window = null;
+    this.pictures?.splice(1);
     this.redraw();
   }
 
   wheel(event) {
-    if (!(event.ctrlKey || event.shiftKey || this.body === document.activeElement) || !this.box) return;
+    if (!(event.ctrlKey || event.shiftKey || focused(this.body)) || !this.box) return;
     event.preventDefault();
+    this.zoomAbout(this.point(event), Math.exp((event.deltaY || event.deltaX) * 0.002));
+  }
+
+  key(event) {
+    const middle = [0.5 * (this.range[0] + this.range[1]), 0.5 * (this.bottom() + this.top())];
+    if (event.key === "+" || event.key === "=") this.zoomAbout(middle, 0.6);
+    else if (event.key === "-") this.zoomAbout(middle, 1.7);
+    else if (event.key === "0") this.zoomTo(null);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  // θ and θ̇ under a pointer.
+  point(event) {
     const box = this.body.getBoundingClientRect();
-    const factor = Math.exp((event.deltaY || event.deltaX) * 0.002);
-    const th = this.range[0] + ((event.clientX - box.left - LEFT) / this.box.width) * (this.range[1] - this.range[0]);
+    const across = (event.clientX - box.left - LEFT) / this.box.width;
+    const up = 1 - (event.clientY - box.top - TOP) / this.box.height;
+    return [
+      this.range[0] + across * (this.range[1] - this.range[0]),
+      this.bottom() + up * (this.top() - this.bottom()),
+    ];
+  }
+
+  zoomAbout([th, om], factor) {
     const low = Math.max(th - (th - this.range[0]) * factor, 0);
     const high = Math.min(th + (this.range[1] - th) * factor, 2 * Math.PI);
-    const om = this.bottom() + (1 - (event.clientY - box.top - TOP) / this.box.height) * (this.top() - this.bottom());
     const reach = this.reach();
     const down = Math.max(om - (om - this.bottom()) * factor, -reach);
     const up = Math.min(om + (this.top() - om) * factor, reach);
     this.range = [low, high];
     this.window = high - low < 2 * Math.PI - 1e-9 || up - down < 2 * reach - 1e-9 ? [down, up] : null;
     this.redraw();
+    this.soon();
   }
 
   bottom() {
@@ -97,8 +150,9 @@ export class PhasePlane {
     return this.window ? this.window[1] : this.forwards ? this.reach() : 0.12 * this.reach();
   }
 
-  draw(films, look) {
+  draw(films, active, look) {
     this.films = films;
+    this.active = active;
     this.look = look;
     this.reached = this.findReach();
     this.forwards = films.some((film) => film.columns.omega.some((value) => value > 0.3));
@@ -115,21 +169,20 @@ export class PhasePlane {
     return TOP + (1 - (rate - this.bottom()) / (this.top() - this.bottom())) * this.box.height;
   }
 
-  paint() {
-    const [rows, columns] = this.regions.shape;
+  paint(codes, [rows, columns]) {
     const { modes } = this.lab.colors;
     const picture = h("canvas", { width: columns, height: rows });
     const image = new ImageData(columns, rows);
     for (let row = 0; row < rows; row++) {
       for (let column = 0; column < columns; column++) {
-        const letter = LETTERS[this.regions.modes[row * columns + column]];
+        const letter = LETTERS[codes[row * columns + column]];
         const color = parsed(modes[letter] ?? "#6E6E6E");
         const place = 4 * ((rows - 1 - row) * columns + column);
-        image.data.set([...color, 88], place);
+        image.data.set([...color, 255], place);
       }
     }
     picture.getContext("2d").putImageData(image, 0, 0);
-    this.picture = picture;
+    return picture;
   }
 
   redraw() {
@@ -142,13 +195,17 @@ export class PhasePlane {
     context.beginPath();
     context.rect(LEFT, TOP, this.box.width, this.box.height);
     context.clip();
-    if (this.regions) {
-      if (!this.picture) this.paint();
-      const { rate } = this.regions;
+    if (this.pictures) {
       context.imageSmoothingEnabled = false;
-      context.drawImage(
-        this.picture, this.x(0), this.y(rate), this.x(2 * Math.PI) - this.x(0), this.y(-rate) - this.y(rate),
-      );
+      for (const { picture, window } of this.pictures) {
+        const [left, right, bottom, top] = window;
+        const place = [this.x(left), this.y(top), this.x(right) - this.x(left), this.y(bottom) - this.y(top)];
+        context.fillStyle = look.panel;
+        context.fillRect(...place);
+        context.globalAlpha = 0.35;
+        context.drawImage(picture, ...place);
+        context.globalAlpha = 1;
+      }
       this.hatch(context);
     }
     this.films.forEach((film, lane) => this.way(context, film, lane));
@@ -166,7 +223,7 @@ export class PhasePlane {
 
   // Columns in which slip meets the paradox, hatched one way for spin and the other for skid.
   hatch(context) {
-    const { paradox } = this.regions;
+    const { paradox } = this.pictures[0];
     const columns = paradox.length;
     context.strokeStyle = faded(this.look.dark ? "#ffffff" : "#000000", 0.28);
     context.lineWidth = 1;
@@ -281,7 +338,8 @@ export class PhasePlane {
   seek(event) {
     const box = this.body.getBoundingClientRect();
     const [px, py] = [event.clientX - box.left, event.clientY - box.top];
-    const film = this.films[0];
+    if (this.pinched()) return;
+    const film = this.films[this.active];
     const { angle, omega } = film.columns;
     const turn = 2 * Math.PI;
     let best = { distance: Infinity, t: 0 };

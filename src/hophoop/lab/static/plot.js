@@ -1,6 +1,6 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
-import { clamp, faded, fitted, h, niceStep, readable, show, tickText, ticks } from "./dom.js";
+import { clamp, faded, fitted, focused, follow, h, niceStep, pinch, readable, show, tickText, ticks } from "./dom.js";
 
 const LEFT = 52;
 const RIGHT = 10;
@@ -31,6 +31,7 @@ export class Plot {
     this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.body.addEventListener("dblclick", () => this.zoomTo(null));
     this.body.addEventListener("keydown", (event) => this.key_(event));
+    this.pinched = pinch(this.body, (factor, at) => this.films && this.zoomAbout(this.valueAt(at), 1 / factor));
     this.onseek = () => {};
   }
 
@@ -52,8 +53,9 @@ export class Plot {
   }
 
   // Curves and axes; the cursor has its own canvas above.
-  draw(films, look, colors) {
+  draw(films, active, look, colors) {
     this.films = films;
+    this.active = active;
     this.look = look;
     const { context, width, height } = fitted(this.canvas);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
@@ -61,7 +63,7 @@ export class Plot {
     this.range = this.shared.range ?? this.fullRange();
     const drawn = films.flatMap((film, lane) => this.shades(film).map((curve) => ({ ...curve, film, lane })));
     this.heights = this.limits ?? this.findHeights(drawn);
-    if (this.shared.axis === "time") this.bands(context, films[0], colors);
+    if (this.shared.axis === "time") this.bands(context, films[active], colors);
     this.grid(context, look, width, height);
     context.save();
     context.beginPath();
@@ -69,7 +71,7 @@ export class Plot {
     context.clip();
     for (const curve of drawn) this.curve(context, curve, films.length > 1);
     context.restore();
-    this.legend(this.shades(films[0]), look.dark);
+    this.legend(this.shades(films[active]), look.dark);
     this.describe(drawn);
   }
 
@@ -123,7 +125,9 @@ export class Plot {
     context.strokeStyle = look.line;
     context.fillStyle = look.soft;
     context.lineWidth = 1;
-    const tall = Math.max(this.box.height / 28, 4);
+    let tall = Math.max(this.box.height / 28, 4);
+    // one number alone gives no scale
+    while (ticks(...this.heights, tall).length < 3 && tall < 12) tall += 1;
     const step = niceStep(this.heights[1] - this.heights[0], tall);
     context.textAlign = "right";
     context.textBaseline = "middle";
@@ -232,7 +236,7 @@ export class Plot {
       this.shades(film).forEach((curve, k) => {
         const next = curve.values[j];
         const value = Number.isFinite(next) ? curve.values[i] + share * (next - curve.values[i]) : curve.values[i];
-        if (lane === 0 && this.values?.[k]) this.values[k].textContent = show(value, 3);
+        if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, 3);
         const y = this.y(value);
         if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
         context.fillStyle = curve.color ?? this.look.ink;
@@ -259,28 +263,29 @@ export class Plot {
     const box = this.body.getBoundingClientRect();
     const start = event.clientX - box.left;
     const from = this.valueAt(event);
-    this.body.setPointerCapture(event.pointerId);
+    let twoFingers = this.pinched();
     const move = (moved) => {
+      twoFingers ||= this.pinched();
+      if (twoFingers) return;
       const now = moved.clientX - box.left;
       this.picked = event.pointerType === "mouse" && Math.abs(now - start) > 5 ? [start, now] : null;
       if (event.pointerType !== "mouse") this.seek(this.valueAt(moved));
       this.cursor(this.shared.clock.time);
     };
-    const stop = (ended) => {
-      this.body.removeEventListener("pointermove", move);
-      const to = this.valueAt(ended);
-      if (this.picked) this.zoomTo(from < to ? [from, to] : [to, from]);
-      else this.seek(from);
+    follow(this.body, event, move, (last, lifted) => {
+      const to = this.valueAt(last);
+      const { picked } = this;
       this.picked = null;
-    };
-    this.body.addEventListener("pointermove", move);
-    this.body.addEventListener("pointerup", stop, { once: true });
+      if (picked && lifted) this.zoomTo(from < to ? [from, to] : [to, from]);
+      else if (picked) this.cursor(this.shared.clock.time);
+      else if (lifted && !twoFingers) this.seek(event.pointerType === "mouse" ? from : to);
+    });
   }
 
   seek(value) {
     if (this.shared.axis === "time") return this.onseek(value);
     // the time at which the angle is passed first after the present time, else at all
-    const film = this.films[0];
+    const film = this.films[this.active];
     const across = this.abscissa(film);
     let best = 0;
     for (let i = 0; i < across.length; i++) {
@@ -290,7 +295,7 @@ export class Plot {
   }
 
   wheel(event) {
-    if (!this.films || !(event.ctrlKey || event.shiftKey || this.body === document.activeElement)) return;
+    if (!this.films || !(event.ctrlKey || event.shiftKey || focused(this.body))) return;
     event.preventDefault();
     this.zoomAbout(this.valueAt(event), Math.exp((event.deltaY || event.deltaX) * 0.002));
   }

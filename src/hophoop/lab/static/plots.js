@@ -91,6 +91,7 @@ export class Plots {
       h("option", { value: "angle" }, "over angle"),
     );
     this.back = h("button", { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "Whole motion");
+    this.hint = h("span", { class: "hint" });
     this.element = h(
       "div",
       { class: "plots" },
@@ -99,22 +100,27 @@ export class Plots {
         { class: "plots-head" },
         this.axis,
         this.back,
-        h("span", { class: "hint" }, "drag to zoom, double-click for all, click to go there"),
+        this.hint,
       ),
       this.plots.map((plot) => plot.element),
     );
   }
 
-  draw(films, look) {
+  draw(films, active, look) {
     this.films = films;
+    this.active = active;
     this.look = look;
+    const hands = matchMedia("(hover: none)").matches
+      ? "slide to go there, two fingers zoom"
+      : "drag to zoom, double-click for all, click to go there";
+    this.hint.textContent = films.length > 1 ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands;
     this.redraw();
   }
 
   redraw() {
     if (!this.films?.length) return;
     this.back.hidden = !this.shared.range;
-    for (const plot of this.visible()) plot.draw(this.films, this.look, this.colors);
+    for (const plot of this.visible()) plot.draw(this.films, this.active, this.look, this.colors);
     this.cursor(this.shared.clock.time);
   }
 

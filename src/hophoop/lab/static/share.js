@@ -1,6 +1,6 @@
 // Keep and share: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
-import { h, saveBlob } from "./dom.js";
+import { degrees, h, saveBlob, show } from "./dom.js";
 
 const FILES = [
   ["motion.toml", "Scenario (TOML)"],
@@ -73,14 +73,37 @@ export class Share {
       this.lab.drawStage();
       const source = this.lab.stageCanvas();
       const copy = h("canvas", { width: source.width, height: source.height });
-      const context = copy.getContext("2d");
-      context.fillStyle = this.lab.look.paper;
-      context.fillRect(0, 0, copy.width, copy.height);
-      context.drawImage(source, 0, 0);
+      this.copyInto(copy);
       copy.toBlob((blob) => {
         saveBlob(blob, "hophoop.png");
         resolve();
       }, "image/png");
+    });
+  }
+
+  // A copy of what is shown, with the words that stand beside it on the page.
+  copyInto(canvas) {
+    const { lab } = this;
+    const source = lab.stageCanvas();
+    const context = canvas.getContext("2d");
+    context.fillStyle = lab.look.paper;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(source, 0, 0, canvas.width, canvas.height);
+    const size = canvas.width / Math.max(source.getBoundingClientRect().width, 1);
+    context.textBaseline = "top";
+    context.textAlign = "left";
+    lab.films().forEach((film, i, films) => {
+      const pose = film.at(lab.clock.time);
+      const words = [
+        films.length > 1 ? `${"AB"[i]}: ` : "",
+        `${lab.colors.mode_names[pose.mode]}, t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`,
+      ].join("");
+      const top = lab.options.three ? 10 + 20 * i : 10 + (i * source.getBoundingClientRect().height) / films.length;
+      context.fillStyle = lab.colors.modes[pose.mode];
+      context.fillRect(12 * size, (top + 2) * size, 11 * size, 11 * size);
+      context.fillStyle = lab.look.ink;
+      context.font = `${13 * size}px ${lab.look.font}`;
+      context.fillText(words, 30 * size, top * size);
     });
   }
 
@@ -91,8 +114,8 @@ export class Share {
     if (!source.captureStream || !globalThis.MediaRecorder) {
       throw new Error("This browser cannot record a canvas; take the MP4 instead.");
     }
-    const copy = h("canvas", { width: source.width, height: source.height });
-    const context = copy.getContext("2d");
+    // films want even numbers of pixels
+    const copy = h("canvas", { width: 2 * Math.ceil(source.width / 2), height: 2 * Math.ceil(source.height / 2) });
     const recorder = new MediaRecorder(copy.captureStream(60), { videoBitsPerSecond: 8e6 });
     const pieces = [];
     recorder.ondataavailable = (event) => pieces.push(event.data);
@@ -102,9 +125,7 @@ export class Share {
     lab.clock.seek(0);
     lab.say("Recording one run …");
     lab.afterFrame = () => {
-      context.fillStyle = lab.look.paper;
-      context.fillRect(0, 0, copy.width, copy.height);
-      context.drawImage(lab.stageCanvas(), 0, 0, copy.width, copy.height);
+      this.copyInto(copy);
       if (!lab.clock.playing && recorder.state === "recording") recorder.stop();
     };
     recorder.start();

@@ -1,6 +1,6 @@
 // The hoop on its plane, drawn on a canvas.
 
-import { SPEED_TEXTS, clamp, fitted, niceStep, show, tickText } from "./dom.js";
+import { SPEED_TEXTS, clamp, fitted, focused, follow, niceStep, pinch, show, tickText } from "./dom.js";
 
 const SEGMENTS = 120;
 
@@ -12,6 +12,7 @@ export class Stage2D {
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     canvas.addEventListener("dblclick", () => this.reset());
+    this.pinched = pinch(canvas, (factor) => this.zoomBy(factor));
     this.onview = () => {};
   }
 
@@ -27,27 +28,26 @@ export class Stage2D {
   }
 
   wheel(event) {
+    // the page scrolls on unless the stage has been chosen
+    if (!(event.ctrlKey || event.shiftKey || focused(this.canvas.parentElement))) return;
     event.preventDefault();
-    this.zoomBy(Math.exp(-event.deltaY * 0.0015));
+    this.zoomBy(Math.exp(-(event.deltaY || event.deltaX) * 0.0015));
   }
 
   drag(event) {
     const start = [event.clientX, event.clientY];
     const before = this.shift;
-    const move = (moved) => {
+    follow(this.canvas, event, (moved) => {
+      if (this.pinched()) return;
       this.shift = [before[0] + moved.clientX - start[0], before[1] + moved.clientY - start[1]];
       this.onview();
-    };
-    this.canvas.setPointerCapture(event.pointerId);
-    this.canvas.addEventListener("pointermove", move);
-    const stop = () => this.canvas.removeEventListener("pointermove", move);
-    this.canvas.addEventListener("pointerup", stop, { once: true });
-    this.canvas.addEventListener("pointercancel", stop, { once: true });
+    });
   }
 
   draw(films, time, options, look, colors) {
     const { context, width, height } = fitted(this.canvas);
     context.clearRect(0, 0, width, height);
+    if (width < 40 || height < 40) return; // not laid out yet
     const each = height / films.length;
     // two hoops are drawn to one scale, in length and in colour
     const common = {
@@ -97,7 +97,8 @@ class Scene {
     } else {
       this.scale = close * zoom;
       this.focus = [Number.isFinite(this.pose.x) ? this.pose.x : 0, 0];
-      this.place = [0.46 * width + shift[0], 0.82 * height + shift[1]];
+      // on a narrow screen the readout needs the left side
+      this.place = [(width < 520 ? 0.6 : 0.46) * width + shift[0], 0.82 * height + shift[1]];
     }
   }
 
@@ -151,7 +152,7 @@ class Scene {
       context.moveTo(x, y);
       context.lineTo(x - 6 * this.sine, y + 6 * this.cosine);
       context.stroke();
-      context.fillText(tickText(k * step, step) + (k === 0 ? " m" : ""), x - 18 * this.sine, y + 8 + 10 * this.cosine);
+      context.fillText(`${tickText(k * step, step)} m`, x - 18 * this.sine, y + 8 + 10 * this.cosine);
     }
   }
 
@@ -196,6 +197,14 @@ class Scene {
     const rim = (phi, radius = inner) =>
       this.point(center[0] + radius * Math.sin(phi), center[1] + radius * Math.cos(phi));
     context.lineCap = "butt";
+    if (look.dark) {
+      // the slow end of the colours is dark as well
+      context.strokeStyle = look.soft;
+      context.lineWidth = width + 2;
+      context.beginPath();
+      context.arc(...this.point(...center), inner * scale, 0, 2 * Math.PI);
+      context.stroke();
+    }
     if (this.options.speed) {
       const most = this.common.speed;
       context.lineWidth = width;
@@ -285,12 +294,13 @@ class Scene {
     const size = (force) => clamp((0.55 * R * force) / weight, -3.2 * R, 3.2 * R);
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const foot = [pose.x, pose.height];
-    this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N ${show(pose.normal_force, 3)} N`);
-    this.arrow(foot, [size(pose.friction_force), 0], colors.friction_force, `F ${show(pose.friction_force, 3)} N`);
+    this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N = ${show(pose.normal_force, 3)} N`, false);
+    this.arrow(foot, [size(pose.friction_force), 0], colors.friction_force, `F = ${show(pose.friction_force, 3)} N`, true);
   }
 
-  arrow([x, y], [dx, dy], color, label) {
-    const { context, look } = this;
+  // The label of N stands beside its tip, that of F below the plane: they never meet.
+  arrow([x, y], [dx, dy], color, label, below) {
+    const { context, look, width } = this;
     const from = this.point(x, y);
     const to = this.point(x + dx, y + dy);
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
@@ -313,10 +323,14 @@ class Scene {
     context.lineTo(to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5);
     context.fill();
     context.font = `600 12px ${look.font}`;
-    context.textAlign = ux < -0.5 ? "right" : "left";
+    const size = context.measureText(label).width;
     context.lineWidth = 3;
-    context.strokeStyle = look.paper;
-    const place = [to[0] + ux * 6 + (Math.abs(ux) < 0.5 ? 8 : 0), to[1] + uy * 4 + (Math.abs(ux) < 0.5 ? 4 : -8)];
+    context.strokeStyle = below ? look.ground : look.paper;
+    context.textAlign = "left";
+    const place = below
+      ? [from[0] - 0.5 * size - 32 * this.sine, from[1] + 32 * this.cosine]
+      : [to[0] + 12, Math.min(to[1] + 4, from[1] - 0.36 * this.film.radius * this.scale)];
+    place[0] = clamp(place[0], 4, width - size - 4);
     context.strokeText(label, ...place);
     context.fillText(label, ...place);
   }

@@ -1,6 +1,6 @@
 // The same motion in space.
 
-import { SPEED_COLORS, clamp, parsed } from "./dom.js";
+import { SPEED_COLORS, clamp, focused, follow, parsed, pinch } from "./dom.js";
 import {
   along, bind, coneMesh, looking, makeProgram, mesh, perspective, product, sphereMesh, torusMesh,
 } from "./gl.js";
@@ -117,9 +117,11 @@ export class Stage3D {
     this.share = 1;
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     canvas.addEventListener("wheel", (event) => {
+      if (!(event.ctrlKey || event.shiftKey || focused(canvas.parentElement))) return;
       event.preventDefault();
-      this.zoomBy(Math.exp(-event.deltaY * 0.0015));
+      this.zoomBy(Math.exp(-(event.deltaY || event.deltaX) * 0.0015));
     }, { passive: false });
+    this.pinched = pinch(canvas, (factor) => this.zoomBy(factor));
   }
 
   zoomBy(factor) {
@@ -130,16 +132,12 @@ export class Stage3D {
 
   drag(event) {
     const start = { ...this.turned, x: event.clientX, y: event.clientY };
-    this.canvas.setPointerCapture(event.pointerId);
-    const move = (moved) => {
+    follow(this.canvas, event, (moved) => {
+      if (this.pinched()) return;
       this.turned.azimuth = clamp(start.azimuth - (moved.clientX - start.x) * 0.008, -1.5, 1.5);
       this.turned.height = clamp(start.height + (moved.clientY - start.y) * 0.006, 0.02, 1.45);
       this.onview();
-    };
-    this.canvas.addEventListener("pointermove", move);
-    const stop = () => this.canvas.removeEventListener("pointermove", move);
-    this.canvas.addEventListener("pointerup", stop, { once: true });
-    this.canvas.addEventListener("pointercancel", stop, { once: true });
+    });
   }
 
   // Fewer pixels where the machine draws in software and falls behind.

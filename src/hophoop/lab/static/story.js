@@ -7,19 +7,22 @@ export class Story {
     this.clock = clock;
     this.summary = h("p", { class: "summary" });
     this.list = h("ol", { class: "story-list" });
+    this.heading = h("h2", {}, "What happens");
     this.live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
     this.element = h(
       "section",
       { class: "story", "aria-label": "The motion in words" },
-      h("h2", {}, "What happens"),
+      this.heading,
       this.summary,
       this.list,
       this.live,
     );
   }
 
-  draw(films, colors) {
-    this.films = films;
+  // The list is that of the chosen hoop, the sentences above it are those of both.
+  draw(films, active, colors) {
+    this.film = films[active];
+    this.heading.textContent = films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens";
     this.summary.replaceChildren(
       ...films.flatMap((film, i) => [
         films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
@@ -28,8 +31,7 @@ export class Story {
         i + 1 < films.length ? h("br") : "",
       ]),
     );
-    const film = films[0];
-    this.items = film.story.map((sentence) =>
+    this.items = this.film.story.map((sentence) =>
       h(
         "li",
         {},
@@ -52,7 +54,7 @@ export class Story {
   }
 
   cursor(time) {
-    const { story } = this.films[0];
+    const { story } = this.film;
     let now = -1;
     for (let i = 0; i < story.length && story[i].t <= time + 1e-9; i++) now = i;
     if (now === this.current) return;
@@ -75,10 +77,12 @@ export class Story {
 export class Theory {
   constructor() {
     this.list = h("dl", {});
-    this.element = h("section", { class: "theory" }, h("h2", {}, "What theory says"), this.list);
+    this.heading = h("h2", {}, "What theory says");
+    this.element = h("section", { class: "theory" }, this.heading, this.list);
   }
 
-  draw(thresholds) {
+  draw(thresholds, hoop = "") {
+    this.heading.textContent = hoop ? `What theory says of hoop ${hoop}` : "What theory says";
     this.list.replaceChildren(
       ...thresholds.flatMap(({ label, text }) => [h("dt", {}, label), h("dd", {}, text)]),
     );

@@ -1,9 +1,9 @@
 // The bar of time: modes as coloured stretches, events as marks, and the hand that scrubs.
 
-import { clamp, fitted, h, niceStep, show, tickText, ticks } from "./dom.js";
+import { clamp, fitted, follow, h, niceStep, show, tickText, ticks, writing } from "./dom.js";
 
 const MARKS = {
-  takeoff: "▲", impact: "▼", apex: "·", jam: "✖", kane_gain: "✚", bounce_limit: "≋", turn: "↺", rest: "■",
+  takeoff: "▲", impact: "▼", apex: "•", jam: "✖", kane_gain: "✚", bounce_limit: "≋", turn: "↺", rest: "■",
   painleve_inconsistent: "◆", painleve_indeterminate: "◇", skim: "◗",
 };
 
@@ -45,14 +45,7 @@ export class Timeline {
     this.clock.playing = false;
     const move = (moved) => this.clock.seek(this.timeAt(moved));
     move(event);
-    this.element.setPointerCapture(event.pointerId);
-    this.element.addEventListener("pointermove", move);
-    const stop = () => {
-      this.element.removeEventListener("pointermove", move);
-      if (resume) this.clock.play(true);
-    };
-    this.element.addEventListener("pointerup", stop, { once: true });
-    this.element.addEventListener("pointercancel", stop, { once: true });
+    follow(this.element, event, move, () => resume && this.clock.play(true));
   }
 
   hover(event) {
@@ -86,24 +79,28 @@ export class Timeline {
     const duration = this.clock.duration || 1;
     const place = (t) => (t / duration) * width;
     context.clearRect(0, 0, width, height);
-    const top = 15;
-    const band = (height - top - 15) / films.length;
+    const above = 15; // room for the marks of each hoop
+    const band = (height - 15) / films.length - above;
     films.forEach((film, i) => {
-      const y = top + i * band;
+      const y = above + i * (above + band);
       for (const phase of film.phases) {
-        context.fillStyle = colors.modes[phase.mode];
-        context.fillRect(place(phase.from), y, Math.max(place(phase.to) - place(phase.from), 0.6), band - 2);
+        const from = place(phase.from);
+        const wide = Math.max(place(phase.to) - from, 0.6);
+        const color = colors.modes[phase.mode];
+        context.fillStyle = color;
+        context.fillRect(from, y, wide, band - 2);
+        this.named(context, colors.mode_names[phase.mode], from, wide, y, band - 2, color, look);
       }
-      if (i === 0) this.marks(context, film, place, top, look);
       if (film.duration < duration) {
         context.fillStyle = look.line;
         context.fillRect(place(film.duration), y, width, band - 2);
       }
+      this.marks(context, film, place, y, width, look);
       if (films.length > 1) {
-        context.fillStyle = "#fff";
-        context.font = `600 10px ${look.font}`;
+        context.fillStyle = look.soft;
+        context.font = `600 11px ${look.font}`;
         context.textAlign = "left";
-        context.fillText("AB"[i], 3, y + band - 6);
+        context.fillText("AB"[i], 1, y - 4);
       }
     });
     const step = niceStep(duration, width / 60);
@@ -113,34 +110,46 @@ export class Timeline {
       context.textAlign = t === 0 ? "left" : place(t) > width - 14 ? "right" : "center";
       context.fillText(tickText(t, step) + (t === 0 ? " s" : ""), place(t), height - 3);
     }
-    const x = clamp(place(this.clock.time), 1, width - 1);
+    const x = clamp(place(this.clock.time), 6, width - 6);
+    const now = clamp(place(this.clock.time), 1, width - 1);
     context.fillStyle = look.ink;
-    context.fillRect(x - 1, top - 4, 2, height - top - 9);
+    context.fillRect(now - 1, above - 4, 2, height - above - 9);
     context.beginPath();
-    context.moveTo(x - 6, top - 10);
-    context.lineTo(x + 6, top - 10);
-    context.lineTo(x, top - 1);
+    context.moveTo(x - 6, above - 10);
+    context.lineTo(x + 6, above - 10);
+    context.lineTo(now, above - 1);
     context.fill();
     this.element.setAttribute("aria-valuemax", duration.toFixed(3));
     this.element.setAttribute("aria-valuenow", this.clock.time.toFixed(3));
     this.element.setAttribute("aria-valuetext", `${show(this.clock.time, 4)} seconds`);
   }
 
-  marks(context, film, place, top, look) {
-    context.font = `10px ${look.font}`;
+  // The word of a mode inside its stretch, where it fits.
+  named(context, word, from, wide, y, high, color, look) {
+    context.font = `11px ${look.font}`;
+    if (high < 13 || context.measureText(word).width + 8 > wide) return;
+    context.fillStyle = writing(color);
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(word, from + 0.5 * wide, y + 0.5 * high + 1);
+    context.textBaseline = "alphabetic";
+  }
+
+  marks(context, film, place, top, width, look) {
+    context.font = `11px ${look.font}`;
     context.textAlign = "center";
     let last = -Infinity;
     for (const event of film.events) {
       const mark = MARKS[event.kind];
       const x = place(event.t);
       if (event.kind !== "start" && event.kind !== "end") {
-        context.fillStyle = look.paper;
-        context.fillRect(x - 0.5, top, 1, 6);
+        context.fillStyle = look.panel;
+        context.fillRect(x - 0.5, top, 1, 5);
       }
-      if (!mark || x - last < 7) continue;
+      if (!mark || x - last < 8) continue;
       last = x;
       context.fillStyle = look.ink;
-      context.fillText(mark, x, top - 4);
+      context.fillText(mark, clamp(x, 6, width - 6), top - 4);
     }
   }
 }
