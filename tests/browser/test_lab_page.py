@@ -2,7 +2,6 @@
 
 import base64
 import os
-import shutil
 import threading
 import time
 from pathlib import Path
@@ -10,22 +9,11 @@ from urllib.parse import urlsplit
 
 import pytest
 
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
 import hophoop as hh  # noqa: E402
 
-CHROMIUM = next(
-    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))),
-    None,
-)
-pytestmark = pytest.mark.skipif(
-    CHROMIUM is None, reason="no Chromium is installed (Debian: apt-get install chromium)"
-)
-
 PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parents[1] / "results" / "lab"))
-# WebGL without a graphics card
-FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--mute-audio"]
 
 
 @pytest.fixture(scope="session")
@@ -44,14 +32,6 @@ def address():
     yield f"http://127.0.0.1:{port}/"
     server.should_exit = True
     thread.join(5)
-
-
-@pytest.fixture(scope="session")
-def browser():
-    with sync_api.sync_playwright() as playwright:
-        launched = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield launched
-        launched.close()
 
 
 @pytest.fixture
@@ -365,6 +345,7 @@ def test_the_widget_is_the_same_player(visit):
         return {"content": content, "buffers": [base64.b64encode(part).decode() for part in buffers or []]}
 
     page.expose_function("kernel", kernel)
+    page.expose_function("chosen", lambda query: setattr(widget, "query", query))
     page.evaluate(
         """async ({ film, setup, panels }) => {
           const bytes = (text) => {
@@ -372,9 +353,11 @@ def test_the_widget_is_the_same_player(visit):
             return new DataView(raw.buffer);
           };
           const listeners = [];
-          const traits = { film: bytes(film), setup, panels };
+          const traits = { film: bytes(film), setup, panels, query: "" };
           const model = {
             get: (name) => traits[name],
+            set: (name, value) => (traits[name] = value),
+            save_changes: () => chosen(traits.query),
             on: (name, listener) => name === "msg:custom" && listeners.push(listener),
             off: () => {},
             send: async (message) => {
@@ -397,5 +380,12 @@ def test_the_widget_is_the_same_player(visit):
     page.locator("input[data-path='start.speed']").fill("2")
     page.wait_for_function("() => document.querySelector('.summary').textContent === 'Rolls.'")
     assert widget.motion.scenario.start.speed == 2.0
+    page.wait_for_timeout(200)
+    assert widget.query == "duration=2&start.speed=2"
+    # undo takes the notebook's motion back as well
+    page.get_by_role("button", name="Undo (z)").click()
+    page.wait_for_function("() => document.querySelector('.summary').textContent.includes('hops')")
+    page.wait_for_timeout(200)
+    assert widget.motion.scenario.start.speed == 3.1
     picture(page, "widget")
     page.evaluate("leave()")

@@ -30,7 +30,7 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
     -------
     widget : anywidget.AnyWidget
         Its `motion` is the Trajectory that is shown now, also after a slider has moved; assigning another one
-        shows that. The film is kept in the notebook and plays without a kernel; sliders need one.
+        shows that. Its `query`, the scenario's link, changes with it and can be observed. The film is kept in the notebook and plays without a kernel; sliders need one.
 
     Raises
     ------
@@ -66,15 +66,20 @@ def _widget_class() -> Any:
         film = traitlets.Bytes().tag(sync=True)
         setup = traitlets.Dict().tag(sync=True)
         panels = traitlets.List().tag(sync=True)
+        # the scenario's link; changes when another motion has been chosen, so that other cells can follow
+        query = traitlets.Unicode().tag(sync=True)
 
         def __init__(self, motion: Trajectory, panels: list[str]) -> None:
             super().__init__(
                 film=state.film_of(motion).packed(),
                 setup=state.answer(state.read("setup", {})).header,
                 panels=panels,
+                query=motion.scenario.to_query(),
             )
             self._motion = motion
+            self._shown = self.query
             self.on_msg(self._answer)
+            self.observe(self._follow, "query")
 
         @property
         def motion(self) -> Trajectory:
@@ -84,7 +89,15 @@ def _widget_class() -> Any:
         @motion.setter
         def motion(self, motion: Trajectory) -> None:
             self._motion = motion
+            self._shown = motion.scenario.to_query()
             self.film = state.film_of(motion).packed()
+            self.query = self._shown
+
+        def _follow(self, change: Any) -> None:
+            """Undo, or the other one of two hoops: what is shown is not what was computed last."""
+            if change["new"] != self._shown:
+                self._motion = state.computed(Scenario.from_query(change["new"]))
+                self._shown = change["new"]
 
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
             reply = {"view": message.get("view"), "number": message.get("number")}
@@ -93,6 +106,7 @@ def _widget_class() -> Any:
                 if request.call == "film":
                     # the motion is kept for the notebook's next cell
                     self._motion = state.computed(request.scenario)
+                    self._shown = request.scenario.to_query()
                     answered = state.film_of(self._motion, request.scenario)
                 else:
                     answered = state.answer(request)

@@ -22,7 +22,12 @@ export class Lab {
     this.frame = this.frame.bind(this);
     this.later = once(() => this.fetchTheory(), 120);
     root.classList.add("hophoop");
-    if (!hosted) root.classList.add("embedded");
+    if (!hosted) {
+      root.classList.add("embedded");
+      // Jupyter would take the same keys to delete cells and to restart the kernel
+      root.dataset.lmSuppressShortcuts = "true";
+      root.dataset.pSuppressShortcuts = "true";
+    }
   }
 
   async start({ setup, films, queries = [""], time = 0 }) {
@@ -169,6 +174,7 @@ export class Lab {
   choose(lane) {
     this.active = lane;
     this.show();
+    this.addressed();
   }
 
   link() {
@@ -180,6 +186,7 @@ export class Lab {
     this.undoButton.disabled = !this.past.length;
     this.redoButton.disabled = !this.future.length;
     if (this.hosted) history.replaceState(null, "", this.link());
+    this.onmotion?.(this.film().query);
   }
 
   // --- showing -------------------------------------------------------------------------------

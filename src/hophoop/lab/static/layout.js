@@ -82,16 +82,19 @@ export function build(lab) {
   );
   lab.toast = h("div", { class: "toast", role: "status", hidden: true });
   lab.root.replaceChildren(
-    header(lab),
-    h("div", { class: "columns" }, want("controls") && side, main, why),
+    h("div", { class: "page" }, header(lab), h("div", { class: "columns" }, want("controls") && side, main, why)),
     lab.toast,
     lab.share.dialog,
     help(lab),
   );
   if (!want("controls")) lab.root.classList.add("no-controls");
-  const keys = (event) => lab.key(event);
-  if (lab.hosted) document.addEventListener("keydown", keys);
-  else lab.root.addEventListener("keydown", keys);
+  if (lab.hosted) document.addEventListener("keydown", (event) => lab.key(event));
+  else {
+    lab.root.addEventListener("keydown", (event) => {
+      lab.key(event);
+      event.stopPropagation(); // what is typed here is not meant for the notebook
+    });
+  }
 }
 
 function header(lab) {

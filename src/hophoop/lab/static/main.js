@@ -31,6 +31,12 @@ function render({ model, el }) {
   el.append(root);
   const backend = new KernelBackend(model);
   const lab = new Lab(root, backend, { panels: model.get("panels") });
+  // the kernel has computed this motion already; what depends on it may follow now
+  lab.onmotion = (query) => {
+    if (model.get("query") === query) return;
+    model.set("query", query);
+    model.save_changes();
+  };
   lab.start({ setup: model.get("setup"), films: [unpack(model.get("film"))] });
   const replaced = () => lab.replace(unpack(model.get("film")));
   model.on("change:film", replaced);

@@ -87,7 +87,7 @@ class Scene {
     this.cosine = Math.cos(film.slope);
     this.sine = Math.sin(film.slope);
     const room = 2 * common.radius + Math.min(top, 6 * common.radius);
-    const close = Math.min((0.66 * height) / room, (0.5 * width) / common.radius);
+    const close = Math.min((0.66 * height) / room, (0.36 * width) / common.radius);
     if (options.whole) {
       const span = (right - left) * this.cosine + 2.6 * R;
       const fall = (right - left) * Math.abs(this.sine) + 2.6 * R + top;
