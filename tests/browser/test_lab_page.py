@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 from urllib.parse import urlsplit
 
+import numpy as np
 import pytest
 
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
@@ -301,6 +302,141 @@ def test_it_is_kept(visit, tmp_path):
     page.keyboard.press("Escape")
 
 
+def decoded(block, name, folder):
+    """Size and frames of a film, as ffmpeg reads it."""
+    imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
+    path = folder / name
+    path.write_bytes(block)
+    reader = imageio_ffmpeg.read_frames(path)
+    size = next(reader)["size"]
+    return size, [np.frombuffer(frame, np.uint8) for frame in reader]
+
+
+@pytest.mark.parametrize("view", ["plane", "space"])
+def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
+    page = visit("?duration=1")
+    if view == "space":
+        page.keyboard.press("3")
+    page.locator(".menu summary").click()
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Record a film here (WebM)").click()
+    size, shown = decoded(download.value.path().read_bytes(), "film.webm", tmp_path)
+    box = page.locator(".stage").bounding_box()
+    assert size == pytest.approx((box["width"], box["height"]), abs=2)
+    assert len(shown) > 8
+    # the hoop moves
+    assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80
+
+
+def test_a_film_is_made_by_the_server(visit, tmp_path):
+    page = visit("?duration=0.4")
+    page.locator(".menu summary").click()
+    with page.expect_download(timeout=120_000) as download:
+        page.get_by_role("button", name="Film (MP4)").click()
+    size, shown = decoded(download.value.path().read_bytes(), "film.mp4", tmp_path)
+    assert size == (960, 540)
+    assert len(shown) in (10, 11)  # 25 a second
+    assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80
+
+
+def test_two_hoops_are_told_apart(visit):
+    page = visit("?start.speed=2")
+    page.get_by_role("button", name="Compare two hoops").click()
+    wait_for(page, "lab.films().length === 2")
+    page.locator("input[data-path='start.speed']").fill("3.1")
+    wait_for(page, "lab.past.length === 2 && !lab.surrounding")
+    heading = page.locator(".story h2")
+    assert heading.inner_text() == "What happens to hoop B"
+    assert page.locator(".story-list li").count() > 10
+    wait_for(page, "lab.theory.heading.textContent === 'What theory says of hoop B'")
+    told = page.locator("[data-plot=velocities] output").first
+    assert told.inner_text() == "3.1"
+    page.get_by_role("button", name="Hoop A").click()
+    wait_for(page, "!lab.surrounding")
+    assert heading.inner_text() == "What happens to hoop A"
+    assert page.locator(".story-list li").count() == 1
+    assert told.inner_text() == "2"
+    # the hop of B is marked and found while A is chosen
+    page.keyboard.press("h")
+    assert page.evaluate("hophoopLab.clock.time") == hh.simulate(hh.Scenario()).find("takeoff")[0].t
+
+
+def fingers(page):
+    """What puts fingers down, moves them and lifts them."""
+    session = page.context.new_cdp_session(page)
+
+    def touch(kind, *places):
+        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    return touch
+
+
+@pytest.mark.parametrize("selector", [".map-body", "[data-plot=forces] .plot-body", ".phase .plot-body", ".stage canvas"])
+def test_two_fingers_zoom_and_take_no_motion(visit, selector):
+    page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    target = page.locator(selector).first
+    target.scroll_into_view_if_needed()
+    wait_for(page, "!lab.surrounding")
+    width = """() => ({
+      map: hophoopLab.map.windows.x[1] - hophoopLab.map.windows.x[0],
+      plot: hophoopLab.plots.shared.range ? hophoopLab.plots.shared.range[1] - hophoopLab.plots.shared.range[0] : 6,
+      phase: hophoopLab.phase.range[1] - hophoopLab.phase.range[0],
+      stage: 1 / hophoopLab.stage2.zoom,
+    })"""
+    name = {".m": "map", "[d": "plot", ".p": "phase", ".s": "stage"}[selector[:2]]
+    before = page.evaluate(width)[name]
+    box = target.bounding_box()
+    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
+    touch = fingers(page)
+    touch("touchStart", (x - 20, y))
+    touch("touchStart", (x - 20, y), (x + 20, y))
+    for spread in range(25, 81, 5):
+        touch("touchMove", (x - spread, y), (x + spread, y))
+    touch("touchEnd", (x - 80, y))
+    touch("touchEnd")
+    after = page.evaluate(width)[name]
+    assert after == pytest.approx(before / 4, rel=0.15)
+    page.wait_for_timeout(300)
+    assert page.evaluate("hophoopLab.past.length") == 0
+    assert page.evaluate("hophoopLab.film().query") == ""
+
+
+def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
+    page = visit()
+    box = page.locator(".stage").bounding_box()
+    page.mouse.move(box["x"] + 300, box["y"] + 200)
+    page.mouse.wheel(0, 300)
+    page.wait_for_function("() => scrollY > 100")
+    assert page.evaluate("hophoopLab.stage2.zoom") == 1
+    page.evaluate("scrollTo(0, 0)")
+    page.mouse.click(box["x"] + 300, box["y"] + 200)
+    page.mouse.wheel(0, -300)
+    page.wait_for_function("() => hophoopLab.stage2.zoom > 1.2")
+    assert page.evaluate("scrollY") == 0
+
+
+def test_the_plane_of_angle_and_rate_sharpens_where_it_is_zoomed(visit):
+    page = visit()
+    wait_for(page, "lab.phase.pictures?.length === 1")
+    page.locator(".phase .plot-body").scroll_into_view_if_needed()
+    page.locator(".phase .plot-body").focus()
+    page.keyboard.press("+")
+    page.keyboard.press("+")
+    wait_for(page, "lab.phase.pictures.length === 2")
+    window, shown = page.evaluate("[hophoopLab.phase.pictures[1].window, hophoopLab.phase.range]")
+    assert window[:2] == pytest.approx(shown)
+    page.keyboard.press("0")
+    wait_for(page, "lab.phase.pictures.length === 1")
+
+
+def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
+    page = visit("?contact.model=compliant&duration=0.5")
+    page.locator(".map-body").scroll_into_view_if_needed()
+    wait_for(page, "lab.map.level === 3")
+    assert page.locator(".map-head .hint").inner_text() == "31104 motions, with rigid contact"
+
+
 def test_real_parts_and_compliant_contact(visit):
     page = visit("?duration=1")
     page.locator(".choice", has_text="Given by").locator("select").select_option("parts")
@@ -311,6 +447,8 @@ def test_real_parts_and_compliant_contact(visit):
     wait_for(page, "lab.film().scenario.contact.model === 'compliant'")
     assert page.locator(".message").is_hidden()
     assert page.locator("input[data-path='contact.stiffness']").is_visible()
+    stiffness = page.get_by_label("Stiffness, exact value in N/m", exact=True)
+    assert stiffness.get_attribute("placeholder").startswith("auto ")
     picture(page, "parts")
 
 
