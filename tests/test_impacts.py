@@ -274,3 +274,28 @@ def test_infinite_friction_stops_slip_at_once():
     close = strike(BLOCK, 1e9, 0.0, "stronge", vx=-1.0, vy=-3.0)[0]  # and it is the limit of large μ
     assert close.vx == pytest.approx(impact.vx, rel=1e-8)
     assert close.impact_tangential == pytest.approx(impact.impact_tangential, rel=1e-8)
+
+
+@settings(max_examples=60)
+@given(
+    power=st.floats(3.0, 12.0),
+    angle=st.floats(-3.0, 3.0),
+    vx=st.floats(-3.0, 3.0),
+    vy=st.floats(-3.0, -0.1),
+    omega=st.floats(-5.0, 5.0),
+    law=st.sampled_from(LAWS),
+)
+def test_an_impact_of_a_nearly_massless_hoop_keeps_its_digits(power, angle, vx, vy, omega, law):
+    """1/κ makes W as large as 10¹²; the energy lost and the impulses agree all the same where the contact sticks."""
+    hoop = hh.Hoop.ideal(load_fraction=1.0 - 10.0**-power)
+    hit, _ = strike(hoop, math.inf, 0.0, law, angle=angle, vx=vx, vy=vy, omega=omega)
+    before = kinetic(hoop, angle, hit.before.vx, hit.before.vy, hit.before.omega)
+    after = kinetic(hoop, angle, hit.vx, hit.vy, hit.omega)
+    assert hit.impact_normal + hit.impact_tangential == pytest.approx(before - after, rel=0, abs=1e-13 * before)
+    if hit.vy == 0.0 and hit.slip == 0.0:
+        # the momentum of the load along the line that the contact cannot turn: about the contact point
+        arm, lever = 1.0 + hoop.eccentricity * math.cos(angle), hoop.eccentricity * math.sin(angle)
+        turned = hit.omega - hit.before.omega
+        slip = hit.before.vx - hit.before.omega
+        want = (arm * slip - lever * hit.before.vy) / (hoop.inertia_ratio + arm**2 + lever**2)
+        assert turned == pytest.approx(want, rel=1e-12, abs=1e-12)

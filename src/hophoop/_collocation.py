@@ -269,6 +269,14 @@ FAR_SINES = np.sin(WIDTHS)
 FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
 
 
+@lean_jit
+def width_of(level):
+    """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
+    if level < LEVELS:
+        return WIDTHS[level]
+    return WIDTHS[LEVELS - 1] * math.pow(0.5, 0.5 * (level - (LEVELS - 1)))
+
+
 _SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
 _COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
 

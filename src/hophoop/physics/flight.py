@@ -91,17 +91,19 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
     c = math.cos(th)
     apex = -1.0
     highest = y
-    # Beyond `never` the parabola has left the reach of the cosine for good.
+    # Beyond `never` the parabola has left the reach of the cosine for good. Panels depend on it and not on the limit
+    # of time where they can, so that a motion has the same bits however long it is followed.
     rise = vn - body.eps * s * om
     reach = 2.0 * body.eps + y
     never = limit
     if body.gn > 0.0:
-        drop = (rise + math.sqrt(rise * rise + 2.0 * body.gn * reach)) / body.gn
-        never = min(limit, 1.001 * drop + 1e-300)
+        root = math.sqrt(rise * rise + 2.0 * body.gn * reach)
+        drop = (rise + root) / body.gn if rise > 0.0 else 2.0 * reach / (root - rise) if root > 0.0 else 0.0
+        never = 1.001 * drop + 1e-300
     elif rise > 0.0:
-        never = min(limit, 2.0 * reach / rise + 1e-300)
+        never = 2.0 * reach / rise + 1e-300
     elif rise == 0.0 and om != 0.0:
-        never = min(limit, 7.0 / abs(om))
+        never = 7.0 / abs(om)
     spread = vn * vn - 2.0 * fn * y
     if order <= 1 and spread >= 0.0 and (vn < 0.0 or fn < 0.0):
         # a flight too short for rounding to leave a panel its beginning: nearly a parabola
@@ -119,7 +121,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
                     apex -= flight_gap(body, s, c, om, y, vn, fn, apex)[1] / bend
             return polished(body, s, c, om, y, vn, fn, landing, 0.1 * landing), apex
     start = 0.0
-    while start < never:
+    while start < min(never, limit):
         length = never - start
         if om != 0.0:
             length = min(length, PHASE / abs(om))

@@ -11,22 +11,47 @@ import math
 
 from hophoop._jit import jit
 from hophoop.physics.body import ImpactLaw
-from hophoop.physics.contact import delassus
+from hophoop.physics.contact import load_height
 
 NEWTON, POISSON = int(ImpactLaw.NEWTON), int(ImpactLaw.POISSON)
 
 
 @jit
-def impulse_ratio(body, W_tt, W_nn, W_tn, vt):
-    """(r, stops): tangential per normal impulse in the present state, and whether that state is stick."""
+def contact_arms(body, s, c):
+    """(1 + ε cos θ, ε sin θ): the arms of the tangential and the normal impulse about G, with all their digits."""
+    return (1.0 - body.eps) + body.eps * load_height(s, c), body.eps * s
+
+
+@jit
+def stick_rates(body, arm, lever):
+    """(r, dθ̇/dp, dv_n/dp) while the contact sticks; r is the tangential per normal impulse.
+
+    Free of differences of large numbers, which 1/κ would make of W as κ → 0.
+    """
+    firm = body.kap + arm * arm
+    spin = lever / firm
+    return arm * spin, spin, 1.0 + lever * spin
+
+
+@jit
+def slip_rates(body, arm, lever, r):
+    """(dθ̇/dp, dv_t/dp, dv_n/dp) while the contact slips with the impulses in the ratio r."""
+    torque = lever - arm * r
+    spin = torque / body.kap
+    return spin, r - arm * spin, (body.kap + lever * torque) / body.kap
+
+
+@jit
+def impulse_ratio(body, arm, lever, vt):
+    """(r, sticks): tangential per normal impulse in the present state, and whether that state is stick."""
     if vt > 0.0:
         return -body.mu_k, False
     if vt < 0.0:
         return body.mu_k, False
-    stick = -W_tn / W_tt
+    stick = stick_rates(body, arm, lever)[0]
     if abs(stick) <= body.mu_s:
         return stick, True
-    return (-body.mu_k if W_tn > 0.0 else body.mu_k), False
+    return (-body.mu_k if stick < 0.0 else body.mu_k), False
 
 
 @jit
@@ -42,12 +67,13 @@ def impact(body, rest, s, c, vt, vn):
 
     Returns
     -------
-    vt, vn, p_n, p_t, loss_n, loss_t : float
-        Velocities after, impulses, and the losses −∫ v_n dP_n and −∫ v_t dP_t.
+    vt, vn, spin, p_n, p_t, loss_n, loss_t : float
+        Velocities after, the change of θ̇, impulses, and the losses −∫ v_n dP_n and −∫ v_t dP_t.
     """
-    W_tt, W_nn, W_tn = delassus(body, s, c)
+    arm, lever = contact_arms(body, s, c)
     collision = vn < 0.0
     approach = vn
+    spin = 0.0
     p_n = 0.0
     p_t = 0.0
     work_n = 0.0
@@ -57,23 +83,28 @@ def impact(body, rest, s, c, vt, vn):
     target = 0.0
     todo = math.inf
     for _ in range(8):
-        r, stick = impulse_ratio(body, W_tt, W_nn, W_tn, vt)
-        kt = 0.0 if stick else W_tn + W_tt * r
-        kn = W_nn + W_tn * r
-        # piece: until the slip stops ...
-        step = math.inf
-        if vt != 0.0 and not math.isinf(r) and vt * kt < 0.0:
-            step = -vt / kt
-        stops = True
+        r, stick = impulse_ratio(body, arm, lever, vt)
         if math.isinf(r):  # infinite friction stops the slip with a tangential impulse alone
-            p_side = -vt / W_tt
+            turned = arm * vt / (body.kap + arm * arm)
+            p_side = -vt * body.kap / (body.kap + arm * arm)
             work_t += 0.5 * vt * p_side
             p_t += p_side
-            vn += W_tn * p_side
+            spin += turned
+            vn += lever * turned
             vt = 0.0
             if vn > 0.0:  # the jerk along the plane alone lifts the hoop
                 break
             continue
+        kt = 0.0
+        if stick:
+            _, turn, kn = stick_rates(body, arm, lever)
+        else:
+            turn, kt, kn = slip_rates(body, arm, lever, r)
+        # piece: until the slip stops ...
+        step = math.inf
+        if vt != 0.0 and vt * kt < 0.0:
+            step = -vt / kt
+        stops = True
         # ... or the phase ends
         if compression:
             length = -vn / kn if kn > 0.0 else math.inf
@@ -91,6 +122,7 @@ def impact(body, rest, s, c, vt, vn):
         work_t += r * (vt * step + 0.5 * kt * step * step)
         p_n += step
         p_t += r * step
+        spin += turn * step
         if not compression:
             todo -= step if body.law == POISSON else gain_n
         vn += kn * step
@@ -108,13 +140,7 @@ def impact(body, rest, s, c, vt, vn):
         compression = False
         target = -rest * approach
         todo = rest * p_n if body.law == POISSON else -rest * rest * work_n
-    return vt, vn, p_n, p_t, -work_n, -work_t
-
-
-@jit
-def spin_change(body, s, c, p_n, p_t):
-    """Change of θ̇ by an impulse at the contact."""
-    return (body.eps * s * p_n - (1.0 + body.eps * c) * p_t) / body.kap
+    return vt, vn, spin, p_n, p_t, -work_n, -work_t
 
 
 @jit

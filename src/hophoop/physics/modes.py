@@ -88,15 +88,18 @@ def can_start_slip(body, th, om, sigma):
     u = om * om
     scale = body.gn + abs(body.gt) + u
     tie = TIE * scale
-    if slip_stiffness(body, s, c, sigma) <= 0.0:
+    stiffness = slip_stiffness(body, s, c, sigma)
+    if stiffness <= 0.0:
         return False
-    _, normal, slip = slip_motion(body, s, c, u, sigma)
-    if normal < -tie or sigma * slip < -tie:
+    # N = κ load / stiffness; as κ → 0 it is the load that has to be told from rounding
+    load = body.gn - body.eps * c * u
+    slip = slip_motion(body, s, c, u, sigma)[2]
+    if load < -tie or sigma * slip < -tie:
         return False
-    if normal > tie and sigma * slip > tie:
+    if load > tie and sigma * slip > tie:
         return True
     series_n, _, _, series_v = candidate_series(body, th, om, sigma)
-    return leading_sign(series_n, scale) > 0 and sigma * leading_sign(series_v, scale) > 0
+    return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0
 
 
 @jit

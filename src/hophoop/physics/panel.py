@@ -12,12 +12,13 @@ from typing import NamedTuple
 from hophoop._collocation import (
     FAR_SINES,
     FAR_VERSINES,
+    LEVELS,
     NODES,
     ORDER,
     SINES,
     VERSINES,
-    WIDTHS,
     antiderivative,
+    width_of,
 )
 from hophoop._jit import lean_jit
 from hophoop.physics.contact import slip_torque_arm
@@ -69,6 +70,13 @@ def fill_geometry(panel, work):
     if panel.kind == LINEAR:
         way = panel.way
         half = 0.5 * panel.extent
+        if panel.level >= LEVELS:
+            for i in range(ORDER):
+                offset = half * (1.0 + NODES[i])
+                sines[i] = way * offset
+                versines[i] = 0.5 * offset * offset
+                stretch[i] = half
+            return
         table = SINES[panel.level]
         other = VERSINES[panel.level]
         for i in range(ORDER):
@@ -113,7 +121,7 @@ def linear_panel(body, sigma, level, way, th, u, vt):
     c = math.cos(th)
     arm = slip_torque_arm(body, s, c, sigma)
     stiffness = body.kap + body.eps * s * arm
-    return Panel(sigma, LINEAR, level, way, th, s, c, WIDTHS[level], arm, stiffness, u, vt)
+    return Panel(sigma, LINEAR, level, way, th, s, c, width_of(level), arm, stiffness, u, vt)
 
 
 @lean_jit
@@ -167,7 +175,7 @@ def rotated(s, c, sine, versine):
 @lean_jit
 def chord(panel, xi):
     """(sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; from the table over a whole LINEAR panel."""
-    if panel.kind == LINEAR and xi >= 1.0:
+    if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
         return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
     angle = angle_at(panel, xi)
     return math.sin(angle), 2.0 * math.sin(0.5 * angle) ** 2

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.physics.compliant import KELVIN_VOIGT, Compliance, FrictionLaw, normal_force
-from hophoop.physics.contact import delassus
-from hophoop.physics.impact import impulse_ratio
+from hophoop.physics.impact import contact_arms, impulse_ratio, slip_rates
 from hophoop.scenario import Compliant, Hoop, Plane, Scenario, Start
 from hophoop.simulation import simulate
 from hophoop.trajectory import EventRecord, Trajectory
@@ -225,13 +224,13 @@ def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: flo
         number if kelvin else 0.0, 0.0 if kelvin else number, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0,
     )  # fmt: skip
     body = Scenario(hoop=hoop, plane=plane).to_body()
-    W_tt, W_nn, W_tn = delassus(body, math.sin(touch.angle), math.cos(touch.angle))
+    arm, lever = contact_arms(body, math.sin(touch.angle), math.cos(touch.angle))
     y, vt, vn = 0.0, touch.before.slip / speed, touch.before.vy / speed
     compression = restitution = 0.0
     step = 0.002 / (1.0 + (number if kelvin else 0.0))
     while True:
-        r, stuck = impulse_ratio(body, W_tt, W_nn, W_tn, vt)
-        gain, drag = W_nn + W_tn * r, W_tn + W_tt * r
+        r, stuck = impulse_ratio(body, arm, lever, vt)
+        _, drag, gain = slip_rates(body, arm, lever, r)
         length = step
         for _ in range(60):  # the midpoint rule, and again where the slip or the contact ends in it
             force = normal_force(comp, y, vn)[0]

@@ -15,6 +15,7 @@ from hophoop._collocation import (
     first_fall,
     lagrange,
     left_value,
+    width_of,
 )
 from hophoop._jit import lean_jit
 from hophoop.physics.body import Mode
@@ -29,7 +30,7 @@ from hophoop.physics.modes import slip_direction
 from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
-    HOLD,
+    LEAVE,
     LOSS,
     RATE,
     RESOLVED,
@@ -37,7 +38,6 @@ from hophoop.physics.panel import (
     TIME,
     A,
     B,
-    Panel,
     U,
     angle_at,
     arriving_panel,
@@ -63,9 +63,12 @@ WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
 SMALLEST_EXTENT = 1e-40
 STILL_ACCELERATION = 1e-15
-# Below this speed a look is taken whether θ̇ hardly matters beside θ̈: panels in θ shrink without end there.
+# Below this speed panels may be narrower than the tables go: a hoop that starts or turns at the speed θ̇ has a
+# scale of θ̇²/θ̈.
 SLOW = 1e-3
-CREEP = 1e-8  # rad, over which θ̈ counts as constant
+LONG = 64.0  # times the time left, or the unit of time: longer panels than this are cut
+NARROWEST = 2000
+MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
 SMALLEST_SQUARE = 1e-290  # a smaller θ̇² is on the way to underflow
 
 
@@ -77,6 +80,18 @@ def angular_acceleration(body, sigma, th, u):
     if sigma == 0:
         return rolling_acceleration(body, s, c, u)
     return slip_motion(body, s, c, u, sigma)[0]
+
+
+@lean_jit
+def is_still(body, sigma, th):
+    """Whether θ̈ of a hoop that does not turn is what the rounding of θ at an equilibrium can make."""
+    s = math.sin(th)
+    c = math.cos(th)
+    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma)
+    rounding = STILL_ACCELERATION * (1.0 + abs(th))
+    if firm > 0.0:
+        rounding *= 1.0 + body.eps * (body.gn + abs(body.gt)) / firm
+    return abs(angular_acceleration(body, sigma, th, 0.0)) <= rounding
 
 
 @lean_jit
@@ -139,6 +154,9 @@ def choose_panel(body, sigma, state, level, extent, scratch):
             extent *= 0.5
     u = state.om * state.om
     way = 1.0 if state.om > 0.0 else -1.0
+    finest = LEVELS
+    if u < SLOW * SLOW:
+        finest += math.ceil(2.0 * math.log2(SLOW * SLOW / u))
     while True:
         panel = linear_panel(body, sigma, level, way, state.th, u, state.vt)
         totals = solve(body, panel, work)
@@ -147,23 +165,35 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         size = totals.tail
         if not work[U, ORDER - 1] > 0.8 * u:
             ahead = turning_point_ahead(body, panel, totals, scratch)
+            if ahead > 0.0 and ahead < panel.extent / 16.0:
+                # a place known to the rounding of a panel this wide is not known well enough
+                level = min(level + math.floor(2.0 * math.log2(panel.extent / ahead)) - 3, finest)
+                continue
             if ahead > 0.0:
                 arrival = arriving_panel(body, panel, ahead)
                 totals = solve(body, arrival, work)
                 if totals.tail <= RESOLVED:
                     return arrival, totals, START_LEVEL
         level = narrower(level, size)
-        if level >= LEVELS:
+        if level >= finest:
             return panel, totals, level
 
 
 @lean_jit
-def fall_of(row, state_is_fresh, scratch):
-    """Where in the panel a margin falls through zero; at its very start if it is negative there already."""
+def fall_of(row, state_is_fresh, floor, scratch):
+    """Where in the panel a margin falls through zero; at its very start if it is negative there already.
+
+    A margin that stays above −`floor` counts as the zero that it would be without rounding.
+    """
     coefficients(row, scratch.series)
     if not state_is_fresh and left_value(scratch.series) <= 0.0:
-        return -1.0
-    return first_fall(scratch.series, 0.0, scratch.stack)
+        if floor == 0.0:
+            return -1.0
+        for i in range(ORDER):
+            if row[i] < -floor:
+                return -1.0
+        return NOT_FOUND
+    return first_fall(scratch.series, floor, scratch.stack)
 
 
 @lean_jit
@@ -177,11 +207,12 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span
     what = ON
     if panel.sigma == 0:
         roll_margins(body, work)
-        found = fall_of(work[A], fresh, scratch)
+        rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
+        found = fall_of(work[A], fresh, rounding, scratch)
         if found < xi:
             xi = found
             what = CONE_AHEAD  # F > 0
-        found = fall_of(work[B], fresh, scratch)
+        found = fall_of(work[B], fresh, rounding, scratch)
         if found < xi:
             xi = found
             what = CONE_BACK
@@ -193,11 +224,13 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span
                 for _ in range(zeros):
                     value /= 0.5 * (1.0 + NODES[i])
             work[B, i] = value
-        found = fall_of(work[A], fresh, scratch)
+        found = fall_of(work[A], fresh, 0.0, scratch)
         if found < xi:
             xi = found
             what = LIFT
-        found = fall_of(work[B], fresh, scratch)
+        found = fall_of(work[B], fresh, 0.0, scratch)
+        if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
+            found = -1.0  # slip that ends before it can be told from none on the panel
         if found < xi:
             xi = found
             what = STOP
@@ -256,6 +289,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
         u = totals.u
         vt = totals.vt
         loss = totals.loss
+    tau = max(tau, 0.0)
     om = panel.way * math.sqrt(max(u, 0.0))
     if panel.sigma == 0:
         x = state.x + (offset - angle_at(panel, -1.0))
@@ -285,62 +319,18 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
 
 
 @lean_jit
-def creeps(body, sigma, state):
-    """Whether θ̇ is so small beside θ̈ that the motion starts or turns within `CREEP`, where θ̈ hardly changes."""
-    s = math.sin(state.th)
-    c = math.cos(state.th)
-    u = state.om * state.om
-    firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma)
-    if not firm > 1e-4 * (1.0 + body.mu_k * abs(sigma)):
-        return False
-    return u < 2.0 * CREEP * abs(angular_acceleration(body, sigma, state.th, u))
-
-
-@lean_jit
-def creep(body, mode, state, t_end, angle_target, segments, count):
-    """Turn by at most `CREEP` under constant θ̈, or up to θ̇ = 0: (what, state, count)."""
-    sigma = slip_direction(mode)
-    s = math.sin(state.th)
-    c = math.cos(state.th)
-    om = state.om
-    if sigma == 0:
-        alpha, normal, rate = rolling_acceleration(body, s, c, om * om), 0.0, 0.0
+def shortened(body, panel, totals, state, left, scratch):
+    """The panel, or a narrower one where it would last so long beside the time left that its end would be lost in it."""
+    if not (totals.time > LONG * max(left, 1.0) and left > 0.0):
+        return panel, totals
+    if panel.kind == LEAVE:
+        extent = panel.extent * (4.0 * left / totals.time) ** 2
+        short = leaving_panel(body, panel.sigma, panel.way, panel.ref, extent, panel.vt)
     else:
-        alpha, normal, rate = slip_motion(body, s, c, om * om, sigma)
-    if om * alpha < 0.0:
-        tau = -om / alpha
-        what = TURNED
-    else:
-        tau = (math.sqrt(om * om + 2.0 * abs(alpha) * CREEP) - abs(om)) / abs(alpha)
-        what = ON
-    if state.vt * rate < 0.0 and -state.vt / rate <= tau:
-        tau = -state.vt / rate
-        what = STOP
-    turned = om * tau + 0.5 * alpha * tau * tau
-    if not math.isnan(angle_target):
-        toward = angle_target - state.th
-        if toward * turned > 0.0 and abs(toward) <= abs(turned):
-            tau = 2.0 * toward / (om + math.copysign(math.sqrt(om * om + 2.0 * alpha * toward), turned))
-            what = FULL_ANGLE
-    if tau >= t_end - state.t:
-        tau = max(t_end - state.t, 0.0)
-        what = LIMIT
-    turned = om * tau + 0.5 * alpha * tau * tau
-    slid = state.vt * tau + 0.5 * rate * tau * tau
-    after = State(
-        t_end if what == LIMIT else state.t + tau,
-        state.x + slid + turned,
-        0.0,
-        angle_target if what == FULL_ANGLE else state.th + turned,
-        0.0 if what == STOP else state.vt + rate * tau,
-        0.0,
-        0.0 if what == TURNED else om + alpha * tau,
-        state.friction + sigma * body.mu_k * normal * slid,
-        state.impact_n,
-        state.impact_t,
-    )
-    panel = Panel(sigma, HOLD, 0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, alpha, 0.0)
-    return what, after, write_segment(segments, count, mode, panel, 0.0, rate, state, after.t)
+        wide = width_of(0) / (4.0 * left * abs(state.om))
+        level = min(max(math.floor(2.0 * math.log2(wide)), 0), NARROWEST)
+        short = linear_panel(body, panel.sigma, level, panel.way, state.th, state.om * state.om, state.vt)
+    return short, solve(body, short, scratch.work)
 
 
 @lean_jit
@@ -359,20 +349,17 @@ def advance_contact(body, mode, state, fresh, zeros, level, t_end, origin, span,
     what, state, level, count
     """
     sigma = slip_direction(mode)
-    if abs(state.om) < SLOW and state.om != 0.0:
-        if state.om * state.om < SMALLEST_SQUARE:
-            state = revised(state, state.t, state.th, state.vt, 0.0)
-        elif not (fresh and zeros > 0 and sigma != 0) and creeps(body, sigma, state):
-            target = origin + math.copysign(span, state.om)
-            what, state, count = creep(body, mode, state, t_end, target, segments, count)
-            return what, state, START_LEVEL, count
+    if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
+        state = revised(state, state.t, state.th, state.vt, 0.0)
     if state.om == 0.0:
         if body.kap == 0.0 and (sigma != 0 or math.cos(state.th) <= -1.0):
             return STILL, state, level, count  # the massless hoop with its load on the plane
-        alpha = angular_acceleration(body, sigma, state.th, 0.0)
-        if abs(alpha) <= STILL_ACCELERATION * (1.0 + abs(state.th)):
+        if is_still(body, sigma, state.th):
             return STILL, state, level, count
     panel, totals, level = choose_panel(body, sigma, state, level, FIRST_EXTENT, scratch)
+    if not totals.tail <= RESOLVED:
+        return STUCK, state, level, count
+    panel, totals = shortened(body, panel, totals, state, t_end - state.t, scratch)
     if not totals.tail <= RESOLVED:
         return STUCK, state, level, count
     xi, what = earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span, scratch)

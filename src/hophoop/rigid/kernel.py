@@ -46,6 +46,7 @@ STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
 # A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
 CLOSING = 1e-12
 SLOWEST_BOUNCE = 1e-100  # heights of slower ones are on the way to underflow
+LOWEST_START = 1e-250  # a rim this high touches: the time to fall would underflow
 MOST_PANELS = 4_000_000
 
 
@@ -206,6 +207,10 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
         With Status.BUFFER or EVENT_LIMIT the arrays were full.
     """
     state = start
+    if 0.0 < state.y < LOWEST_START:
+        state = State(
+            start.t, start.x, 0.0, start.th, start.vt, start.vn, start.om, start.friction, start.impact_n, start.impact_t
+        )
     count = 0
     pieces = 0
     mode = FLIGHT

@@ -109,18 +109,10 @@ def sample(body, segments, times, left, out):
             slid = state.vt * tau + 0.5 * rate * tau * tau
             loss = segment["sigma"] * body.mu_k * body.gn * slid if segment["sigma"] != 0 else 0.0
             vt = state.vt + rate * tau
-            alpha = segment["u"]
             normal = body.gn
             friction = -segment["sigma"] * body.mu_k * body.gn if segment["sigma"] != 0 else -body.gt
-            turned = 0.0
-            om = 0.0
-            if alpha != 0.0:  # a slow turn under constant θ̈
-                om = state.om + alpha * tau
-                turned = state.om * tau + 0.5 * alpha * tau * tau
-                friction, normal = contact_force(body, segment["sigma"], state.th + turned, om)
-                loss *= normal / body.gn if body.gn > 0.0 else 0.0
             now = State(
-                times[k], state.x + slid + turned, 0.0, state.th + turned, vt, 0.0, om,
+                times[k], state.x + slid, 0.0, state.th, vt, 0.0, 0.0,
                 state.friction + loss, state.impact_n, state.impact_t,
             )  # fmt: skip
         elif segment["kind"] == SKIMMING:

@@ -6,8 +6,7 @@ import math
 
 from hophoop._jit import jit
 from hophoop.physics.body import Event, Mode
-from hophoop.physics.contact import delassus
-from hophoop.physics.impact import at_singular_angle, impact, singular_slip, spin_change
+from hophoop.physics.impact import at_singular_angle, contact_arms, impact, singular_slip, stick_rates
 from hophoop.physics.modes import (
     INDETERMINATE,
     UNDECIDED,
@@ -32,8 +31,8 @@ def collide(body, rest, state, kind, mode, collision):
     """(state after, cause) of an impact."""
     s = math.sin(state.th)
     c = math.cos(state.th)
-    vt, vn, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn)
-    om = state.om + spin_change(body, s, c, p_n, p_t)
+    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn)
+    om = state.om + spin
     gain = -(loss_n + loss_t)
     if gain <= GAIN_FLOOR * (abs(loss_n) + abs(loss_t) + state.vn * state.vn):
         gain = 0.0
@@ -55,10 +54,11 @@ def close_bounces(body, state):
     # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
     s = math.sin(state.th)
     c = math.cos(state.th)
-    W_tt, W_nn, W_tn = delassus(body, s, c)
-    p_n = -after.vn / (W_nn - W_tn * W_tn / W_tt)
-    p_t = -W_tn / W_tt * p_n
-    om = after.om + spin_change(body, s, c, p_n, p_t)
+    arm, lever = contact_arms(body, s, c)
+    r, turn, lift = stick_rates(body, arm, lever)
+    p_n = -after.vn / lift
+    p_t = r * p_n
+    om = after.om + turn * p_n
     lost = after.impact_n - 0.5 * after.vn * p_n
     still = State(state.t, state.x, state.y, state.th, 0.0, 0.0, om, state.friction, lost, after.impact_t)
     p_n += cause.p_n
