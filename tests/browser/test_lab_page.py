@@ -252,6 +252,12 @@ def test_in_space(visit):
     wait_for(page, "lab.options.three && !lab.requested")
     assert colors_on(page, ".stage canvas:not([hidden])") > 100
     picture(page, "space")
+    # a machine that draws in software may lose sharpness while the film runs, not in a still picture
+    page.evaluate("hophoopLab.stage3.share = 0.5")
+    page.keyboard.press(" ")
+    wait_for(page, "lab.canvas3.width < 0.9 * lab.canvas3.clientWidth")
+    page.keyboard.press(" ")
+    wait_for(page, "lab.canvas3.width === lab.canvas3.clientWidth")
 
 
 def test_dark_and_on_a_phone(visit):

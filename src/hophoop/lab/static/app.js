@@ -245,7 +245,7 @@ export class Lab {
     this.fastest.textContent = `≥ ${show(Math.max(...this.films().map((film) => film.extent.speed)), 2)} m/s`;
     if (options.three) {
       this.stage3 ??= new Stage3D(this.canvas3, () => this.request());
-      this.stage3.draw(this.films(), clock.time, options, look, inks);
+      this.stage3.draw(this.films(), clock.time, options, look, inks, clock.playing);
     } else this.stage2.draw(this.films(), clock.time, options, look, inks);
   }
 

@@ -121,7 +121,7 @@ function header(lab) {
     h("button", { type: "button", title, "aria-label": title, onclick: action, ...extra }, label);
   lab.undoButton = button(icon("undo"), "Undo (z)", () => lab.undo());
   lab.redoButton = button(icon("redo"), "Redo (y)", () => lab.redo());
-  const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, "A | B"));
+  const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, icon("two")));
   lab.compareButton = button(words, "Compare two hoops", () => lab.compare(), { "aria-pressed": "false" });
   return h(
     "header",
@@ -149,6 +149,7 @@ function lanesBar(lab) {
 }
 
 function transport(lab) {
+  const marked = (mark, word) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
   const button = (label, title, action) =>
     h("button", { type: "button", title, "aria-label": title, onclick: action }, label);
   lab.playButton = button(icon("play"), "Play (space)", () => lab.clock.play());
@@ -192,8 +193,8 @@ function transport(lab) {
     h(
       "div",
       { class: "buttons" },
-      button("▲ hop", "To the next take-off (h)", () => lab.jump(1, "takeoff")),
-      button("▼ landing", "To the next landing (l)", () => lab.jump(1, "impact")),
+      button(marked("▲", "hop"), "To the next hop (h)", () => lab.jump(1, "takeoff")),
+      button(marked("▼", "landing"), "To the next landing (l)", () => lab.jump(1, "impact")),
     ),
     lab.speeds,
     h("div", { class: "buttons switches" }, [...lab.switches.values()]),

@@ -153,9 +153,10 @@ export class Stage3D {
     return this.share;
   }
 
-  draw(films, time, options, look, colors) {
+  // `running`: a film that runs may lose sharpness, a still picture never.
+  draw(films, time, options, look, colors, running) {
     const { gl, canvas } = this;
-    const ratio = Math.min(globalThis.devicePixelRatio || 1, 2) * this.quality();
+    const ratio = Math.min(globalThis.devicePixelRatio || 1, 2) * (running ? this.quality() : 1);
     const box = canvas.getBoundingClientRect();
     canvas.width = Math.max(Math.round(box.width * ratio), 1);
     canvas.height = Math.max(Math.round(box.height * ratio), 1);
