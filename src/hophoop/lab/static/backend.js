@@ -33,6 +33,9 @@ export class HttpBackend {
   }
 }
 
+const PATIENCE = 20_000; // milliseconds; files take longer
+const FILE_PATIENCE = 300_000;
+
 // Messages to the kernel behind an anywidget model.
 export class KernelBackend {
   constructor(model) {
@@ -49,6 +52,7 @@ export class KernelBackend {
   answered(message, buffers) {
     const waits = message?.view === this.view && this.waiting.get(message.number);
     if (!waits) return;
+    clearTimeout(waits.timer);
     this.waiting.delete(message.number);
     if (message.error) waits.reject(new Error(message.error));
     else waits.resolve(unpack(buffers[0]));
@@ -57,8 +61,14 @@ export class KernelBackend {
   call(name, body, signal) {
     const number = ++this.number;
     return new Promise((resolve, reject) => {
-      this.waiting.set(number, { resolve, reject });
+      // a saved notebook plays without a kernel, but cannot compute
+      const timer = setTimeout(() => {
+        this.waiting.delete(number);
+        reject(new Error("The notebook’s kernel does not answer; run the cell again."));
+      }, name === "file" ? FILE_PATIENCE : PATIENCE);
+      this.waiting.set(number, { resolve, reject, timer });
       signal?.addEventListener("abort", () => {
+        clearTimeout(timer);
         this.waiting.delete(number);
         reject(new DOMException("superseded", "AbortError"));
       });
