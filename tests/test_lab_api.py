@@ -150,6 +150,9 @@ def test_the_page_names_its_assets_and_allows_no_others(client):
 
 def test_health(client):
     assert client.get("/healthz").json() == {"status": "ok", "version": hh.__version__}
+    # as those ask who watch over a server
+    assert client.head("/healthz").status_code == 200
+    assert client.head("/").status_code == 200
 
 
 def test_openapi_describes_every_route(client):

@@ -30,7 +30,8 @@ def show(motion: Trajectory | Scenario, panels: Sequence[str] = ("controls", "pl
     -------
     widget : anywidget.AnyWidget
         Its `motion` is the Trajectory that is shown now, also after a slider has moved; assigning another one
-        shows that. Its `query`, the scenario's link, changes with it and can be observed. The film is kept in the notebook and plays without a kernel; sliders need one.
+        shows that. Its `query`, the scenario's link, changes with it and can be observed. The film is kept in the
+        notebook and plays without a kernel; sliders need one.
 
     Raises
     ------
