@@ -291,7 +291,8 @@ class Scene {
     const { film, pose, colors } = this;
     const R = film.radius;
     const weight = film.mass * (film.gravity || 9.81);
-    const size = (force) => clamp((0.55 * R * force) / weight, -3.2 * R, 3.2 * R);
+    // to scale up to four weights; a longer arrow would leave the picture and is drawn broken
+    const size = (force) => (0.55 * R * force) / weight;
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const foot = [pose.x, pose.height];
     this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N = ${show(pose.normal_force, 3)} N`, false);
@@ -301,6 +302,9 @@ class Scene {
   // The label of N stands beside its tip, that of F below the plane: they never meet.
   arrow([x, y], [dx, dy], color, label, below) {
     const { context, look, width } = this;
+    const most = 2.2 * this.film.radius;
+    const cut = Math.abs(dx) > most || Math.abs(dy) > most;
+    [dx, dy] = [clamp(dx, -most, most), clamp(dy, -most, most)];
     const from = this.point(x, y);
     const to = this.point(x + dx, y + dy);
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
@@ -322,6 +326,17 @@ class Scene {
     context.lineTo(to[0] - ux * head - uy * head * 0.5, to[1] - uy * head + ux * head * 0.5);
     context.lineTo(to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5);
     context.fill();
+    if (cut) {
+      const [x, y] = [from[0] + 0.55 * ux * length, from[1] + 0.55 * uy * length];
+      context.strokeStyle = look.paper;
+      context.lineWidth = 2;
+      context.beginPath();
+      for (const way of [-3, 3]) {
+        context.moveTo(x + ux * (way - 3) - uy * 7, y + uy * (way - 3) + ux * 7);
+        context.lineTo(x + ux * (way + 3) + uy * 7, y + uy * (way + 3) - ux * 7);
+      }
+      context.stroke();
+    }
     context.font = `600 12px ${look.font}`;
     const size = context.measureText(label).width;
     context.lineWidth = 3;
@@ -329,7 +344,7 @@ class Scene {
     context.textAlign = "left";
     const place = below
       ? [from[0] - 0.5 * size - 32 * this.sine, from[1] + 32 * this.cosine]
-      : [to[0] + 12, Math.min(to[1] + 4, from[1] - 0.36 * this.film.radius * this.scale)];
+      : [to[0] + 12, clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale)];
     place[0] = clamp(place[0], 4, width - size - 4);
     context.strokeText(label, ...place);
     context.fillText(label, ...place);
