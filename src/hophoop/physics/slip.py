@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import ANTIDERIVATIVE_T, ORDER, REMAINDER_T, antiderivative, product, tail, total
+from hophoop._collocation import ANTIDERIVATIVE_T, ORDER, REMAINDER_T, antiderivative, exponentials, product, tail, total
 from hophoop._jit import lean_jit
 from hophoop.physics.contact import load_height
 from hophoop.physics.panel import (
@@ -91,10 +91,9 @@ def solve_slip(body, panel, work):
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0)
     exponent = _from_reference(panel, damping, integral)
+    exponentials(integral, growth)
     for i in range(ORDER):
-        factor = math.exp(integral[i])
-        growth[i] = factor
-        drive[i] /= factor
+        drive[i] /= growth[i]
     driven = _from_reference(panel, drive, integral)
     us = work[U]
     lowest = math.inf
