@@ -2,6 +2,7 @@
 
     python benchmarks/stress.py                        # a million
     python benchmarks/stress.py --motions 20000 --jobs 2 --json stress.json
+    python benchmarks/stress.py --markdown docs/tables/stress.md    # the tables of the documentation
     python benchmarks/stress.py --show 1234            # one of them, as a scenario and its events
 
 Every motion runs through the kernel that `simulate` runs and is sampled at `SAMPLES` times as `at` does. The checks
@@ -309,6 +310,59 @@ def report(total: dict[str, Any], motions: int, seconds: float) -> str:
     return "\n".join(lines)
 
 
+def markdown(plain: dict[str, Any]) -> str:
+    """The tables of docs/stress.md, from what `--json` writes."""
+
+    def row(*cells: object) -> str:
+        return "| " + " | ".join(str(cell) for cell in cells) + " |"
+
+    def count(number: int) -> str:
+        return f"{number:,}"
+
+    def power(value: float) -> str:
+        if value == 0.0 or not math.isfinite(value):
+            return "0" if value == 0.0 else "different events"
+        exponent = math.floor(math.log10(value))
+        return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+    motions = plain["motions"]
+    numbers = {kind: sum(plain["statuses"][kind].values()) for kind in KINDS}
+    titles = [f"{kind} ({count(numbers[kind])})" for kind in KINDS]
+    lines = [
+        f"{count(motions)} motions, numbers {count(plain['first'])} to {count(plain['first'] + motions - 1)} of seed "
+        f"{plain['seed']}, each also mirrored, with version {plain['version']}: {plain['seconds']:,.0f} s "
+        f"with {plain['jobs']} process{'es' if plain['jobs'] > 1 else ''}.",
+        "",
+        row("Ended with", *titles),
+        row(*["---"] * 4),
+    ]
+    names = dict.fromkeys(name for kind in KINDS for name in plain["statuses"][kind])
+    for name in sorted(names, key=lambda name: ("∞" in name, -sum(plain["statuses"][kind].get(name, 0) for kind in KINDS))):
+        status, _, rough = name.partition(", ")
+        cells = [count(plain["statuses"][kind].get(name, 0)) for kind in KINDS]
+        lines.append(row(f"`{status}`{', ' + rough if rough else ''}", *cells))
+    lines += ["", row("Worst violation (motion)", *KINDS), row(*["---"] * 4)]
+    for name in MEASURES:
+        cells = []
+        for kind in KINDS:
+            if name not in plain["worst"][kind]:
+                cells.append("–")
+                continue
+            value, index = plain["worst"][kind][name]
+            above = plain["above 1e-11"][kind][name]
+            number = f" ({index})" if value else ""
+            cells.append(power(value) + number + (f"; {count(above)} above 10⁻¹¹" if above else ""))
+        lines.append(row(name, *cells))
+    lines += ["", row("Event", "motions in which it occurs", "share"), row(*["---"] * 3)]
+    for name, number in sorted(plain["events"].items(), key=lambda item: -item[1]):
+        lines.append(row(f"`{name}`", count(number), f"{100.0 * number / motions:.3g} %"))
+    lines.append("")
+    for name, found in plain["odd"].items():
+        if found:
+            lines.append(f"* {name}: the first are motions {', '.join(str(index) for index in found)}.")
+    return "\n".join(lines).rstrip() + "\n"
+
+
 def show(seed: int, index: int) -> None:
     """One motion, in full."""
     kind, sections = draw(seed, index)
@@ -330,6 +384,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=2026)
     parser.add_argument("--jobs", type=int, default=multiprocessing.cpu_count())
     parser.add_argument("--json", metavar="FILE")
+    parser.add_argument("--markdown", metavar="FILE", help="write the tables of docs/stress.md there")
     parser.add_argument("--show", type=int, metavar="INDEX")
     arguments = parser.parse_args()
     if arguments.show is not None:
@@ -346,20 +401,27 @@ def main() -> int:
             if sys.stderr.isatty():
                 print(f"\r{len(results) * BLOCK} / {arguments.motions}", end="", file=sys.stderr)
     total = together(results)
-    print(report(total, arguments.motions, time.perf_counter() - begin))
+    seconds = time.perf_counter() - begin
+    print(report(total, arguments.motions, seconds))
+    plain = {
+        "motions": arguments.motions,
+        "first": arguments.first,
+        "seed": arguments.seed,
+        "jobs": arguments.jobs,
+        "seconds": seconds,
+        "version": hh.__version__,
+        "statuses": {KINDS[k]: {n: v for (j, n), v in total["statuses"].items() if j == k} for k in range(3)},
+        "worst": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["worst"].items() if j == k} for k in range(3)},
+        "above 1e-11": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["above"].items() if j == k} for k in range(3)},
+        "events": dict(total["events"]),
+        "odd": {name: found for name, found in total["odd"].items() if found},
+    }
     if arguments.json:
-        plain = {
-            "motions": arguments.motions,
-            "seed": arguments.seed,
-            "version": hh.__version__,
-            "statuses": {KINDS[k]: {n: v for (j, n), v in total["statuses"].items() if j == k} for k in range(3)},
-            "worst": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["worst"].items() if j == k} for k in range(3)},
-            "above 1e-11": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["above"].items() if j == k} for k in range(3)},
-            "events": dict(total["events"]),
-            "odd": dict(total["odd"]),
-        }
         with open(arguments.json, "w", encoding="utf-8") as file:
             json.dump(plain, file, indent=2)
+    if arguments.markdown:
+        with open(arguments.markdown, "w", encoding="utf-8") as file:
+            file.write(markdown(plain))
     return int(bool(total["odd"]["gain without Newton"] or total["odd"]["buffer"]))
 
 

@@ -33,7 +33,7 @@ extensions = [
     "numpydoc",
     "sphinxcontrib.bibtex",
 ]
-exclude_patterns = ["_build"]
+exclude_patterns = ["_build", "tables"]  # tables are included by pages
 templates_path = ["_templates"]
 nitpicky = False
 

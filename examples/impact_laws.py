@@ -1,9 +1,9 @@
-"""One impact under three laws of restitution: what bounces, what is lost, and what Newton's law creates.
+"""Impacts under three laws of restitution: step by step along the impulse, what is lost, and what Newton's law creates.
 
 Usage: python examples/impact_laws.py [FOLDER]   (default: docs/figures)
 
-A block-like body (ε = 1/2, κ = 0.39, sin θ = −4/5) strikes at v = (−1, −3) m/s. With μ = 1/2 its slip stops during
-compression and it sticks; with μ = 1/8 the slip reverses.
+A block-like body (ε = 1/2, κ = 0.39, sin θ = −4/5) strikes at v = (−1, −3) m/s and (−8, −3) m/s: its slip stops in
+compression, in restitution, or reverses, and everything can be worked by hand (tests/test_impacts.py does).
 """
 
 from __future__ import annotations
@@ -19,46 +19,197 @@ import hophoop as hh
 from hophoop.plots import colors
 
 BODY = hh.Hoop(radius=1.0, mass=1.0, eccentricity=0.5, inertia_ratio=0.39)
+ANGLE = math.atan2(-0.8, 0.6)
+ARTICLE = hh.Hoop.ideal(0.75)
 LAWS = {
-    "newton": ("Newton", colors.VERMILION, "--"),
-    "poisson": ("Poisson", colors.BLUE, "-."),
-    "stronge": ("Stronge", colors.BLACK, "-"),
+    "newton": ("Newton", colors.VERMILION, "--", "s"),
+    "poisson": ("Poisson", colors.BLUE, "-.", "^"),
+    "stronge": ("Stronge", colors.BLACK, "-", "o"),
 }
+CASES = (
+    ("slip stops in compression, then it sticks", 0.5, -1.0),
+    ("slip stops in restitution, then it sticks", 0.5, -8.0),
+    ("slip stops in compression and reverses", 0.125, -1.0),
+)
 
 
-def strike(law: str, restitution: float, mu: float) -> hh.trajectory.EventRecord:
+def strike(
+    law: str, restitution: float, mu: float, vx: float = -1.0, vy: float = -3.0,
+    hoop: hh.Hoop = BODY, angle: float = ANGLE, omega: float = 0.0,
+) -> hh.trajectory.EventRecord:  # fmt: skip
     """The impact."""
     plane = hh.Plane(mu=mu, restitution=restitution, impact_law=law)
-    start = hh.Start(angle=math.atan2(-0.8, 0.6), vx=-1.0, vy=-3.0)
-    return hh.simulate(BODY, plane, start, duration=1e-3, contact=hh.Rigid(max_events=12)).find("impact")[0]
+    start = hh.Start(angle=angle, vx=vx, vy=vy, omega=omega)
+    return hh.simulate(hoop, plane, start, duration=1e-6, contact=hh.Rigid(max_events=12)).find("impact")[0]
 
 
-def main(folder: Path) -> None:
-    """Draw the figure and print the numbers at e = 1."""
-    folder.mkdir(parents=True, exist_ok=True)
+def response(hoop: hh.Hoop, angle: float) -> np.ndarray:
+    """W of the contact point for m = R = 1, by the lever arms."""
+    height, arm = 1 + hoop.eccentricity * math.cos(angle), hoop.eccentricity * math.sin(angle)
+    levers = np.array([-height, arm])
+    return np.eye(2) + np.outer(levers, levers) / hoop.inertia_ratio
+
+
+def small_steps(mu: float, vt: float, vn: float, total: float, steps: int = 60_000) -> np.ndarray:
+    """(p, v_t, v_n) by Coulomb's law applied to that many small normal impulses, one after another."""
+    matrix = response(BODY, ANGLE)
+    step = total / steps
+    out = np.empty((steps + 1, 3))
+    out[0] = 0.0, vt, vn
+    for k in range(steps):
+        # what would stop the slip within the step is what friction gives, up to its limit
+        wanted = -(vt / step + matrix[0, 1]) / matrix[0, 0]
+        ratio = min(max(wanted, -mu), mu)
+        vt += step * (matrix[0, 1] + matrix[0, 0] * ratio)
+        vn += step * (matrix[1, 1] + matrix[0, 1] * ratio)
+        out[k + 1] = (k + 1) * step, vt, vn
+    return out
+
+
+def along_the_impulse(folder: Path) -> None:
+    """Both velocities against the impulse, in small steps, and the ends that the program finds for e = 1."""
+    figure, axes = plt.subplots(1, 3, figsize=(12.0, 4.1), layout="constrained")
+    rows = []
+    for ax, (title, mu, vx) in zip(axes, CASES, strict=True):
+        ends = {law: strike(law, 1.0, mu, vx) for law in LAWS}
+        path = small_steps(mu, vx, -3.0, 1.02 * max(end.impulse_normal for end in ends.values()))
+        compression = strike("stronge", 0.0, mu, vx).impulse_normal
+        ax.axvspan(0.0, compression, color=colors.LIGHT_GRAY, alpha=0.5, lw=0)
+        ax.text(0.5 * compression, 3.35, "compression", ha="center", fontsize=9, color=colors.GRAY)
+        ax.plot(path[:, 0], path[:, 1], color=colors.PURPLE, lw=1.8, ls="--", label="slip velocity $v_t$")
+        ax.plot(path[:, 0], path[:, 2], color=colors.GREEN, lw=1.8, label="separation $v_n$")
+        worst = 0.0
+        for law, (name, color, _, mark) in LAWS.items():
+            end = ends[law]
+            ax.plot([end.impulse_normal] * 2, [end.slip, end.vy], mark, color=color, ms=6, label=f"{name}, e = 1")
+            by_steps = [float(np.interp(end.impulse_normal, path[:, 0], path[:, j])) for j in (1, 2)]
+            worst = max(worst, abs(end.slip - by_steps[0]), abs(end.vy - by_steps[1]))
+        velocities = " | ".join(f"{ends[law].vy:.6f}" for law in LAWS)
+        rows.append(f"| {title} | {mu:g} | (−{-vx:g}, −3) | {compression:.6f} | {velocities} | {worst:.1e} |")
+        ax.axhline(0.0, color="black", lw=0.6)
+        ax.set_title(f"μ = {mu:g}, $v_t$ = −{-vx:g} m/s:\n{title}", fontsize="medium")
+        ax.set_xlabel("Normal impulse (N s)")
+        ax.set_ylim(min(-3.4, vx * 1.06), 3.9)
+        ax.grid(alpha=0.15)
+    axes[0].set_ylabel("Velocity of the contact point (m/s)")
+    axes[0].legend(frameon=False, fontsize=8.5, loc="lower right")
+    save(figure, folder / "impact-impulse.svg")
+    print("| case | μ | v before | p_c (N s) | Newton | Poisson | Stronge | off the steps |")
+    print("\n".join(rows))
+
+
+def against_restitution(folder: Path) -> None:
+    """Separation and loss against e under the three laws."""
     figure, axes = plt.subplots(1, 2, figsize=(9.6, 4.0), layout="constrained")
     grid = np.linspace(0.0, 1.0, 81)
-    for law, (name, color, dashes) in LAWS.items():
+    for law, (name, color, dashes, _) in LAWS.items():
         for mu, width in ((0.5, 2.0), (0.125, 1.0)):
             impacts = [strike(law, float(e), mu) for e in grid]
             lost = [impact.impact_normal + impact.impact_tangential for impact in impacts]
-            label = f"{name}, μ = {mu:g}"
-            axes[0].plot(grid, [impact.vy for impact in impacts], dashes, color=color, lw=width, label=label)
+            axes[0].plot(grid, [impact.vy for impact in impacts], dashes, color=color, lw=width, label=f"{name}, μ = {mu:g}")
             axes[1].plot(grid, lost, dashes, color=color, lw=width)
-            print(f"{label}: e = 1 gives v_n = {impacts[-1].vy:.9f} m/s, loses {lost[-1]:.9f} J")
     axes[0].set_ylabel("Velocity of separation (m/s)")
     axes[1].set_ylabel("Energy lost in the impact (J)")
     axes[1].axhline(0.0, color=colors.GRAY, lw=0.8)
     axes[1].annotate(
-        "below zero Newton's law\ncreates energy (Kane)", (0.93, -0.33), (0.30, -0.1), fontsize=9,
+        "below zero Newton's law\ncreates energy (Kane)", (0.95, -0.4), (0.25, -0.65), fontsize=9,
         arrowprops={"arrowstyle": "-", "color": colors.GRAY},
     )  # fmt: skip
     axes[0].legend(frameon=False, fontsize=9)
     for ax in axes:
         ax.set_xlabel("Restitution e")
         ax.grid(alpha=0.15)
-    figure.savefig(folder / "impact-laws.svg", metadata={"Date": None})
+    save(figure, folder / "impact-laws.svg")
+
+
+def gains(folder: Path) -> None:
+    """Kane's gain of the article's hoop: angle and direction of the blow, beside the energy of the blow."""
+    angles = np.radians(np.linspace(-180.0, 180.0, 181))
+    ratios = np.linspace(-2.5, 2.5, 161)  # v_t over the speed of approach
+    figure, axes = plt.subplots(1, 2, figsize=(10.4, 4.2), layout="constrained", sharey=True)
+    print("| e | blows with a gain | greatest, of the blow's energy | at θ | slip over speed of approach |")
+    for ax, restitution in zip((None, *axes), (0.6, 0.8, 1.0), strict=True):
+        shares = np.empty((ratios.size, angles.size))
+        for j, angle in enumerate(angles):
+            matrix = response(ARTICLE, float(angle))
+            for i, ratio in enumerate(ratios):
+                v = np.array([ratio, -1.0])
+                push = np.linalg.solve(matrix, v)  # gives the contact point this velocity at the least energy
+                arm, height = 0.75 * math.sin(angle), 0.75 * math.cos(angle)
+                omega = (arm * push[1] - (1 + height) * push[0]) / ARTICLE.inertia_ratio
+                motion_of_center = push[0] - height * omega, push[1] + arm * omega
+                impact = strike("newton", restitution, 1.0, *motion_of_center, ARTICLE, float(angle), omega)
+                shares[i, j] = -(impact.impact_normal + impact.impact_tangential) / (0.5 * push @ v)
+        top = np.unravel_index(np.argmax(shares), shares.shape)
+        share = np.mean(shares > 1e-12)
+        place = f"{shares[top]:.1%} | ±{abs(math.degrees(angles[top[1]])):.0f}° | ±{abs(ratios[top[0]]):.2f}"
+        print(f"| {restitution:g} | {share:.1%} | {place if share else '– | – | –'} |")
+        if ax is None:
+            continue
+        mesh = ax.pcolormesh(
+            np.degrees(angles), ratios, np.where(shares > 1e-12, 100 * shares, np.nan), cmap="viridis", vmin=0.0, vmax=75.0,
+            shading="nearest", rasterized=True,
+        )  # fmt: skip
+        ax.set_title(f"e = {restitution:g}", fontsize="medium")
+        ax.set_xlabel("Angle of the load θ (°)")
+        ax.set_xticks(range(-180, 181, 60))
+    axes[0].set_ylabel("Slip over speed of approach")
+    figure.colorbar(mesh, ax=axes, label="Energy created, of the blow's (%)")
+    figure.savefig(folder / "kane-gain.png", dpi=120)
     plt.close(figure)
+
+
+def landing() -> None:
+    """The article's landing at 3.1 m/s under each law."""
+    print("| e | law | slip after (m/s) | separation (m/s) | normal loss (J) | tangential loss (J) | created (J) |")
+    for restitution in (0.0, 0.5, 1.0):
+        for law in LAWS:
+            plane = hh.Plane(mu=1.0, restitution=restitution, impact_law=law)
+            motion = hh.simulate(ARTICLE, plane, hh.Start.rolling(3.1), duration=1.81)
+            impact = motion.find("impact")[0]
+            gain = sum(event.gain for event in motion.find("kane_gain") if event.t == impact.t)
+            print(
+                f"| {restitution:g} | {LAWS[law][0]} | {impact.slip:.6f} | {impact.vy:.6f} | {impact.impact_normal:.6f} "
+                f"| {impact.impact_tangential:.6f} | {gain:.6f} |"
+            )
+
+
+def agreement() -> None:
+    """Where the laws agree: the largest difference of any velocity among them, over random impacts."""
+    random = np.random.default_rng(1)
+    worst = {"e = 0": 0.0, "μ = 0": 0.0, "slip keeps its direction": 0.0, "slip stops or reverses": 0.0}
+    numbers = dict.fromkeys(worst, 0)
+    for _ in range(2000):
+        state = {"angle": random.uniform(-3.1, 3.1), "vx": random.normal() * 4, "omega": random.normal() * 4, "vy": -1.0}
+        for mu, restitution in ((0.7, 0.0), (0.0, 0.6), (0.4, 0.6)):
+            ends = [strike(law, restitution, mu, hoop=BODY, **state) for law in LAWS]
+            name = "e = 0" if restitution == 0.0 else "μ = 0"
+            if mu == 0.4:
+                kept = all(end.slip * (state["vx"] - state["omega"]) > 0.0 for end in ends)
+                name = "slip keeps its direction" if kept else "slip stops or reverses"
+            values = np.array([[end.vx, end.vy, end.omega] for end in ends])
+            worst[name] = max(worst[name], float(np.ptp(values, axis=0).max()))
+            numbers[name] += 1
+    print("| impacts | number | velocities of the three laws differ by at most (m/s, rad/s) |")
+    for name, value in worst.items():
+        print(f"| {name} | {numbers[name]} | {value:.1e} |")
+
+
+def save(figure: plt.Figure, path: Path) -> None:
+    """Without a date, so that the same numbers give the same file."""
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
+
+
+def main(folder: Path) -> None:
+    """Draw the figures and print the numbers of the page."""
+    folder.mkdir(parents=True, exist_ok=True)
+    plt.rcParams["svg.hashsalt"] = "hophoop"
+    along_the_impulse(folder)
+    against_restitution(folder)
+    landing()
+    agreement()
+    gains(folder)
 
 
 if __name__ == "__main__":

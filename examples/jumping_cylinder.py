@@ -1,8 +1,8 @@
-"""A jumping cylinder on an incline: where it leaves slopes of 15°, 30° and 45°, and whether it slips before.
+"""A jumping cylinder on an incline: where it leaves slopes of 15°, 30° and 45°, and which bodies jump without slipping.
 
 Usage: python examples/jumping_cylinder.py [FOLDER]   (default: docs/figures)
 
-A foam cylinder with a brass rod along it near its surface, made of parts.
+A foam cylinder with a brass rod along it near its surface, made of parts; then all bodies (ε, κ) on one slope.
 """
 
 from __future__ import annotations
@@ -13,11 +13,21 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.patches import Patch
 
 import hophoop as hh
 from hophoop.plots import colors
 
 RADIUS = 0.05
+GRAVITY = 9.81
+KINDS = (
+    ("slips ahead first (skid)", colors.mode_color("K")),
+    ("over-rotates first (spin)", colors.mode_color("S")),
+    ("jumps without slip", colors.mode_color("H")),
+    ("N = 0 and cannot jump (quasi-jump)", colors.GRAY),
+    ("rolls for 4 s", colors.mode_color("R")),
+)
 
 
 def cylinder(share: float) -> hh.Hoop:
@@ -28,33 +38,45 @@ def cylinder(share: float) -> hh.Hoop:
     )
 
 
-def release(hoop: hh.Hoop, degrees: float, mu: float) -> hh.Trajectory:
+def release(hoop: hh.Hoop, degrees: float, mu: float, duration: float = 3.0) -> hh.Trajectory:
     """From rest, the rod a hair downhill of the highest place."""
     slope = math.radians(degrees)
-    return hh.simulate(hoop, hh.Plane(mu=mu, slope=slope), hh.Start(angle=-slope + 0.02), duration=3.0)
+    return hh.simulate(hoop, hh.Plane(mu=mu, slope=slope), hh.Start(angle=-slope + 0.02), duration=duration)
 
 
-def main(folder: Path) -> None:
-    """Draw the figure and print the table."""
-    folder.mkdir(parents=True, exist_ok=True)
-    figure, axes = plt.subplots(1, 2, figsize=(9.8, 4.2), layout="constrained")
-    shares = np.linspace(0.1, 0.95, 69)
+def lift(hoop: hh.Hoop, degrees: float, event: hh.trajectory.EventRecord) -> float:
+    """f_n in units of g, as derived from the path of the lowest point."""
+    swing = hoop.eccentricity * hoop.radius * event.omega**2 * math.cos(event.angle)
+    return swing / GRAVITY - math.cos(math.radians(degrees))
+
+
+def jumps(folder: Path) -> None:
+    """Where the cylinder first jumps, over the share of its mass in the rod."""
+    hoop = cylinder(0.75)
+    print(f"75 % of the mass in the rod: ε = {hoop.eccentricity:.6f}, κ = {hoop.inertia_ratio:.6f}")
+    figure, axes = plt.subplots(1, 2, figsize=(9.8, 4.2), layout="constrained", sharey=True)
+    shares = np.linspace(0.1, 0.95, 171)
+    print("| slope | μ | phases | leaves the plane at | from | θ̇ (rad/s) | time (s) | slips from | f_n/g there |")
     for degrees, color, dashes in ((15, colors.BLUE, "-"), (30, colors.VERMILION, "--"), (45, colors.BLACK, "-.")):
         for ax, mu in zip(axes, (1.0, 3.0), strict=True):
             places = []
             for share in shares:
-                jumps = release(cylinder(float(share)), degrees, mu).find("takeoff")
-                places.append(jumps[0].angle / (2 * math.pi) if jumps else math.nan)
-            ax.plot(shares, places, dashes, color=color, label=f"{degrees}°")
+                found = release(cylinder(float(share)), degrees, mu).find("takeoff")
+                places.append(found[0].angle / (2 * math.pi) if found else math.nan)
+            turns = np.array(places)
+            turns[1:][np.abs(np.diff(turns)) > 0.5] = math.nan  # another turn: no line between the two
+            ax.plot(shares, turns, dashes, color=color, label=f"{degrees}°")
             ax.set_title(f"μ = {mu:g}", fontsize="medium")
         for mu in (0.5, 1.0, 3.0, math.inf):
-            motion = release(cylinder(0.75), degrees, mu)
-            jumps = motion.find("takeoff")
-            first = jumps[0] if jumps else motion.events[-1]
+            motion = release(hoop, degrees, mu)
+            found, slips = motion.find("takeoff"), motion.find("slip_start")
+            place = found[0] if found else motion.events[-1]
+            where = f"{math.degrees(place.angle):.4f}°" if found else f"never: N = 0 at {math.degrees(place.angle):.4f}°"
+            letters, name = motion.sequence, "∞" if math.isinf(mu) else f"{mu:g}"
             print(
-                f"{degrees}°, μ = {mu:g}: {motion.sequence[:8]} {motion.status}; "
-                f"{'jumps' if jumps else 'ends'} at {math.degrees(first.angle):.4f}° from {first.from_mode}, "
-                f"{first.omega:.4f} rad/s, {first.t:.6f} s"
+                f"| {degrees}° | {name} | {letters if len(letters) <= 6 else letters[:6] + '…'} "
+                f"| {where} | {place.from_mode} | {place.omega:.4f} | {place.t:.6f} "
+                f"| {f'{math.degrees(slips[0].angle):.4f}°' if slips else '–'} | {lift(hoop, degrees, place) + 0.0:.0e} |"
             )
     axes[0].set_ylabel("First jump (turns from the normal)")
     for ax in axes:
@@ -64,6 +86,63 @@ def main(folder: Path) -> None:
         ax.legend(frameon=False, title="Slope", fontsize=9)
     figure.savefig(folder / "jumping-cylinder.svg", metadata={"Date": None})
     plt.close(figure)
+
+
+def kinds_of(eccentricity: np.ndarray, inertia: np.ndarray, degrees: float, mu: float) -> np.ndarray:
+    """What ends the first rolling of many bodies, as indices of `KINDS`."""
+    slope = math.radians(degrees)
+    base = hh.Scenario(
+        hoop=hh.Hoop(radius=RADIUS, mass=0.08, eccentricity=0.5, inertia_ratio=0.3),
+        plane=hh.Plane(mu=mu, slope=slope),
+        start=hh.Start(angle=-slope + 0.02),
+        duration=4.0,
+    )
+    values = {"hoop.eccentricity": eccentricity, "hoop.inertia_ratio": inertia}
+    found = hh.maps.points(base, values, ("sequence", "status"), span="takeoff")
+    kinds = np.full(found["sequence"].shape, 4)
+    for kind, letters in enumerate(("RK", "RS", "RH")):
+        kinds[np.char.startswith(found["sequence"].astype(str), letters)] = kind
+    kinds[(found["sequence"] == "R") & (found["status"] == "undetermined")] = 3
+    return kinds
+
+
+def without_slip(folder: Path) -> None:
+    """Which bodies jump straight from rolling: all (ε, κ) released on a slope of 30°."""
+    eccentricities = np.linspace(0.005, 0.995, 199)
+    shares = np.linspace(0.005, 1.0, 200)
+    figure, axes = plt.subplots(1, 3, figsize=(11.4, 4.6), layout="constrained", sharey=True)
+    palette = ListedColormap([color for _, color in KINDS])
+    print("| slope | μ | " + " | ".join(name for name, _ in KINDS) + " |")
+    for degrees in (15.0, 30.0, 45.0):
+        for panel, mu in enumerate((1.0, 3.0, math.inf)):
+            inertia = shares[:, None] * (1 - eccentricities**2)
+            found = kinds_of(np.broadcast_to(eccentricities, inertia.shape), inertia, degrees, mu)
+            name = "∞" if math.isinf(mu) else f"{mu:g}"
+            parts = " | ".join(f"{np.mean(found == kind):.1%}" for kind in range(len(KINDS)))
+            print(f"| {degrees:g}° | {name} | {parts} |")
+            if degrees != 30.0:
+                continue
+            ax = axes[panel]
+            ax.pcolormesh(
+                eccentricities, shares, found, cmap=palette, vmin=-0.5, vmax=len(KINDS) - 0.5,
+                shading="nearest", rasterized=True,
+            )  # fmt: skip
+            ax.plot(*(0.6, cylinder(0.75).inertia_ratio / (1 - 0.36)), "o", color="white", mec="black", ms=7)
+            ax.set_title(f"μ = {name}", fontsize="medium")
+            ax.set_xlabel("Eccentricity ε")
+    axes[0].set_ylabel("Inertia κ over its greatest, 1 − ε²")
+    handles = [Patch(color=color, label=name) for name, color in KINDS[:4]]
+    figure.legend(handles=handles, loc="outside lower center", ncol=2, frameon=False)
+    figure.savefig(folder / "slope-first.png", dpi=120)
+    plt.close(figure)
+
+
+def main(folder: Path) -> None:
+    """Draw both figures and print the tables of the page."""
+    folder.mkdir(parents=True, exist_ok=True)
+    plt.rcParams["svg.hashsalt"] = "hophoop"
+    jumps(folder)
+    without_slip(folder)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Painlevé's paradox: where it is, what an impact without collision does, and which natural starts come to it.
 
-Usage: python examples/painleve_paradox.py [FOLDER] [--cells 40]   (default: docs/figures)
+Usage: python examples/painleve_paradox.py [FOLDER] [--cells 60]   (default: docs/figures)
 """
 
 from __future__ import annotations
@@ -11,16 +11,21 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 
 import hophoop as hh
-from hophoop.maps import paradoxes
+from hophoop.maps import least_jam_speed, paradoxes
 from hophoop.plots import colors
+
+GRAVITY = 9.81
 
 
 def region(folder: Path) -> None:
     """The friction from which on slip at an angle meets the paradox, for several hoops."""
     figure, ax = plt.subplots(figsize=(7.2, 4.2), layout="constrained")
     angles = np.linspace(1e-3, math.pi - 1e-3, 600)
+    print("| γ | least μ | at | for a jam, μ below |")
     for gamma, color, dashes in (
         (0.5, colors.BLUE, "-"),
         (0.75, colors.BLACK, "-"),
@@ -31,7 +36,8 @@ def region(folder: Path) -> None:
         ax.plot(np.degrees(angles), hh.theory.painleve_threshold(angles, hoop), dashes, color=color, label=f"γ = {gamma:g}")
         least = hh.theory.painleve_minimum(hoop)
         ax.plot(math.degrees(least.angle), least.mu, "o", ms=4, color=color)
-        print(f"γ = {gamma:g}: μ from {least.mu:.6f}, at {math.degrees(least.angle):.3f}°")
+        level = float(hh.theory.painleve_threshold(0.5 * math.pi, hoop))
+        print(f"| {gamma:g} | {least.mu:.6f} | {math.degrees(least.angle):.3f}° | {level:.6f} |")
     ax.axhline(1.0, color=colors.GRAY, lw=0.8, ls=":")
     ax.text(178.0, 1.03, "μ = 1", ha="right", fontsize=9, color=colors.GRAY)
     ax.set_ylim(0.0, 4.0)
@@ -41,8 +47,7 @@ def region(folder: Path) -> None:
     ax.set_ylabel("Friction from which on p ≤ 0")
     ax.grid(alpha=0.15)
     ax.legend(frameon=False)
-    figure.savefig(folder / "painleve-region.svg", metadata={"Date": None})
-    plt.close(figure)
+    save(figure, folder / "painleve-region.svg")
 
 
 def towards_it(folder: Path) -> None:
@@ -50,71 +55,261 @@ def towards_it(folder: Path) -> None:
     hoop, start = hh.Hoop.ideal(0.75), hh.Start(angle=-0.7, vx=3.0, omega=1.0)
     threshold = float(hh.theory.painleve_threshold(-0.7, hoop))
     figure, axes = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained")
-    for step, color, dashes in ((1e-1, colors.BLUE, "-"), (1e-2, colors.VERMILION, "--"), (1e-3, colors.BLACK, "-.")):
-        motion = hh.simulate(hoop, hh.Plane(mu=threshold * (1 - step)), start, duration=0.3)
-        stop = motion.events[1].t
-        times = np.concatenate([np.linspace(0, stop, 300)[:-1], np.linspace(stop, 0.3, 300)])
-        sample = motion.at(times)
-        label = f"μ = {1 - step:g} of the threshold"
-        axes[0].plot(1e3 * times, sample.slip, dashes, color=color, label=label)
-        sliding = times < stop
-        axes[1].semilogy(1e3 * times[sliding], sample.normal_force[sliding], dashes, color=color, label=label)
-        print(f"{label}: slip ends after {stop:.6f} s")
-    impact = hh.simulate(hoop, hh.Plane(mu=1.001 * threshold), start, duration=0.3).find("impact")[0]
-    print(f"just above: an impulse of {impact.impulse_normal:.6f} N s at t = {impact.t:g} s, without collision")
-    axes[0].plot([0, 0], [3.0 - 1.0, 0.0], color=colors.PURPLE, lw=3, label="above it: impact without collision")
+    impact = hh.simulate(hoop, hh.Plane(mu=1.000001 * threshold), start, duration=0.3).find("impact")[0]
+    print(f"θ = −0.7, v_t = 2 m/s, θ̇ = 1 rad/s: threshold μ = {threshold:.6f}; just above it an impact without collision with")
+    print(f"{impact.impulse_normal:.6f} N s, after which v_t = {impact.slip:g} and θ̇ = {impact.omega:.6f} rad/s")
+    print("| μ below the threshold by | slip lasts (s) | N at the start (N) | impulse of N (N s) | θ̇ after it (rad/s) |")
+    below = 10.0 ** -np.arange(1, 8)
+    lasts, forces = [], []
+    for k, share in enumerate(below):
+        motion = hh.simulate(hoop, hh.Plane(mu=threshold * (1 - share)), start, duration=0.3)
+        stop = motion.events[1]
+        times = np.linspace(0.0, stop.t, 2001)
+        sample = motion.at(times, side="left")
+        force = sample.normal_force
+        impulse = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(times) * (force[1:] + force[:-1]))])
+        lasts.append(stop.t)
+        forces.append(float(sample.normal_force[0]))
+        print(f"| 10⁻{'¹²³⁴⁵⁶⁷'[k]} | {stop.t:.3e} | {forces[-1]:.4e} | {impulse[-1]:.6f} | {stop.omega:.6f} |")
+        if k < 3:
+            color, dashes = ((colors.BLUE, "-"), (colors.VERMILION, "--"), (colors.GREEN, "-."))[k]
+            axes[0].plot(impulse, sample.slip, dashes, color=color, label=f"slip for {1e3 * stop.t:.3g} ms at {1 - share:g} μ*")
+    straight = {"color": colors.PURPLE, "lw": 4, "alpha": 0.5, "label": "impact without collision"}
+    axes[0].plot([0.0, impact.impulse_normal], [2.0, 0.0], **straight)
+    axes[0].set_xlabel("Normal impulse so far (N s)")
     axes[0].set_ylabel("Slip velocity (m/s)")
-    axes[0].set_xlim(-2, 80)
-    axes[1].set_xlim(-2, 80)
-    axes[1].set_ylabel("Normal force in slip (N)")
+    axes[1].loglog(below, 1e3 * np.array(lasts), "o", color=colors.BLUE, label="slip lasts (ms)")
+    axes[1].loglog(below, forces, "s", color=colors.VERMILION, label="normal force (N)")
+    axes[1].set_xlabel("1 − μ/μ*")
     for ax in axes:
-        ax.set_xlabel("Time (ms)")
         ax.grid(alpha=0.15)
-    axes[0].legend(frameon=False, fontsize=9)
-    figure.savefig(folder / "painleve-limit.svg", metadata={"Date": None})
-    plt.close(figure)
+        ax.legend(frameon=False, fontsize=9)
+    save(figure, folder / "painleve-limit.svg")
 
 
 def search(folder: Path, cells: int) -> None:
-    """Which rolling starts from the top meet the paradox, over load and friction."""
+    """Which starts from the top meet the paradox, over load and friction."""
     gammas = 1.0 - np.geomspace(0.5, 1e-3, cells)
-    frictions = np.geomspace(0.05, 10.0, cells)
-    speeds = np.geomspace(0.01, 4.4, 60)
-    found = paradoxes(gammas, frictions, speeds)
-    share = 100.0 * found["met"].values
-    figure, ax = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
-    mesh = ax.pcolormesh(frictions, 1.0 - gammas, np.where(share > 0.0, share, np.nan), cmap="viridis", shading="nearest")
-    figure.colorbar(mesh, ax=ax, label="Rolling starts that meet it within 6 s (%)")
+    frictions = np.geomspace(0.04, 3.0, cells)
+    slow = np.concatenate([np.geomspace(0.01, 1.0, cells // 2), np.linspace(1.02, math.sqrt(GRAVITY / 0.5), cells)])
+    fast = np.linspace(3.2, 12.0, 2 * cells)
+
+    print("| starts | searched | meet p ≤ 0 | end in a jam | slowest that jams (m/s) | γ of those that jam | μ of those |")
+    table("level, roll first", level := paradoxes(gammas, frictions, slow))
+    # lighter rims still, and longer
+    light = 1.0 - np.geomspace(1e-3, 1e-9, cells // 2)
+    table("the same, 10⁻⁹ ≤ 1 − γ ≤ 10⁻³", paradoxes(light, np.geomspace(1e-4, 1.0, cells // 2), slow[::2]))
+    elastic = hh.Scenario(plane=hh.Plane(restitution=0.7))
+    table("level, roll first, e = 0.7", paradoxes(gammas[::2], frictions[::2], slow[::2], base=elastic))
+    thrown = paradoxes(gammas, frictions, fast, hops=True)
+    table("level, thrown: hop at once", thrown)
+    coarse = paradoxes(gammas[::2], frictions[::2], fast[::2], hops=True)
+    table("the same, half the grid", coarse)
+    slopes = {}
+    for degrees in (5.0, 10.0, 15.0, 20.0, 30.0):
+        base = hh.Scenario(plane=hh.Plane(slope=math.radians(degrees)))
+        step = 1 if degrees == 30.0 else 2
+        slopes[degrees] = paradoxes(gammas[::step], frictions[::step], slow[::2], base=base)
+        table(f"{degrees:g}° downhill, roll first", slopes[degrees])
+    assert not level["met"].values.any()
+
+    bound = np.array([[least_jam_speed(hh.Hoop.ideal(g), hh.Plane(mu=mu)) for mu in frictions] for g in gammas])
+    lowest = thrown["lowest_jam_speed"].values
+    jams = np.isfinite(lowest)
+    ratio = np.min(lowest[jams] / bound[jams])
+    print(f"In all {jams.sum()} cells with a jam on the level the slowest is {ratio:.4f} times as fast as energy asks, or more")
+    print("| grid | cells with a start that meets it | with a jam |")
+    for name, found in (("full", thrown), ("half", coarse)):
+        print(f"| {name} | {np.mean(found['met'].values > 0):.2%} | {np.mean(found['jammed'].values > 0):.2%} |")
+
+    figure, axes = plt.subplots(1, 2, figsize=(11.0, 4.7), layout="constrained", sharey=True)
+    rolling = 100.0 * slopes[30.0]["met"].values
+    panels = (
+        (thrown["lowest_speed"].values, "level, thrown from the top", "Slowest start that meets it (m/s)", (3.0, 12.0)),
+        (rolling, "30° downhill, rolling from the top", "Starts that meet it within 6 s (%)", (0.0, 100.0)),
+    )
     fine = 1.0 - np.geomspace(0.5, 1e-3, 200)
-    least = [hh.theory.painleve_minimum(hh.Hoop.ideal(float(gamma))).mu for gamma in fine]
-    ax.plot(least, 1.0 - fine, color=colors.BLACK, lw=1.5, label="least friction with p ≤ 0 at any angle")
-    ax.plot([1.0], [0.25], "D", color=colors.VERMILION, ms=6, label="the article's hoop")
-    ax.set_xscale("log")
-    ax.set_yscale("log")
-    ax.set_xlabel("Friction μ")
-    ax.set_ylabel("Mass of the ring over all, 1 − γ")
-    ax.legend(frameon=True, edgecolor="none", fontsize=9, loc="lower left")
+    for ax, (values, title, label, limits) in zip(axes, panels, strict=True):
+        shown = np.where(values > 0.0, values, np.nan)
+        mesh = ax.pcolormesh(
+            frictions, 1.0 - gammas, shown, cmap="viridis", vmin=limits[0], vmax=limits[1], shading="nearest", rasterized=True
+        )
+        figure.colorbar(mesh, ax=ax, label=label)
+        least = hh.theory.painleve_minimum([hh.Hoop.ideal(float(gamma)) for gamma in fine]).mu
+        ax.plot(least, 1.0 - fine, color=colors.BLACK, lw=1.5, label="from here on p ≤ 0 at some angle")
+        ax.plot(1.0 / fine, 1.0 - fine, "--", color=colors.BLACK, lw=1.5, label="up to here a jam: μ = 1/γ")
+        ax.plot([1.0], [0.25], "D", color=colors.VERMILION, ms=6, label="the article's hoop")
+        ax.set_title(title, fontsize="medium")
+        ax.set_xscale("log")
+        ax.set_yscale("log")
+        ax.set_xlim(frictions[0], frictions[-1])
+        ax.set_ylim(1e-3, 0.5)
+        ax.set_xlabel("Friction μ")
+    axes[0].set_ylabel("Mass of the ring over all, 1 − γ")
+    handles, labels = axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncol=3, frameon=False, fontsize=9)
     figure.savefig(folder / "painleve-starts.png", dpi=130)
     plt.close(figure)
-    met = found["met"].values > 0
-    print(f"{int(found['starts'].sum())} rolling starts; cells with any that meets it: {met.sum()} of {met.size}")
-    print(f"cells with a jam: {(found['jammed'].values > 0).sum()}")
-    if met.any():
-        rows, columns = np.nonzero(met)
+
+
+def table(name: str, found: object) -> None:
+    """One row for a search."""
+    starts = found["starts"].values
+    met, jammed = np.nansum(found["met"].values * starts), np.nansum(found["jammed"].values * starts)
+    ends = "– | – | –"
+    if jammed > 0:
+        rows, columns = np.nonzero(found["jammed"].values > 0)
+        gammas, frictions = found["load_fraction"].values[rows], found["friction"].values[columns]
+        slowest = np.nanmin(found["lowest_jam_speed"].values)
+        ends = f"{slowest:.2f} | {gammas.min():.4f} to {gammas.max():.4f} | {frictions.min():.3f} to {frictions.max():.3f}"
+    print(f"| {name} | {starts.sum():,} | {met:,.0f} | {jammed:,.0f} | {ends} |")
+
+
+def close_by_scipy(gamma: float, mu: float, speed: float) -> bool:
+    """Whether a throw's first slip after its first landing comes to κ m p < 10⁻⁷: equations of motion by SciPy."""
+    kappa = 1 - gamma**2
+
+    def gap(t: float) -> float:
+        return gamma * (1 - math.cos(speed * t)) - 0.5 * GRAVITY * t * t
+
+    times = np.linspace(1e-3, 2 * math.sqrt(gamma / GRAVITY) + 1e-2, 2000)
+    signs = [gap(float(t)) for t in times]
+    k = next(k for k in range(1, len(times)) if signs[k] < 0.0)
+    landing = brentq(gap, times[k - 1], times[k], xtol=1e-15, rtol=1e-15)
+    angle = speed * landing
+
+    def matrix(angle: float) -> tuple[float, float, float]:
+        arm, height = gamma * math.sin(angle), 1 + gamma * math.cos(angle)
+        return 1 + height**2 / kappa, 1 + arm**2 / kappa, -arm * height / kappa
+
+    slip = speed * (1 + gamma) - speed * (1 + gamma * math.cos(angle))
+    approach = gamma * speed * math.sin(angle) - GRAVITY * landing
+    tt, nn, tn = matrix(angle)
+    sigma = math.copysign(1.0, slip)
+    stiffness = nn - sigma * mu * tn
+    if stiffness <= 0.0:
+        return False  # the slip stops
+    push = -approach / stiffness
+    after = slip + push * (tn - sigma * mu * tt)
+    if after * sigma <= 0.0:
+        return False
+    turn = gamma * math.sin(angle) * push + sigma * mu * (1 + gamma * math.cos(angle)) * push
+
+    def parts(angle: float, rate: float) -> tuple[float, float]:
+        arm, height = gamma * math.sin(angle), 1 + gamma * math.cos(angle)
+        return kappa + arm * (arm + sigma * mu * height), GRAVITY - gamma * rate**2 * math.cos(angle)
+
+    def flow(_: float, state: np.ndarray) -> list[float]:
+        angle, rate, _ = state
+        weight, pressure = parts(angle, rate)
+        normal = kappa * pressure / weight
+        arm, height = gamma * math.sin(angle), 1 + gamma * math.cos(angle)
+        spin = normal * (arm + sigma * mu * height) / kappa
+        return [rate, spin, -sigma * mu * normal + gamma * rate**2 * math.sin(angle) - height * spin]
+
+    def stops(_: float, state: np.ndarray) -> float:
+        return state[2]
+
+    def lifts(_: float, state: np.ndarray) -> float:
+        return parts(state[0], state[1])[1] - 1e-9
+
+    def narrows(_: float, state: np.ndarray) -> float:
+        return parts(state[0], state[1])[0] - 1e-7
+
+    for event in (stops, lifts, narrows):
+        event.terminal = True  # type: ignore[attr-defined]
+    result = solve_ivp(
+        flow, (0.0, 6.0 - landing), [angle, speed + turn / kappa, after], "LSODA", rtol=1e-11, atol=1e-12, max_step=0.02,
+        events=(stops, lifts, narrows),
+    )  # fmt: skip
+    return bool(result.t_events[2].size)
+
+
+def close(gamma: float, mu: float, speed: float) -> bool:
+    """The same by the program: whether the first slip after the first landing ends where κ m p < 10⁻⁷."""
+    motion = hh.simulate(hh.Hoop.ideal(gamma), hh.Plane(mu=mu), hh.Start.rolling(speed), duration=6.0)
+    landed = False
+    for event in motion.events:
+        if event.kind == "impact" and event.collision and not landed:
+            if event.to_mode not in "KS":
+                return False
+            landed = True
+        elif landed and event.kind not in ("turn", "end"):
+            sigma = 1.0 if event.from_mode == "K" else -1.0
+            arm, height = gamma * math.sin(event.angle), 1 + gamma * math.cos(event.angle)
+            return 1 - gamma**2 + arm * (arm + sigma * mu * height) < 1e-7
+    return False
+
+
+def second_way() -> None:
+    """The same question to SciPy, at random and on a border."""
+    random = np.random.default_rng(5)
+    same = jams = 0
+    number = 300
+    for _ in range(number):
+        gamma = 1 - 10 ** random.uniform(-2.5, -0.8)
+        low, high = math.sqrt(1 - gamma**2) / gamma, 1 / gamma
+        mu = low * (high / low) ** random.random()
+        speed = random.uniform(1.02 * math.sqrt(GRAVITY / gamma), 12.0)
+        mine = close(gamma, mu, speed)
+        jams += mine
+        same += mine == close_by_scipy(gamma, mu, speed)
+    print(f"{number} random throws, {jams} of which come to p = 0 in the first slip: SciPy agrees in {same}")
+    print("| γ | μ | border at v0 (m/s) | by SciPy |")
+    for gamma, mu in ((0.88, 0.8), (0.95, 0.75), (0.98, 0.4), (0.99, 0.5)):
+        speeds = np.linspace(3.4, 12.0, 173)
+        found = [close(gamma, mu, float(speed)) for speed in speeds]
+        k = next((k for k in range(speeds.size - 1) if found[k] != found[k + 1]), None)
+        if k is None:
+            continue
+        borders = []
+        for ask in (close, close_by_scipy):
+            a, b, first = float(speeds[k]), float(speeds[k + 1]), ask(gamma, mu, float(speeds[k]))
+            for _ in range(40):
+                middle = 0.5 * (a + b)
+                a, b = (middle, b) if ask(gamma, mu, middle) == first else (a, middle)
+            borders.append(b)
+        print(f"| {gamma:g} | {mu:g} | {borders[0]:.9f} | {borders[1]:.9f} |")
+
+
+def examples() -> None:
+    """The jams of single motions."""
+    print("| γ | μ | slope | v0 (m/s) | phases | jams at (s) | θ | θ̇ (rad/s) | v_t (m/s) | off theory, θ and θ̇ |")
+    for gamma, mu, degrees, speed in ((0.85, 0.8, 0.0, 8.6), (0.95, 0.5, 30.0, 2.0), (0.99, 0.3, 30.0, 0.5)):
+        hoop, plane = hh.Hoop.ideal(gamma), hh.Plane(mu=mu, slope=math.radians(degrees))
+        for trial in np.linspace(speed, speed + 2.0, 201):
+            motion = hh.simulate(hoop, plane, hh.Start.rolling(float(trial)), duration=6.0)
+            if motion.status == "jammed":
+                break
+        else:
+            continue
+        (jam,) = motion.find("jam")
+        place = jam.angle % (2 * math.pi)
+        state = min(hh.theory.jam_states(hoop, plane), key=lambda state: abs(state.angle - place))
+        off = f"{abs(state.angle - place):.0e}, {abs(state.omega - jam.omega):.0e}"
         print(
-            f"least load fraction {gammas[rows].min():.4f}, friction {frictions[columns].min():.3f}"
-            f" to {frictions[columns].max():.3f}, slowest {np.nanmin(found['lowest_speed'].values):.4f} m/s"
+            f"| {gamma:g} | {mu:g} | {degrees:g}° | {trial:.2f} | {motion.sequence} | {jam.t:.5f} | {math.degrees(place):.5f}° "
+            f"| {jam.omega:.5f} | {jam.slip:.5f} | {off} |"
         )
+
+
+def save(figure: plt.Figure, path: Path) -> None:
+    """Without a date, so that the same numbers give the same file."""
+    figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", type=Path, default=Path(__file__).parent.parent / "docs" / "figures")
-    parser.add_argument("--cells", type=int, default=40)
+    parser.add_argument("--cells", type=int, default=60)
     arguments = parser.parse_args()
     arguments.folder.mkdir(parents=True, exist_ok=True)
+    plt.rcParams["svg.hashsalt"] = "hophoop"
     region(arguments.folder)
     towards_it(arguments.folder)
+    examples()
+    second_way()
     search(arguments.folder, arguments.cells)
 
 

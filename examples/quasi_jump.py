@@ -17,40 +17,70 @@ from hophoop.plots import colors
 
 HOOP = hh.Hoop.ideal(0.75)
 START = hh.Start.rolling(3.1)
+GRAVITY = 9.81
 
 
 def main(folder: Path) -> None:
-    """Draw the figure and print the angles."""
+    """Draw the figure and print the numbers of the page."""
     folder.mkdir(parents=True, exist_ok=True)
+    plt.rcParams["svg.hashsalt"] = "hophoop"
     ideal = hh.simulate(HOOP, hh.Plane(mu=math.inf), START, duration=2.0)
     end = ideal.events[-1]
-    lift = -9.81 + 0.75 * end.omega**2 * math.cos(end.angle)
-    print(f"μ = ∞: {ideal.status} at {end.t:.9f} s, {math.degrees(end.angle):.6f}°, free lift {lift:.4f} m/s²")
+    lift = -GRAVITY + 0.75 * end.omega**2 * math.cos(end.angle)
+    forces = hh.theory.rolling_forces(end.angle, HOOP, v0=3.1)
+    print(f"μ = ∞ ends {ideal.status} at {end.t:.9f} s, θ = {math.degrees(end.angle):.6f}°, with", end=" ")
+    print(f"N = {forces.normal:.0e} N, F = {forces.friction:.6f} N, and f_n = {lift:.6f} m/s²: without them the rim would sink")
+    speeds = []
+    for gamma in (0.5, 0.75, 0.9):
+        hoop = hh.Hoop.ideal(gamma)
+        low, high = 0.01, math.sqrt(GRAVITY / gamma)
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            motion = hh.simulate(hoop, hh.Plane(mu=math.inf), hh.Start.rolling(middle), duration=20.0)
+            low, high = (low, middle) if motion.status == "undetermined" else (middle, high)
+        speeds.append(f"γ = {gamma:g}: from v0 = {high:.6f} m/s")
+    print("N reaches zero, " + "; ".join(speeds))
+
     figure, axes = plt.subplots(1, 2, figsize=(9.8, 4.0), layout="constrained")
-    # rolling carried on beyond N = 0 would need the plane to pull
-    angles = np.linspace(0.0, 2 * math.pi, 800)
-    forces = hh.theory.rolling_forces(angles, HOOP, v0=3.1)
-    axes[0].plot(np.degrees(angles), forces.normal, color=colors.GRAY, lw=1.2, label="rolling for ever: N < 0")
-    for mu, color, dashes in ((3.0, colors.BLUE, "-"), (10.0, colors.VERMILION, "--"), (1000.0, colors.BLACK, "-.")):
+    angles = np.linspace(0.0, math.pi, 800)
+    normal = hh.theory.rolling_forces(angles, HOOP, v0=3.1).normal
+    axes[0].fill_between(np.degrees(angles), normal, 0.0, where=normal < 0.0, color=colors.ORANGE, alpha=0.5, lw=0)
+    axes[0].plot(np.degrees(angles), normal, color=colors.GRAY, lw=4.0, alpha=0.45, label="rolling, even where N < 0")
+    axes[0].plot(math.degrees(end.angle), 0.0, "X", color="black", ms=8, label="μ = ∞ ends here")
+    print("| μ | slips from | to | greatest slip (m/s) | lost there (J) | least N (N) | phases |")
+    for mu, color, dashes in (
+        (3.0, colors.BLUE, "-"),
+        (10.0, colors.VERMILION, "--"),
+        (100.0, colors.PURPLE, ":"),
+        (1000.0, colors.BLACK, "-."),
+        (1e6, "", ""),
+    ):
         motion = hh.simulate(HOOP, hh.Plane(mu=mu), START, duration=2.0)
         slip, stick = motion.find("slip_start")[0], motion.find("stick")[0]
-        until = next(event.t for event in motion.events if event.angle >= 1.9 * math.pi or event.kind == "end")
-        times = np.linspace(0.0, until, 3000)
-        sample = motion.at(times)
-        axes[0].plot(np.degrees(sample.angle), sample.normal_force, dashes, color=color, lw=1.3, label=f"μ = {mu:g}")
-        axes[1].plot(np.degrees(sample.angle), sample.slip, dashes, color=color, lw=1.3, label=f"μ = {mu:g}")
+        sliding = motion.at(np.linspace(slip.t, stick.t, 4001)[:-1])
         print(
-            f"μ = {mu:g}: slips from {math.degrees(slip.angle):.6f}° to {math.degrees(stick.angle):.6f}°, "
-            f"loses {stick.friction:.6f} J there; {motion.sequence}"
+            f"| {mu:g} | {math.degrees(slip.angle):.6f}° | {math.degrees(stick.angle):.6f}° | {sliding.slip.max():.2e} "
+            f"| {stick.friction:.2e} | {sliding.normal_force.min():.2e} | {motion.sequence} |"
         )
+        if not color:
+            continue
+        until = next(event.t for event in motion.events if event.angle >= 1.9 * math.pi or event.kind == "end")
+        sample = motion.at(np.linspace(0.0, until, 6000))
+        down = sample.angle <= math.pi
+        axes[0].plot(
+            np.degrees(sample.angle[down]), sample.normal_force[down], dashes, color=color, lw=1.4, label=f"μ = {mu:g}"
+        )
+        axes[1].plot(np.degrees(sample.angle), sample.slip, dashes, color=color, lw=1.4, label=f"μ = {mu:g}")
     axes[0].axhline(0.0, color="black", lw=0.6)
-    axes[0].set_ylim(-12, 60)
+    axes[0].set_xlim(0, 150)
+    axes[0].set_xticks(range(0, 151, 30))
+    axes[0].set_ylim(-1, 10)
     axes[0].set_ylabel("Normal force (N)")
     axes[1].set_ylabel("Slip velocity (m/s)")
+    axes[1].set_xlim(0, 345)
+    axes[1].set_xticks(range(0, 331, 60))
     for ax in axes:
         ax.set_xlabel("Rotation angle (°)")
-        ax.set_xlim(0, 345)
-        ax.set_xticks(range(0, 331, 60))
         ax.grid(alpha=0.15)
         ax.legend(frameon=False, fontsize=9)
     figure.savefig(folder / "quasi-jump.svg", metadata={"Date": None})

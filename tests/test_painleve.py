@@ -167,3 +167,38 @@ def test_without_the_paradox_nothing_is_recorded():
         )
         for kind in ("painleve_inconsistent", "painleve_indeterminate", "jam"):
             assert not motion.find(kind)
+
+
+def test_energy_keeps_rolling_hoops_from_the_jam():
+    """The bound by hand for γ = 3/4, μ = 1; above the speed of the immediate hop for all bodies; below every jam found."""
+    upper = max(state.angle for state in hh.theory.jam_states(HOOP) if state.mode == "S")
+    c = math.cos(upper)
+    by_hand = math.sqrt(9.81 * ((1 + 0.75 * c) / (0.75 * c) - 0.75 * (1 - c)) / 1.75)
+    assert hh.maps.least_jam_speed(HOOP) == pytest.approx(by_hand, rel=1e-12)
+    random = np.random.default_rng(2)
+    finite = 0
+    for _ in range(200):
+        eccentricity = float(random.uniform(0.2, 0.999))
+        share = float(random.uniform(0.01, 1.0))
+        hoop = hh.Hoop(radius=0.7, mass=1.0, eccentricity=eccentricity, inertia_ratio=share * (1 - eccentricity**2))
+        speed = hh.maps.least_jam_speed(hoop, hh.Plane(mu=float(random.uniform(0.05, 3.0))))
+        assert speed > hh.theory.immediate_hop_speed(hoop)
+        finite += math.isfinite(speed)
+    assert finite > 20
+    with pytest.raises(ValueError, match=r"plane\.slope"):
+        hh.maps.least_jam_speed(HOOP, hh.Plane(slope=0.1))
+
+
+def test_which_natural_starts_jam():
+    """Rolling on the level none; thrown, or rolling down 30°, some, and none slower than energy allows."""
+    gammas, frictions = [0.85, 0.95, 0.99], [0.3, 0.5, 0.8]
+    rolling = hh.maps.paradoxes(gammas, frictions, np.linspace(0.1, 3.1, 11))
+    assert not rolling["met"].values.any()
+    thrown = hh.maps.paradoxes(gammas, frictions, np.linspace(3.5, 12.0, 60), hops=True)
+    lowest = thrown["lowest_jam_speed"].values
+    assert (thrown["jammed"].values > 0).sum() >= 3
+    for (i, j), speed in np.ndenumerate(lowest):
+        if math.isfinite(speed):
+            assert speed >= hh.maps.least_jam_speed(hh.Hoop.ideal(gammas[i]), hh.Plane(mu=frictions[j]))
+    downhill = hh.Scenario(plane=hh.Plane(slope=math.radians(30)))
+    assert hh.maps.paradoxes(gammas, frictions, np.linspace(0.1, 3.1, 31), base=downhill)["jammed"].values.any()

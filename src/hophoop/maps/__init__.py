@@ -7,7 +7,7 @@ from hophoop.maps.axes import linear, logarithmic, scenario_at
 from hophoop.maps.border import Border, borders, boundary
 from hophoop.maps.catalog import Entry, catalogue, catalogued
 from hophoop.maps.evaluate import points
-from hophoop.maps.paradoxes import paradoxes
+from hophoop.maps.paradoxes import least_jam_speed, paradoxes
 from hophoop.maps.quantities import QUANTITIES, SPANS, Quantity, words_of
 from hophoop.maps.refinement import Refined, refine
 from hophoop.maps.store import open_map
@@ -20,6 +20,7 @@ __all__ = [
     "borders",
     "refine",
     "paradoxes",
+    "least_jam_speed",
     "open_map",
     "words_of",
     "linear",

@@ -1,4 +1,4 @@
-"""Which natural motions meet Painlevé's paradox: a search over load, friction and speed."""
+"""Which natural motions meet Painlevé's paradox: a search over load, friction and speed, and what energy allows."""
 
 from __future__ import annotations
 
@@ -11,10 +11,61 @@ from numpy.typing import ArrayLike
 from hophoop._extras import need
 from hophoop.maps.quantities import QUANTITIES
 from hophoop.maps.sweeping import sweep
-from hophoop.scenario import InputError, Scenario
+from hophoop.scenario import Hoop, InputError, Plane, Scenario
+from hophoop.theory import jam_states, painleve_region
 
 if TYPE_CHECKING:
     import xarray
+
+
+def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
+    r"""Speed at the top below which energy forbids every jam that an open set of motions ends in.
+
+    Parameters
+    ----------
+    hoop : Hoop
+    plane : Plane
+        Level; its kinetic friction and gravity count.
+
+    Returns
+    -------
+    speed : float
+        Of the centre, with v_t = 0 and the load at the top [m/s]; inf where there is no such jam.
+
+    Raises
+    ------
+    ValueError
+        If the plane slopes or the hoop is massless.
+
+    Notes
+    -----
+    Slip draws a whole range of motions into p_σ = 0, f_n = 0 only where v_t and θ̇ have one sign. Then the kinetic
+    energy is at least that of rolling with the same θ̇, so that with c = cos θ of the jam
+
+    .. math::
+        \tfrac12\bigl((1 + \varepsilon)^2 + \kappa\bigr) v_0^2 \ge
+        gR\left[\frac{1 + \kappa + \varepsilon^2 + 2 \varepsilon c}{2 \varepsilon c} - \varepsilon (1 - c)\right].
+
+    The right side is above its left at :math:`v_0^2 = gR/\varepsilon` for every body: a hoop that can roll at the top at
+    all never has the energy. Losses are never negative, except under Newton's law.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> round(hh.maps.least_jam_speed(hh.Hoop.ideal(0.75)), 6)
+    4.533926
+    >>> round(hh.theory.immediate_hop_speed(hh.Hoop.ideal(0.75)), 6)
+    3.616628
+    """
+    if plane.slope != 0.0:
+        raise InputError(f"plane.slope = {plane.slope!r} must be 0: on a slope the energy grows on the way.")
+    eps, kappa = hoop.eccentricity, hoop.inertia_ratio
+    for state in jam_states(hoop, plane):
+        if state.mode == "K" and painleve_region(state.angle + 1e-7, plane.mu_kinetic, hoop) == 1:
+            cosine = math.cos(state.angle)
+            need_of_it = (1.0 + kappa + eps**2 + 2.0 * eps * cosine) / (2.0 * eps * cosine) - eps * (1.0 - cosine)
+            return math.sqrt(2.0 * plane.gravity * hoop.radius * need_of_it / ((1.0 + eps) ** 2 + kappa))
+    return math.inf
 
 
 def paradoxes(
@@ -45,9 +96,9 @@ def paradoxes(
     Returns
     -------
     dataset : xarray.Dataset
-        Over load_fraction and friction: `starts`, how many starts counted; `met`, the share of them that
-        meet p_σ ≤ 0 or the jam, and `jammed`, the share that end in a jam [1]; `lowest_speed`, the slowest that meets
-        it, nan where none does [m/s].
+        Over load_fraction and friction: `starts`, how many starts counted; `met`, the share of them that meet p_σ ≤ 0 or
+        the jam, and `jammed`, the share that end in a jam [1]; `lowest_speed` and `lowest_jam_speed`, the slowest of
+        each, nan where there is none [m/s].
 
     Raises
     ------
@@ -85,15 +136,19 @@ def paradoxes(
     starts = counted.sum(axis=2)
     with np.errstate(invalid="ignore"):
         shares = {"met": met.sum(axis=2) / starts, "jammed": jammed.sum(axis=2) / starts}
-    lowest = np.where(met, fast, np.inf).min(axis=2)
-    lowest[~np.isfinite(lowest)] = np.nan
+
+    def slowest(found: np.ndarray) -> np.ndarray:
+        lowest = np.where(found, fast, np.inf).min(axis=2)
+        return np.where(np.isfinite(lowest), lowest, np.nan)
+
     over = ("load_fraction", "friction")
     dataset: xarray.Dataset = library.Dataset(
         {
             "starts": (over, starts, {"long_name": "Starts searched", "units": "1"}),
             "met": (over, shares["met"], {"long_name": "Share that meets Painlevé's paradox", "units": "1"}),
             "jammed": (over, shares["jammed"], {"long_name": "Share that ends in a jam", "units": "1"}),
-            "lowest_speed": (over, lowest, {"long_name": "Slowest start that meets it", "units": "m/s"}),
+            "lowest_speed": (over, slowest(met), {"long_name": "Slowest start that meets it", "units": "m/s"}),
+            "lowest_jam_speed": (over, slowest(jammed), {"long_name": "Slowest start that jams", "units": "m/s"}),
         },
         {
             "load_fraction": ("load_fraction", gammas, {"long_name": "Share of the mass in the load", "units": "1"}),
