@@ -160,14 +160,14 @@ def motion_map(
         _field(ax, x, y, array)
     for border in borders:
         _border(ax, border, across)
-    if painleve:
-        _painleve(ax, dataset, x, y)
     for axis, name, values in ((ax.xaxis, across, x), (ax.yaxis, up, y)):
         axis.set_label_text(_label(dataset, name))
         if _by_ratio(values):
             getattr(ax, f"set_{axis.axis_name}scale")("log")
     ax.set_xlim(x[0], x[-1])
     ax.set_ylim(y[0], y[-1])
+    if painleve:
+        _painleve(ax, dataset, x, y)
     return ax
 
 
@@ -288,7 +288,8 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
             x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4
         )
         halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
-        for text in ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6):
+        place = _free_place(ax, np.concatenate([path.vertices for path in line.get_paths()]))
+        for text in ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6, manual=[place]):
             text.set_path_effects([halo])
     if "painleve" in dataset:
         met = dataset["painleve"].values == 1
@@ -298,6 +299,17 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
             )
             hatched.set_edgecolor((0.0, 0.0, 0.0, 0.55))
             hatched.set_linewidth(0.0)
+
+
+def _free_place(ax: Axes, points: NDArray[np.float64]) -> tuple[float, float]:
+    """The one of these points that is farthest from the names in the picture and not at its edge."""
+    to_axes = ax.transData + ax.transAxes.inverted()
+    places = to_axes.transform(points)
+    taken = to_axes.transform([text.get_position() for text in ax.texts]) if ax.texts else np.full((1, 2), 2.0)
+    room = np.min(np.hypot(*(places[:, None] - taken[None]).T), axis=0)
+    room[(np.abs(places - 0.5) > 0.38).any(axis=1)] -= 10.0
+    x, y = points[int(np.argmax(room))]
+    return float(x), float(y)
 
 
 def _painleve_excess(dataset: Any) -> NDArray[np.float64] | None:
