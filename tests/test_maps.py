@@ -195,6 +195,14 @@ def test_what_is_rolled_and_used_of_the_friction_against_samples_of_the_motion()
     assert checked == {"rolling", "other"}
 
 
+def test_infinite_friction_is_never_used_up():
+    speeds = np.linspace(2.0, 5.0, 300)  # many end where N = 0, the quasi-jump
+    found = maps.points(None, {"plane.mu": np.inf, "start.speed": speeds}, ["greatest_utilisation", "sequence"])
+    assert set(found["sequence"]) == {"R", "H"}
+    used = found["greatest_utilisation"]
+    np.testing.assert_array_equal(used, np.where(found["sequence"] == "H", np.nan, 0.0))
+
+
 @pytest.mark.parametrize("span", ["first_revolution", "takeoff", "reversal", "revolutions:1"])
 def test_a_span_ends_where_it_says(span):
     base, dataset = small_map(span, duration=30.0)

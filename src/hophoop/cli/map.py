@@ -36,7 +36,7 @@ def map(
         int | None, typer.Option(help="Start a Dask cluster of so many processes here.")
     ] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a running Dask scheduler.")] = None,
-    gpu: Annotated[bool, typer.Option("--gpu", help="Compute on a GPU, where that is supported.")] = False,
+    gpu: Annotated[bool, typer.Option("--gpu", help="Compute on a CUDA GPU (extra 'gpu').")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""

@@ -60,6 +60,7 @@ class Plan(NamedTuple):
     quantities: tuple[Quantity, ...]
     span: Span
     chunk: tuple[int, ...]
+    device: str = "cpu"  # a GPU rounds differently
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -85,6 +86,7 @@ class Plan(NamedTuple):
                 "axes": {axis.path: _json(axis.values) for axis in self.axes},
                 "quantities": [quantity.name for quantity in self.quantities],
                 "span": self.span.name,
+                "device": self.device,
                 "chunk": list(self.chunk),
             }
         )
@@ -104,6 +106,7 @@ class Plan(NamedTuple):
             choose_quantities(data["quantities"]),
             make_span(data["span"]),
             tuple(data["chunk"]),
+            data["device"],
         )
 
 
@@ -118,6 +121,7 @@ def make_plan(
     quantities: Sequence[str],
     span: str,
     chunk_cells: int = CHUNK_CELLS,
+    device: str = "cpu",
 ) -> Plan:
     """A checked plan of a map.
 
@@ -131,6 +135,8 @@ def make_plan(
     span : str
     chunk_cells : int, default 65536
         About how many cells are computed and written at a time.
+    device : {'cpu', 'gpu'}
+        What computes it.
 
     Returns
     -------
@@ -146,7 +152,8 @@ def make_plan(
         raise InputError(f"chunk_cells = {chunk_cells!r} must be at least 1.")
     made = make_axes(base, axes)
     shape = tuple(axis.values.size for axis in made)
-    return Plan(base, made, choose_quantities(quantities), make_span(span), chunk_shape(shape, chunk_cells))
+    chunk = chunk_shape(shape, chunk_cells)
+    return Plan(base, made, choose_quantities(quantities), make_span(span), chunk, device)
 
 
 def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str = "cpu") -> Results:
@@ -159,8 +166,8 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     span : Span
     wanted : int
         Sum of the kernel's flags.
-    device : {'cpu', 'serial'}
-        All cores, or this thread only.
+    device : {'cpu', 'serial', 'gpu'}
+        All cores, this thread only, or a GPU.
 
     Returns
     -------
@@ -174,6 +181,10 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     )
     if device == "serial":
         kernel.evaluate_block(cells, 0, count, span.angle, span.stop, span.timed, wanted, *results)
+    elif device == "gpu":
+        from hophoop.maps import gpu
+
+        gpu.evaluate(cells, span.angle, span.stop, span.timed, wanted, *results)
     else:
         announce_compilation(kernel.evaluate)
         kernel.evaluate(cells, span.angle, span.stop, span.timed, wanted, *results)

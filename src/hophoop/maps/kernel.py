@@ -56,7 +56,7 @@ MORE = 7  # the letter that says that the sequence was longer
 FLIGHT_WANTED, UTILISATION_WANTED = 1, 2
 
 BLOCK = 64  # cells that share one set of scratch arrays
-FIRST_EVENTS = 64
+FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and of the next beside it
 # Stands for no limit of time: a motion that slides for ever must end too. In kernel units.
 FOREVER = 1e9
 SAMPLES_A_RADIAN = 24
@@ -198,8 +198,10 @@ def greatest_utilisation(body, events, last):
             continue
         used = math.nan
         if row.after_mode == ROLL:
-            need = greatest_need(body, row.angle, row.omega * row.omega, events[i + 1].angle - row.angle)
-            used = need / body.mu_s if body.mu_s > 0.0 else 0.0
+            used = 0.0
+            if 0.0 < body.mu_s < math.inf:
+                turned = events[i + 1].angle - row.angle
+                used = greatest_need(body, row.angle, row.omega * row.omega, turned) / body.mu_s
         elif row.after_mode == SPIN or row.after_mode == SKID:
             used = body.mu_k / body.mu_s if body.mu_s > 0.0 else 1.0
         if not used <= result and not math.isnan(used):
@@ -208,7 +210,7 @@ def greatest_utilisation(body, events, last):
 
 
 @jit
-def reduce_flight(body, row, unit, second, energy, passing, scratch, numbers, k):
+def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, numbers, k):
     """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
     numbers[k, TAKEOFF_TIME] = row.t * second
     numbers[k, TAKEOFF_ANGLE] = row.angle
@@ -223,7 +225,6 @@ def reduce_flight(body, row, unit, second, energy, passing, scratch, numbers, k)
     else:
         zeros = 3
         opening = 0.0
-    segments = np.empty(0, SEGMENT)
     what, landed, apexes, _ = fly(
         body, state, opening, zeros, FOREVER, 0.0, math.nan, passing, 0, segments, 0, scratch
     )
@@ -274,8 +275,8 @@ def ending_of(status, events, count, stop, cut, t_end):
 
 
 @jit
-def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, scratch,
-                  numbers, words, keys, k):  # fmt: skip
+def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, segments,
+                  scratch, numbers, words, keys, k):  # fmt: skip
     """Row k of the results, from the events of one motion."""
     hop = -1
     cut = False
@@ -336,7 +337,45 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
     if wanted & UTILISATION_WANTED:
         numbers[k, GREATEST_UTILISATION] = greatest_utilisation(body, events, last)
     if hop >= 0 and wanted & FLIGHT_WANTED:
-        reduce_flight(body, events[hop], unit, second, energy, passing, scratch, numbers, k)
+        reduce_flight(body, events[hop], unit, second, energy, passing, segments, scratch, numbers, k)
+
+
+@jit
+def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, numbers, words,
+                  keys):  # fmt: skip
+    """One cell; False where `events` is too short for its motion.
+
+    `passing` takes two events more, and `segments` is of length 0. This makes no arrays, so that a GPU can run it.
+    """
+    for i in range(len(NUMBERS)):
+        numbers[k, i] = math.nan
+    for i in range(len(WORDS)):
+        words[k, i] = NOT_ALLOWED
+    for i in range(KEYS):
+        keys[k, i] = np.uint64(0)
+    if cells[ALLOWED, k] == 0.0:
+        return True
+    second = second_of(cells, k)
+    unit = cells[RADIUS, k]
+    energy = cells[MASS, k] * (unit / second) ** 2
+    body = body_of(cells, k)
+    start = start_of(cells, k, second)
+    t_end = cells[DURATION, k] / second if timed else FOREVER
+    most = int(cells[MAX_EVENTS, k])
+    if events.shape[0] > most:
+        events = events[:most]
+    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch)
+    beyond = first_beyond(events, count, angle_span)
+    if beyond < count - 1:  # an event at the very end of the span
+        count = beyond + 1
+        status = COMPLETED
+    if status == EVENT_LIMIT and events.shape[0] < most:
+        return False
+    reduce_motion(
+        body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, segments, scratch,
+        numbers, words, keys, k,
+    )  # fmt: skip
+    return True
 
 
 @jit
@@ -347,37 +386,11 @@ def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, numbers, w
     passing = np.empty(2, EVENT)
     segments = np.empty(0, SEGMENT)
     for k in range(low, high):
-        for i in range(len(NUMBERS)):
-            numbers[k, i] = math.nan
-        for i in range(len(WORDS)):
-            words[k, i] = NOT_ALLOWED
-        for i in range(KEYS):
-            keys[k, i] = np.uint64(0)
-        if cells[ALLOWED, k] == 0.0:
-            continue
-        second = second_of(cells, k)
-        unit = cells[RADIUS, k]
-        energy = cells[MASS, k] * (unit / second) ** 2
-        body = body_of(cells, k)
-        start = start_of(cells, k, second)
-        t_end = cells[DURATION, k] / second if timed else FOREVER
-        most = int(cells[MAX_EVENTS, k])
         events = usual
-        if most < FIRST_EVENTS:
-            events = np.empty(most, EVENT)
-        while True:
-            status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch)
-            beyond = first_beyond(events, count, angle_span)
-            if beyond < count - 1:  # an event at the very end of the span
-                count = beyond + 1
-                status = COMPLETED
-            if status != EVENT_LIMIT or events.shape[0] >= most:
-                break
-            events = np.empty(min(4 * events.shape[0], most), EVENT)
-        reduce_motion(
-            body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, scratch,
-            numbers, words, keys, k,
-        )  # fmt: skip
+        while not evaluate_cell(
+            cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, numbers, words, keys
+        ):
+            events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[MAX_EVENTS, k])), EVENT)
 
 
 @parallel_jit

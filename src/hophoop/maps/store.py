@@ -168,7 +168,7 @@ def compute_chunk(path: str, index: int, device: str = "serial") -> int:
     path : str
         The store, on a file system that all workers see.
     index : int
-    device : {'serial', 'cpu'}
+    device : {'serial', 'cpu', 'gpu'}
 
     Returns
     -------

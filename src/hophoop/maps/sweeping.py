@@ -61,7 +61,7 @@ def sweep(
     threads : int, optional
         How many cores; all by default [1].
     device : {'cpu', 'gpu'}
-        Where to compute; a GPU is refused with the reason, see the documentation.
+        Where to compute. A GPU rounds differently in the last digits; it needs the extra ``gpu``.
     workers : int, optional
         Start a Dask cluster of so many processes on this machine [1].
     scheduler : str, optional
@@ -100,20 +100,22 @@ def sweep(
         raise InputError("axes must name at least two parameters.")
     if device not in DEVICES:
         raise InputError(f"device = {device!r} must be one of {', '.join(DEVICES)}.")
-    if device == "gpu":
-        from hophoop.maps.gpu import require_gpu
-
-        require_gpu()
     if workers is not None and scheduler is not None:
         raise InputError("workers and scheduler cannot be given together.")
     if workers is not None and workers < 1:
         raise InputError(f"workers = {workers!r} must be at least 1.")
     clustered = workers is not None or scheduler is not None
+    if device == "gpu":
+        from hophoop.maps.gpu import require_gpu
+
+        if clustered:
+            raise InputError("device = 'gpu' is for this machine: it cannot go with workers or scheduler.")
+        require_gpu()
     if clustered and out is None:
         raise InputError("out must name a file for a sweep over a cluster: the workers write into it.")
     if resume and out is None:
         raise InputError("out must name the file to take up again with resume.")
-    plan = make_plan(base, axes, quantities, span, chunk_cells)
+    plan = make_plan(base, axes, quantities, span, chunk_cells, device)
     with thread_limit(threads), _reporter(progress, plan) as report:
         dataset: xarray.Dataset
         if out is None:

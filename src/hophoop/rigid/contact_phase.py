@@ -107,7 +107,8 @@ def narrower(level, size):
     """Level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:
         return level + 3
-    return level + max(1, min(4, math.ceil(math.log2(size / RESOLVED) / GAIN_OF_A_LEVEL)))
+    more = int(math.ceil(math.log2(size / RESOLVED) / GAIN_OF_A_LEVEL))
+    return level + max(1, min(4, more))
 
 
 @lean_jit
@@ -156,7 +157,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     way = 1.0 if state.om > 0.0 else -1.0
     finest = LEVELS
     if u < SLOW * SLOW:
-        finest += math.ceil(2.0 * math.log2(SLOW * SLOW / u))
+        finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
     while True:
         panel = linear_panel(body, sigma, level, way, state.th, u, state.vt)
         totals = solve(body, panel, work)
@@ -167,7 +168,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
             ahead = turning_point_ahead(body, panel, totals, scratch)
             if ahead > 0.0 and ahead < panel.extent / 16.0:
                 # a place known to the rounding of a panel this wide is not known well enough
-                level = min(level + math.floor(2.0 * math.log2(panel.extent / ahead)) - 3, finest)
+                level = min(level + int(math.floor(2.0 * math.log2(panel.extent / ahead))) - 3, finest)
                 continue
             if ahead > 0.0:
                 arrival = arriving_panel(body, panel, ahead)
@@ -328,7 +329,7 @@ def shortened(body, panel, totals, state, left, scratch):
         short = leaving_panel(body, panel.sigma, panel.way, panel.ref, extent, panel.vt)
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))
-        level = min(max(math.floor(2.0 * math.log2(wide)), 0), NARROWEST)
+        level = min(max(int(math.floor(2.0 * math.log2(wide))), 0), NARROWEST)
         short = linear_panel(body, panel.sigma, level, panel.way, state.th, state.om * state.om, state.vt)
     return short, solve(body, short, scratch.work)
 

@@ -34,6 +34,9 @@ SEGMENT = np.dtype(
 )
 
 
+STACK_ROWS, STACK_COLUMNS = DEPTH + 3, ORDER + 2  # what `first_fall` needs
+
+
 class Scratch(NamedTuple):
     """Arrays that the kernel works in; one set a thread."""
 
@@ -52,5 +55,5 @@ def new_scratch():
         np.zeros((2, ORDER)),
         np.zeros(ORDER),
         np.zeros(ORDER),
-        np.zeros((DEPTH + 3, ORDER + 2)),
+        np.zeros((STACK_ROWS, STACK_COLUMNS)),
     )
