@@ -68,6 +68,19 @@ def resident(group: int) -> float:
     return total / 1e6 if total else float("nan")
 
 
+def processor_seconds(group: int) -> float:
+    """Processor time of the server's processes so far [s]; it too grows where other work shares cores and caches."""
+    total = 0
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if os.getpgid(int(folder.name)) == group:
+                fields = (folder / "stat").read_text().rpartition(")")[2].split()
+                total += int(fields[11]) + int(fields[12])
+        except (OSError, ValueError):
+            continue
+    return total / os.sysconf("SC_CLK_TCK") if total else float("nan")
+
+
 async def load(address: str, path: str, bodies: list[bytes], group: int) -> dict[str, float]:
     host, port = address.removeprefix("http://").rstrip("/").split(":")
     times: list[float] = []
@@ -94,6 +107,7 @@ async def load(address: str, path: str, bodies: list[bytes], group: int) -> dict
                 memory.append(resident(group))
         writer.close()
 
+    busy = processor_seconds(group)
     begun = time.perf_counter()
     await asyncio.gather(*(visitor() for _ in range(FLIGHTS)))
     took = time.perf_counter() - begun
@@ -101,6 +115,7 @@ async def load(address: str, path: str, bodies: list[bytes], group: int) -> dict
         "requests": len(times),
         "failures": failures,
         "requests_per_second": round(len(times) / took, 1),
+        "processor_ms_per_request": round(1e3 * (processor_seconds(group) - busy) / len(times), 2),
         "median_ms": round(1e3 * float(np.median(times)), 2),
         "p99_ms": round(1e3 * float(np.quantile(times, 0.99)), 2),
         # the first tenth fills caches; after it memory must stay
@@ -180,6 +195,7 @@ def main() -> None:
         }
         if not options.no_browser:
             result["browser"] = browser_times(address)
+        result["load_average_after"] = round(os.getloadavg()[0], 2)
         print(json.dumps(result, indent=1))
     finally:
         os.killpg(server.pid, signal.SIGTERM)
