@@ -1,6 +1,7 @@
 """Make the catalogue of first revolutions that hophoop ships (src/hophoop/maps/catalogue.json).
 
     python examples/make_catalogue.py [--levels 7] [--out catalogue.json]
+    python examples/make_catalogue.py --figure docs/figures/catalogue-load-fraction.svg    # draw what is shipped
 
 For each γ the window of friction and speed is cut into squares of one class, halved again and again where the
 class changes (`hophoop.maps.refine`), so that what counts is how thin a region is, not where a grid's points
@@ -19,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 import hophoop as hh
+from hophoop import maps
 from hophoop.maps.classes import Classifier, make_window
 from hophoop.maps.refinement import refine
 
@@ -27,7 +29,7 @@ from hophoop.maps.refinement import refine
 MU = (1e-3, 2.0)
 FASTEST = 1.06
 RADII = (1e-3, 1e-5, 1e-7, 1e-9)
-HOOPS = (0.75, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99)
+HOOPS = (0.75, *(k / 50 for k in range(1, 50)), 0.95, 0.99, 0.995, 0.999)
 
 
 def catalogue_of(gamma: float, levels: int, cells: int) -> dict:
@@ -53,8 +55,8 @@ def catalogue_of(gamma: float, levels: int, cells: int) -> dict:
                 "ending": ending,
                 "area": float(f"{area:.4g}"),
                 "uncertainty": float(f"{doubt:.2g}"),
-                "mu": mu,
-                "speed": speed,
+                "mu": float(f"{mu:.12g}"),
+                "speed": float(f"{speed:.12g}"),
             }
         )
     return {
@@ -119,7 +121,11 @@ def main() -> None:
     parser.add_argument("--cells", type=int, default=96)
     parser.add_argument("--fewer", type=int, default=3, help="levels less for the hoops other than γ = 3/4")
     parser.add_argument("--out", type=Path, default=Path("src/hophoop/maps/catalogue.json"))
+    parser.add_argument("--figure", type=Path, help="only draw the shipped catalogue over γ, into this file")
     options = parser.parse_args()
+    if options.figure:
+        draw(options.figure)
+        return
     hoops = {}
     for gamma in HOOPS:
         began = time.perf_counter()
@@ -132,8 +138,52 @@ def main() -> None:
             f"{hoops[repr(gamma)]['motions']:,} motions in {time.perf_counter() - began:.0f} s",
             flush=True,
         )
-        text = json.dumps({"hophoop": hh.__version__, "hoops": hoops}, indent=1, ensure_ascii=False)
-        options.out.write_text(text + "\n", encoding="utf-8")
+        # a line a hoop
+        lines = [f"{json.dumps(key)}:{json.dumps(value, separators=(',', ':'))}" for key, value in hoops.items()]
+        text = f'{{"hophoop":{json.dumps(hh.__version__)},"hoops":{{\n' + ",\n".join(lines) + "\n}}\n"
+        options.out.write_text(text, encoding="utf-8")
+
+
+def draw(path: Path) -> None:
+    """Which sequences a hoop shows, over γ, and how much of the window each fills."""
+    import matplotlib.pyplot as plt
+
+    from hophoop.plots import class_color
+
+    hoops = maps.catalogued()
+    areas: dict[str, dict[float, float]] = {}
+    for gamma in hoops:
+        for entry in maps.catalogue(gamma):
+            shares = areas.setdefault(entry.sequence, {})
+            shares[gamma] = shares.get(gamma, 0.0) + entry.area
+    # from the first that appear to the last
+    order = sorted(areas, key=lambda name: (-len(areas[name]), min(areas[name])))
+    edges = np.concatenate(([0.0], 0.5 * (np.array(hoops[1:]) + np.array(hoops[:-1])), [1.0]))
+    fig, (count, ax) = plt.subplots(
+        2, 1, figsize=(8.2, 9.6), sharex=True, height_ratios=(1, 6), layout="constrained"
+    )
+    for row, name in enumerate(order):
+        for k, gamma in enumerate(hoops):
+            if gamma in areas[name]:
+                size = math.log10(max(areas[name][gamma], 1e-7))
+                thick = 0.16 + 0.74 * (size + 7) / 7
+                ax.barh(row, edges[k + 1] - edges[k], thick, left=edges[k], color=class_color(name), lw=0)
+    ax.set_yticks(range(len(order)), order, fontsize=7.5)
+    ax.set_ylim(len(order) - 0.4, -0.6)
+    ax.set_xlim(0.0, 1.0)
+    ax.set_xlabel("Load fraction γ")
+    ax.set_ylabel("Sequence; a bar's thickness is the logarithm of its share, from $10^{-7}$ to 1")
+    for values, label, line in (
+        ([len({e.sequence for e in maps.catalogue(g)}) for g in hoops], "sequences", "-"),
+        ([len(maps.catalogue(g)) for g in hoops], "with their endings", "--"),
+    ):
+        count.step(hoops, values, line, where="mid", color="black", label=label)
+    count.set_ylabel("Number")
+    count.set_ylim(0, None)
+    count.legend(frameon=False, ncols=2, loc="lower center")
+    fig.savefig(path)
+    plt.close(fig)
+    print(path)
 
 
 if __name__ == "__main__":

@@ -55,7 +55,7 @@ def catalogue(load_fraction: float = 0.75) -> list[Entry]:
     Parameters
     ----------
     load_fraction : float, default 0.75
-        γ, one of `catalogued` [1].
+        γ, one of `catalogued`, which are 0.75 and some fifty from 0.02 to 0.999 [1].
 
     Returns
     -------
@@ -86,7 +86,7 @@ def catalogued() -> list[float]:
     load_fractions : list of float
         Values of γ [1].
     """
-    return [float(key) for key in _data()["hoops"]]
+    return sorted(float(key) for key in _data()["hoops"])
 
 
 def _data() -> dict[str, Any]:
