@@ -83,6 +83,25 @@ def dot(a, b):
 
 
 @lean_jit
+def extremes(values):
+    """Smallest and largest value, also four at a time."""
+    l0 = h0 = values[0]
+    l1 = h1 = values[1]
+    l2 = h2 = values[2]
+    l3 = h3 = values[3]
+    for i in range(4, ORDER, 4):
+        l0 = min(l0, values[i])
+        l1 = min(l1, values[i + 1])
+        l2 = min(l2, values[i + 2])
+        l3 = min(l3, values[i + 3])
+        h0 = max(h0, values[i])
+        h1 = max(h1, values[i + 1])
+        h2 = max(h2, values[i + 2])
+        h3 = max(h3, values[i + 3])
+    return min(min(l0, l1), min(l2, l3)), max(max(h0, h1), max(h2, h3))
+
+
+@lean_jit
 def exponentials(values, out):
     """out = exp(values); by the series where none is above 1, which the processor does for several nodes at a time."""
     largest = 0.0

@@ -12,6 +12,7 @@ from hophoop._collocation import (
     antiderivative,
     coefficients,
     dot,
+    extremes,
     first_fall,
     lagrange,
     left_value,
@@ -186,6 +187,10 @@ def fall_of(row, state_is_fresh, floor, scratch):
 
     A margin that stays above −`floor` counts as the zero that it would be without rounding.
     """
+    lowest, highest = extremes(row)
+    # between its nodes and at the ends a function that the panel resolves goes beyond their range by a part of it
+    if lowest > highest - lowest:
+        return NOT_FOUND
     coefficients(row, scratch.series)
     if not state_is_fresh and left_value(scratch.series) <= 0.0:
         if floor == 0.0:
