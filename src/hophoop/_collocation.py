@@ -232,6 +232,7 @@ def _bracketed(series):
     f_low = left_value(series)
     f_high = right_value(series)
     xi = low + (high - low) * f_low / (f_low - f_high)
+    before = 2.0
     for _ in range(100):
         value, slope = value_and_slope(series, xi)
         if value > 0.0:
@@ -241,8 +242,11 @@ def _bracketed(series):
         better = xi - value / slope
         if not low <= better <= high:
             better = 0.5 * (low + high)
-        if abs(better - xi) <= 2e-16:
+        moved = abs(better - xi)
+        # to rounding, or as near as the rounding of the series lets Newton's steps come
+        if moved <= 2e-16 or (moved < 1e-13 and moved >= 0.5 * before):
             return better
+        before = moved
         xi = better
     return xi
 

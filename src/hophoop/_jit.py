@@ -99,7 +99,7 @@ def announce_compilation(function: Any) -> None:
     name = function.py_func.__name__
     if any(cache_folder(room_of(function.py_func)).rglob(f"*.{name}-*.nbi")):
         return
-    print("hophoop compiles its kernel; this takes some 20 seconds and happens once.", file=sys.stderr)
+    print("hophoop compiles its kernel; this takes about half a minute and happens once.", file=sys.stderr)
 
 
 _announced: set[Any] = set()
