@@ -50,7 +50,7 @@ from hophoop.physics.panel import (
     rotated,
     turn,
 )
-from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
+from hophoop.physics.roll import roll_margins, rolling_u, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
 from hophoop.rigid.state import State, revised, write_segment
 
@@ -113,12 +113,24 @@ def narrower(level, size):
 
 
 @lean_jit
+def turns_within(body, panel, reach):
+    """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
+    while reach >= 0.5 * panel.extent:
+        if rolling_u(body, panel.ref, panel.u, panel.way * reach) < 0.0:
+            return True
+        reach *= 0.5
+    return False
+
+
+@lean_jit
 def turning_point_ahead(body, panel, totals, scratch):
     """Angle from here to the first zero of θ̇², or 0 where none is near.
 
     Where a panel loses most of θ̇² but does not reach the zero, wider ones are searched: panels that
     fit before it would shrink towards it for ever.
     """
+    if panel.sigma == 0 and not turns_within(body, panel, 8.0 * panel.extent):
+        return 0.0
     for _ in range(4):
         if panel.sigma == 0:
             coefficients(scratch.work[A], scratch.series)
