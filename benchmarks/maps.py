@@ -2,7 +2,7 @@
 
     python benchmarks/maps.py [--motions 20000] [--json FILE] [--skip scipy mujoco cluster]
 
-Motions are drawn at random from γ = 3/4, μ from 0 to 2 and v0 from 0 to 5 m/s, over the first revolution.
+Motions are those of γ = 3/4 with μ from 0 to 2 and v0 from 0 to 5 m/s over the first revolution, on a grid or drawn at random.
 Times are those of the process (CPU seconds), so that a busy machine does not spoil them; only the scaling
 over workers needs wall time. MuJoCo is in the extra `engines`; the SciPy solution is the tests' own oracle.
 """
@@ -45,9 +45,15 @@ def cpu(work) -> float:
     return time.process_time() - began
 
 
-def kernel_rate(count: int) -> dict[str, float]:
+def grid(side: int) -> dict[str, np.ndarray]:
+    """The same window in the order of a map, where neighbours take the same branches."""
+    mu, speed = np.meshgrid(np.linspace(0.0, 2.0, side), np.linspace(0.0, 5.0, side), indexing="ij")
+    return {"plane.mu": mu.reshape(-1), "start.speed": speed.reshape(-1)}
+
+
+def kernel_rate(values: dict[str, np.ndarray]) -> dict[str, float]:
     """Motions per second and core, best of three."""
-    values = draw(count)
+    count = values["plane.mu"].size
     span = make_span("first_revolution")
     run_cells(make_cells(hh.Scenario(), draw(128), 128), span, 0, "serial")
 
@@ -195,7 +201,8 @@ def main() -> None:
     parser.add_argument("--skip", nargs="*", default=[])
     options = parser.parse_args()
     work = {
-        "map": lambda: kernel_rate(options.motions),
+        "map": lambda: kernel_rate(grid(math.isqrt(options.motions))),
+        "scattered": lambda: kernel_rate(draw(options.motions)),
         "simulate": lambda: simulate_rate(max(20, options.motions // 50)),
         "scipy": lambda: scipy_rate(max(5, options.motions // 2000)),
         "mujoco": lambda: mujoco_rate(max(20, options.motions // 100)),
