@@ -16,15 +16,21 @@ def free_acceleration(body, s, c, u):
 @jit
 def delassus(body, s, c):
     """(W_tt, W_nn, W_tn): acceleration of the lowest rim point per unit force; needs κ > 0."""
-    arm = 1.0 + body.eps * c
-    lever = body.eps * s
+    arm, lever = contact_arms(body, s, c)
     return 1.0 + arm * arm / body.kap, 1.0 + lever * lever / body.kap, -lever * arm / body.kap
+
+
+@jit
+def contact_arms(body, s, c):
+    """(1 + ε cos θ, ε sin θ): the arms of a tangential and a normal force about G, with all their digits."""
+    return (1.0 - body.eps) + body.eps * load_height(s, c), body.eps * s
 
 
 @jit
 def slip_torque_arm(body, s, c, sigma):
     """q = ε sin θ + σ μk (1 + ε cos θ): torque about G over N in slip."""
-    return body.eps * s + sigma * body.mu_k * ((1.0 - body.eps) + body.eps * load_height(s, c))
+    arm, lever = contact_arms(body, s, c)
+    return lever + sigma * body.mu_k * arm
 
 
 @jit
@@ -63,7 +69,7 @@ def rolling_acceleration(body, s, c, u):
 def rolling_forces(body, s, c, u):
     """(F, N) in rolling, without division by κ."""
     alpha = rolling_acceleration(body, s, c, u)
-    arm = (1.0 - body.eps) + body.eps * load_height(s, c)
+    arm, _ = contact_arms(body, s, c)
     friction = alpha * arm - body.eps * s * u - body.gt
     normal = body.gn - body.eps * s * alpha - body.eps * c * u
     return friction, normal

@@ -11,15 +11,9 @@ import math
 
 from hophoop._jit import jit
 from hophoop.physics.body import ImpactLaw
-from hophoop.physics.contact import load_height
+from hophoop.physics.contact import contact_arms, slip_stiffness, slip_torque_arm
 
 NEWTON, POISSON = int(ImpactLaw.NEWTON), int(ImpactLaw.POISSON)
-
-
-@jit
-def contact_arms(body, s, c):
-    """(1 + ε cos θ, ε sin θ): the arms of the tangential and the normal impulse about G, with all their digits."""
-    return (1.0 - body.eps) + body.eps * load_height(s, c), body.eps * s
 
 
 @jit
@@ -157,32 +151,32 @@ def singular_slip(body, s, c, vt, om):
         Velocities after, normal impulse, and the loss −∫ v_t dP_t.
     """
     sigma = 1.0 if vt > 0.0 else -1.0
-    lever = (body.eps * s + sigma * body.mu_k * (1.0 + body.eps * c)) / body.kap  # dθ̇/dp
-    rate = -(sigma * body.mu_k + (1.0 + body.eps * c) * lever)  # dv_t/dp
+    arm, lever = contact_arms(body, s, c)
+    turn, rate, _ = slip_rates(body, arm, lever, -sigma * body.mu_k)
     stop = -vt / rate if vt * rate < 0.0 else math.inf
     pull = body.eps * c
-    if lever * om > 0.0:
+    if turn * om > 0.0:
         # θ̇² grows until f_n = 0
-        limit = (math.copysign(math.sqrt(body.gn / pull), om) - om) / lever if pull > 0.0 else math.inf
+        limit = (math.copysign(math.sqrt(body.gn / pull), om) - om) / turn if pull > 0.0 else math.inf
         if limit <= stop:
             limit = max(limit, 0.0)
             after = vt + rate * limit
             loss = sigma * body.mu_k * 0.5 * (vt + after) * limit
-            return True, after, om + lever * limit, limit, loss
+            return True, after, om + turn * limit, limit, loss
         length = stop
     else:
-        length = min(stop, -2.0 * om / lever)
+        length = min(stop, -2.0 * om / turn)
     after = 0.0 if length == stop else vt + rate * length
-    return False, after, om + lever * length, length, sigma * body.mu_k * 0.5 * (vt + after) * length
+    return False, after, om + turn * length, length, sigma * body.mu_k * 0.5 * (vt + after) * length
 
 
 @jit
 def at_singular_angle(body, s, c, u, sigma):
     """Whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam)."""
     pull = sigma * body.mu_k
-    arm = body.eps * s + pull * (1.0 + body.eps * c)
-    slope = body.eps * c * arm + body.eps * s * body.eps * (c - pull * s)
-    distance = abs(body.kap + body.eps * s * arm)
+    torque = slip_torque_arm(body, s, c, sigma)
+    slope = body.eps * c * torque + body.eps * s * body.eps * (c - pull * s)
+    distance = abs(slip_stiffness(body, s, c, sigma))
     opening = abs(body.gn - body.eps * c * u)
     return distance <= 1e-10 * abs(slope) or (
         distance <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)

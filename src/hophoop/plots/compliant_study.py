@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.physics.compliant import KELVIN_VOIGT, Compliance, FrictionLaw, normal_force
-from hophoop.physics.impact import contact_arms, impulse_ratio, slip_rates
+from hophoop.physics.contact import contact_arms
+from hophoop.physics.impact import impulse_ratio, slip_rates
 from hophoop.scenario import Compliant, Hoop, Plane, Scenario, Start
 from hophoop.simulation import simulate
 from hophoop.trajectory import EventRecord, Trajectory

@@ -6,7 +6,8 @@ import math
 
 from hophoop._jit import jit
 from hophoop.physics.body import Event, Mode
-from hophoop.physics.impact import at_singular_angle, contact_arms, impact, singular_slip, stick_rates
+from hophoop.physics.contact import contact_arms
+from hophoop.physics.impact import at_singular_angle, impact, singular_slip, stick_rates
 from hophoop.physics.modes import (
     INDETERMINATE,
     UNDECIDED,

@@ -1,0 +1,58 @@
+"""Panels' arithmetic against NumPy's: sums, exponentials, extremes, roots, widths."""
+
+import numpy as np
+import pytest
+from numpy.polynomial import chebyshev
+
+from hophoop import _collocation as col
+
+
+@pytest.mark.parametrize("size", [1e-8, 0.3, 1.0, 1.001, 20.0])
+def test_exponentials(size):
+    """Both ways, by the series up to 1 and by the library above, to a few roundings."""
+    values = size * np.concatenate((np.random.default_rng(3).uniform(-1, 1, col.ORDER - 2), [-1.0, 1.0]))
+    out = np.empty(col.ORDER)
+    col.exponentials(values, out)
+    np.testing.assert_allclose(out, np.exp(values), rtol=5e-16)
+
+
+def test_sums_and_extremes():
+    random = np.random.default_rng(4)
+    for _ in range(50):
+        a, b = random.normal(size=(2, col.ORDER))
+        assert col.dot(a, b) == pytest.approx(float(a @ b), abs=1e-14)
+        assert col.extremes(a) == (a.min(), a.max())
+
+
+def test_widths_go_on_beyond_the_tables():
+    ratio = [col.width_of(level + 1) / col.width_of(level) for level in range(col.LEVELS + 40)]
+    np.testing.assert_allclose(ratio, np.sqrt(0.5), rtol=1e-14)
+
+
+def test_falls_are_where_numpy_has_roots():
+    """Resolved functions with two falls and a rise between; the first fall, to rounding."""
+    random = np.random.default_rng(5)
+    stack = np.zeros((col.DEPTH + 3, col.ORDER + 2))
+    for _ in range(200):
+        roots = np.sort(random.uniform(-0.95, 0.95, 3))
+        if np.diff(roots).min() < 0.05:
+            continue
+        slow = random.uniform(-0.3, 0.3)
+
+        def function(x, roots=roots, slow=slow):
+            return -np.prod([x - root for root in roots], axis=0) * np.exp(slow * x)
+
+        series = np.empty(col.ORDER)
+        col.coefficients(function(col.NODES), series)
+        assert col.first_fall(series, 0.0, stack) == pytest.approx(roots[0], abs=2e-14)
+
+
+def test_a_resolved_function_stays_near_the_range_of_its_nodes():
+    """What lets `fall_of` pass over margins: below its lowest node it goes by less than the range of the nodes."""
+    random = np.random.default_rng(6)
+    fine = np.linspace(-1.0, 1.0, 2001)
+    for _ in range(500):
+        # coefficients that fall by 1e-13 over the panel, as an accepted panel's do
+        series = random.normal(size=col.ORDER) * 10.0 ** (-13.0 * np.arange(col.ORDER) / (col.ORDER - 1))
+        nodes = chebyshev.chebval(col.NODES, series)
+        assert nodes.min() - chebyshev.chebval(fine, series).min() < 0.1 * np.ptp(nodes)
