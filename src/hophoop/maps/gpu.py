@@ -63,21 +63,14 @@ def evaluate(
     numbers, words, keys : ndarray, shape (n, …)
         Filled.
     """
-    count = cells.shape[1]
-    for low in range(0, count, CELLS_A_BATCH):
-        part = slice(low, min(low + CELLS_A_BATCH, count))
-        _evaluate_batch(cells[:, part], angle_span, stop, timed, wanted, numbers[part], words[part], keys[part])
+    options = angle_span, stop, timed, wanted
+    for low in range(0, cells.shape[1], CELLS_A_BATCH):
+        part = slice(low, low + CELLS_A_BATCH)
+        _evaluate_batch(cells[:, part], options, [numbers[part], words[part], keys[part]])
 
 
 def _evaluate_batch(
-    cells: NDArray[np.float64],
-    angle_span: float,
-    stop: int,
-    timed: bool,
-    wanted: int,
-    numbers: NDArray[np.float64],
-    words: NDArray[np.int32],
-    keys: NDArray[np.uint64],
+    cells: NDArray[np.float64], options: tuple[float, int, bool, int], hosts: list[NDArray[Any]]
 ) -> None:
     from numba import cuda
 
@@ -87,7 +80,6 @@ def _evaluate_batch(
         print("hophoop compiles its kernel for the GPU; this takes minutes, once a process.", file=sys.stderr)
     count = cells.shape[1]
     on_device = cuda.to_device(np.ascontiguousarray(cells))
-    hosts: list[NDArray[Any]] = [numbers, words, keys]
     results = [cuda.device_array(host.shape, host.dtype) for host in hosts]
     segments = cuda.device_array(1, SEGMENT)
     memory = min(MEMORY, cuda.current_context().get_memory_info().free / 2)
@@ -105,7 +97,7 @@ def _evaluate_batch(
                 # of few cells: that they do not fill the GPU is no news
                 warnings.filterwarnings("ignore", "Grid size")
                 kernel[-(-these.size // THREADS_A_BLOCK), THREADS_A_BLOCK](
-                    on_device, cuda.to_device(these), angle_span, stop, timed, wanted, events, segments, *results, finished
+                    on_device, cuda.to_device(these), *options, events, segments, *results, finished
                 )
             left.append(these[finished.copy_to_host() == 0])
         todo = np.concatenate(left)
