@@ -13,7 +13,7 @@ import math
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit, lean_jit
 
 ORDER = 16
 NODES, WEIGHTS = legendre.leggauss(ORDER)
@@ -67,7 +67,7 @@ def product(matrix_t, values, out):
             out[i] = low + high if j == 0 else out[i] + (low + high)
 
 
-@lean_jit
+@inline_jit
 def dot(a, b):
     """Sum of products in a fixed order: four sums side by side, which do not wait for each other."""
     r0 = 0.0
@@ -82,7 +82,7 @@ def dot(a, b):
     return (r0 + r1) + (r2 + r3)
 
 
-@lean_jit
+@inline_jit
 def extremes(values):
     """Smallest and largest value, also four at a time."""
     l0 = h0 = values[0]
@@ -101,7 +101,7 @@ def extremes(values):
     return min(min(l0, l1), min(l2, l3)), max(max(h0, h1), max(h2, h3))
 
 
-@lean_jit
+@inline_jit
 def exponentials(values, out):
     """out = exp(values); by the series where none is above 1, which the processor does for several nodes at a time."""
     largest = 0.0
@@ -134,13 +134,13 @@ def exponentials(values, out):
         out[i] = 1.0 + (x + (0.5 * square + square * (even * square + odd * x)))
 
 
-@lean_jit
+@inline_jit
 def total(values):
     """Integral of the function over the panel, by Gauss."""
     return dot(WEIGHTS, values)
 
 
-@lean_jit
+@inline_jit
 def antiderivative(values, out):
     """Integrals of the function from −1 to every node; returns the one over the whole panel."""
     product(ANTIDERIVATIVE_T, values, out)
@@ -153,7 +153,7 @@ def coefficients(values, out):
     product(SERIES_T, values, out)
 
 
-@lean_jit
+@inline_jit
 def tail(values, scale):
     """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
     a = 0.0
@@ -174,8 +174,9 @@ def series_value(series, xi):
     """Clenshaw's sum of the Chebyshev series at ξ."""
     b1 = 0.0
     b2 = 0.0
+    double = 2.0 * xi
     for k in range(ORDER - 1, 0, -1):
-        b1, b2 = 2.0 * xi * b1 - b2 + series[k], b1
+        b1, b2 = double * b1 + (series[k] - b2), b1
     return xi * b1 - b2 + series[0]
 
 
@@ -197,7 +198,7 @@ def right_value(series):
     return result
 
 
-@lean_jit
+@inline_jit
 def lagrange(xi, out):
     """Weights that interpolate node values at ξ."""
     before = 1.0
@@ -210,7 +211,7 @@ def lagrange(xi, out):
             out[j] += current * SERIES_T[j, k]
 
 
-@lean_jit
+@inline_jit
 def value_and_slope(series, xi):
     """The Chebyshev series and its derivative at ξ, by one pass of Clenshaw's recurrence."""
     b1 = 0.0
@@ -219,12 +220,13 @@ def value_and_slope(series, xi):
     d2 = 0.0
     double = 2.0 * xi
     for k in range(ORDER - 1, 0, -1):
-        d1, d2 = double * d1 - d2 + 2.0 * b1, d1
-        b1, b2 = double * b1 - b2 + series[k], b1
+        # summed so that a step waits for one product and one sum of the step before
+        d1, d2 = double * d1 + (2.0 * b1 - d2), d1
+        b1, b2 = double * b1 + (series[k] - b2), b1
     return xi * b1 - b2 + series[0], xi * d1 - d2 + b1
 
 
-@lean_jit
+@inline_jit
 def _bracketed(series):
     """Root of a monotone series with series(−1) > 0 ≥ series(1): Newton's steps kept inside the bracket."""
     low = -1.0
@@ -232,7 +234,7 @@ def _bracketed(series):
     f_low = left_value(series)
     f_high = right_value(series)
     xi = low + (high - low) * f_low / (f_low - f_high)
-    before = 2.0
+    before = 0.0
     for _ in range(100):
         value, slope = value_and_slope(series, xi)
         if value > 0.0:
@@ -240,13 +242,19 @@ def _bracketed(series):
         else:
             high = xi
         better = xi - value / slope
-        if not low <= better <= high:
+        halved = not low <= better <= high
+        if halved:
             better = 0.5 * (low + high)
         moved = abs(better - xi)
-        # to rounding, or as near as the rounding of the series lets Newton's steps come
-        if moved <= 2e-16 or (moved < 1e-13 and moved >= 0.5 * before):
+        # to rounding; or so near that the next step, which is smaller by moved² / before², would be less than that;
+        # or as near as the rounding of the series lets Newton's steps come
+        if (
+            moved <= 2e-16
+            or (moved <= 1e-8 and moved * moved * moved <= 1e-17 * before * before)
+            or (moved < 1e-13 and moved >= 0.5 * before)
+        ):
             return better
-        before = moved
+        before = 0.0 if halved else moved
         xi = better
     return xi
 
@@ -261,7 +269,7 @@ def first_fall(series, floor, stack):
     return first_fall_after(series, -2.0, floor, stack)
 
 
-@lean_jit
+@inline_jit
 def first_fall_after(series, begin, floor, stack):
     """`first_fall`, of those beyond ξ = `begin`."""
     spread = 0.0
@@ -330,7 +338,7 @@ FAR_SINES = np.sin(WIDTHS)
 FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
 
 
-@lean_jit
+@inline_jit
 def width_of(level):
     """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
     if level < LEVELS:

@@ -20,7 +20,7 @@ from hophoop._collocation import (
     antiderivative,
     width_of,
 )
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit, lean_jit
 from hophoop.physics.contact import slip_torque_arm
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
@@ -61,7 +61,7 @@ class Totals(NamedTuple):
     loss: float
 
 
-@lean_jit
+@inline_jit
 def fill_geometry(panel, work):
     """Rows A and B: sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes; STRETCH: abs(dθ/dξ)."""
     sines = work[A]
@@ -114,11 +114,9 @@ def place_of(panel, offset):
     return 1.0 - 2.0 * part if panel.kind == ARRIVE else 2.0 * part - 1.0
 
 
-@lean_jit
-def linear_panel(body, sigma, level, way, th, u, vt):
-    """A panel of standard width from θ onwards."""
-    s = math.sin(th)
-    c = math.cos(th)
+@inline_jit
+def linear_panel(body, sigma, level, way, th, s, c, u, vt):
+    """A panel of standard width from θ onwards, with its sine and cosine."""
     arm = slip_torque_arm(body, s, c, sigma)
     stiffness = body.kap + body.eps * s * arm
     return Panel(sigma, LINEAR, level, way, th, s, c, width_of(level), arm, stiffness, u, vt)
@@ -172,7 +170,7 @@ def rotated(s, c, sine, versine):
     return c * sine - s * versine, -s * sine - c * versine
 
 
-@lean_jit
+@inline_jit
 def chord(panel, xi):
     """(sin φ, 1 − cos φ) of φ = θ − θ_ref at ξ; from the table over a whole LINEAR panel."""
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._collocation import NODES, ORDER, tail, total, turn_deficits
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit, lean_jit
 from hophoop.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 from hophoop.physics.panel import (
     ARRIVE,
@@ -61,7 +61,7 @@ def u_on_panel(body, panel, sine, versine, offset):
     return _u_after(body, panel.sine, panel.cosine, panel.u, sine, versine, offset)
 
 
-@lean_jit
+@inline_jit
 def solve_roll(body, panel, work):
     """Fill `work` for a rolling panel.
 
@@ -107,7 +107,7 @@ def solve_roll(body, panel, work):
     return Totals(size, time, u, 0.0, 0.0)
 
 
-@lean_jit
+@inline_jit
 def roll_margins(body, work):
     """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
     a, b = cone_weights(body.mu_s)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._collocation import ANTIDERIVATIVE_T, ORDER, REMAINDER_T, antiderivative, exponentials, product, tail, total
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit, lean_jit
 from hophoop.physics.contact import load_height
 from hophoop.physics.panel import (
     ARM,
@@ -30,7 +30,7 @@ from hophoop.physics.panel import (
 )
 
 
-@lean_jit
+@inline_jit
 def _from_reference(panel, values, out):
     """∫ values dξ from `ref` to each node, signed along θ; returns the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
@@ -44,7 +44,7 @@ def _from_reference(panel, values, out):
     return way * total(values)
 
 
-@lean_jit
+@inline_jit
 def solve_slip(body, panel, work):
     """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
 

@@ -18,7 +18,7 @@ from hophoop._collocation import (
     left_value,
     width_of,
 )
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit, lean_jit
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import (
     inertia_at_height,
@@ -144,13 +144,13 @@ def turning_point_ahead(body, panel, totals, scratch):
         if panel.level == 0:
             return 0.0
         panel = linear_panel(
-            body, panel.sigma, max(panel.level - 2, 0), panel.way, panel.ref, panel.u, panel.vt
+            body, panel.sigma, max(panel.level - 2, 0), panel.way, panel.ref, panel.sine, panel.cosine, panel.u, panel.vt
         )
         totals = solve(body, panel, scratch.work)
     return 0.0
 
 
-@lean_jit
+@inline_jit
 def choose_panel(body, sigma, state, level, extent, scratch):
     """A panel from here, as wide as is resolved.
 
@@ -168,11 +168,13 @@ def choose_panel(body, sigma, state, level, extent, scratch):
             extent *= 0.5
     u = state.om * state.om
     way = 1.0 if state.om > 0.0 else -1.0
+    s = math.sin(state.th)
+    c = math.cos(state.th)
     finest = LEVELS
     if u < SLOW * SLOW:
         finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
     while True:
-        panel = linear_panel(body, sigma, level, way, state.th, u, state.vt)
+        panel = linear_panel(body, sigma, level, way, state.th, s, c, u, state.vt)
         totals = solve(body, panel, work)
         if totals.tail <= RESOLVED:
             return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
@@ -214,7 +216,7 @@ def fall_of(row, state_is_fresh, floor, scratch):
     return first_fall(scratch.series, floor, scratch.stack)
 
 
-@lean_jit
+@inline_jit
 def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 
@@ -281,7 +283,7 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span
     return xi, what
 
 
-@lean_jit
+@inline_jit
 def state_on_panel(body, panel, totals, state, xi, scratch):
     """The state at ξ of a solved panel that began in `state`."""
     work = scratch.work
@@ -336,7 +338,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     )
 
 
-@lean_jit
+@inline_jit
 def shortened(body, panel, totals, state, left, scratch):
     """The panel, or a narrower one where it would last so long beside the time left that its end would be lost in it."""
     if not (totals.time > LONG * max(left, 1.0) and left > 0.0):
@@ -347,11 +349,14 @@ def shortened(body, panel, totals, state, left, scratch):
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))
         level = min(max(int(math.floor(2.0 * math.log2(wide))), 0), NARROWEST)
-        short = linear_panel(body, panel.sigma, level, panel.way, state.th, state.om * state.om, state.vt)
+        short = linear_panel(
+            body, panel.sigma, level, panel.way, state.th, math.sin(state.th), math.cos(state.th),
+            state.om * state.om, state.vt,
+        )  # fmt: skip
     return short, solve(body, short, scratch.work)
 
 
-@lean_jit
+@inline_jit
 def advance_contact(body, mode, state, fresh, zeros, level, t_end, origin, span, scratch, segments, count):
     """Roll or slip over one panel or up to the first event in it.
 
