@@ -233,3 +233,18 @@ def test_sampling_alone_or_together(hoop, plane, start, part):
         for field in dataclasses.fields(alone):
             value, single = getattr(together, field.name)[index], getattr(alone, field.name)
             assert value == single or value == pytest.approx(single, rel=1e-14, abs=1e-300, nan_ok=True)
+
+
+@pytest.mark.parametrize("speed", np.linspace(2.8, 3.6, 40))
+def test_an_event_time_is_on_its_own_side(speed):
+    """Seconds to the kernel's unit and back would put some events on the other side of their own time."""
+    motion = hh.simulate(hh.Hoop.ideal(0.75, radius=0.3), hh.Plane(mu=0.9), hh.Start.rolling(speed * math.sqrt(0.3)))
+    moments = {event.t: [] for event in motion.events}
+    for event in motion.events:
+        moments[event.t].append(event)
+    for t, events in moments.items():
+        if 0.0 < t < motion.duration:
+            assert motion.at(t).mode == events[-1].to_mode
+            assert motion.at(t, side="left").mode == events[0].from_mode
+            assert motion.at(t).omega == pytest.approx(events[-1].omega, rel=1e-12, abs=1e-12)
+            assert motion.at(t, side="left").omega == pytest.approx(events[0].before.omega, rel=1e-12, abs=1e-12)

@@ -28,8 +28,9 @@ from numpy.typing import ArrayLike, NDArray
 import hophoop
 from hophoop._extras import need
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES, Status
+from hophoop.results import Sample
 from hophoop.scenario import InputError, Scenario
-from hophoop.trajectory import Sample, Trajectory
+from hophoop.trajectory import Trajectory
 
 if TYPE_CHECKING:
     import xarray

@@ -1,11 +1,11 @@
-"""Trajectory: the result of a simulation, its events, samples at any time and energy ledger, in SI units."""
+"""Trajectory: a computed motion, its events, samples at any time and energy ledger, in SI units."""
 
 from __future__ import annotations
 
 import importlib
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
@@ -15,161 +15,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
+from hophoop.results import EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import Scenario
-from hophoop.scenario.scenario import time_unit
+from hophoop.units import Units
 
 if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Velocity:
-    """Velocities just before an event: vx, vy of the centre [m/s], omega [rad/s], slip = v_t [m/s]."""
-
-    vx: float
-    vy: float
-    omega: float
-    slip: float
-
-
-@dataclass(frozen=True)
-class EventRecord:
-    """One event; the state is the one just after it.
-
-    Attributes
-    ----------
-    t : float
-        Time [s].
-    kind : str
-        One of the kinds of the file format, such as 'slip_start'.
-    from_mode, to_mode : str or None
-        Letters of the modes before and after.
-    x, height, angle : float
-        Centre along the plane [m], gap [m], θ [rad].
-    vx, vy, omega, slip : float
-        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
-    before : Velocity
-        Velocities just before.
-    impulse_normal, impulse_tangential : float
-        Of an impact [N s], else 0.
-    friction, impact_normal, impact_tangential : float
-        Energy lost from the start to just after the event [J].
-    collision : bool or None
-        Of an impact: whether the rim approached the plane (False: impact without collision).
-    gain : float
-        Energy created by Newton's law in a `kane_gain` [J], else 0.
-    stable : bool or None
-        Of a `rest`: whether the equilibrium is stable.
-    """
-
-    t: float
-    kind: str
-    from_mode: str | None
-    to_mode: str
-    x: float
-    height: float
-    angle: float
-    vx: float
-    vy: float
-    omega: float
-    slip: float
-    before: Velocity
-    impulse_normal: float
-    impulse_tangential: float
-    friction: float
-    impact_normal: float
-    impact_tangential: float
-    collision: bool | None
-    gain: float
-    stable: bool | None
-
-
-@dataclass(frozen=True)
-class Sample:
-    """The motion at one time or many; every field is a scalar or an array of the shape of t.
-
-    Attributes
-    ----------
-    t : float or ndarray
-        Time [s].
-    mode : str or ndarray of str
-        Letter of the mode: R roll, S spin, K skid, H flight, M skim.
-    x, height, angle : float or ndarray
-        Centre along the plane [m], gap [m], θ [rad].
-    vx, vy, omega, slip : float or ndarray
-        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
-    friction_force, normal_force : float or ndarray
-        F and N [N].
-    kinetic, potential : float or ndarray
-        Energies; the potential is zero with the load at the top in contact at x = 0 [J].
-    friction, impact_normal, impact_tangential : float or ndarray
-        Energy lost so far in slip and in the two parts of impacts [J].
-    spring, damping : float or ndarray
-        Energy stored in, and lost so far in the normal direction by, a compliant contact [J]; 0 in rigid contact.
-    """
-
-    t: Any
-    mode: Any
-    x: Any
-    height: Any
-    angle: Any
-    vx: Any
-    vy: Any
-    omega: Any
-    slip: Any
-    friction_force: Any
-    normal_force: Any
-    kinetic: Any
-    potential: Any
-    friction: Any
-    impact_normal: Any
-    impact_tangential: Any
-    spring: Any
-    damping: Any
-
-    @property
-    def total(self) -> Any:
-        """Kinetic and potential energy [J]."""
-        return self.kinetic + self.potential
-
-    def utilization(self, mu: float) -> Any:
-        """Share of the available friction that is used, abs(F)/(μ N); nan in flight.
-
-        Parameters
-        ----------
-        mu : float
-            Coefficient of friction [1].
-
-        Returns
-        -------
-        utilization : float or ndarray
-            From 0 to 1 [1].
-        """
-        normal = np.asarray(self.normal_force)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = np.where(normal > 0.0, np.abs(self.friction_force) / (mu * normal), np.nan)
-        return share if share.ndim else float(share)
-
-
-@dataclass(frozen=True)
-class Ledger:
-    """Where the energy went, from the start to the end [J].
-
-    `residual` is what does not add up: kinetic + potential + losses now, minus kinetic + potential at the
-    start; `range` is the size of the energies that took part, to judge it by.
-    """
-
-    kinetic: float
-    potential: float
-    friction: float
-    impact_normal: float
-    impact_tangential: float
-    spring: float
-    damping: float
-    residual: float
-    range: float
 
 
 class Trajectory:
@@ -271,7 +124,7 @@ class Trajectory:
         bad = ~((times >= 0.0) & (times <= end * (1 + 1e-15)))
         if bad.any():
             raise ValueError(f"t = {times[bad].flat[0]!r} must be from 0 to the motion's end at {end!r} s.")
-        raw = self._sample(np.minimum(times.ravel() / self._units.time, self._segments["t_end"][-1]), side == "left")
+        raw = self._sample(self._kernel_times(times.ravel()), side == "left")
         columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
         unit = self._units
         values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name != "mode"}
@@ -423,6 +276,17 @@ class Trajectory:
         result: Floats = self._model.sampled(self.scenario, self._segments, times, left)
         return result
 
+    def _kernel_times(self, times: Floats) -> Floats:
+        # the time of an event, there and back between the units, can be off by its rounding: on its other side
+        unit = self._units.time
+        begins = self._segments["t"]
+        result = np.minimum(times / unit, self._segments["t_end"][-1])
+        place = np.searchsorted(begins, result)
+        for index in (place - 1, place):
+            begin = begins[np.clip(index, 0, begins.size - 1)]
+            result = np.where(begin * unit == times, begin, result)
+        return result
+
     def _seconds(self, t: float) -> float:
         # the end of the motion is the duration asked for, not its rounding through kernel units
         if t == self.scenario.duration / self._units.time:
@@ -464,61 +328,6 @@ class Trajectory:
             stable=None if row["stable"] < 0 else bool(row["stable"]),
             **value,
         )
-
-
-@dataclass(frozen=True)
-class Units:
-    """SI values of the kernel's units."""
-
-    length: float
-    time: float
-    mass: float
-
-    @classmethod
-    def of_scenario(cls, scenario: Scenario) -> Units:
-        """The units of a scenario.
-
-        Parameters
-        ----------
-        scenario : Scenario
-
-        Returns
-        -------
-        units : Units
-        """
-        return cls(scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane), scenario.hoop.mass)
-
-    @property
-    def energy(self) -> float:
-        """Unit of energy [J]."""
-        return self.mass * (self.length / self.time) ** 2
-
-    def of(self, name: str) -> float:
-        """Unit of a quantity by its name.
-
-        Parameters
-        ----------
-        name : str
-            Of a column or an event's number, such as 'vx'.
-
-        Returns
-        -------
-        unit : float
-            How much of the SI unit [1] a kernel unit is.
-        """
-        if name in ("x", "height"):
-            return self.length
-        if name in ("vx", "vy", "slip"):
-            return self.length / self.time
-        if name == "omega":
-            return 1.0 / self.time
-        if name in ("friction_force", "normal_force"):
-            return self.mass * self.length / self.time**2
-        if name in ("impulse_normal", "impulse_tangential"):
-            return self.mass * self.length / self.time
-        if name == "angle":
-            return 1.0
-        return self.energy
 
 
 _PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}

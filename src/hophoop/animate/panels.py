@@ -13,7 +13,8 @@ from hophoop.animate.themes import Theme
 from hophoop.plots import colors
 from hophoop.plots._curves import curve
 from hophoop.plots.pose import Floats, Poses
-from hophoop.trajectory import Sample, Trajectory
+from hophoop.results import Sample
+from hophoop.trajectory import Trajectory
 
 # How much of a curve shows where the film has not yet been
 AHEAD = 0.28

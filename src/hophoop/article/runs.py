@@ -9,9 +9,10 @@ import numpy as np
 
 from hophoop.article.scenarios import scenarios
 from hophoop.plots._curves import curve
+from hophoop.results import Sample
 from hophoop.scenario import Hoop, Plane, Start
 from hophoop.simulation import simulate
-from hophoop.trajectory import Sample, Trajectory
+from hophoop.trajectory import Trajectory
 
 # Long enough for the slow end of the slipping motion to show its law.
 LONG = 3000.0

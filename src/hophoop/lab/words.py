@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hophoop.trajectory import EventRecord, Trajectory
+from hophoop.results import EventRecord
+from hophoop.trajectory import Trajectory
 
 VERBS = {"R": "rolls", "S": "spins", "K": "skids", "H": "flies", "M": "skims the plane"}
 

@@ -9,8 +9,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.results import Sample
 from hophoop.scenario.scenario import time_unit
-from hophoop.trajectory import Sample, Trajectory
+from hophoop.trajectory import Trajectory
 
 # Samples a unit of time √(R/g); at the reference hoop some 470 a second.
 DENSITY = 150

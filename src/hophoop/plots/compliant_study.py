@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop.physics.compliant import KELVIN_VOIGT, Compliance, FrictionLaw, normal_force
 from hophoop.physics.contact import contact_arms
 from hophoop.physics.impact import impulse_ratio, slip_rates
+from hophoop.results import EventRecord
 from hophoop.scenario import Compliant, Hoop, Plane, Scenario, Start
 from hophoop.simulation import simulate
-from hophoop.trajectory import EventRecord, Trajectory
+from hophoop.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 

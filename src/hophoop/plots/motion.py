@@ -10,7 +10,8 @@ import numpy as np
 from hophoop.plots import colors
 from hophoop.plots._curves import curve
 from hophoop.plots._style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
-from hophoop.trajectory import Sample, Trajectory
+from hophoop.results import Sample
+from hophoop.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

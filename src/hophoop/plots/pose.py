@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop.results import Sample
 from hophoop.scenario import Hoop, PointMass, Ring
 from hophoop.scenario.scenario import time_unit
-from hophoop.trajectory import Sample, Trajectory
+from hophoop.trajectory import Trajectory
 
 Floats = NDArray[np.float64]
 GRID = 200_000  # times at most, where a motion is searched

@@ -1,0 +1,156 @@
+"""What a motion is read as: events, samples and the energy ledger, in SI units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """Velocities just before an event: vx, vy of the centre [m/s], omega [rad/s], slip = v_t [m/s]."""
+
+    vx: float
+    vy: float
+    omega: float
+    slip: float
+
+
+@dataclass(frozen=True)
+class EventRecord:
+    """One event; the state is the one just after it.
+
+    Attributes
+    ----------
+    t : float
+        Time [s].
+    kind : str
+        One of the kinds of the file format, such as 'slip_start'.
+    from_mode, to_mode : str or None
+        Letters of the modes before and after.
+    x, height, angle : float
+        Centre along the plane [m], gap [m], θ [rad].
+    vx, vy, omega, slip : float
+        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
+    before : Velocity
+        Velocities just before.
+    impulse_normal, impulse_tangential : float
+        Of an impact [N s], else 0.
+    friction, impact_normal, impact_tangential : float
+        Energy lost from the start to just after the event [J].
+    collision : bool or None
+        Of an impact: whether the rim approached the plane (False: impact without collision).
+    gain : float
+        Energy created by Newton's law in a `kane_gain` [J], else 0.
+    stable : bool or None
+        Of a `rest`: whether the equilibrium is stable.
+    """
+
+    t: float
+    kind: str
+    from_mode: str | None
+    to_mode: str
+    x: float
+    height: float
+    angle: float
+    vx: float
+    vy: float
+    omega: float
+    slip: float
+    before: Velocity
+    impulse_normal: float
+    impulse_tangential: float
+    friction: float
+    impact_normal: float
+    impact_tangential: float
+    collision: bool | None
+    gain: float
+    stable: bool | None
+
+
+@dataclass(frozen=True)
+class Sample:
+    """The motion at one time or many; every field is a scalar or an array of the shape of t.
+
+    Attributes
+    ----------
+    t : float or ndarray
+        Time [s].
+    mode : str or ndarray of str
+        Letter of the mode: R roll, S spin, K skid, H flight, M skim.
+    x, height, angle : float or ndarray
+        Centre along the plane [m], gap [m], θ [rad].
+    vx, vy, omega, slip : float or ndarray
+        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
+    friction_force, normal_force : float or ndarray
+        F and N [N].
+    kinetic, potential : float or ndarray
+        Energies; the potential is zero with the load at the top in contact at x = 0 [J].
+    friction, impact_normal, impact_tangential : float or ndarray
+        Energy lost so far in slip and in the two parts of impacts [J].
+    spring, damping : float or ndarray
+        Energy stored in, and lost so far in the normal direction by, a compliant contact [J]; 0 in rigid contact.
+    """
+
+    t: Any
+    mode: Any
+    x: Any
+    height: Any
+    angle: Any
+    vx: Any
+    vy: Any
+    omega: Any
+    slip: Any
+    friction_force: Any
+    normal_force: Any
+    kinetic: Any
+    potential: Any
+    friction: Any
+    impact_normal: Any
+    impact_tangential: Any
+    spring: Any
+    damping: Any
+
+    @property
+    def total(self) -> Any:
+        """Kinetic and potential energy [J]."""
+        return self.kinetic + self.potential
+
+    def utilization(self, mu: float) -> Any:
+        """Share of the available friction that is used, abs(F)/(μ N); nan in flight.
+
+        Parameters
+        ----------
+        mu : float
+            Coefficient of friction [1].
+
+        Returns
+        -------
+        utilization : float or ndarray
+            From 0 to 1 [1].
+        """
+        normal = np.asarray(self.normal_force)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = np.where(normal > 0.0, np.abs(self.friction_force) / (mu * normal), np.nan)
+        return share if share.ndim else float(share)
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Where the energy went, from the start to the end [J].
+
+    `residual` is what does not add up: kinetic + potential + losses now, minus kinetic + potential at the
+    start; `range` is the size of the energies that took part, to judge it by.
+    """
+
+    kinetic: float
+    potential: float
+    friction: float
+    impact_normal: float
+    impact_tangential: float
+    spring: float
+    damping: float
+    residual: float
+    range: float

@@ -1,0 +1,63 @@
+"""SI values of the units in which kernels compute: the hoop's radius and mass, and √(R/g)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hophoop.scenario import Scenario
+from hophoop.scenario.scenario import time_unit
+
+
+@dataclass(frozen=True)
+class Units:
+    """SI values of the kernel's units."""
+
+    length: float
+    time: float
+    mass: float
+
+    @classmethod
+    def of_scenario(cls, scenario: Scenario) -> Units:
+        """The units of a scenario.
+
+        Parameters
+        ----------
+        scenario : Scenario
+
+        Returns
+        -------
+        units : Units
+        """
+        return cls(scenario.hoop.radius, time_unit(scenario.hoop, scenario.plane), scenario.hoop.mass)
+
+    @property
+    def energy(self) -> float:
+        """Unit of energy [J]."""
+        return self.mass * (self.length / self.time) ** 2
+
+    def of(self, name: str) -> float:
+        """Unit of a quantity by its name.
+
+        Parameters
+        ----------
+        name : str
+            Of a column or an event's number, such as 'vx'.
+
+        Returns
+        -------
+        unit : float
+            How much of the SI unit [1] a kernel unit is.
+        """
+        if name in ("x", "height"):
+            return self.length
+        if name in ("vx", "vy", "slip"):
+            return self.length / self.time
+        if name == "omega":
+            return 1.0 / self.time
+        if name in ("friction_force", "normal_force"):
+            return self.mass * self.length / self.time**2
+        if name in ("impulse_normal", "impulse_tangential"):
+            return self.mass * self.length / self.time
+        if name == "angle":
+            return 1.0
+        return self.energy
