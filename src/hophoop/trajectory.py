@@ -280,7 +280,7 @@ class Trajectory:
         # the time of an event, there and back between the units, can be off by its rounding: on its other side
         unit = self._units.time
         begins = self._segments["t"]
-        result = np.minimum(times / unit, self._segments["t_end"][-1])
+        result: Floats = np.minimum(times / unit, self._segments["t_end"][-1])
         place = np.searchsorted(begins, result)
         for index in (place - 1, place):
             begin = begins[np.clip(index, 0, begins.size - 1)]
