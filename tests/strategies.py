@@ -88,3 +88,14 @@ def scenarios(draw):
     if hoop.massless or plane.mu_static == math.inf:
         contact = hh.Rigid()
     return hh.Scenario(hoop=hoop, plane=plane, start=start, duration=draw(positive), contact=contact)
+
+
+# Ideal ones of any size, and other bodies.
+hoops = st.builds(
+    lambda gamma, radius, mass: hh.Hoop.ideal(gamma, radius=radius, mass=mass),
+    st.floats(0.02, 0.98),
+    st.floats(0.1, 5.0),
+    st.floats(0.1, 5.0),
+) | st.builds(
+    lambda eps, kap: hh.Hoop(eccentricity=eps, inertia_ratio=kap), st.floats(0.02, 1.0), st.floats(0.02, 2.0)
+)

@@ -9,12 +9,10 @@ from shutil import which
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
 
 import hophoop as hh
 from hophoop.lab import controls, explore, files, frames, limits, page, presets, state, words
 from hophoop.scenario import InputError, paths
-from strategies import scenarios
 
 HOP = hh.Scenario()
 
@@ -139,100 +137,6 @@ def test_a_long_story_says_what_it_leaves_out():
     story = words.story(state.computed(bounces.scenario), most=5)
     assert len(story) == 6
     assert re.fullmatch(r"… and \d+ more\.", story[-1]["text"])
-
-
-# Presets show what they say
-
-PRESETS = {preset.key: preset for preset in presets.presets()}
-
-
-def kinds(key):
-    return {event.kind for event in state.computed(PRESETS[key].scenario).events}
-
-
-def test_the_article_is_there():
-    offered = [preset.scenario for preset in presets.presets() if preset.group == presets.ARTICLE]
-    assert sorted(map(hh.Scenario.to_query, offered)) == sorted(
-        map(hh.Scenario.to_query, hh.article.scenarios().values())
-    )
-
-
-@pytest.mark.parametrize(
-    ("key", "kind"),
-    [
-        ("hop", "takeoff"),
-        ("littlewood", "skim"),
-        ("littlewood-fast", "skim"),
-        ("inconsistent", "painleve_inconsistent"),
-        ("indeterminate", "painleve_indeterminate"),
-        ("jam", "jam"),
-        ("kane", "kane_gain"),
-        ("downhill", "takeoff"),
-        ("bounces", "bounce_limit"),
-        ("moon", "takeoff"),
-    ],
-)
-def test_presets_show_what_they_promise(key, kind):
-    assert kind in kinds(key)
-
-
-def test_presets_say_true_numbers():
-    gain = next(e.gain for e in state.computed(PRESETS["kane"].scenario).events if e.kind == "kane_gain")
-    assert 1.5 < gain < 2.5  # 'creates two joules'
-    stronge = PRESETS["kane"].scenario.replace("plane.impact_law", "stronge")
-    assert not state.computed(stronge).find("kane_gain")
-    earth, moon = (state.computed(PRESETS[key].scenario) for key in ("hop", "moon"))
-    assert moon.find("takeoff")[0].t / earth.find("takeoff")[0].t == pytest.approx(2.46, abs=0.005)
-    assert state.computed(PRESETS["jam"].scenario).status == "jammed"
-    impact = PRESETS["indeterminate"].scenario.replace("plane.painleve", "impact")
-    assert state.computed(impact).sequence != state.computed(PRESETS["indeterminate"].scenario).sequence
-
-
-def test_presets_open_from_their_links():
-    for preset, offered in zip(presets.presets(), answered("setup", {}).header["presets"], strict=True):
-        assert hh.Scenario.from_query(offered["query"]) == preset.scenario
-
-
-# Code that makes the same motion
-
-
-def ran(scenario):
-    """What the code says, without the time it takes to compute it."""
-    names = {"scenario": made}
-    exec(state.python_code(scenario).partition("print")[0].replace("hh.simulate(", "scenario("), names)
-    return names["motion"]
-
-
-def made(hoop, plane, start, duration, contact=None):
-    return hh.Scenario(hoop=hoop, plane=plane, start=start, duration=duration, contact=contact or hh.Rigid())
-
-
-@pytest.mark.parametrize("key", PRESETS)
-def test_python_makes_the_preset(key):
-    assert ran(PRESETS[key].scenario) == PRESETS[key].scenario
-
-
-@given(scenarios())
-@settings(max_examples=60)
-def test_python_makes_any_scenario(scenario):
-    assert ran(scenario) == scenario
-
-
-def test_python_makes_parts_friction_and_compliance():
-    scenario = hh.Scenario(
-        hoop=hh.Hoop.from_parts(0.3, [hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)]),
-        plane=hh.Plane(mu_static=0.7, mu_kinetic=0.5, slope=0.05),
-        start=hh.Start(height=0.1, vx=0.25),
-        contact=hh.Compliant(stiffness=1e4),
-        duration=0.1,
-    )
-    assert ran(scenario) == scenario
-    assert 'float("inf")' in state.python_code(hh.Scenario(plane=hh.Plane(mu=math.inf)))
-
-
-def test_python_names_what_one_will_want_to_change():
-    assert "hh.Hoop(load_fraction=0.75)" in state.python_code(HOP)
-    assert "hh.Plane(mu=1.0)" in state.python_code(HOP)
 
 
 # Requests
@@ -367,7 +271,8 @@ def test_theory_names_the_thresholds():
     assert "possible here" in found["painleve"]["text"]
     low = {entry["key"]: entry for entry in explore.thresholds(HOP.replace("plane.mu", 0.5))}
     assert "not here" in low["painleve"]["text"]
-    massless = explore.thresholds(PRESETS["littlewood"].scenario)
+    (littlewood,) = (preset.scenario for preset in presets.presets() if preset.key == "littlewood")
+    massless = explore.thresholds(littlewood)
     assert [entry["key"] for entry in massless] == ["loss"]
 
 
@@ -507,49 +412,3 @@ def test_every_file_of_the_page_is_used():
     folder = files.Path(page.__file__).parent / "static"
     expected = {f"{name}.js" for name in page.MODULES} | {"index.html", "style.css", "icon.svg"}
     assert {path.name for path in folder.iterdir()} == expected
-
-
-# The widget
-
-
-@pytest.fixture
-def widget(motion):
-    pytest.importorskip("anywidget")
-    made = hh.show(motion)
-    made.sent = []
-    made.send = lambda content, buffers=None: made.sent.append((content, buffers))
-    return made
-
-
-def test_the_widget_carries_its_motion(widget, motion):
-    header, arrays = frames.unpack(widget.film)
-    assert header["sequence"] == motion.sequence
-    assert len(arrays["t"]) > 800
-    assert widget.motion is motion
-    other = hh.simulate(HOP.replace("start.speed", 2.0))
-    widget.motion = other
-    assert frames.unpack(widget.film)[0]["sequence"] == "R"
-
-
-def test_the_widget_answers_and_keeps_the_motion(widget):
-    body = {"scenario": {}, "changes": [["start.speed", 2.0]]}
-    widget._answer(widget, {"view": "a", "number": 3, "call": "film", "body": body}, [])
-    ((content, buffers),) = widget.sent
-    assert content == {"view": "a", "number": 3}
-    assert frames.unpack(buffers[0])[0]["sequence"] == "R"
-    assert widget.motion.scenario.start.speed == 2.0
-
-
-def test_the_widget_says_what_is_wrong(widget):
-    before = widget.motion
-    body = {"scenario": {}, "changes": [["hoop.mass", -1]]}
-    widget._answer(widget, {"view": "a", "number": 4, "call": "film", "body": body}, [])
-    assert widget.sent[0][0]["error"] == "hoop.mass = -1 must be greater than 0."
-    assert widget.motion is before
-
-
-def test_show_refuses_what_is_no_motion():
-    with pytest.raises(InputError, match="motion = int must be a Trajectory or a Scenario"):
-        hh.show(3)
-    with pytest.raises(InputError, match="panels holds 'chart'"):
-        hh.show(HOP, panels=["chart"])

@@ -2,8 +2,6 @@
 
 import base64
 import os
-import threading
-import time
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -15,64 +13,6 @@ uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installe
 import hophoop as hh  # noqa: E402
 
 PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parents[1] / "results" / "lab"))
-
-
-@pytest.fixture(scope="session")
-def address():
-    from hophoop.lab import api, app
-
-    app.warm_up()
-    config = uvicorn.Config(api.create_app(), host="127.0.0.1", port=0, log_level="error")
-    server = uvicorn.Server(config)
-    thread = threading.Thread(target=server.run, daemon=True)
-    thread.start()
-    end = time.monotonic() + 30
-    while not server.started and time.monotonic() < end:
-        time.sleep(0.02)
-    port = server.servers[0].sockets[0].getsockname()[1]
-    yield f"http://127.0.0.1:{port}/"
-    server.should_exit = True
-    thread.join(5)
-
-
-@pytest.fixture
-def visit(browser, address):
-    """Opens a page; at the end nothing may have gone wrong in any of them."""
-    contexts, troubles = [], []
-
-    def trouble(kind, text):
-        troubles.append(f"{kind}: {text}")
-
-    def open_page(query="", ready=True, expected=(), **options):
-        options.setdefault("viewport", {"width": 1440, "height": 900})
-        context = browser.new_context(**options)
-        contexts.append(context)
-        page = context.new_page()
-        page.set_default_timeout(30_000)
-        page.on("pageerror", lambda error: trouble("page", error))
-        page.on(
-            "console",
-            lambda said: (
-                said.type == "error"
-                and not any(part in said.text for part in expected)
-                and trouble("console", said.text)
-            ),
-        )
-        page.on("request", lambda request: check(request.url))
-        page.goto(address + query)
-        if ready:
-            page.wait_for_selector("[data-ready]")
-        return page
-
-    def check(url):
-        parts = urlsplit(url)
-        if parts.scheme in ("http", "https", "ws", "wss") and parts.hostname != "127.0.0.1":
-            trouble("left loopback", url)
-
-    yield open_page
-    for context in contexts:
-        context.close()
-    assert troubles == []
 
 
 def summary(page):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -196,3 +197,19 @@ def by_name(name: str) -> Case:
         if case.name == name:
             return case
     raise KeyError(name)
+
+
+def case_of(hoop: Any, plane: Any, **start: float) -> Case:
+    """The same hoop and plane as the oracles take them."""
+    return Case(
+        "theory",
+        radius=hoop.radius,
+        mass=hoop.mass,
+        eccentricity=hoop.eccentricity,
+        inertia_ratio=hoop.inertia_ratio,
+        gravity=plane.gravity,
+        slope=plane.slope,
+        mu_static=plane.mu_static,
+        mu_kinetic=plane.mu_kinetic,
+        **start,
+    )

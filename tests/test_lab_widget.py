@@ -1,0 +1,57 @@
+"""The lab as a widget of a notebook."""
+
+import pytest
+
+import hophoop as hh
+from hophoop.lab import frames
+from hophoop.scenario import InputError
+
+HOP = hh.Scenario()
+
+
+@pytest.fixture(scope="module")
+def motion():
+    return hh.simulate(HOP)
+
+
+@pytest.fixture
+def widget(motion):
+    pytest.importorskip("anywidget")
+    made = hh.show(motion)
+    made.sent = []
+    made.send = lambda content, buffers=None: made.sent.append((content, buffers))
+    return made
+
+
+def test_the_widget_carries_its_motion(widget, motion):
+    header, arrays = frames.unpack(widget.film)
+    assert header["sequence"] == motion.sequence
+    assert len(arrays["t"]) > 800
+    assert widget.motion is motion
+    other = hh.simulate(HOP.replace("start.speed", 2.0))
+    widget.motion = other
+    assert frames.unpack(widget.film)[0]["sequence"] == "R"
+
+
+def test_the_widget_answers_and_keeps_the_motion(widget):
+    body = {"scenario": {}, "changes": [["start.speed", 2.0]]}
+    widget._answer(widget, {"view": "a", "number": 3, "call": "film", "body": body}, [])
+    ((content, buffers),) = widget.sent
+    assert content == {"view": "a", "number": 3}
+    assert frames.unpack(buffers[0])[0]["sequence"] == "R"
+    assert widget.motion.scenario.start.speed == 2.0
+
+
+def test_the_widget_says_what_is_wrong(widget):
+    before = widget.motion
+    body = {"scenario": {}, "changes": [["hoop.mass", -1]]}
+    widget._answer(widget, {"view": "a", "number": 4, "call": "film", "body": body}, [])
+    assert widget.sent[0][0]["error"] == "hoop.mass = -1 must be greater than 0."
+    assert widget.motion is before
+
+
+def test_show_refuses_what_is_no_motion():
+    with pytest.raises(InputError, match="motion = int must be a Trajectory or a Scenario"):
+        hh.show(3)
+    with pytest.raises(InputError, match="panels holds 'chart'"):
+        hh.show(HOP, panels=["chart"])
