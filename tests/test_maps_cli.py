@@ -57,6 +57,9 @@ def test_progress_says_rate_and_time_left(tmp_path):
         ([*AXES, "--out", "a.zarr", "--quantity", "size"], "quantity = 'size'"),
         ([*AXES, "--axis", "hoop.mass=1,2", "--out", "a.zarr", "--plot", "a.png"], "two axes, not 3"),
         ([*AXES, "--out", "a.zarr", "--gpu"], "device = 'gpu'"),
+        ([*AXES, "--out", "a.zarr", "--plot", "a.xyz"], "--plot = a.xyz must end in .png"),
+        ([*AXES, "--plot", "gone/a.png"], "--plot = gone/a.png must be in a folder that is there; gone is not"),
+        ([*AXES, "--out", "a.map"], "out = 'a.map' must end in .zarr or .nc"),
     ],
 )
 def test_bad_input_is_one_sentence(tmp_path, monkeypatch, arguments, message):

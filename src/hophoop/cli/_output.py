@@ -6,11 +6,19 @@ from pathlib import Path
 
 from hophoop.scenario import InputError
 
+PICTURES = (".png", ".svg", ".pdf", ".jpg")
+
 
 def check_ending(option: str, path: Path, endings: tuple[str, ...]) -> None:
     """Refuse a name that does not tell a known format."""
     if not path.name.lower().endswith(endings):
         raise InputError(f"{option} = {path} must end in {', '.join(endings[:-1])} or {endings[-1]}.")
+
+
+def check_folder(option: str, path: Path) -> None:
+    """Refuse a name in a folder that is not there, before anything long is computed."""
+    if not path.absolute().parent.is_dir():
+        raise InputError(f"{option} = {path} must be in a folder that is there; {path.parent} is not.")
 
 
 def check_apart(paths: list[Path], source: str | None = None) -> None:

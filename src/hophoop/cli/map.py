@@ -29,7 +29,7 @@ def map(
     ] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Take up a map that was stopped.")] = False,
     plot: Annotated[
-        Path | None, typer.Option(help="Draw the map's first quantity into this picture.")
+        Path | None, typer.Option(help="Draw the map's first quantity: .png, .svg, .pdf or .jpg.")
     ] = None,
     threads: Annotated[int | None, typer.Option(help="How many cores; all by default.")] = None,
     workers: Annotated[
@@ -40,6 +40,7 @@ def map(
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
+    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder
     from hophoop.maps.axes import parse_axis
     from hophoop.maps.sweeping import sweep
     from hophoop.scenario import InputError, Scenario
@@ -48,6 +49,12 @@ def map(
         raise InputError("--out or --plot must say where the map goes.")
     if resume and out is None:
         raise InputError("--out must name the map to take up with --resume.")
+    if plot is not None:
+        check_ending("--plot", plot, PICTURES)
+        check_folder("--plot", plot)
+    if out is not None:
+        check_folder("--out", out)
+    check_apart([path for path in (out, plot) if path is not None], file)
     base = Scenario() if file is None else Scenario.load(file)
     axes = {}
     for text in axis or ():

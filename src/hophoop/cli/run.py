@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from hophoop.trajectory import Trajectory
 
 OUTPUT = "Output"
-PICTURES = (".png", ".svg", ".pdf", ".jpg")
 STORES = (".nc", ".zarr", ".zarr.zip")
 
 # Why a motion can end without an answer.
@@ -146,7 +145,7 @@ def run(
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop.cli import NO_ANSWER, say
-    from hophoop.cli._output import check_apart, check_ending
+    from hophoop.cli._output import PICTURES, check_apart, check_ending
     from hophoop.scenario import InputError
 
     if plot is not None:

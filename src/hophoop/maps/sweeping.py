@@ -116,34 +116,36 @@ def sweep(
     if resume and out is None:
         raise InputError("out must name the file to take up again with resume.")
     plan = make_plan(base, axes, quantities, span, chunk_cells, device)
-    with thread_limit(threads), _reporter(progress, plan) as report:
-        dataset: xarray.Dataset
-        if out is None:
+    dataset: xarray.Dataset
+    if out is None:
+        with thread_limit(threads), _reporter(progress, plan) as report:
             dataset = _in_memory(plan, device, report)
             return dataset
-        file = Path(out)
-        if file.suffix not in (".zarr", ".nc"):
-            raise InputError(f"out = {str(file)!r} must end in .zarr or .nc.")
-        if file.suffix == ".nc" and file.exists():
-            if not resume:
-                raise InputError(f"{file} is there already: take another name or remove it.")
-            dataset = store.open_map(file)
-            return dataset
-        place = file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
-        plan, todo = store.begin(place, plan, resume)
-        report(_cells_of(plan, set(range(plan.parts)) - todo))
-        if clustered:
-            from hophoop.maps.distributed import compute_on_cluster
-
-            compute_on_cluster(place, sorted(todo), scheduler, workers, report)
-        else:
-            for index in sorted(todo):
-                report(store.compute_chunk(str(place), index, device))
-        store.finish(place, plan)
-        if file.suffix == ".nc":
-            _to_netcdf(place, file)
+    file = Path(out)
+    if file.suffix not in (".zarr", ".nc"):
+        raise InputError(f"out = {str(file)!r} must end in .zarr or .nc.")
+    if file.suffix == ".nc" and file.exists():
+        if not resume:
+            raise InputError(f"{file} is there already: take another name or remove it.")
         dataset = store.open_map(file)
         return dataset
+    place = file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
+    with thread_limit(threads):
+        plan, todo = store.begin(place, plan, resume)
+        with _reporter(progress, plan) as report:
+            report(_cells_of(plan, set(range(plan.parts)) - todo))
+            if clustered:
+                from hophoop.maps.distributed import compute_on_cluster
+
+                compute_on_cluster(place, sorted(todo), scheduler, workers, report)
+            else:
+                for index in sorted(todo):
+                    report(store.compute_chunk(str(place), index, device))
+        store.finish(place, plan)
+    if file.suffix == ".nc":
+        _to_netcdf(place, file)
+    dataset = store.open_map(file)
+    return dataset
 
 
 def _cells_of(plan: Plan, indices: set[int]) -> int:
