@@ -223,7 +223,8 @@ def test_everything_has_a_name_for_a_screen_reader(visit):
     )
     assert unnamed == []
     page.keyboard.press("h")
-    assert page.locator(".timeline").get_attribute("aria-valuetext") == "1.045 seconds"
+    # said with the next picture
+    wait_for(page, "document.querySelector('.timeline').getAttribute('aria-valuetext') === '1.045 seconds'")
     assert "from" in page.locator("[data-plot=forces] .plot-body").get_attribute("aria-label")
     assert "hops at 315.6°" in page.locator(".stage").get_attribute("aria-label")
     page.locator("input[data-path='start.speed']").fill("2")
