@@ -56,7 +56,7 @@ class Totals(NamedTuple):
 
     tail: float  # size of the last Chebyshev coefficients, the panel's error measure
     time: float
-    u: float
+    u: float  # θ̇² at the end; of an ARRIVE panel, which ends at rest, at the start
     vt: float
     loss: float
 

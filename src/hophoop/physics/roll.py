@@ -97,13 +97,11 @@ def solve_roll(body, panel, work):
     if not size <= RESOLVED:
         return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0)
     time = total(rates)
-    if panel.kind == ARRIVE:
-        u = 0.0
-    else:
-        sine, versine = chord(panel, 1.0)
-        u = u_on_panel(body, panel, sine, versine, panel.way * panel.extent)
-        if not u > 0.0:
-            size = math.inf
+    far = -1.0 if panel.kind == ARRIVE else 1.0
+    sine, versine = chord(panel, far)
+    u = u_on_panel(body, panel, sine, versine, far * panel.way * panel.extent)
+    if not u > 0.0:
+        size = math.inf
     return Totals(size, time, u, 0.0, 0.0)
 
 

@@ -128,7 +128,7 @@ def solve_slip(body, panel, work):
         slips[i] += panel.vt
         # no abs(), so that it stays smooth beyond the end of the slip
         power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
-    return Totals(size, time, 0.0 if panel.kind == ARRIVE else u_far, vt, total(power))
+    return Totals(size, time, u_far, vt, total(power))
 
 
 @lean_jit

@@ -63,6 +63,8 @@ GAIN_OF_A_LEVEL = 8.0  # a panel narrower by √2 has a last coefficient smaller
 WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
 SMALLEST_EXTENT = 1e-40
+MOST_MOVES = 8  # of a turning point
+START_ROUNDING = 1e-15  # of θ̇² at the start of a panel that arrives at one
 STILL_ACCELERATION = 1e-15
 # Below this speed panels may be narrower than the tables go: a hoop that starts or turns at the speed θ̇ has a
 # scale of θ̇²/θ̈.
@@ -150,6 +152,29 @@ def turning_point_ahead(body, panel, totals, scratch):
     return 0.0
 
 
+@lean_jit
+def solve_arrival(body, before, ahead, work):
+    """A panel up to the turning point about `ahead` from the start of a linear one; returns (panel, totals).
+
+    `ahead` is as good as a panel that is not resolved. The turning point is moved to where this one, which goes back
+    from there, finds θ̇² at the start as it is.
+    """
+    power = 1.0  # of `ahead` in θ̇² at the start
+    panel = arriving_panel(body, before, ahead)
+    totals = solve(body, panel, work)
+    for _ in range(MOST_MOVES):
+        if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:
+            break
+        moved = ahead * math.pow(before.u / totals.u, 1.0 / power)
+        panel = arriving_panel(body, before, moved)
+        u = totals.u
+        totals = solve(body, panel, work)
+        if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:
+            power = min(max(math.log(totals.u / u) / math.log(moved / ahead), 0.25), 4.0)
+        ahead = moved
+    return panel, totals
+
+
 @inline_jit
 def choose_panel(body, sigma, state, level, extent, scratch):
     """A panel from here, as wide as is resolved.
@@ -186,8 +211,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
                 level = min(level + int(math.floor(2.0 * math.log2(panel.extent / ahead))) - 3, finest)
                 continue
             if ahead > 0.0:
-                arrival = arriving_panel(body, panel, ahead)
-                totals = solve(body, arrival, work)
+                arrival, totals = solve_arrival(body, panel, ahead, work)
                 if totals.tail <= RESOLVED:
                     return arrival, totals, START_LEVEL
         level = narrower(level, size)
@@ -306,7 +330,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
             loss = dot(scratch.weights, work[LOSS])
     else:
         tau = totals.time
-        u = totals.u
+        u = 0.0 if panel.kind == ARRIVE else totals.u
         vt = totals.vt
         loss = totals.loss
     tau = max(tau, 0.0)
