@@ -132,6 +132,35 @@ def test_the_impact_is_the_limit_of_ordinary_slip():
     assert errors[2] < 0.2 * errors[0] + 1e-9
 
 
+@pytest.mark.parametrize("omega", [20.0, 30.0, 37.0, 45.0])
+@pytest.mark.parametrize("speed", [10.0, 30.0, 39.0])
+def test_the_impact_closes_the_ledger_where_the_moment_of_inertia_is_small(omega, speed):
+    """The impulse has no normal work; from q/κ it would have, as the last panel ends 1e-14 rad before p = 0."""
+    hoop = hh.Hoop(eccentricity=0.9128464310036214, inertia_ratio=0.00013391426767761817)
+    start = hh.Start(angle=-3.32, vx=speed, omega=omega)
+    motion = hh.simulate(hoop, hh.Plane(mu=0.9864259833341639), start, duration=6.0)
+    assert motion.find("painleve_inconsistent")
+    assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range
+
+
+@pytest.mark.parametrize(
+    ("hoop", "plane", "start"),
+    [  # at the top the singular angle is 1e-11 rad away, and the arm of the normal force is zero
+        (hh.Hoop.ideal(1.0 - 4.1e-11), hh.Plane(mu=0.71), hh.Start(vx=-8.68, omega=-0.043)),
+        (hh.Hoop.ideal(1.0 - 1.4e-12), hh.Plane(mu=2.36), hh.Start(vx=-1.6, omega=-0.48)),
+        (
+            hh.Hoop.ideal(0.9999999999976574, radius=1.033069641828321, mass=4.611411676610286),
+            hh.Plane(mu=0.57791866516764, slope=-0.7396073216713517, impact_law="poisson", painleve="impact"),
+            hh.Start(vx=-2.434263341914896, omega=-1.846214099227036, vy=1.4017369727992153),
+        ),
+    ],
+)
+def test_hoops_of_almost_no_ring(hoop, plane, start):
+    motion = hh.simulate(hoop, plane, start, duration=6.0)
+    assert motion.find("jam") or motion.find("painleve_inconsistent")
+    assert abs(motion.ledger.residual) < 1e-9 * motion.ledger.range
+
+
 def test_jam():
     """p and f_n go to zero together: recorded with the angle, and the run ends with a status that says so."""
     plane = hh.Plane(mu=1.219)

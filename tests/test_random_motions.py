@@ -253,3 +253,21 @@ def test_an_event_time_is_on_its_own_side(speed):
             assert motion.at(t, side="left").mode == events[0].from_mode
             assert motion.at(t).omega == pytest.approx(events[-1].omega, rel=1e-12, abs=1e-12)
             assert motion.at(t, side="left").omega == pytest.approx(events[0].before.omega, rel=1e-12, abs=1e-12)
+
+
+def test_a_small_rate_beside_a_turning_point_has_its_digits():
+    """In slip: θ̇ = α (t − t_m) as t → t_m, and the energy with it."""
+    motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=0.1), hh.Start(angle=2.5, vx=5.0), duration=4.0)
+    turns = [event for event in motion.find("turn") if event.to_mode != "R"]
+    assert turns
+    whole = motion.at(0.0).total
+    for turn in turns:
+        before = turn.t - np.array([1e-3, 1e-5, 1e-7, 1e-9])
+        after = turn.t + np.array([1e-3, 1e-5, 1e-7, 1e-9])
+        slopes = [motion.at(times).omega / (times - turn.t) for times in (before, after)]
+        for slope in slopes:
+            assert slope[2] == pytest.approx(slopes[0][1], rel=1e-4)
+            assert slope[3] == pytest.approx(slopes[0][1], rel=1e-4)
+        sample = motion.at(np.concatenate([before, after]))
+        lost = sample.friction + sample.impact_normal + sample.impact_tangential
+        assert np.abs(sample.total + lost - whole).max() < 1e-13 * motion.ledger.range

@@ -32,6 +32,7 @@ from hophoop.physics.panel import (
     ARRIVE,
     COSINE,
     LEAVE,
+    LINEAR,
     LOSS,
     RATE,
     RESOLVED,
@@ -307,6 +308,18 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span
     return xi, what
 
 
+@lean_jit
+def u_between(panel, xi, weights, values):
+    """θ̇² at ξ of a slip panel; beside a turning point by θ̇²/s², so that also a small θ̇ has its digits."""
+    if panel.kind == LINEAR:
+        return dot(weights, values)
+    end = 1.0 if panel.kind == ARRIVE else -1.0
+    result = 0.0
+    for i in range(ORDER):
+        result += weights[i] * (values[i] / ((end - NODES[i]) * (end - NODES[i])))
+    return result * ((end - xi) * (end - xi))
+
+
 @inline_jit
 def state_on_panel(body, panel, totals, state, xi, scratch):
     """The state at ξ of a solved panel that began in `state`."""
@@ -325,7 +338,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
             vt = 0.0
             loss = 0.0
         else:
-            u = dot(scratch.weights, work[U])
+            u = u_between(panel, xi, scratch.weights, work[U])
             vt = dot(scratch.weights, work[SLIP])
             loss = dot(scratch.weights, work[LOSS])
     else:
