@@ -47,6 +47,14 @@ def test_falls_are_where_numpy_has_roots():
         assert col.first_fall(series, 0.0, stack) == pytest.approx(roots[0], abs=2e-14)
 
 
+def test_what_is_no_number_falls_nowhere():
+    stack = np.zeros((col.DEPTH + 3, col.ORDER + 2))
+    for bad in (np.nan, np.inf):
+        series = np.ones(col.ORDER)
+        series[3] = bad
+        assert col.first_fall(series, 0.0, stack) == col.NOT_FOUND
+
+
 def test_a_resolved_function_stays_near_the_range_of_its_nodes():
     """What lets `fall_of` pass over margins: below its lowest node it goes by less than the range of the nodes."""
     random = np.random.default_rng(6)

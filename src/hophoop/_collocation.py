@@ -275,8 +275,8 @@ def first_fall_after(series, begin, floor, stack):
     spread = 0.0
     for k in range(1, ORDER):
         spread += abs(series[k])
-    if abs(series[0]) > spread or spread == 0.0:
-        return NOT_FOUND
+    if abs(series[0]) > spread or spread == 0.0 or not spread < math.inf:
+        return NOT_FOUND  # also of nan, which no halving would get rid of
     for k in range(ORDER):
         stack[0, k] = series[k]
     stack[0, ORDER] = -1.0
