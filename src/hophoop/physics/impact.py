@@ -138,7 +138,7 @@ def impact(body, rest, s, c, vt, vn):
 
 
 @jit
-def singular_slip(body, s, c, ahead, vt, om):
+def singular_slip(body, s, c, exact, ahead, vt, om):
     """Slip that has run into p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
 
     Along it θ̇ and v_t change linearly. It ends where the slip stops; or where θ̇ has been turned round, so that
@@ -146,8 +146,10 @@ def singular_slip(body, s, c, ahead, vt, om):
 
     Parameters
     ----------
+    exact : bool
+        Whether it has come to p_σ = 0, `ahead` of (s, c), and not only near it with f_n → 0.
     ahead : float
-        Angle from (s, c) to p_σ = 0; 0 where f_n → 0 before it.
+        [rad].
 
     Returns
     -------
@@ -156,12 +158,14 @@ def singular_slip(body, s, c, ahead, vt, om):
         Velocities after, normal impulse, and the loss −∫ v_t dP_t.
     """
     sigma = 1.0 if vt > 0.0 else -1.0
-    arm, lever = contact_arms(body, s + ahead * c, c - ahead * s)
-    turn, rate, _ = slip_rates(body, arm, lever, -sigma * body.mu_k)
-    if ahead != 0.0:
+    if exact:
         # p_σ = 0 makes q/κ = −1/(ε sin θ); from q, as κ → 0, rounding would be all that is left
+        arm, lever = contact_arms(body, s + ahead * c, c - ahead * s)
         turn = -1.0 / lever
         rate = arm / lever - sigma * body.mu_k
+    else:
+        arm, lever = contact_arms(body, s, c)
+        turn, rate, _ = slip_rates(body, arm, lever, -sigma * body.mu_k)
     stop = -vt / rate if vt * rate < 0.0 else math.inf
     pull = body.eps * c
     if turn * om > 0.0:
@@ -181,15 +185,16 @@ def singular_slip(body, s, c, ahead, vt, om):
 
 @jit
 def singular_angle(body, s, c, u, sigma):
-    """(found, ahead): whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam).
+    """(found, exact, ahead): whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam).
 
-    In the first case `ahead` is the angle to go, some 10⁻¹⁴ rad; in the second it is 0.
+    In the first case, the exact one, `ahead` is the angle to go, some 10⁻¹⁴ rad.
     """
     pull = sigma * body.mu_k
     torque = slip_torque_arm(body, s, c, sigma)
     slope = body.eps * c * torque + body.eps * s * body.eps * (c - pull * s)
     distance = slip_stiffness(body, s, c, sigma)
     if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):
-        return True, -distance / slope
+        return True, True, -distance / slope
     opening = abs(body.gn - body.eps * c * u)
-    return abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u), 0.0
+    near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)
+    return near, False, 0.0

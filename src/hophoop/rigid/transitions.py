@@ -116,10 +116,10 @@ def pass_singular(body, mode, state, events, count):
     s = math.sin(state.th)
     c = math.cos(state.th)
     sigma = slip_direction(mode)
-    found, ahead = singular_angle(body, s, c, state.om * state.om, sigma)
+    found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma)
     if not found:
         return False, UNDECIDED, state, count
-    jams, vt, om, p_n, loss = singular_slip(body, s, c, ahead, state.vt, state.om)
+    jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss
     after = State(state.t, state.x, 0.0, state.th, vt, 0.0, om, state.friction, state.impact_n, losses)
