@@ -13,7 +13,7 @@ from hophoop._jit import announce_compilation
 from hophoop.physics.body import Status
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import State
+from hophoop.rigid.state import start_state
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
 from hophoop.scenario.scenario import time_unit, to_body
 from hophoop.trajectory import Trajectory
@@ -93,17 +93,13 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     second = time_unit(hoop, plane)
     given = scenario.start.state(hoop)
     speed = hoop.radius / second
-    start = State(
-        0.0,
+    start = start_state(
         given.x / hoop.radius,
         given.height / hoop.radius,
         given.angle,
         given.slip / speed,
         given.vy / speed,
         given.omega * second,
-        0.0,
-        0.0,
-        0.0,
     )
     body = to_body(hoop, plane)
     announce_compilation(run)

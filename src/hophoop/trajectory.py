@@ -127,7 +127,7 @@ class Trajectory:
         raw = self._sample(self._kernel_times(times.ravel()), side == "left")
         columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
         unit = self._units
-        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name != "mode"}
+        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in ("mode", "theta")}
         values["mode"] = _LETTERS[columns["mode"].astype(int)]
         values["t"] = times
         kinetic, potential = self._energies(columns)
@@ -297,15 +297,16 @@ class Trajectory:
         hoop, plane = self.scenario.hoop, self.scenario.plane
         eps, kap = hoop.eccentricity, hoop.inertia_ratio
         weight = 1.0 if plane.gravity > 0.0 else 0.0
-        sine = np.sin(columns["angle"])
+        theta = columns.get("theta", columns["angle"])  # within the turn, where there is such a column
+        sine = np.sin(theta)
         omega = columns["omega"]
         with np.errstate(invalid="ignore"):
             # from v_t, which keeps its digits: ẋ_G = v_t + θ̇ (1 + ε cos θ)
-            height = 2.0 * np.cos(0.5 * columns["angle"]) ** 2  # 1 + cos θ, exact also near θ = π
+            height = 2.0 * np.cos(0.5 * theta) ** 2  # 1 + cos θ, exact also near θ = π
             along = columns["slip"] + omega * ((1.0 - eps) + eps * height)
             up = columns["vy"] - eps * omega * sine
             kinetic = 0.5 * (along**2 + up**2 + kap * omega**2)
-        drop = columns["height"] - 2.0 * eps * np.sin(0.5 * columns["angle"]) ** 2
+        drop = columns["height"] - 2.0 * eps * np.sin(0.5 * theta) ** 2
         potential = weight * (
             math.cos(plane.slope) * drop - math.sin(plane.slope) * (columns["x"] + eps * sine)
         )
@@ -340,7 +341,7 @@ _JSON_STATE: Sequence[str] = ("x", "height", "angle", "vx", "vy", "omega")
 
 
 def _columns(row: np.void) -> dict[str, Any]:
-    return {name: row[name] for name in ("x", "height", "angle", "slip", "vy", "omega")}
+    return {name: row[name] for name in ("x", "height", "angle", "theta", "slip", "vy", "omega")}
 
 
 def _number(value: float) -> float | None:
