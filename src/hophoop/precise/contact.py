@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import Enum, auto
 from typing import NamedTuple
 
+from hophoop.precise.jam import NEAR, approach, ending, missing_angle
 from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction
 from hophoop.precise.problem import Body, Number, State
 from hophoop.precise.rules import cone_margins, direction, tie_exponent
@@ -52,7 +53,19 @@ def advance(body: Body, judge: Judge, mode: int, state: State, zeros: int, t_end
     fresh = True
     exponent = _first_exponent(body, sigma, state)
     begin = state
+    tried = body.ctx.mpf(NEAR)
     while True:
+        if sigma != 0 and state.om != 0:
+            missing = missing_angle(body, state, sigma)
+            if 0 < missing < tried:
+                tried = missing / 4
+                ahead = approach(body, state, sigma)
+                if ahead is not None:
+                    jams, end = ending(ahead)
+                    if end.t > t_end:
+                        tried = body.zero  # time is over before
+                    else:
+                        return Done(Advance.JAM if jams else Advance.STOP, end)
         step = expand(body, sigma, state, exponent, order)
         while step is None or step.reach < 1 << (body.bits - 2):
             exponent -= 1 if step is not None else 4
@@ -76,10 +89,7 @@ def advance(body: Body, judge: Judge, mode: int, state: State, zeros: int, t_end
             following = _whole_turns(body, begin, state, step, part, following, t_end)
             begin = begin._replace(om=body.zero)  # once is enough
         state = following
-        if step.reach > 19 << (body.bits - 3 - 1):
-            exponent += 1
-        elif step.reach < 9 << (body.bits - 4):
-            exponent -= 1
+        exponent += step.room
         fresh, zeros = False, 0
 
 

@@ -117,12 +117,19 @@ class Run:
             )
         )  # fmt: skip
 
+    def write_cause(self, kind: Event, before: int | None, after: int, cause: dict[str, Any]) -> None:
+        """The event, and Kane's gain after it where there is one."""
+        gain = cause.pop("gain", None)
+        self.write(kind, before, after, **cause)
+        if gain:
+            self.write(Event.KANE_GAIN, after, after, gain=gain)
+
     def settle(self, kind: Event, before: int | None, **cause: Any) -> None:
         """Apply the mode rule after an event, writing it and every paradox met on the way."""
         body, judge = self.body, self.judge
         for _ in range(8):
             if self.state.vn > 0:
-                self.write(kind, before, Mode.FLIGHT, **cause)
+                self.write_cause(kind, before, Mode.FLIGHT, cause)
                 self.enter(Mode.FLIGHT)
                 return
             mode = next_mode(body, judge, self.state)
@@ -131,10 +138,7 @@ class Run:
                 named = Mode.ROLL if self.state.vt == 0 else slip_mode(1 if self.state.vt > 0 else -1)
             if kind == Event.STICK and named != Mode.ROLL:
                 kind = Event.TAKEOFF if named == Mode.FLIGHT else Event.SLIP_REVERSAL
-            gain = cause.pop("gain", None)
-            self.write(kind, before, named, **cause)
-            if gain:
-                self.write(Event.KANE_GAIN, before, named, gain=gain)
+            self.write_cause(kind, before, named, cause)
             if mode <= Mode.SKIM:
                 self.enter(mode)
                 return

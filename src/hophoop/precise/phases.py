@@ -7,6 +7,7 @@ out on the way.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from operator import mul
@@ -29,6 +30,7 @@ class Step:
     normal: Sequence[int]
     friction: Sequence[int]  # F
     reach: int = 0
+    room: int = 0
 
 
 def order_for(bits: int) -> int:
@@ -61,7 +63,7 @@ def expand(body: Body, sigma: int, state: State, exponent: int, order: int) -> S
     if sigma != 0:
         slip = _slip_velocity(fixed, sigma, body.integer(state.vt), omega, sines, cosines, exponent)
     step = Step(exponent, integral(scaled(omega[:order], exponent)), omega, slip, normal, friction)
-    step.reach = _reach(fixed.bits, om, step)
+    step.reach, step.room = _reach(fixed.bits, om, step)
     return step
 
 
@@ -171,15 +173,21 @@ def _slip_velocity(
     return slip
 
 
-def _reach(bits: int, om: int, step: Step) -> int:
-    """How far in s the last terms stay below rounding; above 1 where they would farther than that."""
+def _reach(bits: int, om: int, step: Step) -> tuple[int, int]:
+    """(how far in s, up to 1, the last terms stay below rounding; the change of the exponent for which that is 1)."""
     slack = max(om.bit_length() - bits, 0)
-    worst = -8.0
+    worst, room = 0.0, 2.0
     for series in (step.omega, step.normal):
-        size = len(series)
-        for k in range(max(size - 4, 1), size):
-            worst = max(worst, (abs(series[k]).bit_length() - slack) / k)
-    return int(2.0 ** (bits - max(worst, -8.0))) if bits < 900 else int(2.0 ** (-worst + 60)) << (bits - 60)
+        size = len(series) - 1
+        tail = max((abs(series[k]).bit_length() - slack) / k for k in range(size - 3, size + 1))
+        worst = max(worst, tail)
+        # the last terms may be rounding alone: those well above it tell how fast the terms shrink
+        k = size
+        while k > 1 and abs(series[k]).bit_length() - slack < bits // 4:
+            k -= 1
+        if k > 1:
+            room = min(room, (bits + slack - abs(series[k]).bit_length()) / k - bits / size)
+    return int(2.0 ** (60 - worst)) << (bits - 60), math.floor(room + 0.3)
 
 
 def work_of_friction(step: Step, fixed: Fixed, until: int) -> int:
