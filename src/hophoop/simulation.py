@@ -10,6 +10,7 @@ import numpy as np
 
 import hophoop
 from hophoop._jit import announce_compilation
+from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until
 from hophoop.physics.body import Status
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
@@ -131,16 +132,25 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     scratch = new_scratch()
     events_size = min(FIRST_EVENTS, contact.max_events)
     segments_size = FIRST_SEGMENTS
+    script = NO_SCRIPT
+    decisions = 0
     while True:
         events = np.empty(events_size, EVENT)
         segments = np.empty(segments_size, SEGMENT)
         status, count, pieces = run(
-            body, start, scenario.duration / second, math.nan, 0, events, segments, scratch
+            body, start, scenario.duration / second, math.nan, 0, events, segments, scratch, script
         )
         if status == Status.BUFFER:
             segments_size *= 4
         elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
             events_size = min(4 * events_size, contact.max_events)
+        elif decisions < MOST and scratch.doubt[1] <= latest(scenario):
+            # later doubts are decided together, so that each is not solved for from the start anew
+            decisions += 1
+            found = script_until(scenario, min(scratch.doubt[1] * (1.0 if decisions == 1 else 1.5), latest(scenario)))
+            if not found.size or len(found) > contact.max_events:
+                break
+            script = found
         else:
             break
     if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state

@@ -42,6 +42,7 @@ def evaluate_thread(
             cuda.local.array(ORDER, float64),
             cuda.local.array(ORDER, float64),
             cuda.local.array((STACK_ROWS, STACK_COLUMNS), float64),
+            cuda.local.array(2, float64),
         )
         room = events.shape[1] - PASSING
         done = evaluate_cell(

@@ -9,10 +9,10 @@ from numba import prange
 
 from hophoop._jit import jit, parallel_jit
 from hophoop.physics.body import Body, Event, Mode, Status
-from hophoop.physics.contact import free_acceleration, rolling_forces
+from hophoop.physics.contact import rolling_forces
 from hophoop.physics.roll import rolling_u
 from hophoop.rigid.contact_phase import STOP, limits_of
-from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, run
+from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, opening_of, run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.state import start_state, state_of, whole_angle
 from hophoop.rigid.transitions import collide
@@ -205,14 +205,7 @@ def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, n
     state = state_of(row)
     if body.gn == 0.0:
         return
-    opening = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
-    if state.vn > 0.0:
-        zeros = 1
-    elif opening > 1e-13 * (body.gn + state.om * state.om):
-        zeros = 2
-    else:
-        zeros = 3
-        opening = 0.0
+    opening, zeros = opening_of(body, state)
     what, landed, apexes, _ = fly(
         body, state, opening, zeros, limits_of(state, FOREVER, math.nan), passing, 0, segments, 0, scratch
     )
@@ -352,7 +345,7 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
     most = int(cells[MAX_EVENTS, k])
     if events.shape[0] > most:
         events = events[:most]
-    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch)
+    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch, events[:0])
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
         count = beyond + 1

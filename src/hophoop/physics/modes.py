@@ -138,8 +138,14 @@ def next_mode(body, th, th_low, om, vt):
                     return slip_mode(sigma)
         if opening_sign(body, th, om) >= 0:
             return FLIGHT
-        # μ = ∞: rolling would need to pull and free motion would enter the plane
-        return UNDECIDED
+        if math.isinf(body.mu_k):
+            return UNDECIDED  # rolling would need to pull and free motion would enter the plane
+        # for f_n < 0 just one of roll and slip exists: rounding hides which
+        friction, normal = rolling_forces(body, math.sin(th), math.cos(th), om * om)
+        a, b = cone_weights(body.mu_s)
+        if a * normal >= b * abs(friction):
+            return ROLL
+        return slip_mode(-1 if friction > 0.0 else 1)
     sigma = 1 if vt > 0.0 else -1
     s = math.sin(th)
     c = math.cos(th)

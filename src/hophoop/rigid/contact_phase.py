@@ -68,6 +68,7 @@ from hophoop.physics.panel import (
 )
 from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
+from hophoop.rigid.doubts import CLOSE, grazes_zero, note_doubt
 from hophoop.rigid.state import (
     State,
     at_time,
@@ -359,7 +360,7 @@ def fall_of(row, state_is_fresh, floor, scratch):
 
 
 @inline_jit
-def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
+def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 
     Simultaneous events: the cone (roll), then lift-off before the end of slip, then the limits.
@@ -367,8 +368,15 @@ def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
     work = scratch.work
     xi = NOT_FOUND
     what = ON
-    if panel.sigma == 0:
+    if blind:
+        pass
+    elif panel.sigma == 0:
         roll_margins(body, work)
+        scale = body.gn + abs(body.gt) + panel.u
+        if 0.0 < body.mu_s < math.inf and (
+            grazes_zero(work[A], scale, scratch) or grazes_zero(work[B], scale, scratch)
+        ):
+            note_doubt(scratch, state.t, state.t + totals.time)
         rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
         found = fall_of(work[A], fresh, rounding, scratch)
         if found < xi:
@@ -386,6 +394,11 @@ def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
                 for _ in range(zeros):
                     value /= 0.5 * (1.0 + NODES[i])
             work[B, i] = value
+        if body.mu_k > 0.0 and (
+            grazes_zero(work[A], body.gn + panel.u, scratch)
+            or grazes_zero(work[B], abs(panel.vt) + math.sqrt(panel.u), scratch)
+        ):
+            note_doubt(scratch, state.t, state.t + totals.time)
         found = fall_of(work[A], fresh, 0.0, scratch)
         if found < xi:
             xi = found
@@ -395,6 +408,8 @@ def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
         found = fall_of(work[B], fresh, rounding, scratch)
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
+        if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:
+            note_doubt(scratch, state.t, state.t + totals.time)
         if found < xi:
             xi = found
             what = STOP
@@ -525,13 +540,15 @@ def shortened(body, panel, totals, state, left, scratch):
 
 
 @inline_jit
-def advance_contact(body, mode, state, fresh, zeros, level, limits, scratch, segments, count):
+def advance_contact(body, mode, state, fresh, blind, zeros, level, limits, scratch, segments, count):
     """Roll or slip over one panel or up to the first event in it.
 
     Parameters
     ----------
     fresh : bool
         Whether the phase begins here; margins that are zero at its begin are no events then.
+    blind : bool
+        Whether the phase is known to last until the end of time, so that no event is looked for.
     zeros : int
         How often v_t is zero at the begin of a fresh slip phase.
 
@@ -555,7 +572,7 @@ def advance_contact(body, mode, state, fresh, zeros, level, limits, scratch, seg
     panel, totals = shortened(body, panel, totals, state, time_left(state, limits.t_end), scratch)
     if not totals.tail <= RESOLVED:
         return STUCK, state, level, count
-    xi, what = earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch)
+    xi, what = earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch)
     after = state_on_panel(body, panel, totals, state, xi, scratch)
     if what == STOP:
         after = with_velocities(after, 0.0, after.vn, after.om)

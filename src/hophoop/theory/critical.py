@@ -59,7 +59,7 @@ class _Trials:
         """Events of the motion up to its first lift-off, its turning back or the end of the turns."""
         start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
         stop = STOP_AT_TURN | STOP_AT_TAKEOFF
-        _, count, _ = run(body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch)
+        _, count, _ = run(body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch, self.events[:0])
         return self.events[:count]
 
     def hops(self, body: Body, speed: float) -> bool:
