@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 import hophoop
-from hophoop._jit import announce_compilation
 from hophoop.physics.body import Status
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
@@ -127,7 +126,6 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
         given.omega * second,
     )
     body = to_body(hoop, plane)
-    announce_compilation(run)
     scratch = new_scratch()
     events_size = min(FIRST_EVENTS, contact.max_events)
     segments_size = FIRST_SEGMENTS
