@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 import hophoop
+from hophoop._jit import precompile
 from hophoop.physics.body import Status
+from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.state import start_state
@@ -110,6 +112,25 @@ def simulate(
     else:
         status, events, segments = _simulate_rigid(scenario, scenario.contact)
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
+
+
+def compile_beside() -> None:
+    """Compile what rigid motions need in a process beside, where there is no compiled code yet.
+
+    For what computes motions for long enough to be worth it; `simulate` does the same by itself after a while.
+    """
+    scenario = Scenario()
+    body = to_body(scenario.hoop, scenario.plane)
+    events, segments, scratch = np.empty(1, EVENT), np.empty(1, SEGMENT), new_scratch()
+    start = State(*(0.0,) * len(State._fields))
+    times = np.zeros(1)
+    out = np.empty((1, len(sampling.COLUMNS)))
+    precompile(
+        [
+            (run, (body, start, 1.0, math.nan, 0, events, segments, scratch)),
+            (sampling.sample, (body, segments, times, False, out)),
+        ]
+    )
 
 
 def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray]:

@@ -7,7 +7,6 @@ import contextlib
 import os
 import pickle
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -17,6 +16,7 @@ from typing import IO, Any
 
 from hophoop._jit.kernels import Source
 from hophoop._jit.store import folder_of, is_ready, reachable, root_folder
+from hophoop._processes import python_beside
 
 Wanted = Sequence[tuple[Source, Any]]
 
@@ -71,7 +71,7 @@ class Job:
 
 _jobs: dict[tuple[Source, Any], Job] = {}
 _lock = threading.RLock()
-START = "import sys; sys.path[:] = {path!r}; from hophoop._jit.dispatchers import main; main()"
+START = "from hophoop._jit.dispatchers import main; main()"
 
 
 def start(wanted: Wanted) -> Job:
@@ -84,6 +84,26 @@ def start(wanted: Wanted) -> Job:
         return _jobs[wanted[-1]]
 
 
+def launch(code: str, stdin: int = subprocess.DEVNULL) -> subprocess.Popen[bytes]:
+    """Start Python on code that compiles kernels into the folder of this process; it goes on when this one ends.
+
+    Raises
+    ------
+    OSError
+        If no process can be started.
+    """
+    environment = {name: value for name, value in os.environ.items() if name != "NUMBA_DISABLE_JIT"}
+    environment |= {"NUMBA_CACHE_DIR": str(root_folder()), "HOPHOOP_KERNELS": "compiled"}
+    return python_beside(
+        code,
+        stdin=stdin,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env=environment,
+        start_new_session=True,
+    )
+
+
 def _start(wanted: Wanted) -> Job:
     folder = folder_of(wanted[0][0])
     progress = folder / f"{os.getpid()}-{len(_jobs)}.progress"
@@ -93,21 +113,10 @@ def _start(wanted: Wanted) -> Job:
             str(progress),
         )
     )
-    environment = {
-        name: value for name, value in os.environ.items() if name not in ("NUMBA_DISABLE_JIT", "HOPHOOP_KERNELS")
-    }
-    environment |= {"NUMBA_CACHE_DIR": str(root_folder()), "HOPHOOP_KERNELS": "compiled"}
     process = None
     with contextlib.suppress(OSError, ValueError):
         folder.mkdir(parents=True, exist_ok=True)
-        process = subprocess.Popen(
-            [sys.executable, "-c", START.format(path=sys.path)],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            env=environment,
-            start_new_session=True,
-        )
+        process = launch(START, stdin=subprocess.PIPE)
         pipe = process.stdin
         assert pipe is not None
         with contextlib.suppress(OSError), pipe:
