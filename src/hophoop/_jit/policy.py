@@ -165,11 +165,11 @@ class Kernel(Source):
         return self._try_interpreted(call, arguments)
 
     def _unknown(self, *arguments: Any) -> Any:
-        # compiled code is there, but for arguments of other kinds
+        # compiled code is there, but for arguments of other kinds; Numba asks for what it is to call instead
         kinds = tuple(describe(value) for value in arguments)
         if kinds in self._loaded:
             return type(self._loaded[kinds])._compile_for_args(self._loaded[kinds], *arguments)  # type: ignore[attr-defined]
-        return self._choose(*arguments)
+        return self._choose
 
     def _interpret(self, *arguments: Any) -> Any:
         with np.errstate(all="ignore"):
