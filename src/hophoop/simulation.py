@@ -122,7 +122,7 @@ def compile_beside() -> None:
     scenario = Scenario()
     body = to_body(scenario.hoop, scenario.plane)
     events, segments, scratch = np.empty(1, EVENT), np.empty(1, SEGMENT), new_scratch()
-    start = State(*(0.0,) * len(State._fields))
+    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     times = np.zeros(1)
     out = np.empty((1, len(sampling.COLUMNS)))
     precompile(

@@ -47,7 +47,7 @@ class _PartLowering(NativeLowering):  # type: ignore[misc]
         super().run_pass(state)
         made = state["cr"]
 
-        part = {}.get  # Numba wants a builtin for a key, one for each; nobody calls it
+        part: Any = {}.get  # Numba wants a builtin for a key, one for each; nobody calls it
         state.targetctx.insert_user_function(part, made.fndesc, [library])
         state["cr"] = _LowerResult(made.fndesc, made.call_helper, cfunc=part, env=made.env)
         return True
