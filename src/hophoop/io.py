@@ -18,10 +18,10 @@ import warnings
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.metadata import version as installed_version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numba
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -334,7 +334,7 @@ def _attributes(motion: Trajectory) -> dict[str, str]:
             {
                 "python": platform.python_version(),
                 "numpy": np.__version__,
-                "numba": numba.__version__,
+                "numba": installed_version("numba"),
                 "machine": f"{platform.system()} {platform.machine()}",
             }
         ),

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 import hophoop
-from hophoop._jit import announce_compilation
+from hophoop._jit import precompile
 from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until
 from hophoop.physics.body import Status
+from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.state import start_state
@@ -114,6 +115,25 @@ def simulate(
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
 
 
+def compile_beside() -> None:
+    """Compile what rigid motions need in a process beside, where there is no compiled code yet.
+
+    For what computes motions for long enough to be worth it; `simulate` does the same by itself after a while.
+    """
+    scenario = Scenario()
+    body = to_body(scenario.hoop, scenario.plane)
+    events, segments, scratch = np.empty(1, EVENT), np.empty(1, SEGMENT), new_scratch()
+    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    times = np.zeros(1)
+    out = np.empty((1, len(sampling.COLUMNS)))
+    precompile(
+        [
+            (run, (body, start, 1.0, math.nan, 0, events, segments, scratch, NO_SCRIPT)),
+            (sampling.sample, (body, segments, times, False, out)),
+        ]
+    )
+
+
 def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray]:
     hoop, plane = scenario.hoop, scenario.plane
     second = time_unit(hoop, plane)
@@ -128,7 +148,6 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
         given.omega * second,
     )
     body = to_body(hoop, plane)
-    announce_compilation(run)
     scratch = new_scratch()
     events_size = min(FIRST_EVENTS, contact.max_events)
     segments_size = FIRST_SEGMENTS

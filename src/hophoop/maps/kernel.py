@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import prange
 
-from hophoop._jit import jit, parallel_jit
+from hophoop._jit import jit
 from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.physics.contact import rolling_forces
 from hophoop.physics.roll import rolling_u
@@ -120,7 +119,7 @@ def is_passing(kind):
 @jit
 def leaves_plane(row):
     """Whether the rim leaves the plane at this event."""
-    return row.after_mode == FLIGHT and row.height == 0.0 and not row.vy < 0.0 and not is_passing(row.kind)
+    return row["after_mode"] == FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
 
 
 @jit
@@ -178,19 +177,19 @@ def greatest_utilisation(body, events, last):
     result = math.nan
     for i in range(last + 1):
         row = events[i]
-        if row.kind == SLIP_START or (row.kind == TAKEOFF and row.before_mode == ROLL):
+        if row["kind"] == SLIP_START or (row["kind"] == TAKEOFF and row["before_mode"] == ROLL):
             return 0.0 if math.isinf(body.mu_s) else 1.0
     for i in range(last):
         row = events[i]
-        if not events[i + 1].t > row.t:
+        if not events[i + 1]["t"] > row["t"]:
             continue
         used = math.nan
-        if row.after_mode == ROLL:
+        if row["after_mode"] == ROLL:
             used = 0.0
             if 0.0 < body.mu_s < math.inf:
-                turned = events[i + 1].angle - row.angle
-                used = greatest_need(body, row.angle, row.omega * row.omega, turned) / body.mu_s
-        elif row.after_mode == SPIN or row.after_mode == SKID:
+                turned = events[i + 1]["angle"] - row["angle"]
+                used = greatest_need(body, row["angle"], row["omega"] * row["omega"], turned) / body.mu_s
+        elif row["after_mode"] == SPIN or row["after_mode"] == SKID:
             used = body.mu_k / body.mu_s if body.mu_s > 0.0 else 1.0
         if not used <= result and not math.isnan(used):
             result = min(used, 1.0)
@@ -200,8 +199,8 @@ def greatest_utilisation(body, events, last):
 @jit
 def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, numbers, k):
     """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
-    numbers[k, TAKEOFF_TIME] = row.t * second
-    numbers[k, TAKEOFF_ANGLE] = row.angle
+    numbers[k, TAKEOFF_TIME] = row["t"] * second
+    numbers[k, TAKEOFF_ANGLE] = row["angle"]
     state = state_of(row)
     if body.gn == 0.0:
         return
@@ -211,7 +210,7 @@ def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, n
     )
     if what != STOP:
         return
-    numbers[k, HOP_HEIGHT] = (passing[0].height if apexes > 0 else 0.0) * unit
+    numbers[k, HOP_HEIGHT] = (passing[0]["height"] if apexes > 0 else 0.0) * unit
     numbers[k, FLIGHT_TIME] = (landed.t - state.t) * second
     numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * unit
     numbers[k, LANDING_ANGLE] = whole_angle(landed)
@@ -226,7 +225,7 @@ def first_beyond(events, count, angle_span):
     """Index of the first event at which the motion has turned by the span, or the last one."""
     if not math.isnan(angle_span):
         for i in range(count):
-            if abs(events[i].angle - events[0].angle) >= angle_span:
+            if abs(events[i]["angle"] - events[0]["angle"]) >= angle_span:
                 return i
     return count - 1
 
@@ -247,12 +246,12 @@ def ending_of(status, events, count, stop, cut, t_end):
     end = events[count - 1]
     if count > 1:
         before = events[count - 2]
-        if before.t == end.t:
-            if stop & STOP_AT_TURN and before.kind == TURN:
+        if before["t"] == end["t"]:
+            if stop & STOP_AT_TURN and before["kind"] == TURN:
                 return BY_REVERSAL
-            if stop & STOP_AT_TAKEOFF and before.after_mode == FLIGHT:
+            if stop & STOP_AT_TAKEOFF and before["after_mode"] == FLIGHT:
                 return BY_TAKEOFF
-    return BY_TIME if end.t >= t_end else BY_ANGLE
+    return BY_TIME if end["t"] >= t_end else BY_ANGLE
 
 
 @jit
@@ -266,7 +265,7 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
             hop = i
             break
     # the kernel looks for a take-off after the start only
-    if hop >= 0 and stop & STOP_AT_TAKEOFF and events[hop].t == 0.0:
+    if hop >= 0 and stop & STOP_AT_TAKEOFF and events[hop]["t"] == 0.0:
         cut = True
         count = hop + 1
     last = count - 1
@@ -278,27 +277,27 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
     mode = -1
     mark = -1
     length = 0
-    ended = events[last].t
+    ended = events[last]["t"]
     for i in range(count):
         row = events[i]
-        if i > 0 and first < 0 and row.kind != APEX:
-            first = row.kind
-        if row.kind == INCONSISTENT or row.kind == INDETERMINATE or row.kind == JAM:
+        if i > 0 and first < 0 and row["kind"] != APEX:
+            first = row["kind"]
+        if row["kind"] == INCONSISTENT or row["kind"] == INDETERMINATE or row["kind"] == JAM:
             painleve = 1
-        if row.kind == REST:
-            ended = row.t
-        if i < last and row.after_mode == ROLL:
-            rolled += abs(events[i + 1].x - row.x)
-        if is_passing(row.kind):
+        if row["kind"] == REST:
+            ended = row["t"]
+        if i < last and row["after_mode"] == ROLL:
+            rolled += abs(events[i + 1]["x"] - row["x"])
+        if is_passing(row["kind"]):
             continue
-        if mark >= 0 and row.t > events[mark].t:
-            length = add_letter(keys, k, length, events[mark].after_mode)
+        if mark >= 0 and row["t"] > events[mark]["t"]:
+            length = add_letter(keys, k, length, events[mark]["after_mode"])
         mark = i
-        if row.after_mode == ROLL and mode != ROLL:
-            rolling_since = row.angle
-        mode = row.after_mode
+        if row["after_mode"] == ROLL and mode != ROLL:
+            rolling_since = row["angle"]
+        mode = row["after_mode"]
     if ending == BY_TAKEOFF or length == 0:
-        length = add_letter(keys, k, length, events[last].after_mode)
+        length = add_letter(keys, k, length, events[last]["after_mode"])
     begin = events[0]
     end = events[last]
     words[k, STATUS_WORD] = 0 if cut else status
@@ -307,13 +306,13 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
     words[k, HOP_WORD] = 1 if hop >= 0 else 0
     words[k, PAINLEVE_WORD] = painleve
     numbers[k, TIME] = ended * second
-    numbers[k, END_ANGLE] = end.angle
-    numbers[k, END_SPEED] = end.vx * unit / second
-    numbers[k, DISTANCE] = (end.x - begin.x) * unit
+    numbers[k, END_ANGLE] = end["angle"]
+    numbers[k, END_SPEED] = end["vx"] * unit / second
+    numbers[k, DISTANCE] = (end["x"] - begin["x"]) * unit
     numbers[k, DISTANCE_ROLLED] = rolled * unit
     if mode == ROLL and ending <= BY_REST:
-        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin.angle) / (2.0 * math.pi)
-    lost = end.friction + end.impact_normal + end.impact_tangential
+        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin["angle"]) / (2.0 * math.pi)
+    lost = end["friction"] + end["impact_normal"] + end["impact_tangential"]
     numbers[k, ENERGY_LOST] = lost * energy
     if wanted & UTILISATION_WANTED:
         numbers[k, GREATEST_UTILISATION] = greatest_utilisation(body, events, last)
@@ -372,14 +371,3 @@ def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, numbers, w
             cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, numbers, words, keys
         ):
             events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[MAX_EVENTS, k])), EVENT)
-
-
-@parallel_jit
-def evaluate(cells, angle_span, stop, timed, wanted, numbers, words, keys):
-    """All cells, spread over the cores; what a cell gives does not depend on which core takes it."""
-    count = cells.shape[1]
-    for block in prange((count + BLOCK - 1) // BLOCK):
-        low = block * BLOCK
-        evaluate_block(
-            cells, low, min(low + BLOCK, count), angle_span, stop, timed, wanted, numbers, words, keys
-        )

@@ -112,7 +112,7 @@ def frictionless_mode(body, th, th_low, om):
     s, c = sine_cosine(th, th_low)
     u = om * om
     if body.gt == 0.0:
-        bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + (body.eps * s) ** 2))
+        bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + body.eps * s * body.eps * s))
         drive = s * bend if s != 0.0 else om * c * bend
     else:
         drive = slip_motion(body, s, c, u, 0)[2]

@@ -17,6 +17,7 @@ from hophoop._collocation import (
     first_fall,
     lagrange,
     left_value,
+    versine_of,
     width_of,
 )
 from hophoop._jit import inline_jit, lean_jit
@@ -237,7 +238,7 @@ def narrower(level, size):
 def turns_within(body, panel, reach):
     """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
     while reach >= 0.5 * panel.extent:
-        versine = 2.0 * math.sin(0.5 * reach) ** 2
+        versine = versine_of(reach)
         if u_on_panel(body, panel, panel.way * math.sin(reach), versine, panel.way * reach) < 0.0:
             return True
         reach *= 0.5
@@ -515,7 +516,9 @@ def carried(body, panel, totals, xi, after):
         sine = panel.sine
         if panel.kind == ARRIVE:
             sine += turn(panel.sine, panel.cosine, angle_at(panel, -1.0))[0]
-        growth = (body.kap + (body.eps * sine) ** 2) / (body.kap + (body.eps * s) ** 2)
+        before = body.eps * sine
+        now = body.eps * s
+        growth = (body.kap + before * before) / (body.kap + now * now)
     elif xi < 1.0:
         return with_anchor(after, NONE)
     else:
@@ -530,7 +533,8 @@ def shortened(body, panel, totals, state, left, scratch):
         return panel, totals
     begin = begin_of(body, panel.sigma, state, scratch)
     if panel.kind == LEAVE:
-        extent = panel.extent * (4.0 * left / totals.time) ** 2
+        part = 4.0 * left / totals.time
+        extent = panel.extent * part * part
         short = leaving_panel(panel.sigma, panel.way, extent, begin)
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
+from hophoop._jit import jit, unit_jit
 from hophoop.numerics.double_double import plus
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.contact import free_acceleration
@@ -222,7 +222,7 @@ def is_last_bounce(body, state, after, last):
     return 2.0 * after.vn / (pull * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
 
 
-@jit
+@unit_jit
 def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
     """The motion from a state to the end of time, to an end that the physics sets, or to a limit.
 
@@ -265,6 +265,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
     massless = body.kap == 0.0
     limits = limits_of(state, t_end, angle_span)
     scratch.doubt[0] = math.nan
+    scratch.doubt[1] = math.nan
     # The start.
     row = 0
     last_row = script.shape[0] - 1
