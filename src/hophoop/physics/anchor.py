@@ -17,7 +17,7 @@ import math
 from typing import NamedTuple
 
 from hophoop._collocation import turn_deficits
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit, lean_jit
 from hophoop.numerics.double_double import (
     PI,
     PI_LOW,
@@ -99,7 +99,7 @@ def rolling_anchor(body, th, low, u):
     return Anchor(ROLLING, excess, base, base_low, bend)
 
 
-@lean_jit
+@inline_jit
 def rolling_begin(body, anchor, th, low, s, c, u):
     """(−dV/dθ, d²V/dθ², θ̇²) where a rolling panel begins; the last is as it was without an anchor."""
     torque = body.eps * (body.gn * s + body.gt * c) + body.gt
@@ -194,20 +194,19 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
 
 
 @lean_jit
-def slip_begin(body, anchor, sigma, th, low, s, c, u, series):
-    """(q, κ p_σ, θ̇²) where a slip panel begins; q and θ̇² with all their digits also beside the hilltop."""
-    arm = slip_torque_arm(body, s, c, sigma)
-    if anchor.kind == SLIPPING:
-        psi = offset_from(th, low, anchor.base, anchor.base_low)
-        if abs(psi) < LARGEST_PSI:
-            top = math.sin(anchor.base)
-            side = math.cos(anchor.base)
-            pull = sigma * body.mu_k
-            half = math.sin(0.5 * psi)
-            arm = body.eps * ((side - pull * top) * math.sin(psi) - 2.0 * (top + pull * side) * half * half)
-            if u != 0.0 and abs(psi) <= separatrix(body, sigma, anchor.base, series):
-                high = separatrix_value(series, psi)
-                found = anchor.excess + high
-                if found > CANCELS * (abs(anchor.excess) + high):
-                    u = found
-    return arm, body.kap + body.eps * s * arm, u
+def slip_begin(body, anchor, sigma, th, low, arm, u, series):
+    """(q, θ̇²) where a slip panel begins, from what they are but for rounding: with all digits also beside the hilltop."""
+    psi = offset_from(th, low, anchor.base, anchor.base_low)
+    if not abs(psi) < LARGEST_PSI:
+        return arm, u
+    top = math.sin(anchor.base)
+    side = math.cos(anchor.base)
+    pull = sigma * body.mu_k
+    half = math.sin(0.5 * psi)
+    arm = body.eps * ((side - pull * top) * math.sin(psi) - 2.0 * (top + pull * side) * half * half)
+    if u != 0.0 and abs(psi) <= separatrix(body, sigma, anchor.base, series):
+        high = separatrix_value(series, psi)
+        found = anchor.excess + high
+        if found > CANCELS * (abs(anchor.excess) + high):
+            u = found
+    return arm, u

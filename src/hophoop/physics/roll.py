@@ -55,7 +55,7 @@ def rolling_u(body, th0, u0, offset):
     return _u_after(body, math.sin(th0), math.cos(th0), u0, sine, versine, offset)
 
 
-@lean_jit
+@inline_jit
 def energy_gained(body, panel, sine, versine, offset):
     """Change of D θ̇² on a rolling panel over φ = offset from its reference, with sin φ and 1 − cos φ."""
     gained = sine * panel.arm + versine * panel.stiffness
@@ -64,7 +64,7 @@ def energy_gained(body, panel, sine, versine, offset):
     return 2.0 * gained
 
 
-@lean_jit
+@inline_jit
 def u_on_panel(body, panel, sine, versine, offset):
     """θ̇² on a rolling panel at φ = offset from its reference, with sin φ and 1 − cos φ."""
     inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))

@@ -40,6 +40,7 @@ from hophoop.physics.contact import (
     rolling_acceleration,
     slip_motion,
     slip_stiffness,
+    slip_torque_arm,
 )
 from hophoop.physics.modes import slip_direction
 from hophoop.physics.panel import (
@@ -148,9 +149,7 @@ def at_span(limits, state, way):
 
 @lean_jit
 def counted(body, state):
-    """The state with θ counted in the next turn, where it is too far from the present one."""
-    if abs(state.th) <= FARTHEST:
-        return state
+    """The state with θ counted in the next turn, for one that is too far from the present one."""
     way = 1.0 if state.th > 0.0 else -1.0
     th, low = add((state.th, state.th_low), (-way * TWO_PI, -way * TWO_PI_LOW))
     after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + way, th, low)
@@ -176,7 +175,7 @@ def anchored(body, sigma, state, scratch):
     return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
 
 
-@lean_jit
+@inline_jit
 def begin_of(body, sigma, state, scratch):
     """Where the next panel begins."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -184,9 +183,10 @@ def begin_of(body, sigma, state, scratch):
     if sigma == 0:
         arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
     else:
-        arm, stiffness, u = slip_begin(
-            body, state.anchor, sigma, state.th, state.th_low, s, c, u, scratch.values[0]
-        )
+        arm = slip_torque_arm(body, s, c, sigma)
+        if state.anchor.kind == SLIPPING:
+            arm, u = slip_begin(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
+        stiffness = body.kap + body.eps * s * arm
     return Begin(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
 
 
@@ -340,7 +340,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
 
 
 @lean_jit
-def fall_of(row, state_is_fresh, floor, scale, begin, time, scratch):
+def fall_of(row, state_is_fresh, floor, scale, extent, begin, time, scratch):
     """Where in the panel a margin falls through zero; at its very start if it is negative there already.
 
     A margin that stays above −`floor` counts as the zero that it would be without rounding. One whose smallest value is
@@ -351,7 +351,7 @@ def fall_of(row, state_is_fresh, floor, scale, begin, time, scratch):
     if lowest > highest - lowest:
         return NOT_FOUND
     coefficients(row, scratch.series)
-    if abs(lowest) < NEARBY * scale and grazes_zero(scratch.series, scale, scratch):
+    if abs(lowest) < NEARBY * scale * extent * extent and grazes_zero(scratch.series, scale, scratch):
         note_doubt(scratch, begin, begin + time)
     if not state_is_fresh and left_value(scratch.series) <= 0.0:
         if floor == 0.0:
@@ -380,11 +380,11 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
         if not 0.0 < body.mu_s < math.inf:
             scale = 0.0
         rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
-        found = fall_of(work[A], fresh, rounding, scale, state.t, totals.time, scratch)
+        found = fall_of(work[A], fresh, rounding, scale, panel.extent, state.t, totals.time, scratch)
         if found < xi:
             xi = found
             what = CONE_AHEAD  # F > 0
-        found = fall_of(work[B], fresh, rounding, scale, state.t, totals.time, scratch)
+        found = fall_of(work[B], fresh, rounding, scale, panel.extent, state.t, totals.time, scratch)
         if found < xi:
             xi = found
             what = CONE_BACK
@@ -398,14 +398,14 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
             work[B, i] = value
         speed = abs(panel.vt) + abs(state.om)
         scale = body.gn + panel.u if body.mu_k > 0.0 else 0.0
-        found = fall_of(work[A], fresh, 0.0, scale, state.t, totals.time, scratch)
+        found = fall_of(work[A], fresh, 0.0, scale, panel.extent, state.t, totals.time, scratch)
         if found < xi:
             xi = found
             what = LIFT
         # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
         rounding = GRAZE_ROUNDING * speed if body.mu_k == 0.0 else 0.0
         scale = 0.0 if fresh or body.mu_k == 0.0 else speed
-        found = fall_of(work[B], fresh, rounding, scale, state.t, totals.time, scratch)
+        found = fall_of(work[B], fresh, rounding, scale, panel.extent, state.t, totals.time, scratch)
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
         if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:
@@ -508,8 +508,6 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
 def carried(body, panel, totals, xi, after):
     """The state after a slip panel, with what its anchor has become."""
     anchor = after.anchor
-    if anchor.kind != SLIPPING:
-        return after
     if body.mu_k == 0.0:  # θ̇² − θ̇² of another motion goes as 1/(κ p)
         s, _ = sine_cosine(after.th, after.th_low)
         sine = panel.sine
@@ -585,8 +583,11 @@ def advance_contact(body, mode, state, fresh, blind, zeros, level, limits, scrat
         after = at_span(limits, after, panel.way)
     if xi > -1.0:
         count = write_segment(segments, count, mode, panel, xi, 0.0, state, after.t)
-        after = carried(body, panel, totals, xi, after)
-    return what, counted(body, after), level, count
+        if after.anchor.kind == SLIPPING:
+            after = carried(body, panel, totals, xi, after)
+    if abs(after.th) > FARTHEST:
+        after = counted(body, after)
+    return what, after, level, count
 
 
 @lean_jit

@@ -14,7 +14,7 @@ from hophoop.physics.contact import cone_weights, free_acceleration, rolling_for
 from hophoop.physics.panel import sine_cosine
 
 CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be on either side
-NEARBY = 1e-2  # a margin that has no node this near to zero does not come close between its nodes
+NEARBY = 0.03  # a margin with no node nearer to zero than this, times the square of the width, does not touch it
 
 
 @lean_jit

@@ -1,8 +1,8 @@
 """How sure each event of a computed motion is: rounding at every event, times what the motion makes of it.
 
-From each event the motion is computed again with a small change of θ, θ̇, v_t, v_n, the height and friction. How far the later events move
-tells their conditioning; the rounding of the event is then multiplied by it, and what all events contribute is added
-up in squares. Rounding inside a phase counts at the event that the phase begins with.
+From each event the motion is computed again with a small change of θ, θ̇, v_t, v_n, the height and friction. How far
+the later events move tells their conditioning; the rounding of the event is then multiplied by it, and what all events
+contribute is added up in squares. Rounding inside a phase counts at the event that the phase begins with.
 """
 
 from __future__ import annotations
