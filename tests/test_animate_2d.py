@@ -17,7 +17,7 @@ from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.themes import THEMES
-from hophoop.plots import colors
+from hophoop.vocabulary import colors
 
 SIZE = (640, 360)
 

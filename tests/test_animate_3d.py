@@ -11,7 +11,7 @@ from hophoop.animate import film_3d, player, scene3d
 from hophoop.animate.frames import Timing
 from hophoop.animate.scene3d import CAMERAS, Film3D, Look3D
 from hophoop.animate.shapes3d import SUN, flattened, torus, torus_faces
-from hophoop.plots import colors
+from hophoop.vocabulary import colors
 
 SIZE = (400, 224)
 

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 
@@ -100,3 +101,14 @@ def test_python_makes_parts_friction_and_compliance():
 def test_python_names_what_one_will_want_to_change():
     assert "hh.Hoop(load_fraction=0.75)" in state.python_code(hh.Scenario())
     assert "hh.Plane(mu=1.0)" in state.python_code(hh.Scenario())
+
+
+def test_the_hoop_at_2_8_never_has_a_last_slip():
+    """Each slip of the article's motion is weaker, and none is the last: the preset must not promise rolling."""
+    slip = PRESETS["slip"]
+    assert "none is the last" in slip.text
+    motion = hh.simulate(slip.scenario.replace("duration", 60.0))
+    begun = [event.t for event in motion.find("slip_start")]
+    assert begun[-1] > 58.0
+    first, last = (abs(motion.at(np.linspace(t, t + 0.2, 60)).slip).max() for t in (begun[0], begun[-3]))
+    assert 0.0 < last < 0.5 * first

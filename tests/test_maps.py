@@ -180,10 +180,10 @@ def test_what_is_rolled_and_used_of_the_friction_against_samples_of_the_motion()
         rolled = np.abs(np.diff(sample.x))[roll[1:] & roll[:-1]].sum()
         step = np.abs(np.diff(sample.x)).max()
         assert abs(float(cell["distance_rolled"]) - rolled) <= step * len(motion.events)
-        used = np.nanmax(sample.utilization(scenario.plane.mu_static))
-        assert float(cell["greatest_utilisation"]) >= used - 1e-12
+        used = np.nanmax(sample.utilization(scenario.plane))
+        assert float(cell["greatest_utilization"]) >= used - 1e-12
         # the sampling misses the very end of a rolling phase
-        np.testing.assert_allclose(cell["greatest_utilisation"], used, atol=0.02)
+        np.testing.assert_allclose(cell["greatest_utilization"], used, atol=0.02)
         if motion.sequence[-1] == "R":
             begun = [event for event in motion.events if event.to_mode == "R" and event.from_mode != "R"][-1]
             expected = abs(begun.angle) / (2 * math.pi)
@@ -197,9 +197,9 @@ def test_what_is_rolled_and_used_of_the_friction_against_samples_of_the_motion()
 
 def test_infinite_friction_is_never_used_up():
     speeds = np.linspace(2.0, 5.0, 300)  # many end where N = 0, the quasi-jump
-    found = maps.points(None, {"plane.mu": np.inf, "start.speed": speeds}, ["greatest_utilisation", "sequence"])
+    found = maps.points(None, {"plane.mu": np.inf, "start.speed": speeds}, ["greatest_utilization", "sequence"])
     assert set(found["sequence"]) == {"R", "H"}
-    used = found["greatest_utilisation"]
+    used = found["greatest_utilization"]
     np.testing.assert_array_equal(used, np.where(found["sequence"] == "H", np.nan, 0.0))
 
 
@@ -305,7 +305,7 @@ def test_equal_bits_for_one_thread_and_many():
     values = {"plane.mu": rng.uniform(0, 2, 3000), "start.speed": rng.uniform(0, 5, 3000)}
     cells = make_cells(hh.Scenario(), values, 3000)
     span = make_span("first_revolution")
-    wanted = kernel.FLIGHT_WANTED | kernel.UTILISATION_WANTED
+    wanted = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
     alone = run_cells(cells, span, wanted, "serial")
     with maps.evaluate.thread_limit(1):
         one = run_cells(cells, span, wanted)

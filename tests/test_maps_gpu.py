@@ -20,7 +20,7 @@ from hophoop.maps.evaluate import run_cells
 from hophoop.maps.quantities import make_span
 
 AXES = {"plane.mu": [0.3, 1.0], "start.speed": [0.1, 3.1, 5.0]}
-WANTED = kernel.FLIGHT_WANTED | kernel.UTILISATION_WANTED
+WANTED = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
 
 
 def chosen_cells():

@@ -11,8 +11,9 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots
-from hophoop.plots import colors
-from hophoop.plots._curves import curve, phases, turning
+from hophoop.plots.curves import curve, phases, turning
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import mode_word
 
 matplotlib.use("agg")
 
@@ -103,7 +104,7 @@ def test_friction_used_stays_within_one_and_reaches_it_in_slip(hop, ax):
 def test_modes_are_shaded_in_their_colours(hop, ax):
     plots.gap(hop, ax=ax)
     tinted = {matplotlib.colors.to_hex(patch.get_facecolor()).upper() for patch in ax.patches}
-    assert tinted == {colors.MODES[letter].upper() for letter in "RKSH"}
+    assert tinted == {color.upper() for word, color in colors.MODES.items() if word != "skim"}
     words = {text.get_text() for text in ax.texts}
     assert {"take-off", "landing", "flight"} <= words
     bare = Figure().subplots()
@@ -158,7 +159,7 @@ def test_phase_plane_is_exact(ax):
         omega = (i + 0.5) * 12.0 / rows
         mode = hh.theory.mode_of(theta, omega, hoop, plane)
         share = 0.30
-        expected = [1.0 - share * (1.0 - part) for part in matplotlib.colors.to_rgb(colors.MODES[str(mode)])]
+        expected = [1.0 - share * (1.0 - part) for part in matplotlib.colors.to_rgb(colors.MODES[mode_word(str(mode), omega)])]
         assert np.allclose(picture[i, j], expected, atol=0.003)
 
 
@@ -225,6 +226,6 @@ def test_colours_have_one_meaning_each():
     assert len(set(colors.MODES.values())) == len(colors.MODES)
     quantities = {colors.ROTATION_SPEED, colors.KINETIC, colors.FRICTION_LOSS, colors.IMPACT_LOSS}
     assert not quantities & set(colors.MODES.values())
-    assert colors.mode_color("H") == colors.MODES["H"]
-    with pytest.raises(ValueError, match="mode = 'X' must be one of"):
+    assert colors.mode_color("flight") == colors.MODES["flight"]
+    with pytest.raises(ValueError, match="word = 'X' must be one of"):
         colors.mode_color("X")

@@ -72,7 +72,7 @@ def test_rolling_is_the_simulated_motion(hoop, plane, speed):
     np.testing.assert_allclose(energies.kinetic, sample.kinetic, rtol=1e-11)
     np.testing.assert_allclose(energies.potential, sample.potential, rtol=1e-11, atol=1e-11)
     utilization = theory.friction_utilization(sample.angle, hoop, speed, plane)
-    np.testing.assert_allclose(utilization, sample.utilization(plane.mu_static), rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(utilization, sample.utilization(plane), rtol=1e-9, atol=1e-12)
 
 
 @given(hoops, st.floats(-7.0, 7.0), st.floats(0.0, 5.0), st.floats(-1.0, 1.0))

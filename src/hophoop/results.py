@@ -6,6 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop.physics.friction import utilizations
+from hophoop.scenario import Plane
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,7 @@ class Sample:
     t : float or ndarray
         Time [s].
     mode : str or ndarray of str
-        Letter of the mode: R roll, S spin, K skid, H flight, M skim.
+        Letter of the mode: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
     x, height, angle : float or ndarray
         Centre along the plane [m], gap [m], θ [rad].
     vx, vy, omega, slip : float or ndarray
@@ -118,23 +122,54 @@ class Sample:
         """Kinetic and potential energy [J]."""
         return self.kinetic + self.potential
 
-    def utilization(self, mu: float) -> Any:
-        """Share of the available friction that is used, abs(F)/(μ N); nan in flight.
+    def utilization(self, plane: Plane, signed: bool = False) -> Any:
+        """Share of the friction that is possible, abs(F)/(μ N) with μk in slip and μs else.
 
         Parameters
         ----------
-        mu : float
-            Coefficient of friction [1].
+        plane : Plane
+            Whose friction it is.
+        signed : bool, default False
+            With the sign of F, as some plots want it.
 
         Returns
         -------
         utilization : float or ndarray
-            From 0 to 1 [1].
+            From 0 to 1 [1]: 1 in slip with friction, nan in flight.
         """
-        normal = np.asarray(self.normal_force)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = np.where(normal > 0.0, np.abs(self.friction_force) / (mu * normal), np.nan)
+        share = utilization_of(
+            np.isin(self.mode, ("S", "K")), self.friction_force, self.normal_force, plane.mu_static, plane.mu_kinetic
+        )
+        if signed:
+            # in slip the letter is the sign, also where F vanishes with N
+            sign = np.select([np.equal(self.mode, "S"), np.equal(self.mode, "K")], [1.0, -1.0], np.sign(self.friction_force))
+            share = share * sign
         return share if share.ndim else float(share)
+
+
+def utilization_of(
+    slips: ArrayLike, friction: ArrayLike, normal: ArrayLike, mu_static: ArrayLike, mu_kinetic: ArrayLike
+) -> NDArray[np.float64]:
+    """Share of the friction that is possible, in slip or not: see `Sample.utilization`.
+
+    Parameters
+    ----------
+    slips : bool or array_like
+    friction, normal : float or array_like
+        F and N, in any one unit [N].
+    mu_static, mu_kinetic : float or array_like
+        μs and μk [1].
+
+    Returns
+    -------
+    utilization : ndarray
+        abs(F)/(μ N) [1].
+    """
+    numbers = (np.asarray(each, float) for each in (friction, normal, mu_static, mu_kinetic))
+    columns = np.broadcast_arrays(np.asarray(slips, bool), *numbers)
+    share = np.empty(columns[0].shape)
+    utilizations(*(np.ascontiguousarray(column).reshape(-1) for column in columns), share.reshape(-1))
+    return share
 
 
 @dataclass(frozen=True)

@@ -55,7 +55,7 @@ class Trajectory:
 
     @cached_property
     def sequence(self) -> str:
-        """One letter a phase: R roll, S spin, K skid, H flight (hop), M skim."""
+        """One letter a phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
         marks = [row for row in self._events if row["kind"] not in _PASSING]
         letters = []
         for row, following in pairwise(marks):

@@ -15,10 +15,10 @@ from hophoop.animate.panels import Panels
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.views import BELOW, View, followed, grid, held, project
 from hophoop.animate.words import draw_keys, draw_pace, draw_state, minus, shades_of, speed_words, wide
-from hophoop.plots import colors
 from hophoop.plots.pose import Floats, Poses, part_side, poses_of, rim_speeds, to_world
 from hophoop.scenario import Disk, PointMass, Ring, Rod
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
 
 PIECES = 96  # of the ring, a colour each
 BLOCK = 256  # frames whose poses are computed together

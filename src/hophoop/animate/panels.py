@@ -10,11 +10,11 @@ import numpy as np
 
 from hophoop.animate.canvas import Bytes, Canvas, Rectangle
 from hophoop.animate.themes import Theme
-from hophoop.plots import colors
-from hophoop.plots._curves import curve
+from hophoop.plots.curves import curve
 from hophoop.plots.pose import Floats, Poses
 from hophoop.results import Sample
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
 
 # How much of a curve shows where the film has not yet been
 AHEAD = 0.28
@@ -210,7 +210,7 @@ def _forces(axes: Any, motion: Trajectory, sample: Sample) -> None:
 
 
 def _utilization(axes: Any, motion: Trajectory, sample: Sample) -> None:
-    share = sample.utilization(motion.scenario.plane.mu_static)
+    share = sample.utilization(motion.scenario.plane)
     axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
     axes.set_ylim(0.0, 1.12)
     axes.set_ylabel("friction in use")

@@ -19,10 +19,11 @@ from hophoop.animate.gltf import glb
 from hophoop.animate.look import labels_of, nice
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
-from hophoop.animate.words import MODE_WORDS, shades_of
-from hophoop.plots import colors
+from hophoop.animate.words import shades_of
 from hophoop.plots.pose import Floats, load_distance, poses_of
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import FLIGHT, MODES, PARTICIPLES
 
 FPS = 60.0
 TRACE_POINTS = 4000
@@ -171,7 +172,8 @@ def scene_data(
             "normal": look.shown(colors.NORMAL_FORCE),
             "friction": look.shown(colors.FRICTION_FORCE),
         },
-        "modes": {letter: [MODE_WORDS[letter], colors.mode_color(letter)] for letter in colors.MODES},
+        "flight": MODES.index(FLIGHT),
+        "modes": [[PARTICIPLES[word], colors.mode_color(word)] for word in MODES],
         "hoops": hoops,
     }
 
@@ -185,7 +187,7 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[st
         "radius": hoop.radius,
         "load": load_distance(hoop),
         "heavy": hoop.eccentricity * hoop.radius,
-        "mode": "".join(poses.mode),
+        "mode": [MODES.index(str(word)) for word in poses.words],
         "t": poses.t,
         "center": poses.center,
         "contact": poses.contact,

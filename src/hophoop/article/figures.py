@@ -13,9 +13,10 @@ from hophoop import plots, theory
 from hophoop._extras import need
 from hophoop.article.runs import LONG, Runs
 from hophoop.article.scenarios import title
-from hophoop.plots import colors, compliant
-from hophoop.plots._style import finish
+from hophoop.plots import compliant
+from hophoop.plots.style import finish
 from hophoop.simulation import simulate
+from hophoop.vocabulary import colors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -20,14 +20,6 @@ if TYPE_CHECKING:
 OUTPUT = "Output"
 STORES = (".nc", ".zarr", ".zarr.zip")
 
-# Why a motion can end without an answer.
-ENDS = {
-    "jammed": "the normal force grows without bound (dynamic jam), and the model has no motion beyond",
-    "undetermined": "the model does not determine the motion beyond",
-    "event_limit": "the limit of events was reached before the end (contact.max_events)",
-}
-
-
 class RunCommand(TyperCommand):
     """`--json` takes a file or nothing, which the parser itself does not know."""
 
@@ -179,7 +171,9 @@ def run(
     if json != "-" and not quiet:
         _print(motion)
     if not motion.ok:
-        say(f"The motion ends at t = {motion.duration:.9g} s, {motion.status}: {ENDS[motion.status]}.")
+        from hophoop.vocabulary.words import STATUSES
+
+        say(f"The motion ends at t = {motion.duration:.9g} s, {motion.status}. {STATUSES[motion.status]}")
         raise typer.Exit(NO_ANSWER)
 
 
@@ -197,6 +191,8 @@ def _print(motion: Trajectory) -> None:
 def _events(motion: Trajectory) -> Table:
     from rich import box
     from rich.table import Table
+
+    from hophoop.vocabulary.words import plain
 
     table = Table(box=box.SIMPLE_HEAD, title=None, pad_edge=False)
     for title in (
@@ -220,7 +216,7 @@ def _events(motion: Trajectory) -> Table:
         numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
         table.add_row(
             f"{event.t:.6f}",
-            event.kind.replace("_", " "),
+            plain(event.kind),
             change,
             *(f"{_clean(number):.4f}" for number in numbers),
         )
@@ -234,12 +230,14 @@ def _clean(number: float) -> float:
 def _summary(motion: Trajectory) -> Table:
     from rich.table import Table
 
+    from hophoop.vocabulary.words import LETTERS_SENTENCE, plain
+
     ledger = motion.ledger
     impacts = ledger.impact_normal + ledger.impact_tangential
     table = Table.grid(padding=(0, 2))
     phases = motion.sequence if len(motion.sequence) <= 60 else motion.sequence[:59] + "…"
-    table.add_row("phases", f"{phases}   (R roll, S spin, K skid, H flight, M skim)")
-    table.add_row("status", motion.status.replace("_", " "))
+    table.add_row("phases", f"{phases}   ({LETTERS_SENTENCE})")
+    table.add_row("status", plain(motion.status))
     table.add_row(
         "energy",
         f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: friction "

@@ -11,12 +11,13 @@ from typing import Any
 import numpy as np
 
 from hophoop import maps, theory
+from hophoop.lab.frames import codes_of
 from hophoop.lab.limits import Limits, TooMuch, whole_number, within
 from hophoop.lab.words import degrees
 from hophoop.maps.evaluate import CHUNK_CELLS
-from hophoop.physics.body import MODE_LETTERS
-from hophoop.plots import colors
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
+from hophoop.vocabulary.classes import class_color, class_text
+from hophoop.vocabulary.words import mode_words
 
 # --- theory ----------------------------------------------------------------------------------------
 
@@ -129,16 +130,14 @@ def regions(
     Returns
     -------
     regions : dict of ndarray
-        `modes` (rows upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for
+        `modes` (rows upwards): code of the mode's word, 5 where the model has no answer; `paradox`: for
         each column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
     """
     left, right, bottom, top = window
     angles = left + (np.arange(columns) + 0.5) * ((right - left) / columns)
     rates = bottom + (np.arange(rows) + 0.5) * ((top - bottom) / rows)
     letters = theory.mode_of(angles[None, :], rates[:, None], scenario.hoop, scenario.plane)
-    codes = np.full(letters.shape, len(MODE_LETTERS), np.uint8)
-    for code, letter in enumerate(MODE_LETTERS):
-        codes[letters == letter] = code
+    codes = codes_of(mode_words(letters, rates[:, None])).astype(np.uint8)
     paradox = np.zeros(columns)
     if not scenario.hoop.massless and math.isfinite(scenario.plane.mu_kinetic):
         paradox = np.asarray(theory.painleve_region(angles, scenario.plane.mu_kinetic, scenario.hoop), float)
@@ -153,7 +152,7 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
     "hop_height": ("height of the first hop", "takeoff"),
     "takeoff_angle": ("angle of take-off", "takeoff"),
     "flight_time": ("duration of the first hop", "takeoff"),
-    "greatest_utilisation": ("greatest use of friction", "first_revolution"),
+    "greatest_utilization": ("greatest friction utilization", "first_revolution"),
     "energy_lost": ("energy lost", "duration"),
     "end_angle": ("angle at the end", "duration"),
     "painleve": ("Painlevé’s paradox or jam met", "duration"),
@@ -265,7 +264,7 @@ def motion_map(
     if quantity.is_code:
         names = maps.words_of(array)
         header["classes"] = [
-            {"name": name, "text": _class_text(what, name), "color": _class_color(what, name)}
+            {"name": name, "text": class_text(name, what), "color": class_color(name, what)}
             for name in names
         ]
         numbers[numbers < 0] = math.nan
@@ -276,36 +275,3 @@ def _middles(axis: Mapping[str, Any]) -> np.ndarray:
     low, high, cells = float(axis["from"]), float(axis["to"]), int(axis["cells"])
     middles: np.ndarray = low + (np.arange(cells) + 0.5) * ((high - low) / cells)
     return middles
-
-
-_PHASES = {"R": "roll", "S": "spin", "K": "skid", "H": "hop", "M": "skim", "+": "…"}
-
-
-def _class_text(what: str, name: str) -> str:
-    if what == "sequence":
-        return " → ".join(_PHASES[letter] for letter in name)
-    return name.replace("_", " ")
-
-
-def _class_color(what: str, name: str) -> str:
-    """A sequence's colour: its last new mode decides the hue, its length how light it is."""
-    if what != "sequence":
-        return _ENDING_COLORS.get(name, colors.GRAY)
-    shade = 0.0
-    if name == "R":
-        return colors.MODES["R"]
-    base = "H" if "H" in name else "M" if "M" in name else "K" if "K" in name else "S" if "S" in name else "R"
-    shade = min(0.12 * max(len(name) - 2, 0), 0.72)
-    return _lightened(colors.MODES[base], shade)
-
-
-_ENDING_COLORS = {
-    "no": colors.LIGHT_GRAY, "yes": colors.VERMILION, "duration": colors.BLUE, "revolutions": colors.BLUE,
-    "reversal": colors.SKY, "takeoff": colors.VERMILION, "rest": colors.GREEN, "jam": colors.BLACK,
-    "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
-}  # fmt: skip
-
-
-def _lightened(color: str, share: float) -> str:
-    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-    return "#" + "".join(f"{round(part + (255 - part) * share):02x}" for part in parts)

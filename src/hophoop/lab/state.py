@@ -17,10 +17,12 @@ from hophoop.lab import explore, files, frames, words
 from hophoop.lab.controls import controls
 from hophoop.lab.limits import USUAL, Limits, TooMuch, whole_number, within
 from hophoop.lab.presets import presets
-from hophoop.plots import colors
+from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import Compliant, InputError, Scenario, time_unit
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import STATUSES
 
 
 @dataclass(frozen=True)
@@ -125,7 +127,7 @@ def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
         "massless": hoop.massless,
         "summary": words.summary(motion),
         "story": words.story(motion),
-        "ending": words.ENDINGS[motion.status],
+        "ending": STATUSES[motion.status],
         "shortened": many,
     }
     return Reply(header, frames.columns(motion))
@@ -168,8 +170,9 @@ def setup(request: Request, limits: Limits) -> Reply:
                 for p in presets()
             ],
             "colors": {
-                "modes": dict(colors.MODES),
-                "mode_names": dict(colors.MODE_NAMES),
+                # by the letters of a hoop that rolls ahead; what is shown has the letter of its word
+                "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
+                "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
                 "gravity_center": colors.GRAVITY_CENTER,
                 "airborne": colors.GRAVITY_CENTER_AIRBORNE,
                 "center_speed": colors.CENTER_SPEED,

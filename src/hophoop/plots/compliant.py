@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop._extras import need
-from hophoop.plots import colors
 from hophoop.plots.compliant_study import (
     Landing,
     landing,
@@ -18,6 +17,7 @@ from hophoop.plots.compliant_study import (
     with_contact,
 )
 from hophoop.simulation import simulate
+from hophoop.vocabulary import colors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hophoop.plots import colors
-from hophoop.plots._curves import curve
-from hophoop.plots._style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
+from hophoop.plots.curves import curve
+from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
 from hophoop.results import Sample
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -198,7 +198,7 @@ def friction_utilization(
     labels: Sequence[str] | None = None,
     modes: bool = True,
 ) -> Axes:
-    """Friction over what the normal force allows, F/(μ N): it slips at ±1.
+    """Friction utilization with the sign of the friction, F/(μ N): it slips at ±1.
 
     Parameters
     ----------
@@ -242,14 +242,14 @@ def friction_utilization(
         label = name.removeprefix(", ") or None
         ax.plot(
             _across(sample, against),
-            _used(motion, sample),
+            sample.utilization(motion.scenario.plane, signed=True),
             color=inks[k % len(inks)],
             lw=width,
             ls=dash,
             label=label,
         )
     ax.set_ylim(-1.15, 1.15)
-    _frame(ax, _widest(many, against), against, r"Friction used, $F/(\mu N)$", modes and len(many) == 1)
+    _frame(ax, _widest(many, against), against, r"Friction utilization, $F/(\mu N)$", modes and len(many) == 1)
     return ax
 
 
@@ -294,14 +294,6 @@ def _frame(ax: Axes, motion: Trajectory, against: Against, up: str, modes: bool)
 
 def _across(sample: Sample, against: Against) -> Any:
     return sample.t if against == "time" else np.degrees(sample.angle)
-
-
-def _used(motion: Trajectory, sample: Sample) -> Any:
-    plane = motion.scenario.plane
-    mu = np.where(np.isin(sample.mode, ["S", "K"]), plane.mu_kinetic, plane.mu_static)
-    allowed = mu * sample.normal_force
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(allowed > 0.0, sample.friction_force / allowed, np.nan)
 
 
 def _names(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> list[str]:

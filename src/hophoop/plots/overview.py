@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 from hophoop._extras import need
 from hophoop.io import _replacing
-from hophoop.plots._curves import turning
-from hophoop.plots._style import Against
+from hophoop.plots.curves import turning
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, velocities
 from hophoop.plots.path import path
+from hophoop.plots.style import Against
 from hophoop.trajectory import Trajectory
 
 if TYPE_CHECKING:

@@ -13,6 +13,7 @@ from hophoop.results import Sample
 from hophoop.scenario import Hoop, PointMass, Ring
 from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary.words import coming_rotation, mode_words
 
 Floats = NDArray[np.float64]
 GRID = 200_000  # times at most, where a motion is searched
@@ -26,8 +27,8 @@ class Poses:
     ----------
     t : ndarray, shape (n,)
         Time [s].
-    mode : ndarray of str, shape (n,)
-        Letter of the mode.
+    mode, words : ndarray of str, shape (n,)
+        Letter of the mode, and its word.
     angle, omega : ndarray, shape (n,)
         θ [rad] and θ̇ [rad/s].
     center, load, gravity_center, contact : ndarray, shape (n, 2)
@@ -42,6 +43,7 @@ class Poses:
 
     t: Floats
     mode: NDArray[np.str_]
+    words: NDArray[np.str_]
     angle: Floats
     omega: Floats
     center: Floats
@@ -146,6 +148,7 @@ def poses_of(motion: Trajectory, times: ArrayLike) -> Poses:
     return Poses(
         t=sample.t,
         mode=sample.mode,
+        words=mode_words(sample.mode, coming_rotation(sample.omega)),
         angle=sample.angle,
         omega=sample.omega,
         center=place(sample.x, level),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from hophoop.results import Sample
 from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary.words import coming_rotation, mode_word, mode_words
 
 # Samples a unit of time √(R/g); at the reference hoop some 470 a second.
 DENSITY = 150
@@ -20,9 +21,10 @@ FEWEST, MOST = 600, 40_000
 
 @dataclass(frozen=True)
 class Phase:
-    """A stretch of the motion in one mode: times [s] and angles [degrees] at its ends."""
+    """A stretch of the motion in one mode, by letter and word: times [s] and angles [degrees] at its ends."""
 
     mode: str
+    word: str
     t: float
     end_t: float
     angle: float
@@ -30,19 +32,28 @@ class Phase:
 
 
 def phases(motion: Trajectory) -> list[Phase]:
-    """The motion's phases in order; an event that leaves the mode as it is does not part them."""
+    """The motion's phases in order; an event that leaves mode and word as they are does not part them.
+
+    A slip in which the hoop turns back is two of them, since what was a spin is then a skid, or the reverse.
+    """
     found: list[Phase] = []
-    events = motion.events
-    for event, following in pairwise(events):
+    for event, following in pairwise(motion.events):
         if not following.t > event.t:
             continue
+        # halfway θ̇ is not zero, which it may be at either end
+        word = mode_word(event.to_mode, motion.at(0.5 * (event.t + following.t)).omega)
         angle, end_angle = math.degrees(event.angle), math.degrees(following.angle)
-        if found and found[-1].mode == event.to_mode and following.kind != "start":
+        if found and (found[-1].mode, found[-1].word) == (event.to_mode, word):
             last = found.pop()
-            found.append(Phase(last.mode, last.t, following.t, last.angle, end_angle))
+            found.append(Phase(last.mode, last.word, last.t, following.t, last.angle, end_angle))
         else:
-            found.append(Phase(event.to_mode, event.t, following.t, angle, end_angle))
+            found.append(Phase(event.to_mode, word, event.t, following.t, angle, end_angle))
     return found
+
+
+def shown_words(sample: Sample) -> NDArray[np.str_]:
+    """The words for the modes of a sample in order of time."""
+    return mode_words(sample.mode, coming_rotation(sample.omega))
 
 
 def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Sample:

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Final
 
+from hophoop.vocabulary import words
+
 # Okabe and Ito's eight
 BLACK: Final = "#000000"
 ORANGE: Final = "#E69F00"
@@ -22,16 +24,13 @@ GRAY: Final = "#6E6E6E"
 LIGHT_GRAY: Final = "#D9D9D9"
 
 MODES: Final[dict[str, str]] = {
-    "R": BLUE,  # roll
-    "S": ORANGE,  # spin
-    "K": PURPLE,  # skid
-    "H": VERMILION,  # flight (hop)
-    "M": YELLOW,  # skim of the massless hoop
+    words.ROLL: BLUE,
+    words.SPIN: ORANGE,
+    words.SKID: PURPLE,
+    words.FLIGHT: VERMILION,
+    words.SKIM: YELLOW,  # of the massless hoop
 }
-"""Colour of each mode, by its letter."""
-
-MODE_NAMES: Final[dict[str, str]] = {"R": "roll", "S": "spin", "K": "skid", "H": "flight", "M": "skim"}
-"""Word for each mode, by its letter."""
+"""Colour of each mode, by its word: what spins is orange whichever way the hoop rolls."""
 
 LOAD: Final = BLACK  # trace of the load, and the load itself
 GRAVITY_CENTER: Final = GREEN  # trace of the centre of gravity in contact
@@ -56,13 +55,14 @@ SHADE: Final = 0.18
 """Opacity of a mode's colour as a background."""
 
 
-def mode_color(mode: str) -> str:
+def mode_color(word: str) -> str:
     """Colour of a mode.
 
     Parameters
     ----------
-    mode : str
-        Letter of the mode: R, S, K, H or M.
+    word : str
+        roll, spin, skid, flight or skim, as `words.mode_word` gives it: the colour follows the word, not the
+        letter.
 
     Returns
     -------
@@ -75,6 +75,6 @@ def mode_color(mode: str) -> str:
         If there is no such mode.
     """
     try:
-        return MODES[mode]
+        return MODES[word]
     except KeyError:
-        raise ValueError(f"mode = {mode!r} must be one of {', '.join(MODES)}.") from None
+        raise ValueError(f"word = {word!r} must be one of {', '.join(MODES)}.") from None

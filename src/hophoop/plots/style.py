@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 from hophoop._extras import need
-from hophoop.plots import colors
-from hophoop.plots._curves import Phase, phases, turning
+from hophoop.plots.curves import Phase, phases, turning
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import EVENTS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,15 +25,9 @@ SMALL = 8.5
 
 # Events worth a mark: what the eye looks for in a curve. The others are where the ribbon changes.
 MARKED = {
-    "takeoff": ("take-off", "^"),
-    "apex": ("apex", "d"),
-    "impact": ("landing", "v"),
-    "turn": ("turns back", "<"),
-    "jam": ("jam", "X"),
-    "skim": ("skims", "s"),
-    "painleve_inconsistent": ("Painlevé", "X"),
-    "painleve_indeterminate": ("Painlevé", "X"),
-}
+    "takeoff": "^", "apex": "d", "impact": "v", "turn": "<", "jam": "X", "skim": "s",
+    "painleve_inconsistent": "X", "painleve_indeterminate": "X",
+}  # fmt: skip
 MOST_WORDS = 6
 
 
@@ -103,7 +98,7 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
         begin, end = (piece.t, piece.end_t) if against == "time" else (piece.angle, piece.end_angle)
         if not end > begin:
             begin, end = end, begin
-        color = colors.mode_color(piece.mode)
+        color = colors.mode_color(piece.word)
         ax.axvspan(begin, end, color=color, alpha=colors.SHADE, linewidth=0, zorder=0)
         ax.axvspan(begin, end, ymin=1.0, ymax=1.055, color=color, linewidth=0, clip_on=False, zorder=3)
         if begin > low:
@@ -120,7 +115,7 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
         if word:
             ax.text(
                 0.5 * (begin + end), 1.026, word, transform=transform, ha="center", va="center_baseline",
-                fontsize=SMALL - 1, color=_ink(piece.mode), zorder=5,
+                fontsize=SMALL - 1, color=_ink(piece.word), zorder=5,
             )  # fmt: skip
     _mark_events(ax, motion, against)
 
@@ -129,14 +124,13 @@ def _word(piece: Phase, share: float, ax: Axes) -> str:
     # a letter takes some 5.5 points of the axes' width
     inches = cast("Any", ax.figure).get_figure(root=True).get_size_inches()[0]
     room = share * ax.get_position().width * inches * 72.0 / 5.0
-    name = colors.MODE_NAMES[piece.mode]
-    if room >= len(name) + 1:
-        return name
+    if room >= len(piece.word) + 1:
+        return piece.word
     return piece.mode if room >= 1.6 else ""
 
 
-def _ink(mode: str) -> str:
-    return "white" if mode in ("R", "H") else "black"
+def _ink(word: str) -> str:
+    return "white" if word in ("roll", "flight") else "black"
 
 
 def _mark_events(ax: Axes, motion: Trajectory, against: Against) -> None:
@@ -149,7 +143,7 @@ def _mark_events(ax: Axes, motion: Trajectory, against: Against) -> None:
         place = event.t if against == "time" else math.degrees(event.angle)
         if not low <= place <= high:
             continue
-        word, sign = MARKED[event.kind]
+        word, sign = EVENTS[event.kind].noun, MARKED[event.kind]
         if event.kind in ("takeoff", "impact"):
             ax.axvline(place, color=colors.GRAY, lw=0.8, ls=(0, (2, 2)), zorder=1)
         ax.plot([place], [1.085], sign, color="black", ms=4.5, transform=transform, clip_on=False, zorder=5)
