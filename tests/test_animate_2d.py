@@ -6,6 +6,7 @@ import sys
 import imageio_ffmpeg
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from PIL import Image
 
 import hophoop as hh
@@ -16,7 +17,9 @@ from hophoop.animate.export import format_of, write
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look
 from hophoop.animate.mpl import Film2D
+from hophoop.animate.panels import DRAWN
 from hophoop.animate.themes import THEMES
+from hophoop.plots.curves import curve
 from hophoop.vocabulary import colors
 
 SIZE = (640, 360)
@@ -32,7 +35,7 @@ def near(pixel, color, tolerance=40):
 
 @pytest.mark.parametrize(("kind", "codec"), [("mp4", "h264"), ("webm", "vp9"), ("gif", "gif")])
 def test_a_film_has_its_frames_duration_and_size(tmp_path, kind, codec):
-    path = film(motion(), tmp_path / f"hop.{kind}", fps=20, size=SIZE)
+    path = film(motion(), tmp_path / f"hop.{kind}", Timing(fps=20), Look(size=SIZE))
     assert path == tmp_path / f"hop.{kind}"
     assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
     pictures, header = decoded(path)
@@ -46,7 +49,7 @@ def test_a_film_has_its_frames_duration_and_size(tmp_path, kind, codec):
 
 def test_mp4_plays_in_browsers(tmp_path):
     """High profile, 4:2:0, colours marked, index in front of the data: it starts before it is whole."""
-    path = film(motion(), tmp_path / "hop.mp4", fps=20, size=SIZE, end=0.3)
+    path = film(motion(), tmp_path / "hop.mp4", Timing(fps=20, end=0.3), Look(size=SIZE))
     said = subprocess.run(
         [imageio_ffmpeg.get_ffmpeg_exe(), "-i", str(path)], capture_output=True, text=True, check=False
     ).stderr
@@ -57,20 +60,20 @@ def test_mp4_plays_in_browsers(tmp_path):
 
 
 def test_png_pictures(tmp_path):
-    assert film(motion(), tmp_path / "film", fps=10, size=SIZE, end=0.3) == tmp_path / "film"
+    assert film(motion(), tmp_path / "film", Timing(fps=10, end=0.3), Look(size=SIZE)) == tmp_path / "film"
     names = sorted(file.name for file in (tmp_path / "film").iterdir())
     assert names == ["00000.png", "00001.png", "00002.png", "00003.png"]
     with Image.open(tmp_path / "film" / "00003.png") as shown:
         assert shown.size == SIZE
         assert shown.mode == "RGB"
     with pytest.raises(FileExistsError, match="not an empty folder"):
-        film(motion(), tmp_path / "film", fps=10, size=SIZE, end=0.3)
+        film(motion(), tmp_path / "film", Timing(fps=10, end=0.3), Look(size=SIZE))
 
 
 def test_png_pictures_by_name_replace_those_of_a_longer_film(tmp_path):
     (tmp_path / "hop-other.png").write_bytes(b"mine")
-    film(motion(), tmp_path / "hop.png", fps=10, size=SIZE, end=0.4)
-    film(motion(), tmp_path / "hop.png", fps=10, size=SIZE, end=0.1)
+    film(motion(), tmp_path / "hop.png", Timing(fps=10, end=0.4), Look(size=SIZE))
+    film(motion(), tmp_path / "hop.png", Timing(fps=10, end=0.1), Look(size=SIZE))
     assert sorted(file.name for file in tmp_path.iterdir()) == [
         "hop-00000.png",
         "hop-00001.png",
@@ -79,15 +82,15 @@ def test_png_pictures_by_name_replace_those_of_a_longer_film(tmp_path):
 
 
 def test_odd_sizes_where_the_format_allows(tmp_path):
-    film(motion(), tmp_path / "a.gif", size=(321, 181), end=0.1)
+    film(motion(), tmp_path / "a.gif", Timing(end=0.1), Look(size=(321, 181)))
     assert decoded(tmp_path / "a.gif")[0].shape[1:] == (181, 321, 3)
     with pytest.raises(ValueError, match=r"size = \(321, 181\) must be even"):
-        film(motion(), tmp_path / "a.mp4", size=(321, 181))
+        film(motion(), tmp_path / "a.mp4", look=Look(size=(321, 181)))
 
 
 def test_the_same_film_twice_is_the_same_file(tmp_path):
     one, two = (
-        film(motion(), tmp_path / f"{i}.mp4", fps=20, size=SIZE, end=0.4).read_bytes() for i in range(2)
+        film(motion(), tmp_path / f"{i}.mp4", Timing(fps=20, end=0.4), Look(size=SIZE)).read_bytes() for i in range(2)
     )
     assert one == two
 
@@ -129,7 +132,7 @@ class Counting(Breaking):
 
 def test_progress_is_told(tmp_path):
     told = []
-    film(motion(), tmp_path / "a.mp4", fps=10, size=(64, 64), progress=lambda *pair: told.append(pair))
+    film(motion(), tmp_path / "a.mp4", Timing(fps=10), Look(size=(64, 64)), progress=lambda *pair: told.append(pair))
     assert told == [(k + 1, 21) for k in range(21)]
 
 
@@ -161,7 +164,7 @@ def test_an_encoder_that_fails_says_why(tmp_path, monkeypatch):
 
     monkeypatch.setitem(export._OPTIONS, "mp4", ["-c:v", "no_such_codec"])
     with pytest.raises(OSError, match=r"The encoder failed .*no_such_codec"):
-        film(motion(), tmp_path / "a.mp4", fps=20, size=SIZE)
+        film(motion(), tmp_path / "a.mp4", Timing(fps=20), Look(size=SIZE))
     assert not list(tmp_path.iterdir())
 
 
@@ -179,9 +182,8 @@ def test_formats(name, kind):
 def test_the_load_is_where_the_motion_says(tmp_path, kind):
     """With a camera at rest, pixels are metres times one scale: fitted, not taken from the film's views."""
     run, fps = motion(), 10
-    path = film(
-        run, tmp_path / f"hop.{kind}", fps=fps, size=(960, 540), camera="hold", traces=False, forces=False
-    )
+    look = Look(size=(960, 540), camera="hold", traces=False, forces=False)
+    path = film(run, tmp_path / f"hop.{kind}", Timing(fps=fps), look)
     pictures, _ = decoded(path)
     found = np.array([darkest_spot(shown, 6, below=80) for shown in pictures])
     world = places(run, np.arange(len(pictures)) / fps)
@@ -284,7 +286,7 @@ def test_the_ring_shows_the_speed_of_its_points():
 
 @pytest.mark.parametrize("theme", list(THEMES))
 def test_themes_have_their_background(theme):
-    shown = picture(motion(), 0.5, size=(320, 180), theme=theme)
+    shown = picture(motion(), 0.5, Look(size=(320, 180), theme=theme))
     assert near(shown[175, 5, :3], THEMES[theme].background, 1)
 
 
@@ -322,7 +324,7 @@ def test_side_by_side_and_overlay():
 
 def test_labels_must_be_as_many_as_motions(tmp_path):
     with pytest.raises(ValueError, match="labels holds 1 texts; the film shows 2 motions"):
-        film([motion(), motion(2.0)], tmp_path / "a.mp4", labels=["one"])
+        film([motion(), motion(2.0)], tmp_path / "a.mp4", look=Look(labels=["one"]))
 
 
 def test_a_hoop_of_parts_shows_its_parts():
@@ -349,7 +351,7 @@ def test_a_motion_that_ends_without_an_answer_is_shown():
         hh.Hoop(), hh.Plane(), hh.Start.rolling(3.1), duration=2.0, contact=hh.Rigid(max_events=3)
     )
     assert run.status == "event_limit"
-    assert picture(run, run.duration, size=SIZE).shape == (360, 640, 4)
+    assert picture(run, run.duration, Look(size=SIZE)).shape == (360, 640, 4)
 
 
 def test_a_massless_hoop_that_skims():
@@ -369,10 +371,10 @@ def test_pictures_come_in_any_order():
 
 def test_one_picture_is_that_of_its_time():
     run = motion()
-    drawn = picture(run, 0.9, size=SIZE, traces=False, forces=False, camera="hold")
+    drawn = picture(run, 0.9, Look(size=SIZE, traces=False, forces=False, camera="hold"))
     shown = Film2D([run], Timing(fps=10), Look(size=SIZE, traces=False, forces=False, camera="hold"))
     moved = darkest_spot(drawn, 4, below=60) - darkest_spot(
-        picture(run, 0.0, size=SIZE, traces=False, forces=False, camera="hold"), 4, below=60
+        picture(run, 0.0, Look(size=SIZE, traces=False, forces=False, camera="hold")), 4, below=60
     )
     assert moved[0] > 0
     assert drawn.shape == shown.draw(9).shape
@@ -393,15 +395,15 @@ def test_one_picture_is_that_of_its_time():
 )
 def test_bad_looks_are_refused(tmp_path, options, words):
     with pytest.raises(ValueError, match=words):
-        film(motion(), tmp_path / "a.mp4", **options)
+        film(motion(), tmp_path / "a.mp4", look=Look(**options))
     assert not list(tmp_path.iterdir())
 
 
 def test_unknown_formats_are_refused(tmp_path):
     with pytest.raises(ValueError, match=r"a\.avi' must end in \.mp4"):
         film(motion(), tmp_path / "a.avi")
-    with pytest.raises(ValueError, match=r"fps = 60\.0 must be at most 50 in a gif"):
-        film(motion(), tmp_path / "a.gif", fps=60)
+    with pytest.raises(ValueError, match=r"fps = 60 must be at most 50 in a gif"):
+        film(motion(), tmp_path / "a.gif", Timing(fps=60))
 
 
 # Text and lines
@@ -433,7 +435,7 @@ def test_text_that_leaves_the_picture_is_cut():
 
 
 def test_the_player_plays_in_place_without_the_network():
-    made = player(motion(), size=(320, 180), fps=20, end=0.2)
+    made = player(motion(), Timing(fps=20, end=0.2), Look(size=(320, 180)))
     assert isinstance(made, Player)
     text = made._repr_html_()
     assert text.startswith("<video controls")
@@ -443,6 +445,26 @@ def test_the_player_plays_in_place_without_the_network():
     assert '"' not in made.html('say "hop"').split('aria-label="')[1].split('"')[0]
 
 
-def test_the_player_takes_only_known_options():
-    with pytest.raises(TypeError):
-        player(motion(), speeed=2)
+def test_a_word_or_a_list_is_as_good_as_a_tuple():
+    assert Look(panels="velocity", labels=["one"]) == Look(panels=("velocity",), labels=("one",))
+    assert Timing(slow_at="takeoff").marks == Timing(slow_at=["takeoff"]).marks == ("takeoff",)
+    assert Timing(slow_at=0.5).marks == (0.5,)
+
+
+def test_the_energy_panel_shows_what_impacts_take():
+    """The landing's loss: friction and impacts together are what kinetic and potential energy have lost."""
+    figure = Figure()
+    axes, run = figure.subplots(), motion()
+    DRAWN["energy"](axes, run, curve(run))
+    drawn = {line.get_label(): line.get_ydata() for line in axes.get_lines()}
+    lost = drawn["sum"][0] - drawn["sum"]
+    np.testing.assert_allclose(drawn["friction"] + drawn["impacts"], lost, atol=1e-9)
+    assert drawn["impacts"][-1] == pytest.approx(run.ledger.impact_normal, rel=1e-12)
+    assert drawn["impacts"][-1] > 1.0
+
+
+@pytest.mark.parametrize("camera", ["follow", "hold"])
+def test_views_side_by_side_share_their_scale(camera):
+    shown = Film2D([motion(), motion(2.0), motion(0.5)], Timing(fps=5), Look(size=(1280, 720), camera=camera))
+    scales = {actor.view.scale for actor in shown.actors}
+    assert len(scales) == 1

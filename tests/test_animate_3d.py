@@ -9,7 +9,8 @@ import pytest
 from animate_tools import darkest_spot, decoded, motion, places
 from hophoop.animate import film_3d, player, scene3d
 from hophoop.animate.frames import Timing
-from hophoop.animate.scene3d import CAMERAS, Film3D, Look3D
+from hophoop.animate.look import CAMERAS_3D, Look3D
+from hophoop.animate.scene3d import Film3D
 from hophoop.animate.shapes3d import SUN, flattened, torus, torus_faces
 from hophoop.vocabulary import colors
 
@@ -35,9 +36,8 @@ def near(drawn, color, tolerance):
 def test_a_film_has_its_frames_and_size_without_a_display(tmp_path, monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     told = []
-    path = film_3d(
-        motion(), tmp_path / "hop.mp4", fps=5, size=SIZE, end=0.8, progress=lambda *pair: told.append(pair)
-    )
+    timing, look = Timing(fps=5, end=0.8), Look3D(size=SIZE)
+    path = film_3d(motion(), tmp_path / "hop.mp4", timing, look, progress=lambda *pair: told.append(pair))
     pictures, header = decoded(path)
     assert pictures.shape == (5, 224, 400, 3)
     assert header["fps"] == 5
@@ -46,7 +46,7 @@ def test_a_film_has_its_frames_and_size_without_a_display(tmp_path, monkeypatch)
     assert pictures.std() > 10  # something is to be seen
 
 
-@pytest.mark.parametrize("camera", CAMERAS)
+@pytest.mark.parametrize("camera", CAMERAS_3D)
 def test_the_load_is_where_the_motion_says(camera):
     run = motion()
     with film({"camera": camera}, fps=3) as shown:
@@ -135,7 +135,7 @@ def test_several_motions_run_in_lanes():
 
 def test_the_hoop_stays_in_the_picture_on_a_slope():
     run = motion(0.5, 1.0, 2.0, 0.25)
-    for camera in CAMERAS:
+    for camera in CAMERAS_3D:
         with film({"camera": camera}, runs=[run]) as shown:
             for k in range(shown.count):
                 column, row = shown.pixel_of(k, 0, places(run, [shown.clock.times[0][k]])[0])
@@ -166,7 +166,7 @@ def test_shadows_lie_on_the_plane_along_the_light(slope):
 
 def test_bad_looks_are_refused(tmp_path):
     with pytest.raises(ValueError, match="camera = 'follow' must be one of chase, side, orbit, hold"):
-        film_3d(motion(), tmp_path / "a.mp4", camera="follow")
+        film_3d(motion(), tmp_path / "a.mp4", look=Look3D(camera="follow"))
 
 
 def test_nothing_is_said_about_missing_displays(tmp_path):
@@ -174,8 +174,8 @@ def test_nothing_is_said_about_missing_displays(tmp_path):
 import sys
 sys.path.insert(0, 'tests')
 from animate_tools import motion
-from hophoop.animate import film_3d
-film_3d(motion(), sys.argv[1], fps=5, size=(128, 128), end=0.2)
+from hophoop.animate import Look3D, Timing, film_3d
+film_3d(motion(), sys.argv[1], Timing(fps=5, end=0.2), Look3D(size=(128, 128)))
 """
     done = subprocess.run(
         [sys.executable, "-c", code, str(tmp_path / "a.mp4")], capture_output=True, text=True, check=True
@@ -185,4 +185,4 @@ film_3d(motion(), sys.argv[1], fps=5, size=(128, 128), end=0.2)
 
 
 def test_the_player_in_3d():
-    assert player(motion(), three_d=True, size=(128, 72), fps=5, end=0.2).data[4:8] == b"ftyp"
+    assert player(motion(), Timing(fps=5, end=0.2), Look3D(size=(128, 72))).data[4:8] == b"ftyp"

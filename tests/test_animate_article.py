@@ -4,14 +4,15 @@ import pytest
 
 import hophoop as hh
 from animate_tools import decoded
-from hophoop.animate import article, article_films
+from hophoop.animate import article, article_films, films
 from hophoop.animate.article import ARTICLE_FILMS
 
 
 @pytest.fixture
 def small(monkeypatch):
-    for name, value in (("SIZE", (128, 72)), ("FPS_2D", 4.0), ("FPS_3D", 2.0)):
-        monkeypatch.setattr(article, name, value)
+    monkeypatch.setattr(article, "SIZE", (128, 72))
+    for name, value in (("FPS_2D", 4.0), ("FPS_3D", 2.0)):
+        monkeypatch.setattr(films, name, value)
 
 
 def test_all_films_are_made(tmp_path, small):

@@ -67,14 +67,17 @@ def test_comparisons(hop, tmp_path):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--out", "a.avi"], r"out = 'a\.avi' must end in"),
+        (["--out", "a.avi"], r"--out = 'a\.avi' must end in"),
         (["--out", "a.mp4", "--size", "wide"], "--size = wide must be a width and a height"),
         (["--out", "a.mp4", "--size", "321x181"], "must be even numbers"),
-        (["--out", "a.mp4", "--slow-at", "hop"], "slow_at = 'hop' is not a time or one of"),
+        (["--out", "a.mp4", "--slow-at", "hop"], "--slow-at = 'hop' is not a time or one of"),
         (["--out", "a.mp4", "--vary", "plane.mu"], "--vary plane.mu must be a path and values"),
         (["--out", "a.mp4", "--3d", "--overlay"], "do not go together with --3d"),
-        (["--out", "a.mp4", "--theme", "blue"], "theme = 'blue' must be one of"),
-        (["--out", "a.mp4", "--to", "9"], "end = 9.0 must be"),
+        (["--out", "a.mp4", "--theme", "blue"], "--theme = 'blue' must be one of"),
+        (["--out", "a.mp4", "--to", "9"], "--to = 9.0 must be from --from = 0.0 to"),
+        (["--out", "a.mp4", "--panel", "speed"], "--panel = 'speed' must be one of velocity"),
+        (["--out", "a.mp4", "--label", "a", "--label", "b"], "--label holds 2 texts"),
+        (["--out", "a.mp4", "--fps", "0"], "--fps = 0.0 must be a positive number"),
         (["--v0", "1"], "Missing option '--out'"),
     ],
 )

@@ -12,6 +12,7 @@ import pytest
 from animate_tools import motion, places
 from hophoop.animate import scene
 from hophoop.animate.frames import Timing
+from hophoop.animate.look import Look3D
 from hophoop.animate.web import scene_data
 
 
@@ -41,27 +42,28 @@ def test_the_page_is_whole(tmp_path):
     center, angle = numbers(hoop["center"]), numbers(hoop["angle"])
     load = center + hoop["load"] * np.stack([np.sin(angle), np.cos(angle)], axis=-1)
     np.testing.assert_allclose(load, places(motion(), np.minimum(times, 2.0)), atol=2e-6)
-    assert set(hoop["mode"]) == set("RKSH")
+    assert [data["modes"][code][0] for code in sorted(set(hoop["mode"]))] == ["rolling", "spinning", "skidding", "in flight"]
+    assert data["modes"][data["flight"]][0] == "in flight"
     assert path.stat().st_size < 200_000
 
 
 def test_labels_cannot_break_the_page(tmp_path):
     label = '</script><b>"&'
-    text, data = page_data(scene(motion(), tmp_path / "a.html", labels=[label]))
+    text, data = page_data(scene(motion(), tmp_path / "a.html", look=Look3D(labels=[label])))
     assert data["hoops"][0]["label"] == label
     assert "<b>" not in text.replace("<\\/script><b>", "")
     assert "<title>&lt;/script&gt;&lt;b&gt;&quot;&amp;</title>" in text
 
 
 def test_slow_motion_traces_and_forces_in_the_data():
-    slow = scene_data([motion()], Timing(fps=60, slow_at=("takeoff",)), "light", None, True, False)
+    slow = scene_data([motion()], Timing(fps=60, slow_at=("takeoff",)), Look3D(forces=False))
     assert slow["count"] > 121
     assert slow["rate"].min() < 0.13
     assert slow["newton"] == 0.0
     track = slow["hoops"][0]["traces"]
     flown = track["t"][track["airborne"] == 1]
     assert flown.min() == pytest.approx(motion().find("takeoff")[0].t)
-    plain = scene_data([motion()], Timing(fps=60), "dark", None, False, True)
+    plain = scene_data([motion()], Timing(fps=60), Look3D(theme="dark", traces=False))
     assert plain["hoops"][0]["traces"] is None
     assert plain["newton"] > 0.0
 

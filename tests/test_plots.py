@@ -11,6 +11,8 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots
+from hophoop.plots import compliant
+from hophoop.plots.compliant_study import landing_scenario
 from hophoop.plots.curves import curve, phases, turning
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import mode_word
@@ -84,12 +86,46 @@ def test_velocities_are_the_motion(hop, ax, against):
 
 def test_energies_show_the_losses_that_there_are(hop, rocking, ax):
     plots.energies(hop, "time", ax=ax)
-    lost = line(ax, "lost in impacts")
+    lost, rubbed = line(ax, "lost in impacts, normal part"), line(ax, "lost to friction")
     impact = hop.find("impact")[0]
-    assert lost[-1, 1] == pytest.approx(impact.impact_normal + impact.impact_tangential, rel=1e-13)
+    assert lost[-1, 1] == pytest.approx(impact.impact_normal, rel=1e-13)
+    total = line(ax, "kinetic + potential")[:, 1]
+    assert np.allclose(rubbed[:, 1] + lost[:, 1], total[0] - total, atol=1e-9)
     other = Figure().subplots()
     plots.energies(rocking, "time", ax=other)
-    assert "lost in impacts" not in [one.get_label() for one in other.get_lines()]
+    assert not any("impacts" in one.get_label() for one in other.get_lines())
+
+
+def test_both_contact_models_book_the_landing_alike():
+    """The share along the plane stands with friction in the article's balance and in that of the two models."""
+    one, two = Figure().subplots(), Figure().subplots()
+    compliant.energy_balance(one, two)
+    scenario = landing_scenario()
+    plain = Figure().subplots()
+    plots.energies(hh.simulate(scenario), "angle", ax=plain)
+    for label in ("lost to friction", "lost in impacts, normal part"):
+        assert line(one, label)[-1, 1] == pytest.approx(line(plain, label)[-1, 1], rel=1e-12)
+    assert line(two, "lost to friction")[-1, 1] == pytest.approx(line(one, "lost to friction")[-1, 1], abs=0.02)
+
+
+def test_the_gain_under_newtons_law_is_in_the_picture(ax):
+    compliant.landing_against_restitution([0.0, 0.5, 0.9], ax=ax)
+    least = min(np.min(np.asarray(one.get_ydata(), dtype=float)) for one in ax.get_lines() if len(one.get_xdata()))
+    assert least < -0.05  # Newton's law gives energy in the normal direction
+    assert ax.get_ylim()[0] < least
+
+
+def test_a_power_of_ten_stands_in_the_label(ax):
+    """Matplotlib would write it over the axes, where the ribbon of modes hides it."""
+    motion = hh.simulate(hh.Hoop.ideal(0.5, mass=1e8), hh.Plane(), hh.Start.rolling(1.0), duration=0.5)
+    plots.contact_forces(motion, "time", ax=ax)
+    ax.figure.canvas.draw()
+    assert ax.get_ylabel() == r"Force ($10^{6}$ N)"
+    assert ax.yaxis.get_offset_text().get_text() == ""
+    assert all(abs(float(tick.get_text().replace("−", "-"))) <= 1000.0 for tick in ax.get_yticklabels())
+    plain = Figure().subplots()
+    plots.contact_forces(hh.simulate(hh.Scenario(duration=0.5)), "time", ax=plain)
+    assert plain.get_ylabel() == "Force (N)"
 
 
 def test_friction_used_stays_within_one_and_reaches_it_in_slip(hop, ax):

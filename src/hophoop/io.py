@@ -13,11 +13,8 @@ import json
 import os
 import platform
 import shutil
-import uuid
 import warnings
 import zipfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import hophoop
 from hophoop._extras import need
+from hophoop._files import replacing
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES, Status
 from hophoop.results import Sample
 from hophoop.scenario import InputError, Scenario
@@ -145,7 +143,7 @@ def save(motion: Trajectory, path: str | Path, n: int = 1000) -> None:
     for name in _TABLES:
         groups[name] = _packed(xr, getattr(motion, f"_{name}"), name.removesuffix("s"))
     _describe_events(groups["events"], motion)
-    with _replacing(target) as temporary:
+    with replacing(target) as temporary:
         if kind == "netcdf":
             need("netCDF4", "maps")
             for name, group in groups.items():
@@ -285,7 +283,7 @@ def write_json(motion: Trajectory, path: str | Path) -> None:
         If the file cannot be written.
     """
     text = json.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
-    with _replacing(Path(path)) as temporary:
+    with replacing(Path(path)) as temporary:
         temporary.write_text(text + "\n", encoding="utf-8")
 
 
@@ -436,34 +434,7 @@ def _check_other_version(motion: Trajectory, file: Path, attributes: dict[str, A
 
 
 def _write_rows(path: Path, header: list[str], rows: Any) -> None:
-    with _replacing(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as stream:
+    with replacing(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream)
         writer.writerow(header)
         writer.writerows(rows)
-
-
-@contextmanager
-def _replacing(target: Path) -> Iterator[Path]:
-    """A path beside the target to write to; it takes the target's place when all went well."""
-    if target.is_dir() and not any((target / name).exists() for name in ("zarr.json", ".zgroup")):
-        # someone's folder, which only an older Zarr store is not
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
-    # the ending stays, since libraries choose the format by it
-    temporary = target.with_name(f".{uuid.uuid4().hex[:12]}.{target.name}")
-    try:
-        yield temporary
-        if target.is_dir():  # a folder cannot be replaced in one step
-            old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
-            target.rename(old)
-            temporary.rename(target)
-            shutil.rmtree(old)
-        else:
-            os.replace(temporary, target)
-    except FileNotFoundError as error:
-        # name the path that the caller gave
-        raise FileNotFoundError(error.errno, error.strerror, str(target)) from None
-    finally:
-        if temporary.is_dir():
-            shutil.rmtree(temporary)
-        else:
-            temporary.unlink(missing_ok=True)

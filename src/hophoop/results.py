@@ -122,6 +122,16 @@ class Sample:
         """Kinetic and potential energy [J]."""
         return self.kinetic + self.potential
 
+    @property
+    def friction_loss(self) -> Any:
+        """Energy lost to friction so far, in slip and along the plane in impacts [J]."""
+        return self.friction + self.impact_tangential
+
+    @property
+    def normal_loss(self) -> Any:
+        """Energy lost normal to the plane so far, in impacts or in a compliant contact's damper [J]."""
+        return self.impact_normal + self.damping
+
     def utilization(self, plane: Plane, signed: bool = False) -> Any:
         """Share of the friction that is possible, abs(F)/(μ N) with μk in slip and μs else.
 
@@ -168,7 +178,8 @@ def utilization_of(
     numbers = (np.asarray(each, float) for each in (friction, normal, mu_static, mu_kinetic))
     columns = np.broadcast_arrays(np.asarray(slips, bool), *numbers)
     share = np.empty(columns[0].shape)
-    utilizations(*(np.ascontiguousarray(column).reshape(-1) for column in columns), share.reshape(-1))
+    slipping, force, pressure, mu_s, mu_k = (np.ascontiguousarray(column).reshape(-1) for column in columns)
+    utilizations(slipping, force, pressure, mu_s, mu_k, share.reshape(-1))
     return share
 
 

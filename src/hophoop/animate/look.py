@@ -11,6 +11,7 @@ from hophoop.scenario import Scenario
 from hophoop.trajectory import Trajectory
 
 CAMERAS = ("follow", "hold")
+CAMERAS_3D = ("chase", "side", "orbit", "hold")
 LAYOUTS = ("side", "overlay")
 PANELS = ("velocity", "energy", "forces", "utilization", "phase")
 MAX_SIDE = 16384
@@ -27,11 +28,11 @@ class Look:
     theme : {'light', 'dark', 'print'}
     camera : {'follow', 'hold'}
         Goes along with the hoop, or shows the whole way at once.
-    panels : tuple of str
-        Plots that run along: velocity, energy, forces, utilization, phase.
+    panels : str or sequence of str
+        Plots of the first motion that run along: velocity, energy, forces, utilization, phase.
     layout : {'side', 'overlay'}
-        Several motions in a view each, or all in one.
-    labels : tuple of str or None
+        Several motions in a view each, to one scale, or all in one, the first on top.
+    labels : sequence of str or None
         A line for each motion; None says its parameters.
     traces, forces : bool
         Whether to draw the traces and the contact forces.
@@ -40,19 +41,63 @@ class Look:
     size: tuple[int, int] = (1280, 720)
     theme: str = "light"
     camera: str = "follow"
-    panels: tuple[str, ...] = ()
+    panels: Sequence[str] | str = ()
     layout: str = "side"
-    labels: tuple[str, ...] | None = None
+    labels: Sequence[str] | None = None
     traces: bool = True
     forces: bool = True
 
     def __post_init__(self) -> None:
+        _keep_tuples(self)
+        object.__setattr__(self, "panels", _words(self.panels))
         check_size(self.size)
         theme_of(self.theme)
         one_of("camera", self.camera, CAMERAS)
         one_of("layout", self.layout, LAYOUTS)
         for panel in self.panels:
             one_of("panels", panel, PANELS)
+
+
+@dataclass(frozen=True)
+class Look3D:
+    """How a film in 3D, or a scene that turns, looks.
+
+    Attributes
+    ----------
+    size : (int, int)
+        Width and height in pixels; a scene takes the room that it has [1].
+    theme : {'light', 'dark', 'print'}
+    camera : {'chase', 'side', 'orbit', 'hold'}
+        Beside and a little behind the hoop, square to it, going round it, or at rest, seeing the whole way.
+    labels : sequence of str or None
+        A line for each motion; None says its parameters.
+    traces, forces, shadows : bool
+        Whether to draw them.
+    """
+
+    size: tuple[int, int] = (1280, 720)
+    theme: str = "light"
+    camera: str = "chase"
+    labels: Sequence[str] | None = None
+    traces: bool = True
+    forces: bool = True
+    shadows: bool = True
+
+    def __post_init__(self) -> None:
+        _keep_tuples(self)
+        check_size(self.size)
+        theme_of(self.theme)
+        one_of("camera", self.camera, CAMERAS_3D)
+
+
+def _keep_tuples(look: Look | Look3D) -> None:
+    object.__setattr__(look, "size", tuple(look.size))
+    if look.labels is not None:
+        object.__setattr__(look, "labels", _words(look.labels))
+
+
+def _words(words: Sequence[str] | str) -> tuple[str, ...]:
+    return (words,) if isinstance(words, str) else tuple(words)
 
 
 def check_size(size: tuple[int, int]) -> None:

@@ -170,7 +170,7 @@ def _legend(axes: Any) -> None:
         loc="upper left",
         frameon=True,
         framealpha=0.75,
-        ncols=4,
+        ncols=5,
         borderpad=0.2,
         handlelength=1.4,
         columnspacing=1.0,
@@ -195,7 +195,8 @@ def _energy(axes: Any, motion: Trajectory, sample: Sample) -> None:
         (sample.kinetic, colors.KINETIC, "kinetic"),
         (sample.potential, colors.POTENTIAL, "potential"),
         (sample.total, colors.TOTAL, "sum"),
-        (sample.friction, colors.FRICTION_LOSS, "friction"),
+        (sample.friction_loss, colors.FRICTION_LOSS, "friction"),
+        (sample.normal_loss, colors.IMPACT_LOSS, "impacts"),
     ):
         axes.plot(sample.t, values, color=color, linewidth=1.8, label=label)
     axes.set_ylabel("energy, J")
@@ -212,9 +213,9 @@ def _forces(axes: Any, motion: Trajectory, sample: Sample) -> None:
 def _utilization(axes: Any, motion: Trajectory, sample: Sample) -> None:
     share = sample.utilization(motion.scenario.plane)
     axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
-    axes.set_ylim(0.0, 1.12)
-    axes.set_ylabel("friction in use")
+    axes.set_ylabel("friction utilization")
     _over_time(axes, sample.t)
+    axes.set_ylim(0.0, 1.35)  # the key above what 1 means
 
 
 def _phase(axes: Any, motion: Trajectory, sample: Sample) -> None:
@@ -228,8 +229,7 @@ def _over_time(axes: Any, times: Floats) -> None:
     axes.set_xlim(times[0], times[-1] if times[-1] > times[0] else times[0] + 1.0)
     axes.set_xlabel("t, s")
     low, high = axes.get_ylim()
-    if axes.get_ylabel() != "friction in use":
-        axes.set_ylim(low, high + 0.18 * (high - low))
+    axes.set_ylim(low, high + 0.18 * (high - low))
     _legend(axes)
 
 

@@ -217,12 +217,17 @@ FIGURES: tuple[ArticleFigure, ...] = (
         "v₀ = 3.1 m/s: in flight the rotation is constant, the velocity of the centre is not.",
         _velocity("hop", "angle"),
     ),
-    ArticleFigure("energy_hop", PART3, "v₀ = 3.1 m/s: energy balance.", _energy("hop", "angle")),
+    ArticleFigure(
+        "energy_hop",
+        PART3,
+        "v₀ = 3.1 m/s: energy balance. What the landing loses along the plane is booked to friction.",
+        _energy("hop", "angle"),
+    ),
     ArticleFigure(
         "energy_hop_compliant",
         PART3,
         "v₀ = 3.1 m/s: the energy balance in both contact models. The landing costs the same in each: what the article "
-        "calls significantly larger than friction's share is real, not an artefact of its contact.",
+        "calls significantly larger than friction's share is real, not an artefact of its contact. Booked as above.",
         _both_models,
         (9.5, 4.2),
         ours=True,

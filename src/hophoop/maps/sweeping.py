@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop._extras import need
+from hophoop._files import replacing
 from hophoop.maps import store
 from hophoop.maps.evaluate import CHUNK_CELLS, Plan, make_plan, run_chunk, thread_limit
 from hophoop.maps.quantities import attributes, distinct, encode, table_of
@@ -196,11 +197,9 @@ def _in_memory(plan: Plan, device: str, report: Callable[[int], None]) -> Any:
 
 def _to_netcdf(place: Path, file: Path) -> None:
     need("netCDF4", "maps")
-    fresh = file.with_name(f"{file.name}.part")
-    need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False).to_netcdf(
-        fresh, engine="netcdf4"
-    )
-    fresh.replace(file)
+    dataset = need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False)
+    with replacing(file) as fresh:
+        dataset.to_netcdf(fresh, engine="netcdf4")
     store.remove(place)
 
 

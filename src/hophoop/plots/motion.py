@@ -70,6 +70,8 @@ def energies(
 ) -> Axes:
     """Kinetic and potential energy, their sum, and what friction and impacts have taken.
 
+    Friction's share of an impact is booked with friction, so that rigid and compliant contact show the same.
+
     Parameters
     ----------
     motion : Trajectory
@@ -105,24 +107,23 @@ def energies(
         ls=(0, (7, 1.5, 1.2, 1.5)),
         label="kinetic + potential",
     )
-    impacts = sample.impact_normal + sample.impact_tangential + sample.damping
-    if np.any(sample.friction > 0.0):
+    if np.any(sample.friction_loss > 0.0):
         ax.plot(
             across,
-            sample.friction,
+            sample.friction_loss,
             color=colors.FRICTION_LOSS,
             lw=LINE,
             ls=(0, (1.2, 1.2)),
             label="lost to friction",
         )
-    if np.any(impacts != 0.0):
+    if np.any(sample.normal_loss != 0.0):
         ax.plot(
             across,
-            impacts,
+            sample.normal_loss,
             color=colors.IMPACT_LOSS,
             lw=LINE,
             ls=(0, (3, 1.2, 1, 1.2, 1, 1.2)),
-            label="lost in impacts",
+            label="lost in impacts, normal part",
         )
     if np.any(sample.spring > 0.0):
         ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")

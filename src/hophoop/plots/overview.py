@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from hophoop._extras import need
-from hophoop.io import _replacing
+from hophoop._files import replacing
 from hophoop.plots.curves import turning
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, velocities
 from hophoop.plots.path import path
@@ -70,7 +70,7 @@ def save_overview(motion: Trajectory, path: str | Path) -> None:
     OSError
         If the file cannot be written.
     """
-    with _replacing(Path(path)) as temporary:
+    with replacing(Path(path)) as temporary:
         overview(motion).savefig(temporary, dpi=150)
 
 

@@ -48,7 +48,7 @@ def check_against(against: str) -> None:
 def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
     """Labels, a light grid, no frame where there is no scale, a legend outside of the curves' way."""
     ax.set_xlabel(across)
-    ax.set_ylabel(up)
+    ax.set_ylabel(_scaled(ax, up))
     ax.grid(True, color="#000000", alpha=0.10, linewidth=0.6)
     ax.set_axisbelow(True)
     for side in ("top", "right"):
@@ -65,6 +65,28 @@ def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
         frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.155), ncol=columns,
         handlelength=3.2,
     )  # fmt: skip
+
+
+def _scaled(ax: Axes, label: str) -> str:
+    """The label, with the power of ten by which the numbers at the ticks are smaller than the quantity.
+
+    Matplotlib writes it over the axes, where the ribbon of modes hides it.
+    """
+    ticker = need("matplotlib.ticker", "plots")
+    if ax.get_yscale() != "linear":
+        return label
+    size = max(abs(end) for end in ax.get_ylim())
+    power = 3 * math.floor(math.log10(size) / 3.0) if 0.0 < size < math.inf else 0
+    plain = ticker.ScalarFormatter(useOffset=False)
+    plain.set_scientific(False)
+    if -3 < power < 6:
+        ax.yaxis.set_major_formatter(plain)
+        return label
+    ax.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value / 10.0**power:g}".replace("-", "−")))
+    words, bracket, unit = label.rpartition("(")
+    if bracket:
+        return rf"{words}($10^{{{power}}}$ {unit}"
+    return rf"{label} ($10^{{{power}}}$)"
 
 
 def abscissa(ax: Axes, motion: Trajectory, against: Against) -> str:
@@ -126,7 +148,7 @@ def _word(piece: Phase, share: float, ax: Axes) -> str:
     room = share * ax.get_position().width * inches * 72.0 / 5.0
     if room >= len(piece.word) + 1:
         return piece.word
-    return piece.mode if room >= 1.6 else ""
+    return ""  # a letter would not do: the colour follows the word
 
 
 def _ink(word: str) -> str:

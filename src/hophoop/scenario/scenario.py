@@ -10,6 +10,7 @@ from typing import Any
 
 from pydantic import Field, ValidationError, model_validator
 
+from hophoop._files import replacing
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_query, read_text, toml_text
@@ -168,7 +169,8 @@ class Scenario(Frozen):
             text = json.dumps(self.to_dict(), indent=2, ensure_ascii=False) + "\n"
         else:
             raise InputError(f"{file} must end in .toml or .json.")
-        file.write_text(text, encoding="utf-8")
+        with replacing(file) as fresh:
+            fresh.write_text(text, encoding="utf-8")
 
     def to_toml(self) -> str:
         """The scenario as a TOML text, with units as comments.

@@ -97,7 +97,7 @@ def coming_rotation(omega: ArrayLike) -> NDArray[np.float64]:
     direction : ndarray, shape (n,)
         −1, 0 or 1 [1]; at the end of a motion that stops that of the last one that turns.
     """
-    sign = np.sign(np.nan_to_num(np.asarray(omega, dtype=float)))
+    sign: NDArray[np.float64] = np.sign(np.nan_to_num(np.asarray(omega, dtype=float)))
     turning = np.flatnonzero(sign)
     if turning.size == 0:
         return sign
