@@ -3,6 +3,8 @@
 import csv
 import json
 import math
+import os
+import re
 import subprocess
 import sys
 import time
@@ -121,6 +123,62 @@ def test_free_start_and_degrees():
     assert data["start"]["angle"] == math.pi / 2
     assert (data["start"]["omega"], data["start"]["vx"], data["start"]["height"]) == (-2.0, 1.0, 0.1)
     assert data["plane"]["slope"] == math.radians(5.0)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--gamma", "0.5", "--eccentricity", "0.2"), "--gamma cannot be given together with --eccentricity."),
+        (("--v0", "1", "--vx", "2"), "--v0 cannot be given together with --vx."),
+        (("--mu", "1", "--mu-static", "2"), "--mu cannot be given together with --mu-static."),
+        (("--mu", "1", "--set", "plane.mu=0.5"), "--set plane.mu cannot be given together with --mu."),
+        (("--v0", "1", "--set", "start.omega=2"), "--v0 cannot be given together with --set start.omega."),
+        (("--vx", "2"), "--vx cannot be given without --omega: the start is a rolling one (start.speed = 3.1 m/s)"),
+        (("--omega", "2"), "--omega cannot be given without --vx"),
+        (("--height", "0.2"), "--height cannot be given without --vx and --omega"),
+    ],
+)
+def test_contradictions_that_a_file_refuses_are_refused(words, said):
+    done = run("run", *words, "--duration", "0.1")
+    assert done.exit_code == 2
+    assert said in " ".join(done.stderr.split())
+
+
+def test_a_free_start_is_changed_one_number_at_a_time(tmp_path):
+    path = tmp_path / "thrown.toml"
+    path.write_text("[start]\nvx = 1.0\nheight = 0.1\n", encoding="utf-8")
+    start = of(path, "--vx", "2", "--duration", "0.1")["start"]
+    assert (start["vx"], start["height"], start["omega"]) == (2.0, 0.1, 0.0)
+
+
+def test_a_long_table_says_what_it_leaves_out():
+    words = ("run", "--v0", "2.8", "--duration", "60")
+    count = len(hh.simulate(hh.Scenario(start=hh.Start.rolling(2.8), duration=60.0)).events)
+    brief, whole = run(*words).stdout, run(*words, "--all").stdout
+    assert f"… {count - 80} events are left out where the dots are; --all prints them." in brief
+    times = re.compile(r"^ *\d+\.\d{6} ", re.MULTILINE)
+    assert (len(times.findall(brief)), len(times.findall(whole))) == (80, count)
+    assert "left out" not in whole
+    assert times.findall(brief)[-20:] == times.findall(whole)[-20:]
+    # JSON is the whole result in any case
+    assert len(json.loads(run(*words, "--json").stdout)["events"]) == count
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [
+        (["hophoop", "th"], "theory"),
+        (["hophoop", "run", "--mu-s"], "--mu-static"),
+        (["hophoop", "map", "--quantity", "hop_h"], "hop_height"),
+    ],
+)
+def test_a_shell_completes_commands_options_and_values(typed, offered):
+    code = "from hophoop.cli import app; app(prog_name='hophoop')"
+    wanted = {"_HOPHOOP_COMPLETE": "complete_bash", "COMP_WORDS": " ".join(typed), "COMP_CWORD": str(len(typed) - 1)}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=os.environ | wanted, capture_output=True, text=True, check=False
+    )
+    assert offered in done.stdout.split()
 
 
 def test_any_parameter():

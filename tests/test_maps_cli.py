@@ -1,5 +1,7 @@
 """`hophoop map`, as a person or a script calls it."""
 
+import re
+
 import numpy as np
 import pytest
 from typer.testing import CliRunner
@@ -7,6 +9,7 @@ from typer.testing import CliRunner
 import hophoop as hh
 from hophoop import maps
 from hophoop.cli import app
+from hophoop.maps import memory
 
 AXES = ["--axis", "plane.mu=0.2:1.8:9", "--axis", "start.speed=0.1,2,3.1,5"]
 
@@ -59,6 +62,10 @@ def test_progress_says_rate_and_time_left(tmp_path):
         ([*AXES, "--out", "a.zarr", "--gpu"], "device = 'gpu'"),
         ([*AXES, "--out", "a.zarr", "--plot", "a.xyz"], "--plot = a.xyz must end in .png"),
         ([*AXES, "--plot", "gone/a.png"], "--plot = gone/a.png must be in a folder that is there; gone is not"),
+        (
+            ["--axis", "plane.mu=0:1:300000", "--axis", "start.speed=1:2:300000", "--plot", "a.png"],
+            "axes make 90,000,000,000 motions, which need",
+        ),
         ([*AXES, "--out", "a.map"], "out = 'a.map' must end in .zarr or .nc"),
     ],
 )
@@ -68,3 +75,27 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, arguments, message):
     assert done.exit_code == 2
     assert message in " ".join(done.output.split())
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_help_lists_the_quantities():
+    text = call("--help").output
+    for name, quantity in maps.QUANTITIES.items():
+        assert re.search(rf"^  {name} +{re.escape(quantity.meaning)}", text, re.MULTILINE), name
+
+
+def test_a_map_that_does_not_fit_into_memory_is_refused_before_it_starts(monkeypatch):
+    values = {"plane.mu": np.linspace(0.1, 1.0, 20000), "start.speed": np.linspace(0.1, 3.0, 20000)}
+    monkeypatch.setattr(memory, "free_memory", lambda: 1e9)
+    with pytest.raises(ValueError, match=r"400,000,000 motions, which need 1\.8 GB of memory where 1\.0 GB are free"):
+        maps.sweep(None, values)
+    assert memory.check_memory([1000, 1000], ["f8"], "no") is None
+
+
+def test_no_memory_is_one_sentence(monkeypatch):
+    def fail(*args):
+        raise MemoryError("Unable to allocate 745. GiB")
+
+    monkeypatch.setattr("hophoop.maps.axes.parse_axis", fail)
+    done = call(*AXES, "--plot", "a.png")
+    assert done.exit_code == 2
+    assert "There is not enough memory: Unable to allocate 745. GiB." in done.output

@@ -2,11 +2,13 @@
 
 import json
 import math
+import random
 import tomllib
 
 import numpy as np
 import pytest
 from hypothesis import given
+from hypothesis import strategies as st
 
 import hophoop as hh
 from hophoop.scenario import parameter, paths, sentence
@@ -218,3 +220,63 @@ def test_refusals_of_paths(tmp_path):
     (tmp_path / "picture.toml").write_bytes(b"\x89PNG\xff")
     assert "is not a text file in UTF-8." in said(lambda: hh.Scenario.load(tmp_path / "picture.toml"))
     assert "must end in .toml or .json." in said(lambda: hh.Scenario().save(tmp_path / "hop.yaml"))
+
+
+# Several values at once
+
+TOGETHER = {
+    "duration": 2.0,
+    "hoop.radius": 0.5,
+    "hoop.eccentricity": 1.0,
+    "hoop.inertia_ratio": 0.0,  # only with an eccentricity of 1
+    "plane.mu_static": 1.5,
+    "plane.mu_kinetic": 1.2,  # above the friction of before
+    "plane.impact_law": "newton",
+    "start.vx": 2.0,
+    "start.height": 0.1,
+    "contact.max_events": 7,
+}
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_order_of_several_values_does_not_count(seed):
+    paths = list(TOGETHER)
+    random.Random(seed).shuffle(paths)
+    made = hh.Scenario().with_values({path: TOGETHER[path] for path in paths})
+    assert made == hh.Scenario().with_values(TOGETHER)
+    assert made.hoop.massless
+    assert (made.plane.mu_static, made.plane.mu_kinetic) == (1.5, 1.2)
+    assert made.start.omega == 3.1 / 0.5  # as the new hoop would roll
+    assert made.contact.max_events == 7
+
+
+@given(
+    mu=st.floats(0.0, 2.0), speed=st.floats(0.1, 5.0), slope=st.floats(0.0, 0.5), load=st.floats(0.05, 0.95)
+)
+def test_several_values_are_those_of_one_replacement_after_the_other(mu, speed, slope, load):
+    values = {"plane.mu": mu, "start.speed": speed, "plane.slope": slope, "hoop.load_fraction": load}
+    one_by_one = hh.Scenario()
+    for path, value in values.items():
+        one_by_one = one_by_one.replace(path, value)
+    assert hh.Scenario().with_values(values) == one_by_one
+
+
+@pytest.mark.parametrize(
+    ("values", "expected"),
+    [
+        ({"start.speed": 1.0, "start.vx": 2.0}, "start.speed = 1.0 and start.vx = 2.0 cannot be given together."),
+        ({"start.vx": 2.0, "start.speed": 1.0}, "start.vx = 2.0 and start.speed = 1.0 cannot be given together."),
+        ({"hoop.load_fraction": 0.5, "hoop.eccentricity": 0.2}, "cannot be given together"),
+        ({"hoop.load_fraction": 0.5, "hoop.parts.0.mass": 0.2}, "cannot be given together"),
+        ({"plane.mu": 1.0, "plane.mu_static": 2.0}, "cannot be given together"),
+        ({"plane.mu_static": 1.0, "plane.mu_kinetic": 2.0}, "plane.mu_kinetic = 2.0 must not exceed"),
+        ({"plane.mux": 1.0, "plane.mu": 0.3}, "plane.mux is not a known key"),
+    ],
+)
+def test_refusals_of_several_values(values, expected):
+    assert expected in said(lambda: hh.Scenario().with_values(values))
+
+
+def test_a_whole_section_and_what_stands_in_it():
+    made = hh.Scenario().with_values({"start.angle": 0.5, "start": hh.Start.rolling(2.0), "plane": {"mu": 0.3}})
+    assert made == hh.Scenario(start=hh.Start.rolling(2.0, angle=0.5), plane=hh.Plane(mu=0.3))

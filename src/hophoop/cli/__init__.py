@@ -51,6 +51,8 @@ class Commands(TyperGroup):
             from hophoop.scenario.sentences import sentence
 
             raise Failed(sentence(error)) from error
+        except MemoryError as error:
+            raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
 
     def main(
         self,
@@ -99,7 +101,6 @@ def say(text: str) -> None:
 app = typer.Typer(
     name="hophoop",
     cls=Commands,
-    add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},

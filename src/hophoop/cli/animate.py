@@ -186,7 +186,7 @@ def _named_options() -> Iterator[None]:
 
 
 def _varied(scenario: Any, vary: str | None) -> list[Any]:
-    from hophoop.cli._options import _value, changed
+    from hophoop.cli._options import value_of
     from hophoop.scenario import InputError
 
     if vary is None:
@@ -194,7 +194,7 @@ def _varied(scenario: Any, vary: str | None) -> list[Any]:
     path, sign, values = vary.partition("=")
     if not sign or not path or not values:
         raise InputError(f"--vary {vary} must be a path and values, such as plane.mu=0.3,1.")
-    return [changed(scenario, [(path.strip(), _value(word.strip()))]) for word in values.split(",")]
+    return [scenario.replace(path.strip(), value_of(word.strip())) for word in values.split(",")]
 
 
 def _mark(text: str) -> str | float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json as json_text
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -15,10 +16,12 @@ from hophoop.cli._options import with_scenario
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from hophoop.results import EventRecord
     from hophoop.trajectory import Trajectory
 
 OUTPUT = "Output"
 STORES = (".nc", ".zarr", ".zarr.zip")
+FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
 
 class RunCommand(TyperCommand):
     """`--json` takes a file or nothing, which the parser itself does not know."""
@@ -133,6 +136,12 @@ def run(
     samples: Annotated[
         int, typer.Option("--samples", help="Number of lines in --csv.", rich_help_panel=OUTPUT)
     ] = 1001,
+    everything: Annotated[
+        bool,
+        typer.Option(
+            "--all", help=f"Print all events, not the first {FIRST_ROWS} and the last {LAST_ROWS}.", rich_help_panel=OUTPUT
+        ),
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
@@ -169,7 +178,7 @@ def run(
 
         save_overview(motion, plot)
     if json != "-" and not quiet:
-        _print(motion)
+        _print(motion, everything)
     if not motion.ok:
         from hophoop.vocabulary.words import STATUSES
 
@@ -177,18 +186,22 @@ def run(
         raise typer.Exit(NO_ANSWER)
 
 
-def _print(motion: Trajectory) -> None:
+def _print(motion: Trajectory, everything: bool) -> None:
     from rich.console import Console
 
     # a pipe has no width of its own; a table that is cut is worth little
     console = Console(highlight=False)
     if not console.is_terminal:
         console = Console(highlight=False, width=120)
-    console.print(_events(motion))
+    events = motion.events
+    left_out = 0 if everything else max(0, len(events) - FIRST_ROWS - LAST_ROWS)
+    console.print(_events(events, left_out))
+    if left_out:
+        console.print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
     console.print(_summary(motion))
 
 
-def _events(motion: Trajectory) -> Table:
+def _events(events: Sequence[EventRecord], left_out: int) -> Table:
     from rich import box
     from rich.table import Table
 
@@ -207,7 +220,11 @@ def _events(motion: Trajectory) -> Table:
         "slip (m/s)",
     ):
         table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
-    for event in motion.events:
+    shown = [*events[:FIRST_ROWS], None, *events[FIRST_ROWS + left_out :]] if left_out else events
+    for event in shown:
+        if event is None:
+            table.add_row(*["…"] * len(table.columns))
+            continue
         change = (
             event.to_mode
             if event.from_mode in (None, event.to_mode)

@@ -19,6 +19,7 @@ from hophoop.lab.limits import USUAL, Limits, TooMuch, whole_number, within
 from hophoop.lab.presets import presets
 from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import Compliant, InputError, Scenario, time_unit
+from hophoop.scenario.paths import contradiction
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
@@ -57,7 +58,7 @@ def read_scenario(keys: Any) -> Scenario:
 
 
 def changed(scenario: Scenario, changes: Any) -> Scenario:
-    """The scenario with other values at some paths, in their order.
+    """The scenario with other values at some paths; where two say one thing, the later one counts.
 
     Raises
     ------
@@ -66,13 +67,16 @@ def changed(scenario: Scenario, changes: Any) -> Scenario:
     """
     if not isinstance(changes, list):
         raise InputError(f"changes = {json.dumps(changes)[:60]} must be a list of pairs of path and value.")
+    values: dict[str, Any] = {}
     for change in changes:
         if not (isinstance(change, list) and len(change) == 2 and isinstance(change[0], str)):
             raise InputError(
                 f"changes holds {json.dumps(change)[:60]}, which is not a pair of path and value."
             )
-        scenario = scenario.replace(change[0], change[1])
-    return scenario
+        if contradiction([*values, change[0]]):
+            scenario, values = scenario.with_values(values), {}
+        values[change[0]] = change[1]
+    return scenario.with_values(values)
 
 
 def computed(scenario: Scenario, limits: Limits = USUAL) -> Trajectory:
