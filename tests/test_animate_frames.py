@@ -10,8 +10,9 @@ from hypothesis import strategies as st
 import hophoop as hh
 from animate_tools import motion, places
 from hophoop.animate.frames import Timing, clock, extent, follow, trace
-from hophoop.animate.look import describe, nice
-from hophoop.plots.pose import poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.animate.look import nice
+from hophoop.poses import poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.scenario import describe
 
 
 def test_real_time_by_default():
@@ -231,7 +232,10 @@ def test_descriptions():
         start=hh.Start(omega=1.0, vx=1.0),
         contact=hh.Compliant(),
     )
-    assert describe(other) == "μs = 0.5, μk = 0.4, ε = 0.5, κ = 0.6, β = 5.73°, e = 0.2, compliant contact"
+    assert describe(other) == (
+        "v = (1, 0) m/s, θ̇ = 1 rad/s, "
+        "μs = 0.5, μk = 0.4, ε = 0.5, κ = 0.6, β = 5.73°, e = 0.2, compliant contact"
+    )
 
 
 @pytest.mark.parametrize("value", [math.inf])

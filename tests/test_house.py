@@ -146,8 +146,7 @@ def needs():
 def test_extras_hold_what_is_needed_of_them():
     for place, module, extra in needs():
         assert extra in PROJECT["optional-dependencies"], place
-        # Engines are not installed for the tests, and rooms of our own need no installing.
-        if extra != "engines" and not module.startswith("hophoop."):
+        if not module.startswith("hophoop."):  # rooms of our own need no installing
             assert module.partition(".")[0] in extra_modules(extra), f"{place}: {module} is not in {extra}"
 
 
@@ -184,8 +183,8 @@ def test_unknown_names_are_not():
 
 
 # The rooms whose functions users call; kernels are documented by physics formulas beside the code.
-ROOMS = ["scenario", "simulation", "trajectory", "theory", "io", "cite", "maps", "fit", "engines", "plots"]
-ROOMS += ["animate", "article", "lab"]
+ROOMS = ["scenario", "simulation", "trajectory", "theory", "io", "export", "portrait", "poses"]
+ROOMS += ["cite", "convergence", "maps", "plots", "animate", "article", "lab"]
 
 
 def public_objects(room):

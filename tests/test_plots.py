@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots
+from hophoop.convergence import landing_scenario
 from hophoop.plots import compliant
-from hophoop.plots.compliant_study import landing_scenario
 from hophoop.plots.curves import curve, phases, turning
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import mode_word
@@ -234,7 +234,8 @@ def test_overview_and_notebook(hop, tmp_path):
     save_overview(hop, tmp_path / "page.png")
     assert (tmp_path / "page.png").read_bytes().startswith(b"\x89PNG")
     html = hop._repr_html_()
-    assert "data:image/png;base64," in html
+    assert "<svg " in html
+    assert html.count("<title>") == len({event.t for event in hop.events})
     assert "takeoff" in html
     assert html.count("<tr>") == 1 + len(hop.events)
     long = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(2.8), duration=20.0)

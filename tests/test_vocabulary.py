@@ -13,7 +13,7 @@ from hophoop.lab import explore, frames
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
 from hophoop.plots.curves import curve, phases, shown_words
-from hophoop.plots.pose import poses_of
+from hophoop.poses import poses_of
 from hophoop.vocabulary import classes, colors, words
 
 ROOT = Path(__file__).parents[1]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hophoop.physics.friction import utilizations
-from hophoop.scenario import Plane
+from hophoop.scenario import Plane, Scenario
+from hophoop.units import Units
 
 
 @dataclass(frozen=True)
@@ -155,6 +156,46 @@ class Sample:
             sign = np.select([np.equal(self.mode, "S"), np.equal(self.mode, "K")], [1.0, -1.0], np.sign(self.friction_force))
             share = share * sign
         return share if share.ndim else float(share)
+
+
+class Motion(Protocol):
+    """What a computed motion offers to those that show it or write it: the public face of `hophoop.Trajectory`."""
+
+    scenario: Scenario
+    version: str
+
+    @property
+    def status(self) -> str:
+        """How it ended."""
+
+    @property
+    def sequence(self) -> str:
+        """One letter a phase."""
+
+    @property
+    def duration(self) -> float:
+        """How long it lasts [s]."""
+
+    @property
+    def events(self) -> tuple[EventRecord, ...]:
+        """All events in order."""
+
+    @property
+    def tables(self) -> dict[str, np.ndarray]:
+        """What the kernel wrote: events and segments, in its own units."""
+
+    @property
+    def units(self) -> Units:
+        """Those units."""
+
+    def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
+        """The motion at any time."""
+
+    def times(self, n: int = 1000) -> NDArray[np.float64]:
+        """Equally spaced times over it [s]."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The motion as JSON."""
 
 
 def utilization_of(

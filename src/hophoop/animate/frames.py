@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from hophoop.physics.body import EVENT_NAMES
-from hophoop.plots.pose import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Trajectory
 

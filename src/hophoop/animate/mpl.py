@@ -15,7 +15,7 @@ from hophoop.animate.panels import Panels
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.views import BELOW, View, followed, followed_scale, grid, held, held_scale, project
 from hophoop.animate.words import draw_keys, draw_pace, draw_state, minus, shades_of, speed_words, wide
-from hophoop.plots.pose import Floats, Poses, part_side, poses_of, rim_speeds, to_world
+from hophoop.poses import Floats, Poses, part_side, poses_of, rim_speeds, to_world
 from hophoop.scenario import Disk, PointMass, Ring, Rod
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors

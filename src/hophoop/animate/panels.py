@@ -11,7 +11,7 @@ import numpy as np
 from hophoop.animate.canvas import Bytes, Canvas, Rectangle
 from hophoop.animate.themes import Theme
 from hophoop.plots.curves import curve
-from hophoop.plots.pose import Floats, Poses
+from hophoop.poses import Floats, Poses
 from hophoop.results import Sample
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors

@@ -33,7 +33,7 @@ from hophoop.animate.shapes3d import (
 )
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.words import draw_keys, draw_pace, draw_state, shades_of, speed_words
-from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, to_world
+from hophoop.poses import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 

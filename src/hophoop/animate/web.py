@@ -19,7 +19,7 @@ from hophoop.animate.look import Look3D, labels_of, nice
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
 from hophoop.animate.words import shades_of
-from hophoop.plots.pose import Floats, load_distance, poses_of
+from hophoop.poses import Floats, load_distance, poses_of
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import FLIGHT, MODES, PARTICIPLES

@@ -10,7 +10,7 @@ from hophoop._extras import need
 from hophoop.animate.canvas import Canvas
 from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
-from hophoop.plots.pose import Floats, Poses
+from hophoop.poses import Floats, Poses
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import PARTICIPLES
 

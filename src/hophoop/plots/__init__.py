@@ -5,7 +5,7 @@ Matplotlib is in the extra ``plots`` and loaded when a figure is drawn.
 
 from hophoop.plots.maps import motion_map
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, gap, velocities
-from hophoop.plots.overview import notebook, overview
+from hophoop.plots.overview import overview
 from hophoop.plots.path import geometry, path
 from hophoop.plots.plane import phase_plane
 from hophoop.plots.strobe import strobe
@@ -25,6 +25,5 @@ __all__ = [
     "motion_map",
     "class_color",
     "overview",
-    "notebook",
     "colors",
 ]

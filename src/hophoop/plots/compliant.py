@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop._extras import need
-from hophoop.plots.compliant_study import (
+from hophoop.convergence import (
     Landing,
     landing,
     landing_scenario,

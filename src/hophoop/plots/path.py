@@ -10,8 +10,8 @@ import numpy as np
 
 from hophoop._extras import need
 from hophoop.plots.curves import curve
-from hophoop.plots.pose import Floats, load_distance, poses_of, to_world
 from hophoop.plots.style import new_axes
+from hophoop.poses import Floats, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors

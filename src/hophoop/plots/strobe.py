@@ -10,8 +10,8 @@ import numpy as np
 from hophoop._extras import need
 from hophoop.plots.curves import curve
 from hophoop.plots.path import _ground
-from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.plots.style import new_axes
+from hophoop.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import FLIGHT

@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop.results import Sample
+from hophoop.results import Motion, Sample
 from hophoop.scenario import Hoop, PointMass, Ring
 from hophoop.scenario.scenario import time_unit
-from hophoop.trajectory import Trajectory
 from hophoop.vocabulary.words import coming_rotation, mode_words
 
 Floats = NDArray[np.float64]
@@ -28,7 +27,7 @@ class Poses:
     t : ndarray, shape (n,)
         Time [s].
     mode, words : ndarray of str, shape (n,)
-        Letter of the mode, and its word.
+        Letter of the mode, and its word [no number].
     angle, omega : ndarray, shape (n,)
         θ [rad] and θ̇ [rad/s].
     center, load, gravity_center, contact : ndarray, shape (n, 2)
@@ -116,7 +115,7 @@ def part_side(hoop: Hoop) -> float:
     return -1.0 if moment < 0.0 else 1.0
 
 
-def poses_of(motion: Trajectory, times: ArrayLike) -> Poses:
+def poses_of(motion: Motion, times: ArrayLike) -> Poses:
     """A motion at many times, as points in world coordinates.
 
     Parameters
@@ -186,7 +185,7 @@ def rim_speeds(poses: Poses, angles: ArrayLike, radius: float) -> Floats:
     return np.asarray(np.hypot(along, away))
 
 
-def event_times(motion: Trajectory) -> Floats:
+def event_times(motion: Motion) -> Floats:
     """Times of all events of a motion, each once.
 
     Parameters
@@ -202,7 +201,7 @@ def event_times(motion: Trajectory) -> Floats:
     return np.unique(np.clip([event.t for event in motion.events], 0.0, end))
 
 
-def turned_at(motion: Trajectory, times: ArrayLike) -> Floats:
+def turned_at(motion: Motion, times: ArrayLike) -> Floats:
     """How far a motion has turned at most, up to each of some times.
 
     Parameters
@@ -222,7 +221,7 @@ def turned_at(motion: Trajectory, times: ArrayLike) -> Floats:
     return np.asarray(turned[np.searchsorted(grid, wanted)])
 
 
-def times_at_turn(motion: Trajectory, turned: ArrayLike) -> Floats:
+def times_at_turn(motion: Motion, turned: ArrayLike) -> Floats:
     """First times at which a motion has turned so far; its end where it never does.
 
     Parameters
@@ -250,7 +249,7 @@ def times_at_turn(motion: Trajectory, turned: ArrayLike) -> Floats:
     return np.where(wanted <= 0.0, 0.0, found)
 
 
-def _grid(motion: Trajectory) -> Floats:
+def _grid(motion: Motion) -> Floats:
     second = time_unit(motion.scenario.hoop, motion.scenario.plane)
     return motion.times(int(min(GRID, max(64, 60 * motion.duration / second))))
 

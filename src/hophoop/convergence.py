@@ -37,6 +37,8 @@ def with_contact(
 ) -> Scenario:
     """The same scenario on a compliant contact whose stiffness and slip speed are in natural units.
 
+    Further arguments are those of `hophoop.Compliant`.
+
     Parameters
     ----------
     scenario : Scenario
@@ -45,8 +47,6 @@ def with_contact(
         Over m g / R [1].
     slip_speed : float, optional
         Over √(g R) [1].
-    **others
-        Further arguments of `hophoop.Compliant`.
 
     Returns
     -------
@@ -97,12 +97,12 @@ def angle_error(scenario: Scenario, compliant: Scenario, times: int = 400) -> fl
 def convergence(stiffnesses: ArrayLike = STIFFNESSES, **contact: Any) -> dict[str, Floats]:
     """Distance of the article's motions on a compliant plane from the rigid ones.
 
+    Further arguments are those of `with_contact`.
+
     Parameters
     ----------
     stiffnesses : array_like
         Over m g / R [1].
-    **contact
-        Further arguments of `with_contact`.
 
     Returns
     -------
@@ -123,6 +123,7 @@ def order(stiffnesses: ArrayLike, errors: ArrayLike) -> float:
     Parameters
     ----------
     stiffnesses, errors : array_like, shape (n,)
+        In any units [1].
 
     Returns
     -------
@@ -242,10 +243,10 @@ def impact_restitution(hoop: Hoop, plane: Plane, touch: EventRecord, number: flo
             share = 1.0
             if not stuck and slid * vt < -1e-14 * abs(vt):
                 share = vt / (vt - slid)
-            pull = normal_force(comp, rise, after)[0]
-            if compression > 0.0 and pull < -1e-13 and after > 0.0:
+            last = normal_force(comp, rise, after)[0]
+            if compression > 0.0 and last < -1e-13 and after > 0.0:
                 start = normal_force(comp, y, vn)[0]
-                share = min(share, start / (start - pull))
+                share = min(share, start / (start - last))
             if share == 1.0:
                 break
             length *= share
@@ -314,7 +315,7 @@ def touch_scenario(restitution: float = 0.0, impact_law: str = "stronge", durati
     Parameters
     ----------
     restitution, impact_law
-        As in `landing_scenario`.
+        As in `landing_scenario` [1].
     duration : float, default 0.05
         [s].
 
@@ -405,8 +406,6 @@ def painleve_errors(
     painleve : {'flight', 'impact'}
     stiffnesses : array_like
         Over m g / R [1].
-    **contact
-        Further arguments of `with_contact`.
 
     Returns
     -------
