@@ -24,33 +24,12 @@ from hophoop._files import replacing
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES
 from hophoop.results import Motion, Sample
 from hophoop.scenario import InputError
+from hophoop.vocabulary.labels import VARIABLES
 
 if TYPE_CHECKING:
     import xarray
 
 SCHEMA = "hophoop/1"
-
-# Variables over time: unit and meaning.
-VARIABLES: dict[str, tuple[str, str]] = {
-    "mode": ("1", "Mode"),
-    "x": ("m", "Position of the centre along the plane"),
-    "height": ("m", "Gap between rim and plane"),
-    "angle": ("rad", "Angle from the plane's normal to the centre of gravity"),
-    "vx": ("m/s", "Velocity of the centre along the plane"),
-    "vy": ("m/s", "Velocity of the centre away from the plane"),
-    "omega": ("rad/s", "Angular velocity"),
-    "slip": ("m/s", "Slip velocity of the lowest point"),
-    "friction_force": ("N", "Friction force along the plane"),
-    "normal_force": ("N", "Normal force"),
-    "kinetic": ("J", "Kinetic energy"),
-    "potential": ("J", "Potential energy"),
-    "total": ("J", "Kinetic and potential energy"),
-    "friction": ("J", "Energy lost in slip so far"),
-    "impact_normal": ("J", "Energy lost in the normal part of impacts so far"),
-    "impact_tangential": ("J", "Energy lost in the tangential part of impacts so far"),
-    "spring": ("J", "Energy stored in the compliant contact"),
-    "damping": ("J", "Energy lost in the damper of the compliant contact so far"),
-}
 
 # Fields of an event that have a unit; the others are codes.
 _EVENT_UNITS = {

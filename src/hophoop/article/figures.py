@@ -16,7 +16,7 @@ from hophoop.article.scenarios import title
 from hophoop.plots import compliant
 from hophoop.plots.style import finish
 from hophoop.simulation import simulate
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -113,7 +113,7 @@ def _slow_end(runs: Runs, ax: Axes) -> None:
     late = t[t > 10.0]
     ax.loglog(late, law / late, color=colors.FRICTION_LOSS, lw=1.4, ls=(0, (5, 2)), label=f"{law:.0f} J s / t")
     ax.set_xlim(0.5, LONG * 1.2)
-    finish(ax, "Time (s)", "Energy above rolling at the critical speed (J)")
+    finish(ax, labels.TIME, "Energy above rolling at the critical speed (J)")
 
 
 PART1, PART2, PART3, PART4 = (

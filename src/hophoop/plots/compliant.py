@@ -17,7 +17,7 @@ from hophoop.convergence import (
     with_contact,
 )
 from hophoop.simulation import simulate
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -187,12 +187,12 @@ def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, st
         label = "lost in impacts, normal part" if one.contact.model == "rigid" else "lost in the damper"
         ax.plot(angle, s.normal_loss, ":", color=colors.IMPACT_LOSS, lw=2, label=label)
         ax.set_title(title, fontsize="medium")
-        ax.set_xlabel("rotation angle θ (°)")
+        ax.set_xlabel(labels.ANGLE)
         ax.set_xticks(np.arange(0, 541, 90))
         ax.grid(True, alpha=0.3)
         ax.set_ylim(-18.0, 49.0)
         ax.legend(fontsize="small", loc="upper left", ncols=2)
-    ax_rigid.set_ylabel("energy (J)")
+    ax_rigid.set_ylabel(labels.ENERGY)
     return ax_rigid, ax_soft
 
 

@@ -19,6 +19,7 @@ from hophoop.plots.style import SMALL, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.classes import class_color
+from hophoop.vocabulary.labels import PARAMETERS, with_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -26,19 +27,6 @@ if TYPE_CHECKING:
 else:
     Axes = Any
 
-SYMBOLS = {
-    "plane.mu": "Friction μ",
-    "plane.mu_static": r"Static friction $\mu_s$",
-    "plane.mu_kinetic": r"Kinetic friction $\mu_k$",
-    "plane.slope": "Slope β",
-    "plane.restitution": "Restitution e",
-    "hoop.load_fraction": "Load fraction γ",
-    "hoop.eccentricity": "Eccentricity ε",
-    "hoop.inertia_ratio": "Inertia ratio κ",
-    "start.speed": r"Speed at the start $v_0$",
-    "start.angle": "Angle at the start θ",
-    "start.omega": r"Angular velocity at the start $\dot\theta$",
-}
 SIZE = (8.2, 5.4)
 LABELLED = 0.012  # share of the map from which on a region gets its name written into it
 NOT_ALLOWED_COLOR = "#FFFFFF"
@@ -116,9 +104,8 @@ def motion_map(
 
 
 def _label(dataset: Any, name: str) -> str:
-    text = SYMBOLS.get(name, dataset[name].attrs.get("long_name", name))
-    unit = dataset[name].attrs.get("units", "1")
-    return str(text) if unit in ("1", "") else f"{text} ({unit})"
+    text = PARAMETERS.get(name, dataset[name].attrs.get("long_name", name))
+    return with_unit(str(text), dataset[name].attrs.get("units", "1"))
 
 
 def _by_ratio(values: NDArray[np.float64]) -> bool:
@@ -209,7 +196,7 @@ def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
     unit = array.attrs.get("units", "1")
     label = array.attrs.get("long_name", array.name)
     bar = ax.figure.colorbar(mesh, ax=ax, pad=0.02)
-    bar.set_label(label if unit == "1" else f"{label} ({unit})")
+    bar.set_label(with_unit(str(label), unit))
     bar.outline.set_visible(False)
     if np.isnan(values).any():
         patch = need("matplotlib.patches", "plots").Patch(facecolor=colors.LIGHT_GRAY, label="none")

@@ -12,6 +12,7 @@ from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against,
 from hophoop.results import Sample
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
+from hophoop.vocabulary import labels as axis_labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -61,7 +62,7 @@ def velocities(
         across, radius * sample.omega, color=colors.ROTATION_SPEED, lw=LINE, ls=(0, (4, 1.6)),
         label=r"rotation, $R\dot\theta$",
     )  # fmt: skip
-    _frame(ax, motion, against, "Velocity (m/s)", modes)
+    _frame(ax, motion, against, axis_labels.VELOCITY, modes)
     return ax
 
 
@@ -127,7 +128,7 @@ def energies(
         )
     if np.any(sample.spring > 0.0):
         ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")
-    _frame(ax, motion, against, "Energy (J)", modes)
+    _frame(ax, motion, against, axis_labels.ENERGY, modes)
     return ax
 
 
@@ -188,7 +189,7 @@ def contact_forces(
             ls=dash,
             label=f"friction{name}",
         )
-    _frame(ax, _widest(many, against), against, "Force (N)", modes and len(many) == 1)
+    _frame(ax, _widest(many, against), against, axis_labels.FORCE, modes and len(many) == 1)
     return ax
 
 
@@ -250,7 +251,7 @@ def friction_utilization(
             label=label,
         )
     ax.set_ylim(-1.15, 1.15)
-    _frame(ax, _widest(many, against), against, r"Friction utilization, $F/(\mu N)$", modes and len(many) == 1)
+    _frame(ax, _widest(many, against), against, rf"{axis_labels.UTILIZATION}, $F/(\mu N)$", modes and len(many) == 1)
     return ax
 
 
@@ -282,7 +283,7 @@ def gap(motion: Trajectory, against: Against = "time", ax: Axes | None = None, m
     sample = curve(motion)
     ax.plot(_across(sample, against), sample.height, color=colors.BLACK, lw=LINE)
     ax.set_ylim(bottom=min(0.0, float(np.min(sample.height))))
-    _frame(ax, motion, against, "Gap under the rim (m)", modes)
+    _frame(ax, motion, against, axis_labels.GAP, modes)
     return ax
 
 

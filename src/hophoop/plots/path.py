@@ -14,7 +14,7 @@ from hophoop.plots.style import new_axes
 from hophoop.poses import Floats, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop
 from hophoop.trajectory import Trajectory
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -92,8 +92,8 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
     ax.set_aspect("equal")
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
-    ax.set_xlabel("Place along the plane (m)" if slope == 0.0 else "Level distance (m)")
-    ax.set_ylabel("Height (m)")
+    ax.set_xlabel(labels.PLACE if slope == 0.0 else labels.DISTANCE)
+    ax.set_ylabel(labels.HEIGHT)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     _legend(ax, motion, moments)

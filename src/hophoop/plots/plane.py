@@ -15,6 +15,7 @@ from hophoop.plots.style import SMALL, degrees, new_axes
 from hophoop.scenario import Hoop, Plane
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
+from hophoop.vocabulary import labels as labels_of
 from hophoop.vocabulary.words import FLIGHT, MODES, ROLL, SKID, SKIM, SPIN, mode_words
 
 if TYPE_CHECKING:
@@ -90,8 +91,8 @@ def phase_plane(
     ax.set_xlim(*np.degrees(angles))
     ax.set_ylim(low, high)
     degrees(ax, math.degrees(angles[1] - angles[0]))
-    ax.set_xlabel("Rotation angle θ (°)")
-    ax.set_ylabel(r"Angular velocity $\dot\theta$ (rad/s)")
+    ax.set_xlabel(labels_of.ANGLE)
+    ax.set_ylabel(labels_of.ROTATION)
     _legend(ax, shown)
     return ax
 

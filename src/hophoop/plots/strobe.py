@@ -13,7 +13,7 @@ from hophoop.plots.path import _ground
 from hophoop.plots.style import new_axes
 from hophoop.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.trajectory import Trajectory
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import colors, labels
 from hophoop.vocabulary.words import FLIGHT
 
 if TYPE_CHECKING:
@@ -87,8 +87,8 @@ def strobe(
     ax.set_aspect("equal")
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
-    ax.set_xlabel("Place along the plane (m)" if slope == 0.0 else "Level distance (m)")
-    ax.set_ylabel("Height (m)")
+    ax.set_xlabel(labels.PLACE if slope == 0.0 else labels.DISTANCE)
+    ax.set_ylabel(labels.HEIGHT)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     _draw_hoops(ax, motion, flashes, color)
@@ -172,7 +172,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
         )
         ax.figure.colorbar(
             scale, ax=ax, orientation="horizontal", shrink=0.4, aspect=40, pad=0.02,
-            label="Speed of the ring's points (m/s)",
+            label=labels.POINT_SPEED,
         )  # fmt: skip
 
 

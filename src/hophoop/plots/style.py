@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 from hophoop._extras import need
 from hophoop.plots.curves import Phase, phases, turning
 from hophoop.trajectory import Trajectory
-from hophoop.vocabulary import colors
+from hophoop.vocabulary import colors, labels
 from hophoop.vocabulary.words import EVENTS
 
 if TYPE_CHECKING:
@@ -93,14 +93,14 @@ def abscissa(ax: Axes, motion: Trajectory, against: Against) -> str:
     """Set the scale of time or angle to the motion, and return its label."""
     if against == "time":
         ax.set_xlim(0.0, motion.duration or 1.0)
-        return "Time (s)"
+        return labels.TIME
     marks = [phase.angle for phase in phases(motion)] + [phase.end_angle for phase in phases(motion)]
     turns = [math.degrees(event.angle) for event in motion.events]
     low, high = min(*marks, *turns), max(*marks, *turns)
     if high > low:
         ax.set_xlim(low, high)
         degrees(ax, high - low)
-    return "Rotation angle (°)"
+    return labels.ANGLE
 
 
 def degrees(ax: Axes, span: float) -> None:
