@@ -67,7 +67,7 @@ def load(path: str | Path) -> Trajectory:
         version,
     )
     if version != hophoop.__version__:
-        _check_other_version(motion, file, attributes, tables["/"])
+        _check_other_version(motion, file, tables["/"])
     return motion
 
 
@@ -123,7 +123,7 @@ def _read(file: Path, kind: str) -> tuple[dict[str, Any], dict[str, Any]]:
     return attributes, tables
 
 
-def _check_other_version(motion: Trajectory, file: Path, attributes: dict[str, Any], samples: Any) -> None:
+def _check_other_version(motion: Trajectory, file: Path, samples: Any) -> None:
     """Refuse a file whose segments mean something else to this version than to the one that wrote it."""
     said = f"{file} was written by hophoop {motion.version}"
     times = samples["time"].values

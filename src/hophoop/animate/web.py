@@ -24,7 +24,6 @@ from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import FLIGHT, MODES, PARTICIPLES
 
-FPS = 60.0
 TRACE_POINTS = 4000
 SUFFIXES = (".html", ".glb")
 
@@ -112,7 +111,7 @@ def scene_data(
     hoops = []
     for i, motion in enumerate(motions):
         hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1))))
-        hoops[-1]["traces"] = _traces(motion, timing.start, ends[i], extents[i]) if look.traces else None
+        hoops[-1]["traces"] = _traces(motion, timing.start, ends[i]) if look.traces else None
     return {
         "fps": timing.frame_rate,
         "count": shown.count,
@@ -166,7 +165,7 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[st
     }
 
 
-def _traces(motion: Trajectory, start: float, end: float, size: Extent) -> dict[str, Any]:
+def _traces(motion: Trajectory, start: float, end: float) -> dict[str, Any]:
     track = trace(motion, start, end)
     airborne = np.zeros(len(track.t), dtype=np.uint8)
     for a, b, flies in track.runs:

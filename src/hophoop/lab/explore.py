@@ -150,7 +150,7 @@ MAP_EVENTS = 2000
 _AXIS_KEYS = {"path", "from", "to", "cells"}
 
 
-def axis_options(body: Mapping[str, Any], name: str, limits: Limits) -> dict[str, Any]:
+def axis_options(body: Mapping[str, Any], name: str) -> dict[str, Any]:
     """One axis of a map: path, from, to (SI) and cells.
 
     Raises
@@ -194,7 +194,7 @@ def map_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:
     for key in body:
         if key not in ("scenario", "query", "changes", "x", "y", "what"):
             raise InputError(f"{key} is not a known key; known are scenario, x, y, what.")
-    x, y = axis_options(body, "x", limits), axis_options(body, "y", limits)
+    x, y = axis_options(body, "x"), axis_options(body, "y")
     if x["path"] == y["path"]:
         raise InputError(f"x.path and y.path are both {x['path']!r} and must differ.")
     what = body.get("what", "sequence")
