@@ -27,7 +27,7 @@ import hophoop as hh
 from hophoop._jit import jit
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import State
+from hophoop.rigid.state import start_state
 
 SCENARIO = hh.Scenario(duration=2.0)
 REFERENCE = Path(__file__).parent.parent / "tests" / "data" / "article_v3.1_mu1.json"
@@ -178,7 +178,7 @@ def main() -> None:
     options = parser.parse_args()
     second = math.sqrt(SCENARIO.hoop.radius / SCENARIO.plane.gravity)
     body = SCENARIO.to_body()
-    start = State(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * second, 0.0, 0.0, 0.0)
+    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 3.1 * second)
     events, segments, scratch = np.empty(64, EVENT), np.empty(0, SEGMENT), new_scratch()
 
     # In turn, so that a machine whose speed changes does not favour one of them.

@@ -51,7 +51,7 @@ def test_coefficients_are_derivatives_of_the_motion(sigma):
         for _ in range(2):
             beta = random.normal() * 0.3
             body = Body(random.random(), 0.3 + random.random(), random.random(), 0.3 * random.random(),
-                        math.cos(beta), math.sin(beta), 0.0, 2, False)  # fmt: skip
+                        math.cos(beta), math.sin(beta), 0.0, 2, False, beta)  # fmt: skip
             th, om = random.normal(), random.normal()
             expected = coefficients_of_motion(body, th, om, sigma)
             found = candidate_series(body, th, om, sigma)

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     import hophoop.article as article
     import hophoop.maps as maps
     import hophoop.plots as plots
+    import hophoop.precise as precise
     import hophoop.theory as theory
     from hophoop.io import load
     from hophoop.lab.widget import show
@@ -53,6 +54,7 @@ _HOMES: dict[str, str | None] = {
     "article": None,
     "maps": None,
     "plots": None,
+    "precise": None,
     "animate": None,
 }
 
@@ -74,6 +76,7 @@ __all__ = [
     "article",
     "maps",
     "plots",
+    "precise",
     "animate",
     "show",
     "__version__",

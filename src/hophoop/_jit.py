@@ -19,7 +19,7 @@ from numba.core import config
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 PACKAGE = Path(__file__).parent
-SHARED = ("physics", "rigid")  # the rooms whose kernels others are made of
+SHARED = ("numerics", "physics", "rigid")  # the rooms whose kernels others are made of
 
 
 @cache

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from importlib import import_module
-from typing import overload
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
@@ -13,10 +13,13 @@ from hophoop._jit import announce_compilation
 from hophoop.physics.body import Status
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import State
+from hophoop.rigid.state import start_state
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
 from hophoop.scenario.scenario import time_unit, to_body
 from hophoop.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from hophoop.precise import PreciseMotion
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
 
@@ -26,9 +29,19 @@ def simulate(scenario: Scenario, /) -> Trajectory: ...
 
 
 @overload
+def simulate(scenario: Scenario, /, *, digits: int) -> PreciseMotion: ...
+
+
+@overload
 def simulate(
     hoop: Hoop, plane: Plane, start: Start, duration: float = ..., contact: Rigid | Compliant = ...
 ) -> Trajectory: ...
+
+
+@overload
+def simulate(
+    hoop: Hoop, plane: Plane, start: Start, duration: float = ..., contact: Rigid | Compliant = ..., *, digits: int
+) -> PreciseMotion: ...
 
 
 def simulate(
@@ -37,7 +50,9 @@ def simulate(
     start: Start | None = None,
     duration: float = 6.0,
     contact: Rigid | Compliant | None = None,
-) -> Trajectory:
+    *,
+    digits: int | None = None,
+) -> Trajectory | PreciseMotion:
     """Compute a motion.
 
     Parameters
@@ -51,16 +66,20 @@ def simulate(
     duration : float, default 6
         Above 0 [s].
     contact : Rigid or Compliant, default Rigid()
+    digits : int, optional
+        Solve in so many digits, 15 to 1000, by another method than the kernel's; the given doubles are taken as exact
+        numbers. Takes some tenths of a second [1].
 
     Returns
     -------
-    motion : Trajectory
-        Also where the motion has no answer: see its `status`.
+    motion : Trajectory or PreciseMotion
+        Also where the motion has no answer: see its `status`. With `digits` it is a `PreciseMotion`, with events only.
 
     Raises
     ------
     ValueError
-        If the duration is not positive or the parts do not go together.
+        If the duration is not positive, the parts do not go together, or digits is out of range or asked for with a
+        compliant contact.
 
     Examples
     --------
@@ -70,6 +89,9 @@ def simulate(
     'RKRSHR'
     >>> round(motion.find("takeoff")[0].t, 9)
     1.044713027
+    >>> exact = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(3.1), duration=2.0, digits=30)
+    >>> exact.find("takeoff")[0].t
+    Decimal('1.04471302680335833630776765131')
     """
     if isinstance(hoop, Scenario):
         scenario = hoop
@@ -81,6 +103,9 @@ def simulate(
             duration=duration,
             contact=Rigid() if contact is None else contact,
         )
+    if digits is not None:
+        motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, hophoop.__version__)
+        return motion
     if isinstance(scenario.contact, Compliant):
         status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario)
     else:
@@ -93,17 +118,13 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     second = time_unit(hoop, plane)
     given = scenario.start.state(hoop)
     speed = hoop.radius / second
-    start = State(
-        0.0,
+    start = start_state(
         given.x / hoop.radius,
         given.height / hoop.radius,
         given.angle,
         given.slip / speed,
         given.vy / speed,
         given.omega * second,
-        0.0,
-        0.0,
-        0.0,
     )
     body = to_body(hoop, plane)
     announce_compilation(run)

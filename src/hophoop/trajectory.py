@@ -128,7 +128,7 @@ class Trajectory:
         raw = self._sample(self._kernel_times(times.ravel()), side == "left")
         columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
         unit = self.units
-        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name != "mode"}
+        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in ("mode", "theta")}
         values["mode"] = _LETTERS[columns["mode"].astype(int)]
         values["t"] = times
         kinetic, potential = self._energies(columns)
@@ -307,9 +307,10 @@ class Trajectory:
 
     def _energies(self, columns: dict[str, Any]) -> tuple[Any, Any]:
         body = self.scenario.to_body()
+        theta = columns.get("theta", columns["angle"])  # within the turn, where there is such a column
         with np.errstate(invalid="ignore"):
-            kinetic = kinetic_energy(body, columns["angle"], columns["omega"], columns["slip"], columns["vy"])
-        potential = potential_energy(body, columns["x"], columns["height"], columns["angle"])
+            kinetic = kinetic_energy(body, theta, columns["omega"], columns["slip"], columns["vy"])
+        potential = potential_energy(body, columns["x"], columns["height"], theta)
         return kinetic * self.units.energy, potential * self.units.energy
 
     def _event_record(self, row: np.void) -> EventRecord:
@@ -341,7 +342,7 @@ _JSON_STATE: Sequence[str] = ("x", "height", "angle", "vx", "vy", "omega")
 
 
 def _columns(row: np.void) -> dict[str, Any]:
-    return {name: row[name] for name in ("x", "height", "angle", "slip", "vy", "omega")}
+    return {name: row[name] for name in ("x", "height", "angle", "theta", "slip", "vy", "omega")}
 
 
 def _number(value: float) -> float | None:

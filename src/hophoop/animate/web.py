@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from hophoop._files import replacing
-from hophoop.animate.frames import Clock, Extent, Timing, clock, extent, trace
+from hophoop.animate.frames import Clock, Timing, clock, extent, trace
 from hophoop.animate.gltf import glb
 from hophoop.animate.look import Look3D, labels_of, nice
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE

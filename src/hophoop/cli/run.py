@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 OUTPUT = "Output"
 STORES = (".nc", ".zarr", ".zarr.zip")
 FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
+CHECK_DIGITS = 25
+
 
 class RunCommand(TyperCommand):
     """`--json` takes a file or nothing, which the parser itself does not know."""
@@ -143,6 +145,24 @@ def run(
         ),
     ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
+    digits: Annotated[
+        int | None,
+        typer.Option(
+            "--digits",
+            metavar="N",
+            help="Solve in so many digits, 15 to 1000: the table, and --json with decimal strings.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
+    check: Annotated[
+        bool,
+        typer.Option(
+            "--check",
+            help="Say how many digits of every event are right, by a solution in 25 digits or --digits.",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = False,
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop.cli import NO_ANSWER, say
@@ -157,6 +177,15 @@ def run(
         raise InputError(f"--samples = {samples} must be at least 2.")
     result = Path(json) if json not in (None, "-") else None
     check_apart([path for path in (result, csv, save, plot) if path is not None], file)
+
+    if digits is not None or check:
+        for option, path in (("--csv", csv), ("--save", save), ("--plot", plot), ("--json", result if check else None)):
+            if path is not None:
+                raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
+        from hophoop.cli import precise
+
+        precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet)
+        return
 
     from hophoop.simulation import simulate
 
@@ -180,10 +209,15 @@ def run(
     if json != "-" and not quiet:
         _print(motion, everything)
     if not motion.ok:
-        from hophoop.vocabulary.words import STATUSES
-
-        say(f"The motion ends at t = {motion.duration:.9g} s, {motion.status}. {STATUSES[motion.status]}")
+        say(unanswered(motion.duration, motion.status))
         raise typer.Exit(NO_ANSWER)
+
+
+def unanswered(duration: float, status: str) -> str:
+    """The sentence that tells why a motion ended without an answer."""
+    from hophoop.vocabulary.words import STATUSES
+
+    return f"The motion ends at t = {duration:.9g} s, {status}. {STATUSES[status]}"
 
 
 def _print(motion: Trajectory, everything: bool) -> None:

@@ -8,7 +8,7 @@ from hophoop._collocation import NODES, NOT_FOUND, ORDER, coefficients, first_fa
 from hophoop._jit import jit
 from hophoop.compliant.records import DAMPING, FRICTION, OM, TH, VN, VT, X, Y, Z
 from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT
-from hophoop.physics.flight import PHASE, first_landing, flight_gap, flight_state
+from hophoop.physics.flight import PHASE, first_landing, flight_displacement, flight_gap
 
 LANDED, CLEAR, LASTS = 0, 1, 2
 
@@ -19,7 +19,9 @@ def fly_state(body, comp, begin, opening, tau, out):
     s = math.sin(begin[TH])
     c = math.cos(begin[TH])
     out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], opening, tau)
-    out[X], out[TH], out[VT] = flight_state(body, begin[X], begin[TH], begin[VT], begin[OM], s, c, tau)
+    along, out[VT] = flight_displacement(body, begin[VT], begin[OM], s, c, tau)
+    out[X] = begin[X] + along
+    out[TH] = begin[TH] + begin[OM] * tau
     out[OM] = begin[OM]
     out[Z] = 0.0
     out[FRICTION] = begin[FRICTION]

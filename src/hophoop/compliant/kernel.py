@@ -52,7 +52,7 @@ from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.compliant import BRISTLE, TANH, first_regime, friction_force, normal_force
 from hophoop.physics.contact import delassus, free_acceleration
 from hophoop.rigid.records import EVENT
-from hophoop.rigid.state import State, quiet, write_event
+from hophoop.rigid.state import moved, quiet, start_state, with_losses, write_event
 from hophoop.scenario import Scenario
 
 # As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
@@ -85,7 +85,9 @@ def mode_of(regime):
 @jit
 def as_state(t, u):
     """The state as events are written."""
-    return State(t, u[X], u[Y], u[TH], u[VT], u[VN], u[OM], u[FRICTION], 0.0, 0.0)
+    start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
+    there = moved(start, t, 0.0, start.x, 0.0, start.y, start.turns, start.th, start.th_low)
+    return with_losses(there, u[FRICTION], 0.0, 0.0)
 
 
 @jit

@@ -12,10 +12,10 @@ from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.physics.contact import free_acceleration, rolling_forces
 from hophoop.physics.friction import utilization
 from hophoop.physics.roll import rolling_u
-from hophoop.rigid.contact_phase import STOP
+from hophoop.rigid.contact_phase import STOP, limits_of
 from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import State
+from hophoop.rigid.state import start_state, state_of, whole_angle
 from hophoop.rigid.transitions import collide
 
 # Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
@@ -86,6 +86,7 @@ def body_of(cells, k):
         cells[RESTITUTION, k],
         int(cells[LAW, k]),
         cells[STRIKE, k] != 0.0,
+        weight * cells[SLOPE, k],
     )
 
 
@@ -101,27 +102,14 @@ def start_of(cells, k, second):
     """Start of a cell in kernel units."""
     radius = cells[RADIUS, k]
     speed = radius / second
-    return State(
-        0.0,
+    return start_state(
         cells[X, k] / radius,
         cells[HEIGHT, k] / radius,
         cells[ANGLE, k],
         cells[SLIP, k] / speed,
         cells[VY, k] / speed,
         cells[OMEGA, k] * second,
-        0.0,
-        0.0,
-        0.0,
     )
-
-
-@jit
-def state_of_event(row):
-    """The state just after an event."""
-    return State(
-        row.t, row.x, row.height, row.angle, row.slip, row.vy, row.omega,
-        row.friction, row.impact_normal, row.impact_tangential,
-    )  # fmt: skip
 
 
 @jit
@@ -217,7 +205,7 @@ def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, n
     """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
     numbers[k, TAKEOFF_TIME] = row.t * second
     numbers[k, TAKEOFF_ANGLE] = row.angle
-    state = state_of_event(row)
+    state = state_of(row)
     if body.gn == 0.0:
         return
     opening = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
@@ -229,14 +217,14 @@ def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, n
         zeros = 3
         opening = 0.0
     what, landed, apexes, _ = fly(
-        body, state, opening, zeros, FOREVER, 0.0, math.nan, passing, 0, segments, 0, scratch
+        body, state, opening, zeros, limits_of(state, FOREVER, math.nan), passing, 0, segments, 0, scratch
     )
     if what != STOP:
         return
     numbers[k, HOP_HEIGHT] = (passing[0].height if apexes > 0 else 0.0) * unit
     numbers[k, FLIGHT_TIME] = (landed.t - state.t) * second
     numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * unit
-    numbers[k, LANDING_ANGLE] = landed.th
+    numbers[k, LANDING_ANGLE] = whole_angle(landed)
     after, _ = collide(body, body.rest, landed, IMPACT, FLIGHT, 1)
     numbers[k, LANDING_LOSS] = (
         (after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)

@@ -22,6 +22,7 @@ class Body(NamedTuple):
     rest: float  # restitution e
     law: int  # ImpactLaw
     strike: bool  # indeterminate Painlevé: impact (True) or flight
+    slope: float  # β, whose rounded cosine and sine are gn and gt; 0 without gravity [rad]
 
 
 class Mode(IntEnum):

@@ -28,18 +28,16 @@ def flight_gap(body, s, c, om, y, vn, fn, tau):
 
 
 @lean_jit
-def flight_state(body, x, th, vt, om, s, c, tau):
-    """(x, θ, v_t) after the time tau."""
-    th_end = th + om * tau
+def flight_displacement(body, vt, om, s, c, tau):
+    """(change of x, v_t) after the time tau."""
     phi = om * tau
     sine = math.sin(phi)
     versine = 2.0 * math.sin(0.5 * phi) ** 2
     ds = c * sine - s * versine
     dc = -s * sine - c * versine
     # G moves on a parabola: ẋ_G = v_t + θ̇ (1 + ε cos θ)
-    x_end = x + (vt + om * (1.0 + body.eps * c)) * tau + 0.5 * body.gt * tau * tau - body.eps * ds
-    vt_end = vt + body.gt * tau - body.eps * om * dc
-    return x_end, th_end, vt_end
+    along = (vt + om * (1.0 + body.eps * c)) * tau + 0.5 * body.gt * tau * tau - body.eps * ds
+    return along, vt + body.gt * tau - body.eps * om * dc
 
 
 @lean_jit

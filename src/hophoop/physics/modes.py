@@ -14,6 +14,7 @@ from hophoop.physics.contact import (
     slip_stiffness,
 )
 from hophoop.physics.jets import candidate_series, leading_sign
+from hophoop.physics.panel import sine_cosine
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 # Answers beyond the modes: what rule 4 records before the motion goes on.
@@ -103,11 +104,31 @@ def can_start_slip(body, th, om, sigma):
 
 
 @jit
-def next_mode(body, th, om, vt):
+def frictionless_mode(body, th, th_low, om):
+    """Mode from v_t = 0 without friction: the sign of the coming v_t, exact also beside a hilltop or a valley.
+
+    On the level v̇_t = s (...), so that its sign is that of sin θ and a factor that is far from zero there.
+    """
+    s, c = sine_cosine(th, th_low)
+    u = om * om
+    if body.gt == 0.0:
+        bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + (body.eps * s) ** 2))
+        drive = s * bend if s != 0.0 else om * c * bend
+    else:
+        drive = slip_motion(body, s, c, u, 0)[2]
+    if drive == 0.0:
+        return ROLL
+    return slip_mode(1 if drive > 0.0 else -1)
+
+
+@jit
+def next_mode(body, th, th_low, om, vt):
     """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4.
 
     Returns a mode, or INCONSISTENT or INDETERMINATE where Painlevé's paradox stands in the way.
     """
+    if vt == 0.0 and body.mu_s == 0.0 and opening_sign(body, th, om) < 0:
+        return frictionless_mode(body, th, th_low, om)
     if vt == 0.0:
         if can_roll(body, th, om):
             return ROLL

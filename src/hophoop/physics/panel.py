@@ -21,7 +21,7 @@ from hophoop._collocation import (
     width_of,
 )
 from hophoop._jit import inline_jit, lean_jit
-from hophoop.physics.contact import slip_torque_arm
+from hophoop.numerics.double_double import plus
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 
@@ -41,11 +41,12 @@ class Panel(NamedTuple):
     kind: int  # LINEAR, ARRIVE or LEAVE
     level: int  # of a LINEAR panel's width
     way: float  # ±1, the sign of θ̇
-    ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point to come (ARRIVE)
+    ref: float  # θ at the start (LINEAR, LEAVE) or at the turning point to come (ARRIVE), within the turn
+    ref_low: float  # what rounding keeps from it
     sine: float  # sin θ and cos θ there
     cosine: float
     extent: float  # abs(Δθ) over the panel
-    arm: float  # q and κ p_σ of slip there
+    arm: float  # slip: q and κ p_σ there; roll: −dV/dθ and d²V/dθ² of the potential V
     stiffness: float
     u: float  # θ̇² at `ref`
     vt: float  # slip velocity at the start
@@ -59,6 +60,7 @@ class Totals(NamedTuple):
     u: float  # θ̇² at the end; of an ARRIVE panel, which ends at rest, at the start
     vt: float
     loss: float
+    growth: float  # slip: of a difference of θ̇² between two motions, from `ref` to the far end
 
 
 @inline_jit
@@ -114,28 +116,49 @@ def place_of(panel, offset):
     return 1.0 - 2.0 * part if panel.kind == ARRIVE else 2.0 * part - 1.0
 
 
+class Begin(NamedTuple):
+    """Where a panel begins: what its functions are changes from."""
+
+    th: float
+    th_low: float
+    sine: float
+    cosine: float
+    arm: float
+    stiffness: float
+    u: float
+    vt: float
+
+
+@lean_jit
+def sine_cosine(th, low):
+    """(sin, cos) of an angle of two doubles, with all digits of both also beside multiples of π/2."""
+    s = math.sin(th)
+    c = math.cos(th)
+    return s + low * c, c - low * s
+
+
 @inline_jit
-def linear_panel(body, sigma, level, way, th, s, c, u, vt):
-    """A panel of standard width from θ onwards, with its sine and cosine."""
-    arm = slip_torque_arm(body, s, c, sigma)
-    stiffness = body.kap + body.eps * s * arm
-    return Panel(sigma, LINEAR, level, way, th, s, c, width_of(level), arm, stiffness, u, vt)
+def linear_panel(sigma, level, way, begin):
+    """A panel of standard width."""
+    return Panel(
+        sigma, LINEAR, level, way, begin.th, begin.th_low, begin.sine, begin.cosine, width_of(level),
+        begin.arm, begin.stiffness, begin.u, begin.vt,
+    )  # fmt: skip
 
 
 @lean_jit
 def no_panel(kind, sigma, way):
     """What stands for the panel in a piece that needs none: FLY, HOLD or SKIMMING."""
-    return Panel(sigma, kind, 0, way, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    return Panel(sigma, kind, 0, way, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @lean_jit
-def leaving_panel(body, sigma, way, th, extent, vt):
-    """A panel that begins at rest, at θ."""
-    s = math.sin(th)
-    c = math.cos(th)
-    arm = slip_torque_arm(body, s, c, sigma)
-    stiffness = body.kap + body.eps * s * arm
-    return Panel(sigma, LEAVE, 0, way, th, s, c, extent, arm, stiffness, 0.0, vt)
+def leaving_panel(sigma, way, extent, begin):
+    """A panel that begins at rest."""
+    return Panel(
+        sigma, LEAVE, 0, way, begin.th, begin.th_low, begin.sine, begin.cosine, extent,
+        begin.arm, begin.stiffness, 0.0, begin.vt,
+    )  # fmt: skip
 
 
 @lean_jit
@@ -147,12 +170,16 @@ def arriving_panel(body, before, ahead):
     """
     ds, dc = turn(before.sine, before.cosine, before.way * ahead)
     s = before.sine + ds
-    turned = body.eps * (ds + before.sigma * body.mu_k * dc)
-    arm = before.arm + turned
-    stiffness = before.stiffness + body.eps * (ds * arm + before.sine * turned)
-    ref = before.ref + before.way * ahead
+    if before.sigma == 0:
+        arm = before.arm + body.eps * (body.gn * ds + body.gt * dc)
+        stiffness = before.stiffness + body.eps * (body.gn * dc - body.gt * ds)
+    else:
+        turned = body.eps * (ds + before.sigma * body.mu_k * dc)
+        arm = before.arm + turned
+        stiffness = before.stiffness + body.eps * (ds * arm + before.sine * turned)
+    ref, low = plus(before.ref, before.ref_low, before.way * ahead)
     return Panel(
-        before.sigma, ARRIVE, 0, before.way, ref, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt
+        before.sigma, ARRIVE, 0, before.way, ref, low, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt
     )
 
 

@@ -56,9 +56,20 @@ def rolling_u(body, th0, u0, offset):
 
 
 @lean_jit
+def energy_gained(body, panel, sine, versine, offset):
+    """Change of D θ̇² on a rolling panel over φ = offset from its reference, with sin φ and 1 − cos φ."""
+    gained = sine * panel.arm + versine * panel.stiffness
+    if body.gt != 0.0:
+        gained += body.gt * turn_deficits(offset)[0]
+    return 2.0 * gained
+
+
+@lean_jit
 def u_on_panel(body, panel, sine, versine, offset):
     """θ̇² on a rolling panel at φ = offset from its reference, with sin φ and 1 − cos φ."""
-    return _u_after(body, panel.sine, panel.cosine, panel.u, sine, versine, offset)
+    inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))
+    energy = inertia * panel.u + energy_gained(body, panel, sine, versine, offset)
+    return energy / (inertia + 2.0 * body.eps * rotated(panel.sine, panel.cosine, sine, versine)[1])
 
 
 @inline_jit
@@ -84,7 +95,7 @@ def solve_roll(body, panel, work):
         sine = energies[i]
         versine = versines[i]
         offset = angle_at(panel, NODES[i]) if body.gt != 0.0 else 0.0
-        energy = start + rolling_energy_change(body, s0, c0, sine, versine, offset)
+        energy = start + energy_gained(body, panel, sine, versine, offset)
         ds, dc = rotated(s0, c0, sine, versine)
         u = energy / (inertia + 2.0 * body.eps * dc)
         sines[i] = s0 + ds
@@ -95,14 +106,14 @@ def solve_roll(body, panel, work):
         rates[i] = stretch[i] / math.sqrt(max(us[i], 0.0))  # infinite beyond a turning point
     size = tail(rates, 0.0)
     if not size <= RESOLVED:
-        return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0)
+        return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan)
     time = total(rates)
     far = -1.0 if panel.kind == ARRIVE else 1.0
     sine, versine = chord(panel, far)
     u = u_on_panel(body, panel, sine, versine, far * panel.way * panel.extent)
     if not u > 0.0:
         size = math.inf
-    return Totals(size, time, u, 0.0, 0.0)
+    return Totals(size, time, u, 0.0, 0.0, math.nan)
 
 
 @inline_jit

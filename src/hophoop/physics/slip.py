@@ -85,11 +85,11 @@ def solve_slip(body, panel, work):
         damping[i] = -eps * c * share
         drive[i] = body.gn * share
     if not lowest > 0.0:
-        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0)
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan)
     least = lowest
     size = tail(damping, 0.5)
     if not size <= RESOLVED:
-        return Totals(size, 0.0, math.nan, 0.0, 0.0)
+        return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan)
     exponent = _from_reference(panel, damping, integral)
     exponentials(integral, growth)
     for i in range(ORDER):
@@ -101,9 +101,10 @@ def solve_slip(body, panel, work):
         u = growth[i] * (panel.u + integral[i])
         lowest = min(lowest, u)
         us[i] = u
-    u_far = math.exp(exponent) * (panel.u + driven)
+    growth_far = math.exp(exponent)
+    u_far = growth_far * (panel.u + driven)
     if not (lowest > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
-        return Totals(math.inf, 0.0, u_far, 0.0, 0.0)
+        return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far)
     rates = work[RATE]
     normals = work[NORMAL]
     slip_rates = work[SLIP_RATE]
@@ -119,7 +120,7 @@ def solve_slip(body, panel, work):
     weight = body.gn + panel.u
     size = max(size, tail(rates, 0.0), tail(normals, max(weight, 2e-3 * body.kap * weight / least)))
     if not size <= RESOLVED:
-        return Totals(size, 0.0, u_far, 0.0, 0.0)
+        return Totals(size, 0.0, u_far, 0.0, 0.0, growth_far)
     time = total(rates)
     slips = work[SLIP]
     vt = panel.vt + antiderivative(slip_rates, slips)
@@ -128,7 +129,7 @@ def solve_slip(body, panel, work):
         slips[i] += panel.vt
         # no abs(), so that it stays smooth beyond the end of the slip
         power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
-    return Totals(size, time, u_far, vt, total(power))
+    return Totals(size, time, u_far, vt, total(power), growth_far)
 
 
 @lean_jit

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from hophoop._collocation import (
     LEVELS,
@@ -19,6 +20,18 @@ from hophoop._collocation import (
     width_of,
 )
 from hophoop._jit import inline_jit, lean_jit
+from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
+from hophoop.physics.anchor import (
+    NONE,
+    ROLLING,
+    SLIPPING,
+    Anchor,
+    offset_from,
+    rolling_anchor,
+    rolling_begin,
+    slip_anchor,
+    slip_begin,
+)
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import (
     inertia_at_height,
@@ -40,6 +53,7 @@ from hophoop.physics.panel import (
     TIME,
     A,
     B,
+    Begin,
     U,
     angle_at,
     arriving_panel,
@@ -49,11 +63,21 @@ from hophoop.physics.panel import (
     linear_panel,
     place_of,
     rotated,
+    sine_cosine,
     turn,
 )
-from hophoop.physics.roll import roll_margins, rolling_u, solve_roll, u_on_panel
+from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
-from hophoop.rigid.state import State, revised, write_segment
+from hophoop.rigid.state import (
+    State,
+    at_time,
+    later,
+    moved,
+    time_left,
+    with_anchor,
+    with_velocities,
+    write_segment,
+)
 
 ROLL = int(Mode.ROLL)
 # What ended a panel.
@@ -63,7 +87,7 @@ START_LEVEL = 2
 GAIN_OF_A_LEVEL = 8.0  # a panel narrower by √2 has a last coefficient smaller by about 2^8
 WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
-SMALLEST_EXTENT = 1e-40
+SMALLEST_EXTENT = 1e-300
 MOST_MOVES = 8  # of a turning point
 START_ROUNDING = 1e-15  # of θ̇² at the start of a panel that arrives at one
 STILL_ACCELERATION = 1e-15
@@ -73,7 +97,95 @@ SLOW = 1e-3
 LONG = 64.0  # times the time left, or the unit of time: longer panels than this are cut
 NARROWEST = 2000
 MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
+GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
 SMALLEST_SQUARE = 1e-290  # a smaller θ̇² is on the way to underflow
+# θ stays within this of the turn it is counted in, so that it has all its digits beside the hilltops of both sides.
+FARTHEST = TWO_PI - 0.5
+
+
+class Limits(NamedTuple):
+    """Where a motion ends at the latest: a time, and an angle to either side of the start (nan: none)."""
+
+    t_end: float
+    span: float
+    span_turns: float  # the span as whole turns and the rest
+    span_rest: float
+    turns: float  # the angle of the start
+    th: float
+    th_low: float
+
+
+@lean_jit
+def limits_of(start, t_end, span):
+    """Limits of a motion; a span that is a double beside whole turns means these turns."""
+    turns = 0.0
+    rest = 0.0
+    if not math.isnan(span):
+        turns = float(math.floor(span / TWO_PI + 0.5))
+        rest = span - turns * TWO_PI
+        if abs(rest) <= 4e-16 * span:
+            rest = 0.0
+    return Limits(t_end, span, turns, rest, start.turns, start.th, start.th_low)
+
+
+@lean_jit
+def angle_left(limits, state, way):
+    """Angle to go in the direction `way` until the motion has turned by its span."""
+    turns = limits.span_turns - way * (state.turns - limits.turns)
+    rest = limits.span_rest - way * ((state.th - limits.th) + (state.th_low - limits.th_low))
+    return turns * TWO_PI + (rest + turns * TWO_PI_LOW)
+
+
+@lean_jit
+def at_span(limits, state, way):
+    """The state at exactly the angle where the span ends."""
+    th, low = plus(limits.th, limits.th_low, way * limits.span_rest)
+    turns = limits.turns + way * limits.span_turns
+    return moved(state, state.t, state.t_low, state.x, state.x_low, state.y, turns, th, low)
+
+
+@lean_jit
+def counted(body, state):
+    """The state with θ counted in the next turn, where it is too far from the present one."""
+    if abs(state.th) <= FARTHEST:
+        return state
+    way = 1.0 if state.th > 0.0 else -1.0
+    th, low = add((state.th, state.th_low), (-way * TWO_PI, -way * TWO_PI_LOW))
+    after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + way, th, low)
+    anchor = state.anchor
+    if anchor.kind != ROLLING:
+        return after
+    if anchor.bend > 0.0:  # the hilltop of the next turn, which is lower on a slope
+        excess = anchor.excess + 2.0 * way * TWO_PI * body.gt
+        return with_anchor(after, Anchor(ROLLING, excess, anchor.base, anchor.base_low, anchor.bend))
+    base, base_low = add((anchor.base, anchor.base_low), (-way * TWO_PI, -way * TWO_PI_LOW))
+    return with_anchor(after, Anchor(ROLLING, anchor.excess, base, base_low, anchor.bend))
+
+
+@lean_jit
+def anchored(body, sigma, state, scratch):
+    """The state at the begin of a phase, with the anchor of the phase."""
+    u = state.om * state.om
+    if sigma == 0:
+        return with_anchor(state, rolling_anchor(body, state.th, state.th_low, u))
+    if body.mu_k == 0.0 and state.anchor.kind == SLIPPING:
+        return state  # without friction the direction of slip changes nothing
+    s, c = sine_cosine(state.th, state.th_low)
+    return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
+
+
+@lean_jit
+def begin_of(body, sigma, state, scratch):
+    """Where the next panel begins."""
+    s, c = sine_cosine(state.th, state.th_low)
+    u = state.om * state.om
+    if sigma == 0:
+        arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
+    else:
+        arm, stiffness, u = slip_begin(
+            body, state.anchor, sigma, state.th, state.th_low, s, c, u, scratch.values[0]
+        )
+    return Begin(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
 
 
 @lean_jit
@@ -87,8 +199,13 @@ def angular_acceleration(body, sigma, th, u):
 
 
 @lean_jit
-def is_still(body, sigma, th):
-    """Whether θ̈ of a hoop that does not turn is what the rounding of θ at an equilibrium can make."""
+def is_still(body, sigma, state):
+    """Whether a hoop that does not turn stays: on a hilltop exactly, in a valley within the rounding of θ."""
+    anchor = state.anchor
+    if anchor.kind != 0 and anchor.bend > 0.0:
+        psi = offset_from(state.th, state.th_low, anchor.base, anchor.base_low)
+        return psi == 0.0 or (anchor.base != 0.0 and abs(psi) < 1e-30)
+    th = state.th
     s = math.sin(th)
     c = math.cos(th)
     firm = inertia_at_height(body, load_height(s, c)) if sigma == 0 else slip_stiffness(body, s, c, sigma)
@@ -119,7 +236,8 @@ def narrower(level, size):
 def turns_within(body, panel, reach):
     """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
     while reach >= 0.5 * panel.extent:
-        if rolling_u(body, panel.ref, panel.u, panel.way * reach) < 0.0:
+        versine = 2.0 * math.sin(0.5 * reach) ** 2
+        if u_on_panel(body, panel, panel.way * math.sin(reach), versine, panel.way * reach) < 0.0:
             return True
         reach *= 0.5
     return False
@@ -146,9 +264,10 @@ def turning_point_ahead(body, panel, totals, scratch):
             return panel.extent * 0.5 * (1.0 + xi)
         if panel.level == 0:
             return 0.0
-        panel = linear_panel(
-            body, panel.sigma, max(panel.level - 2, 0), panel.way, panel.ref, panel.sine, panel.cosine, panel.u, panel.vt
+        begin = Begin(
+            panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt
         )
+        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, begin)
         totals = solve(body, panel, scratch.work)
     return 0.0
 
@@ -183,24 +302,22 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
     """
     work = scratch.work
+    begin = begin_of(body, sigma, state, scratch)
     if state.om == 0.0:
-        alpha = angular_acceleration(body, sigma, state.th, 0.0)
-        way = 1.0 if alpha > 0.0 else -1.0
+        way = 1.0 if begin.arm > 0.0 else -1.0
         while True:
-            panel = leaving_panel(body, sigma, way, state.th, extent, state.vt)
+            panel = leaving_panel(sigma, way, extent, begin)
             totals = solve(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
             extent *= 0.5
-    u = state.om * state.om
+    u = begin.u
     way = 1.0 if state.om > 0.0 else -1.0
-    s = math.sin(state.th)
-    c = math.cos(state.th)
     finest = LEVELS
     if u < SLOW * SLOW:
         finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
     while True:
-        panel = linear_panel(body, sigma, level, way, state.th, s, c, u, state.vt)
+        panel = linear_panel(sigma, level, way, begin)
         totals = solve(body, panel, work)
         if totals.tail <= RESOLVED:
             return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
@@ -242,7 +359,7 @@ def fall_of(row, state_is_fresh, floor, scratch):
 
 
 @inline_jit
-def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span, scratch):
+def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 
     Simultaneous events: the cone (roll), then lift-off before the end of slip, then the limits.
@@ -273,14 +390,16 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span
         if found < xi:
             xi = found
             what = LIFT
-        found = fall_of(work[B], fresh, 0.0, scratch)
+        # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
+        rounding = GRAZE_ROUNDING * (abs(panel.vt) + math.sqrt(panel.u)) if body.mu_k == 0.0 else 0.0
+        found = fall_of(work[B], fresh, rounding, scratch)
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
         if found < xi:
             xi = found
             what = STOP
-    if not math.isnan(span):
-        ahead = span - panel.way * (state.th - origin)
+    if not math.isnan(limits.span):
+        ahead = angle_left(limits, state, panel.way)
         if ahead <= panel.extent:
             found = -1.0  # an event fell on the angle itself
             if ahead > 0.0:
@@ -288,7 +407,7 @@ def earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span
             if found < xi:
                 xi = found
                 what = FULL_ANGLE
-    left = t_end - state.t
+    left = time_left(state, limits.t_end)
     if totals.time >= left:
         antiderivative(work[RATE], work[TIME])
         for i in range(ORDER):
@@ -349,7 +468,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     tau = max(tau, 0.0)
     om = panel.way * math.sqrt(max(u, 0.0))
     if panel.sigma == 0:
-        x = state.x + (offset - angle_at(panel, -1.0))
+        along = offset - angle_at(panel, -1.0)
     else:
         s0 = panel.sine
         c0 = panel.cosine
@@ -360,19 +479,33 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
             c0 += back[1]
             ds -= back[0]
             dc -= back[1]
-        x = state.x + slip_displacement(body, panel.sigma, state.vt, state.om, s0, c0, ds, dc, tau)
+        along = slip_displacement(body, panel.sigma, state.vt, state.om, s0, c0, ds, dc, tau)
+    t, t_low = later(state, tau)
+    x, x_low = plus(state.x, state.x_low, along)
+    th, th_low = plus(panel.ref, panel.ref_low, offset)
     return State(
-        state.t + tau,
-        x,
-        0.0,
-        panel.ref + offset,
-        vt,
-        0.0,
-        om,
-        state.friction + loss,
-        state.impact_n,
-        state.impact_t,
-    )
+        t, t_low, x, x_low, 0.0, state.turns, th, th_low, vt, 0.0, om,
+        state.friction + loss, state.impact_n, state.impact_t, state.anchor,
+    )  # fmt: skip
+
+
+@lean_jit
+def carried(body, panel, totals, xi, after):
+    """The state after a slip panel, with what its anchor has become."""
+    anchor = after.anchor
+    if anchor.kind != SLIPPING:
+        return after
+    if body.mu_k == 0.0:  # θ̇² − θ̇² of another motion goes as 1/(κ p)
+        s, _ = sine_cosine(after.th, after.th_low)
+        sine = panel.sine
+        if panel.kind == ARRIVE:
+            sine += turn(panel.sine, panel.cosine, angle_at(panel, -1.0))[0]
+        growth = (body.kap + (body.eps * sine) ** 2) / (body.kap + (body.eps * s) ** 2)
+    elif xi < 1.0:
+        return with_anchor(after, NONE)
+    else:
+        growth = 1.0 / totals.growth if panel.kind == ARRIVE else totals.growth
+    return with_anchor(after, Anchor(SLIPPING, anchor.excess * growth, anchor.base, anchor.base_low, anchor.bend))
 
 
 @inline_jit
@@ -380,21 +513,19 @@ def shortened(body, panel, totals, state, left, scratch):
     """The panel, or a narrower one where it would last so long beside the time left that its end would be lost in it."""
     if not (totals.time > LONG * max(left, 1.0) and left > 0.0):
         return panel, totals
+    begin = begin_of(body, panel.sigma, state, scratch)
     if panel.kind == LEAVE:
         extent = panel.extent * (4.0 * left / totals.time) ** 2
-        short = leaving_panel(body, panel.sigma, panel.way, panel.ref, extent, panel.vt)
+        short = leaving_panel(panel.sigma, panel.way, extent, begin)
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))
         level = min(max(int(math.floor(2.0 * math.log2(wide))), 0), NARROWEST)
-        short = linear_panel(
-            body, panel.sigma, level, panel.way, state.th, math.sin(state.th), math.cos(state.th),
-            state.om * state.om, state.vt,
-        )  # fmt: skip
+        short = linear_panel(panel.sigma, level, panel.way, begin)
     return short, solve(body, short, scratch.work)
 
 
 @inline_jit
-def advance_contact(body, mode, state, fresh, zeros, level, t_end, origin, span, scratch, segments, count):
+def advance_contact(body, mode, state, fresh, zeros, level, limits, scratch, segments, count):
     """Roll or slip over one panel or up to the first event in it.
 
     Parameters
@@ -410,29 +541,32 @@ def advance_contact(body, mode, state, fresh, zeros, level, t_end, origin, span,
     """
     sigma = slip_direction(mode)
     if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
-        state = revised(state, state.t, state.th, state.vt, 0.0)
+        state = with_velocities(state, state.vt, state.vn, 0.0)
+    if fresh:
+        state = anchored(body, sigma, state, scratch)
     if state.om == 0.0:
         if body.kap == 0.0 and (sigma != 0 or math.cos(state.th) <= -1.0):
             return STILL, state, level, count  # the massless hoop with its load on the plane
-        if is_still(body, sigma, state.th):
+        if is_still(body, sigma, state):
             return STILL, state, level, count
     panel, totals, level = choose_panel(body, sigma, state, level, FIRST_EXTENT, scratch)
     if not totals.tail <= RESOLVED:
         return STUCK, state, level, count
-    panel, totals = shortened(body, panel, totals, state, t_end - state.t, scratch)
+    panel, totals = shortened(body, panel, totals, state, time_left(state, limits.t_end), scratch)
     if not totals.tail <= RESOLVED:
         return STUCK, state, level, count
-    xi, what = earliest_event(body, panel, totals, state, fresh, zeros, t_end, origin, span, scratch)
+    xi, what = earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch)
     after = state_on_panel(body, panel, totals, state, xi, scratch)
     if what == STOP:
-        after = revised(after, after.t, after.th, 0.0, after.om)
+        after = with_velocities(after, 0.0, after.vn, after.om)
     elif what == LIMIT:
-        after = revised(after, t_end, after.th, after.vt, after.om)
+        after = at_time(after, limits.t_end)
     elif what == FULL_ANGLE:
-        after = revised(after, after.t, origin + panel.way * span, after.vt, after.om)
+        after = at_span(limits, after, panel.way)
     if xi > -1.0:
         count = write_segment(segments, count, mode, panel, xi, 0.0, state, after.t)
-    return what, after, level, count
+        after = carried(body, panel, totals, xi, after)
+    return what, counted(body, after), level, count
 
 
 @lean_jit

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
+from hophoop.numerics.double_double import plus
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.contact import free_acceleration
-from hophoop.physics.flight import first_landing, flight_gap, flight_state
+from hophoop.physics.flight import first_landing, flight_displacement, flight_gap
 from hophoop.physics.massless import skim_duration, skim_state, strike
 from hophoop.physics.modes import UNDECIDED, can_roll, slip_direction, slip_mode
-from hophoop.physics.panel import FLY, HOLD, SKIMMING, no_panel
+from hophoop.physics.panel import FLY, HOLD, SKIMMING, no_panel, sine_cosine
 from hophoop.rigid.contact_phase import (
     CONE_AHEAD,
     FULL_ANGLE,
@@ -23,10 +24,25 @@ from hophoop.rigid.contact_phase import (
     STUCK,
     TURNED,
     advance_contact,
+    angle_left,
+    at_span,
     equilibrium_is_stable,
     frozen_end,
+    limits_of,
 )
-from hophoop.rigid.state import Cause, State, quiet, revised, write_event, write_segment
+from hophoop.rigid.state import (
+    Cause,
+    at_time,
+    flown,
+    later,
+    moved,
+    quiet,
+    time_left,
+    with_losses,
+    with_velocities,
+    write_event,
+    write_segment,
+)
 from hophoop.rigid.transitions import close_bounces, collide, pass_singular, settle
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
@@ -51,7 +67,7 @@ MOST_PANELS = 4_000_000
 
 
 @jit
-def fly(body, state, opening, zeros, t_end, origin, span, events, count, segments, pieces, scratch):
+def fly(body, state, opening, zeros, limits, events, count, segments, pieces, scratch):
     """Fly until landing, the limit of time or of angle.
 
     `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
@@ -59,11 +75,11 @@ def fly(body, state, opening, zeros, t_end, origin, span, events, count, segment
 
     Returns (what, state just before the impact, count, pieces): what is STOP for a landing.
     """
-    limit = t_end - state.t
+    limit = time_left(state, limits.t_end)
     what = LIMIT
-    angle_target = origin + math.copysign(span, state.om)
-    if not math.isnan(span) and state.om != 0.0:
-        until = max((angle_target - state.th) / state.om, 0.0)
+    way = 1.0 if state.om > 0.0 else -1.0
+    if not math.isnan(limits.span) and state.om != 0.0:
+        until = max(angle_left(limits, state, way) / abs(state.om), 0.0)
         if until < limit:
             limit = until
             what = FULL_ANGLE
@@ -84,8 +100,7 @@ def fly(body, state, opening, zeros, t_end, origin, span, events, count, segment
     if 0.0 <= landing <= limit:
         tau = landing
         what = STOP
-    s = math.sin(state.th)
-    c = math.cos(state.th)
+    s, c = sine_cosine(state.th, state.th_low)
     for step in range(2):
         at = tau
         if step == 0:
@@ -93,18 +108,17 @@ def fly(body, state, opening, zeros, t_end, origin, span, events, count, segment
                 continue
             at = apex
         y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, at)
-        x, th, vt = flight_state(body, state.x, state.th, state.vt, state.om, s, c, at)
-        t = state.t + at
+        along, vt = flight_displacement(body, state.vt, state.om, s, c, at)
         if step == 0:
             vn = 0.0
         elif what == STOP:
             y = 0.0
             vn = min(vn, 0.0)
-        elif what == LIMIT:
-            t = t_end
-        else:
-            th = angle_target
-        after = State(t, x, y, th, vt, vn, state.om, state.friction, state.impact_n, state.impact_t)
+        after = flown(state, along, y, at, vt, vn)
+        if step == 1 and what == LIMIT:
+            after = at_time(after, limits.t_end)
+        elif step == 1 and what == FULL_ANGLE:
+            after = at_span(limits, after, way)
         if step == 0:
             count = write_event(events, count, quiet(APEX, FLIGHT, after), FLIGHT, after, 0.0, -1)
     pieces = write_segment(segments, pieces, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)
@@ -122,7 +136,7 @@ def let_go(body, state, events, count):
         return UNDECIDED, state, count
     if s == 0.0:
         jump = math.copysign(math.sqrt(body.gn), state.om) - state.om
-        state = revised(state, state.t, state.th, state.vt - 2.0 * jump, state.om + jump)
+        state = with_velocities(state, state.vt - 2.0 * jump, state.vn, state.om + jump)
     return SKIM, state, write_event(events, count, quiet(SKIM_START, ROLL, state), SKIM, state, 0.0, -1)
 
 
@@ -136,16 +150,19 @@ def skim(body, state, t_end, segments, pieces):
     c = math.cos(state.th)
     along = state.vt + state.om * (1.0 + c)
     duration = skim_duration(body, c, math.sin(state.th) * state.om)
-    strikes = state.t + duration <= t_end
-    tau = duration if strikes else t_end - state.t
+    left = time_left(state, t_end)
+    strikes = duration <= left
+    tau = duration if strikes else left
     x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, way, tau)
     pieces = write_segment(segments, pieces, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)
-    t = state.t + tau if strikes else t_end
+    t, t_low = later(state, tau)
+    if not strikes:
+        t, t_low = t_end, 0.0
     if strikes:
         x = state.x + math.sin(state.th) + along * tau + 0.5 * body.gt * tau * tau
         th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)
         vt = along + body.gt * tau
-    after = State(t, x, 0.0, th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t)
+    after = with_velocities(moved(state, t, t_low, x, 0.0, 0.0, state.turns, th, 0.0), vt, 0.0, om)
     return strikes, after, math.sin(state.th) * state.om + body.gn * tau, pieces
 
 
@@ -156,14 +173,19 @@ def hold(body, mode, state, t_end, segments, pieces):
     rate, until = frozen_end(body, sigma, state.vt)
     what = STOP
     tau = until
-    if not state.t + until <= t_end:
+    left = time_left(state, t_end)
+    if not until <= left:
         what = LIMIT
-        tau = t_end - state.t
+        tau = left
     slid = state.vt * tau + 0.5 * rate * tau * tau
     vt = 0.0 if what == STOP else state.vt + rate * tau
-    t = state.t + tau if what == STOP else t_end
+    t, t_low = later(state, tau)
+    if what != STOP:
+        t, t_low = t_end, 0.0
+    x, x_low = plus(state.x, state.x_low, slid)
     friction = state.friction + sigma * body.mu_k * body.gn * slid
-    after = State(t, state.x + slid, 0.0, state.th, vt, 0.0, 0.0, friction, state.impact_n, state.impact_t)
+    after = with_velocities(moved(state, t, t_low, x, x_low, 0.0, state.turns, state.th, state.th_low), vt, 0.0, 0.0)
+    after = with_losses(after, friction, state.impact_n, state.impact_t)
     pieces = write_segment(segments, pieces, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, after.t)
     return what, after, pieces
 
@@ -208,8 +230,8 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
     """
     state = start
     if 0.0 < state.y < LOWEST_START:
-        state = State(
-            start.t, start.x, 0.0, start.th, start.vt, start.vn, start.om, start.friction, start.impact_n, start.impact_t
+        state = moved(
+            start, start.t, start.t_low, start.x, start.x_low, 0.0, start.turns, start.th, start.th_low
         )
     count = 0
     pieces = 0
@@ -219,7 +241,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
     last_bounce = 0.0
     status = COMPLETED
     massless = body.kap == 0.0
-    origin = state.th
+    limits = limits_of(state, t_end, angle_span)
     # The start.
     if state.y > 0.0 or state.vn != 0.0:
         count = write_event(events, count, quiet(START, FLIGHT, state), FLIGHT, state, 0.0, -1)
@@ -278,7 +300,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
                     opening = 0.0
                     zeros = 3
             what, state, count, pieces = fly(
-                body, state, opening, zeros, t_end, origin, angle_span, events, count, segments, pieces, scratch
+                body, state, opening, zeros, limits, events, count, segments, pieces, scratch
             )
             if what != STOP:
                 break
@@ -302,7 +324,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             along, p_n, p_t = strike(body, after.vt, -sink)
             lost_n = after.impact_n + 0.5 * sink * sink
             lost_t = after.impact_t + 0.5 * (after.vt * after.vt - along * along)
-            landed = State(after.t, after.x, 0.0, after.th, along, 0.0, 0.0, after.friction, lost_n, lost_t)
+            landed = with_losses(with_velocities(after, along, 0.0, 0.0), after.friction, lost_n, lost_t)
             cause = Cause(IMPACT, SKIM, after.vt, -sink, math.nan, p_n, p_t, 0.0, 1)
             state = landed
             mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)
@@ -315,7 +337,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             continue
         was = mode
         what, state, level, pieces = advance_contact(
-            body, mode, state, fresh, slip_zeros, level, t_end, origin, angle_span, scratch, segments, pieces
+            body, mode, state, fresh, slip_zeros, level, limits, scratch, segments, pieces
         )
         fresh = False
         if what == ON:
@@ -333,7 +355,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
                 pieces = write_segment(
                     segments, pieces, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, t_end
                 )
-                state = revised(state, t_end, state.th, 0.0, 0.0)
+                state = at_time(with_velocities(state, 0.0, 0.0, 0.0), t_end)
                 status = AT_REST
             else:
                 what, state, pieces = hold(body, mode, state, t_end, segments, pieces)

@@ -11,6 +11,8 @@ from hophoop._jit import jit
 from hophoop.physics.panel import ROWS
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
+# What rounding keeps from time and place, and the angle as whole turns and θ within the turn.
+_PLACE = ["t_low", "x_low", "turns", "theta", "theta_low"]
 _ENERGY = ["friction", "impact_normal", "impact_tangential"]
 
 # Kernel units (R, m, √(R/g)). `slip` is v_t after the event, kept because ẋ − Rθ̇ loses its digits near 0;
@@ -22,6 +24,7 @@ EVENT = np.dtype(
     + [("impulse_normal", "f8"), ("impulse_tangential", "f8")]
     + [(name, "f8") for name in _ENERGY]
     + [("gain", "f8"), ("collision", "i8"), ("stable", "i8")]
+    + [(name, "f8") for name in _PLACE]
 )
 
 # All that is needed to compute the motion inside the segment again, bit for bit.
@@ -31,6 +34,8 @@ SEGMENT = np.dtype(
     + [("arm", "f8"), ("stiffness", "f8"), ("u", "f8"), ("xi", "f8"), ("opening", "f8")]
     + [("x", "f8"), ("height", "f8"), ("angle", "f8"), ("vy", "f8"), ("omega", "f8"), ("slip", "f8")]
     + [(name, "f8") for name in _ENERGY]
+    + [("ref_low", "f8")]
+    + [(name, "f8") for name in _PLACE]
 )
 
 

@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from hophoop._collocation import NOT_FOUND, ORDER, coefficients, first_fall
 from hophoop._jit import jit
+from hophoop.numerics.double_double import plus
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import rolling_forces, slip_motion
-from hophoop.physics.flight import flight_gap, flight_state
+from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state
-from hophoop.physics.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel
+from hophoop.physics.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel, sine_cosine
 from hophoop.rigid.contact_phase import solve, state_on_panel
 from hophoop.rigid.records import new_scratch
-from hophoop.rigid.state import State
+from hophoop.rigid.state import flown, moved, state_of, whole_angle, with_losses, with_velocities
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import to_body
 
@@ -23,25 +22,8 @@ FLIGHT = int(Mode.FLIGHT)
 # Columns of a sample, in kernel units.
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
-    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential",
+    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta",
 )  # fmt: skip
-
-
-@jit
-def state_of(segment):
-    """The state in which a segment begins."""
-    return State(
-        segment["t"],
-        segment["x"],
-        segment["height"],
-        segment["angle"],
-        segment["slip"],
-        segment["vy"],
-        segment["omega"],
-        segment["friction"],
-        segment["impact_normal"],
-        segment["impact_tangential"],
-    )
 
 
 @jit
@@ -68,16 +50,15 @@ def place_on_panel(panel_time, segment, tau, scratch):
         scratch.values[0, i] = tau - panel_time[i]
     coefficients(scratch.values[0], scratch.series)
     xi = first_fall(scratch.series, 0.0, scratch.stack)
-    if xi == NOT_FOUND:
-        xi = segment["xi"]
+    if xi == NOT_FOUND:  # beside one of the ends, by less than the rounding of the series
+        xi = segment["xi"] if tau > panel_time[0] else -1.0
     return min(xi, segment["xi"])
 
 
 @jit
-def contact_force(body, sigma, th, om):
+def contact_force(body, sigma, th, th_low, om):
     """(F, N) in rolling (sigma = 0) or slip."""
-    s = math.sin(th)
-    c = math.cos(th)
+    s, c = sine_cosine(th, th_low)
     if sigma == 0:
         return rolling_forces(body, s, c, om * om)
     normal = slip_motion(body, s, c, om * om, sigma)[1]
@@ -89,21 +70,20 @@ def sample(body, segments, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     scratch = new_scratch()
     solved = -1
-    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0)
+    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for k in range(times.shape[0]):
         index = find_segment(segments, times[k], left)
         segment = segments[index]
         state = state_of(segment)
-        tau = min(times[k], segment["t_end"]) - segment["t"]
+        tau = (min(times[k], segment["t_end"]) - segment["t"]) - segment["t_low"]
         friction = 0.0
         normal = 0.0
         if segment["kind"] == FLY:
-            s = math.sin(state.th)
-            c = math.cos(state.th)
+            s, c = sine_cosine(state.th, state.th_low)
             y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, segment["opening"], tau)
-            x, th, vt = flight_state(body, state.x, state.th, state.vt, state.om, s, c, tau)
-            now = State(times[k], x, max(y, 0.0), th, vt, vn, state.om, state.friction, state.impact_n, state.impact_t)
+            along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
+            now = flown(state, along, max(y, 0.0), tau, vt, vn)
         elif segment["kind"] == HOLD:
             rate = segment["opening"]
             slid = state.vt * tau + 0.5 * rate * tau * tau
@@ -111,17 +91,17 @@ def sample(body, segments, times, left, out):
             vt = state.vt + rate * tau
             normal = body.gn
             friction = -segment["sigma"] * body.mu_k * body.gn if segment["sigma"] != 0 else -body.gt
-            now = State(
-                times[k], state.x + slid, 0.0, state.th, vt, 0.0, 0.0,
-                state.friction + loss, state.impact_n, state.impact_t,
-            )  # fmt: skip
+            x, x_low = plus(state.x, state.x_low, slid)
+            now = moved(state, times[k], 0.0, x, x_low, 0.0, state.turns, state.th, state.th_low)
+            now = with_losses(with_velocities(now, vt, 0.0, 0.0), state.friction + loss, state.impact_n, state.impact_t)
         elif segment["kind"] == SKIMMING:
             x, th, vt, om = skim_state(body, state.x, state.th, state.vt, state.om, segment["way"], tau)
-            now = State(times[k], x, 0.0, th, vt, 0.0, om, state.friction, state.impact_n, state.impact_t)
+            now = moved(state, times[k], 0.0, x, 0.0, 0.0, state.turns, th, 0.0)
+            now = with_velocities(now, vt, 0.0, om)
         else:
             if index != solved:
                 panel = Panel(
-                    segment["sigma"], segment["kind"], segment["level"], segment["way"], segment["ref"],
+                    segment["sigma"], segment["kind"], segment["level"], segment["way"], segment["ref"], segment["ref_low"],
                     segment["sine"], segment["cosine"], segment["extent"], segment["arm"],
                     segment["stiffness"], segment["u"], segment["slip"],
                 )  # fmt: skip
@@ -130,12 +110,12 @@ def sample(body, segments, times, left, out):
                 solved = index
             xi = place_on_panel(scratch.work[TIME], segment, tau, scratch)
             now = state_on_panel(body, panel, totals, state, xi, scratch)
-            friction, normal = contact_force(body, segment["sigma"], now.th, now.om)
+            friction, normal = contact_force(body, segment["sigma"], now.th, now.th_low, now.om)
         row = out[k]
         row[0] = segment["mode"]
         row[1] = now.x
         row[2] = now.y
-        row[3] = now.th
+        row[3] = whole_angle(now)
         row[4] = now.vt + now.om
         row[5] = now.vn
         row[6] = now.om
@@ -145,6 +125,7 @@ def sample(body, segments, times, left, out):
         row[10] = now.friction
         row[11] = now.impact_n
         row[12] = now.impact_t
+        row[13] = now.th + now.th_low
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

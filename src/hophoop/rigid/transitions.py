@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from hophoop._jit import jit
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.contact import contact_arms
@@ -15,7 +13,8 @@ from hophoop.physics.modes import (
     slip_direction,
     slip_mode,
 )
-from hophoop.rigid.state import Cause, State, quiet, write_event
+from hophoop.physics.panel import sine_cosine
+from hophoop.rigid.state import Cause, quiet, with_losses, with_velocities, write_event
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 STICK, SLIP_REVERSAL, TAKEOFF = int(Event.STICK), int(Event.SLIP_REVERSAL), int(Event.TAKEOFF)
@@ -30,8 +29,7 @@ GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
 @jit
 def collide(body, rest, state, kind, mode, collision):
     """(state after, cause) of an impact."""
-    s = math.sin(state.th)
-    c = math.cos(state.th)
+    s, c = sine_cosine(state.th, state.th_low)
     vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn)
     om = state.om + spin
     gain = -(loss_n + loss_t)
@@ -40,10 +38,7 @@ def collide(body, rest, state, kind, mode, collision):
     cause = Cause(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
     losses_n = state.impact_n + loss_n
     losses_t = state.impact_t + loss_t
-    after = State(
-        state.t, state.x, state.y, state.th, vt, vn, om, state.friction, losses_n, losses_t
-    )
-    return after, cause
+    return with_losses(with_velocities(state, vt, vn, om), state.friction, losses_n, losses_t), cause
 
 
 @jit
@@ -53,15 +48,14 @@ def close_bounces(body, state):
     if not after.vn > 0.0:
         return after, cause
     # μ = ∞: what stops the slip throws the rim up; an impulse that pulls it back has as little work in it
-    s = math.sin(state.th)
-    c = math.cos(state.th)
+    s, c = sine_cosine(state.th, state.th_low)
     arm, lever = contact_arms(body, s, c)
     r, turn, lift = stick_rates(body, arm, lever)
     p_n = -after.vn / lift
     p_t = r * p_n
     om = after.om + turn * p_n
     lost = after.impact_n - 0.5 * after.vn * p_n
-    still = State(state.t, state.x, state.y, state.th, 0.0, 0.0, om, state.friction, lost, after.impact_t)
+    still = with_losses(with_velocities(state, 0.0, 0.0, om), state.friction, lost, after.impact_t)
     p_n += cause.p_n
     p_t += cause.p_t
     return still, Cause(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
@@ -85,7 +79,7 @@ def settle(body, state, cause, events, count):
     for _ in range(8):
         if state.vn > 0.0:
             return FLIGHT, state, write_cause(events, count, cause, FLIGHT, state)
-        mode = next_mode(body, state.th, state.om, state.vt)
+        mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
         named = mode
         if mode > SKIM:
             named = ROLL if state.vt == 0.0 else slip_mode(1 if state.vt > 0.0 else -1)
@@ -113,8 +107,7 @@ def pass_singular(body, mode, state, events, count):
 
     That happens where p_σ → 0 with N → ∞. Anything else is a failure of the program, and UNDECIDED says so.
     """
-    s = math.sin(state.th)
-    c = math.cos(state.th)
+    s, c = sine_cosine(state.th, state.th_low)
     sigma = slip_direction(mode)
     found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma)
     if not found:
@@ -122,7 +115,7 @@ def pass_singular(body, mode, state, events, count):
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss
-    after = State(state.t, state.x, 0.0, state.th, vt, 0.0, om, state.friction, state.impact_n, losses)
+    after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses)
     if jams:
         cause = Cause(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
         return True, mode, after, write_event(events, count, cause, mode, after, 0.0, -1)

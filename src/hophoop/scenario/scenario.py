@@ -311,6 +311,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         rest=plane.restitution,
         law=int(ImpactLaw[plane.impact_law.upper()]),
         strike=plane.painleve == "impact",
+        slope=weight * plane.slope,
     )
 
 

@@ -12,7 +12,7 @@ from hophoop._jit import announce_compilation
 from hophoop.physics.body import Body, Mode
 from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import State
+from hophoop.rigid.state import start_state
 from hophoop.scenario import InputError, Plane
 from hophoop.theory._columns import Columns, Hoops, Planes, body_from
 from hophoop.theory.kernels import critical as kernels
@@ -57,7 +57,7 @@ class _Trials:
 
     def first_turns(self, body: Body, speed: float) -> np.ndarray:
         """Events of the motion up to its first lift-off, its turning back or the end of the turns."""
-        start = State(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, float(speed), 0.0, 0.0, 0.0)
+        start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
         stop = STOP_AT_TURN | STOP_AT_TAKEOFF
         _, count, _ = run(body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch)
         return self.events[:count]

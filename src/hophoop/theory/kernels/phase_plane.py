@@ -19,7 +19,7 @@ def modes(bodies, angles, rates, out):
     for k in range(angles.shape[0]):
         body = body_of(bodies[k])
         if body.kap > 0.0:
-            mode = next_mode(body, angles[k], rates[k], 0.0)
+            mode = next_mode(body, angles[k], 0.0, rates[k], 0.0)
             out[k] = mode if mode <= SKIM else NONE
         elif can_roll(body, angles[k], rates[k]):
             out[k] = ROLL

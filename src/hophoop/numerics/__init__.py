@@ -1,0 +1,1 @@
+"""What solves the formulas and knows no hoop."""

@@ -1,0 +1,156 @@
+"""Numbers of two doubles, some 32 digits: for angles, times and places that must not lose what is added to them.
+
+A number is (high, low) with abs(low) at most half a unit in the last place of high. The products need no fused
+multiply-add (Dekker's splitting), so that every machine gives the same bits.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import numpy as np
+
+from hophoop._jit import inline_jit, lean_jit
+
+SPLITTER = 134217729.0  # 2^27 + 1
+
+# π to 49 digits, for the two parts of it and of 2π
+_PI = Fraction(3141592653589793238462643383279502884197169399375, 10**48)
+PI, TWO_PI = math.pi, 2.0 * math.pi
+PI_LOW = float(_PI - Fraction(PI))
+TWO_PI_LOW = 2.0 * PI_LOW
+
+
+@inline_jit
+def two_sum(a, b):
+    """a + b and its rounding error."""
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+@inline_jit
+def quick_sum(a, b):
+    """a + b and its rounding error, where abs(a) ≥ abs(b)."""
+    total = a + b
+    return total, b - (total - a)
+
+
+@lean_jit
+def two_product(a, b):
+    """a b and its rounding error."""
+    product = a * b
+    part = SPLITTER * a
+    a_high = part - (part - a)
+    a_low = a - a_high
+    part = SPLITTER * b
+    b_high = part - (part - b)
+    b_low = b - b_high
+    return product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
+
+
+@inline_jit
+def plus(high, low, value):
+    """(high, low) + a double."""
+    total, error = two_sum(high, value)
+    return quick_sum(total, error + low)
+
+
+@lean_jit
+def add(a, b):
+    """Sum of two such numbers."""
+    total, error = two_sum(a[0], b[0])
+    low, rest = two_sum(a[1], b[1])
+    total, error = quick_sum(total, error + low)
+    return quick_sum(total, error + rest)
+
+
+@lean_jit
+def negative(a):
+    """−a."""
+    return -a[0], -a[1]
+
+
+@lean_jit
+def multiply(a, b):
+    """Product of two such numbers."""
+    product, error = two_product(a[0], b[0])
+    return quick_sum(product, error + (a[0] * b[1] + a[1] * b[0]))
+
+
+@lean_jit
+def divide(a, b):
+    """a / b."""
+    first = a[0] / b[0]
+    rest = add(a, negative(multiply(b, (first, 0.0))))
+    second = rest[0] / b[0]
+    rest = add(rest, negative(multiply(b, (second, 0.0))))
+    return add(quick_sum(first, second), (rest[0] / b[0], 0.0))
+
+
+@lean_jit
+def square_root(a):
+    """√a, of a number that is not negative."""
+    if a[0] <= 0.0:
+        return 0.0, 0.0
+    root = math.sqrt(a[0])
+    rest = add(a, negative(two_product(root, root)))
+    first = quick_sum(root, rest[0] / (2.0 * root))
+    rest = add(a, negative(multiply(first, first)))
+    return add(first, (rest[0] / (2.0 * root), 0.0))
+
+
+_TERMS = 12
+_INVERSE = [Fraction(1, math.factorial(k)) for k in range(2 * _TERMS + 2)]
+# 1/(2k+1)! and 1/(2k+2)!, each as two doubles
+_ODD = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[1::2]])
+_EVEN = np.array([[float(q), float(q - Fraction(float(q)))] for q in _INVERSE[2::2]])
+_HALVINGS = 4
+
+
+@lean_jit
+def sine_versine(a):
+    """(sin a, 1 − cos a) of an angle up to a few turns."""
+    scale = 0.5**_HALVINGS
+    x = (a[0] * scale, a[1] * scale)
+    square = multiply(x, x)
+    minus = negative(square)
+    sine = (0.0, 0.0)
+    versine = (0.0, 0.0)
+    for k in range(_TERMS - 1, -1, -1):
+        sine = add(multiply(sine, minus), (_ODD[k, 0], _ODD[k, 1]))
+        versine = add(multiply(versine, minus), (_EVEN[k, 0], _EVEN[k, 1]))
+    sine = multiply(sine, x)
+    versine = multiply(versine, square)
+    for _ in range(_HALVINGS):
+        cosine = add((1.0, 0.0), negative(versine))
+        doubled = multiply(sine, cosine)
+        versine = multiply(sine, sine)
+        versine = (2.0 * versine[0], 2.0 * versine[1])
+        sine = (2.0 * doubled[0], 2.0 * doubled[1])
+    return sine, versine
+
+
+@lean_jit
+def arc_sine(a):
+    """The angle from −π/2 to π/2 whose sine is a, abs(a) < 1; near ±1 as exact as the sine lets it be."""
+    angle = (math.asin(a[0]), 0.0)
+    for _ in range(3):
+        sine, versine = sine_versine(angle)
+        slope = 1.0 - versine[0]
+        if slope <= 0.0:
+            return angle
+        rest = add(a, negative(sine))
+        angle = add(angle, divide(rest, add((1.0, 0.0), negative(versine))))
+    return angle
+
+
+@lean_jit
+def turns_and_rest(angle):
+    """(whole turns, rest as two doubles from −π to π) of an angle that is a double, taken as exact."""
+    turns = float(math.floor(angle / TWO_PI + 0.5))
+    high, error = two_product(turns, TWO_PI)
+    rest = add((angle, 0.0), (-high, -error))
+    rest = add(rest, (-(turns * TWO_PI_LOW), 0.0))
+    return turns, rest[0], rest[1]

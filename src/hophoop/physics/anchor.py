@@ -1,0 +1,207 @@
+r"""What a phase conserves, measured from the equilibrium that it passes (docs/model.md, 'Beside an equilibrium').
+
+In rolling D θ̇² + 2 V(θ) is conserved, in slip of one direction the difference of θ̇² from the motion that comes to rest
+at the equilibrium grows by a factor that is known. A hoop that passes the top at 1e-8 m/s has θ̇² = 1e-16 there, which
+is lost in the rounding of the θ̇² = 10 it comes with. So the small number is carried along, and θ̇² is found from it anew
+at each panel:
+
+    roll  D θ̇² = excess + 2 [B (1 − cos ψ) + g_t (ψ − sin ψ)],  ψ = θ − θ_base,  B = ε (g_n cos θ_base − g_t sin θ_base)
+    slip  θ̇²   = excess + Σ a_k ψ^k, with the series of the motion that comes to rest at θ_base
+
+The hilltop serves as the base where the hoop comes near it, the valley for oscillations beside the valley.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from hophoop._collocation import turn_deficits
+from hophoop._jit import lean_jit
+from hophoop.numerics.double_double import (
+    PI,
+    PI_LOW,
+    add,
+    arc_sine,
+    divide,
+    negative,
+    sine_versine,
+    square_root,
+    two_product,
+)
+from hophoop.physics.contact import inertia_at_height, load_height, slip_torque_arm
+
+TERMS = 16
+LARGEST_PSI = 0.1  # rad from a hilltop within which the series of slip is used
+CANCELS = 1e-2  # of its terms: where θ̇² is less, as beside a turning point, the one that is carried has more digits
+FREE, ROLLING, SLIPPING = 0, 1, 2
+
+
+class Anchor(NamedTuple):
+    """The conserved quantity of a phase and what it is measured from."""
+
+    kind: int  # FREE: none
+    excess: float
+    base: float  # θ of the equilibrium, within the turn
+    base_low: float
+    bend: float  # B; positive on a hilltop
+
+
+NONE = Anchor(FREE, 0.0, 0.0, 0.0, 0.0)
+
+
+@lean_jit
+def rolling_hilltop(body):
+    """θ, in two doubles, of the unstable equilibrium on a slope; needs abs(sin β) < ε."""
+    sine = divide(sine_versine((body.slope, 0.0))[0], (body.eps, 0.0))
+    return add(negative(arc_sine(sine)), (-body.slope, 0.0))
+
+
+@lean_jit
+def offset_from(th, low, base, base_low):
+    """ψ = θ − θ_base of two angles of two doubles, with all its digits."""
+    return (th - base) + (low - base_low)
+
+
+@lean_jit
+def fallen(body, bend, psi):
+    """B (1 − cos ψ) + g_t (ψ − sin ψ): by how much V is lower at ψ than at the equilibrium."""
+    if body.gt == 0.0:
+        half = math.sin(0.5 * psi)
+        return 2.0 * bend * half * half
+    bent, _, versine = turn_deficits(psi)
+    return bend * versine + body.gt * bent
+
+
+@lean_jit
+def rolling_anchor(body, th, low, u):
+    """The anchor of a rolling phase that begins at θ with θ̇² = u."""
+    if body.eps == 0.0 or body.gn == 0.0 or abs(body.gt) >= body.eps:
+        return NONE
+    base = 0.0
+    base_low = 0.0
+    if body.gt != 0.0:
+        base, base_low = rolling_hilltop(body)
+    bend = body.eps * (body.gn * math.cos(base) - body.gt * math.sin(base))
+    s = math.sin(th) + low * math.cos(th)
+    c = math.cos(th) - low * math.sin(th)
+    psi = offset_from(th, low, base, base_low)
+    energy = inertia_at_height(body, load_height(s, c)) * u
+    excess = energy - 2.0 * fallen(body, bend, psi)
+    if excess < -2.0 * bend:
+        # nearer to the valley, which lies a turn less two arcs from the hilltop: θ_valley = π − 2β − θ_hilltop
+        way = 1.0 if psi > 0.0 else -1.0
+        valley = add((way * PI, way * PI_LOW), (-2.0 * body.slope, 0.0))
+        valley = add(valley, (-base, -base_low))
+        base, base_low = valley
+        bend = -bend
+        excess = energy - 2.0 * fallen(body, bend, offset_from(th, low, base, base_low))
+    return Anchor(ROLLING, excess, base, base_low, bend)
+
+
+@lean_jit
+def rolling_begin(body, anchor, th, low, s, c, u):
+    """(−dV/dθ, d²V/dθ², θ̇²) where a rolling panel begins; the last is as it was without an anchor."""
+    torque = body.eps * (body.gn * s + body.gt * c) + body.gt
+    bend = body.eps * (body.gn * c - body.gt * s)
+    if anchor.kind != ROLLING:
+        return torque, bend, u
+    psi = offset_from(th, low, anchor.base, anchor.base_low)
+    if body.gt != 0.0:
+        half = math.sin(0.5 * psi)
+        torque = anchor.bend * math.sin(psi) + 2.0 * body.gt * half * half
+    lower = 2.0 * fallen(body, anchor.bend, psi)
+    energy = anchor.excess + lower
+    if energy > CANCELS * (abs(anchor.excess) + abs(lower)):
+        u = energy / inertia_at_height(body, load_height(s, c))
+    return torque, bend, u
+
+
+@lean_jit
+def slip_hilltop(body, sigma):
+    """θ, in two doubles, where slip has no torque and θ̇ = 0 is unstable; needs σ μ/√(1 + μ²) < ε."""
+    pull = sigma * body.mu_k
+    if pull == 0.0:
+        return 0.0, 0.0
+    length = square_root(add(two_product(pull, pull), (1.0, 0.0)))
+    sine = divide((pull, 0.0), length)
+    return negative(add(arc_sine(sine), arc_sine(divide(sine, (body.eps, 0.0)))))
+
+
+@lean_jit
+def separatrix(body, sigma, base, out):
+    """Series in ψ of θ̇² of the slip that comes to rest at its hilltop; returns up to which ψ it is good to rounding."""
+    eps = body.eps
+    pull = sigma * body.mu_k
+    s = math.sin(base)
+    c = math.cos(base)
+    s2 = 2.0 * s * c
+    c2 = (c - s) * (c + s)
+    out[0] = 0.0
+    out[1] = 0.0
+    for k in range(1, TERMS - 1):
+        total = 0.0
+        single = 1.0  # 1/j!
+        double = 1.0  # 2^j/j!
+        sine, cosine, sine2, cosine2 = s, c, s2, c2
+        for j in range(1, k + 1):
+            single /= j
+            double *= 2.0 / j
+            sine, cosine = cosine, -sine
+            sine2, cosine2 = cosine2, -sine2
+            stiffness = 0.5 * eps * eps * double * (pull * sine2 - cosine2) + eps * pull * single * sine
+            damping = eps * (eps * double * (sine2 + pull * cosine2) + 2.0 * pull * single * cosine)
+            total -= damping * out[k - j] + stiffness * (k - j + 1) * out[k - j + 1]
+        total += 2.0 * body.gn * eps * single * (sine + pull * cosine)
+        out[k + 1] = total / (body.kap * (k + 1))
+    reach = LARGEST_PSI
+    for k in range(TERMS - 3, TERMS):
+        if out[k] != 0.0:
+            reach = min(reach, math.pow(1e-17 * abs(out[2] / out[k]), 1.0 / (k - 2)))
+    return reach
+
+
+@lean_jit
+def separatrix_value(series, psi):
+    """θ̇² of the slip that comes to rest at the hilltop, at ψ from there."""
+    result = 0.0
+    for k in range(TERMS - 1, 1, -1):
+        result = result * psi + series[k]
+    return result * psi * psi
+
+
+@lean_jit
+def slip_anchor(body, sigma, th, low, s, c, u, series):
+    """The anchor of slip that begins, with θ̇² = u, beside its hilltop; `series` is scratch."""
+    if body.gn == 0.0 or body.eps == 0.0 or math.isinf(body.mu_k):
+        return NONE
+    pull = sigma * body.mu_k
+    torque = slip_torque_arm(body, s, c, sigma)
+    slope = body.eps * (c - pull * s)
+    if not (slope > 0.0 and abs(torque) < 2.0 * LARGEST_PSI * slope):
+        return NONE
+    base, base_low = slip_hilltop(body, sigma)
+    psi = offset_from(th, low, base, base_low)
+    if abs(psi) > separatrix(body, sigma, base, series):
+        return NONE
+    return Anchor(SLIPPING, u - separatrix_value(series, psi), base, base_low, slope)
+
+
+@lean_jit
+def slip_begin(body, anchor, sigma, th, low, s, c, u, series):
+    """(q, κ p_σ, θ̇²) where a slip panel begins; q and θ̇² with all their digits also beside the hilltop."""
+    arm = slip_torque_arm(body, s, c, sigma)
+    if anchor.kind == SLIPPING:
+        psi = offset_from(th, low, anchor.base, anchor.base_low)
+        if abs(psi) < LARGEST_PSI:
+            top = math.sin(anchor.base)
+            side = math.cos(anchor.base)
+            pull = sigma * body.mu_k
+            half = math.sin(0.5 * psi)
+            arm = body.eps * ((side - pull * top) * math.sin(psi) - 2.0 * (top + pull * side) * half * half)
+            if u != 0.0 and abs(psi) <= separatrix(body, sigma, anchor.base, series):
+                high = separatrix_value(series, psi)
+                found = anchor.excess + high
+                if found > CANCELS * (abs(anchor.excess) + high):
+                    u = found
+    return arm, body.kap + body.eps * s * arm, u

@@ -1,0 +1,10 @@
+"""The rigid hoop's motion in as many digits as asked: Taylor series in whole numbers, independent of the kernel's panels.
+
+`hophoop.simulate` with ``digits=`` calls it; `solve` is for those who need the numbers themselves.
+"""
+
+from hophoop.precise.agreement import Agreement, Row, compare
+from hophoop.precise.result import PreciseEvent, PreciseMotion, simulate_precisely
+from hophoop.precise.solver import Solution, solve
+
+__all__ = ["Agreement", "PreciseEvent", "PreciseMotion", "Row", "Solution", "compare", "simulate_precisely", "solve"]

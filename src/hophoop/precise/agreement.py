@@ -1,0 +1,145 @@
+"""The kernel's events beside those of a precise motion: the same ones, and how many digits of each are right."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import Any, Protocol
+
+from hophoop.precise.result import PreciseEvent, PreciseMotion
+from hophoop.scenario.scenario import time_unit
+
+NUMBERS = ("t", "angle", "x", "vx", "omega")
+MOST_DIGITS = 17
+
+
+class Motion(Protocol):
+    """What a comparison reads of the kernel's motion."""
+
+    @property
+    def status(self) -> str:
+        """How it ended."""
+
+    @property
+    def sequence(self) -> str:
+        """Its phases."""
+
+    @property
+    def events(self) -> Sequence[Any]:
+        """Its events."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One event in both motions: its kind, its time [s] and the digits that are right of each number [1]."""
+
+    kind: str
+    t: float
+    digits: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """How two computations of one motion compare.
+
+    Attributes
+    ----------
+    rows : tuple of Row
+        Events that both have, in order, up to the first difference.
+    difference : str
+        A sentence, empty where the motions have the same events.
+    """
+
+    rows: tuple[Row, ...]
+    difference: str
+
+    @property
+    def least(self) -> float:
+        """Digits that are right of every number of every event [1]."""
+        return min((min(row.digits.values()) for row in self.rows), default=math.nan)
+
+
+def compare(motion: Motion, precise: PreciseMotion) -> Agreement:
+    """Compare a motion of the kernel with the precise one of the same scenario.
+
+    Two things are no difference: endless bounces, of which the precise motion counts more before it closes them, and
+    the apex of a flight that the end of the motion cuts short.
+
+    Parameters
+    ----------
+    motion : Trajectory
+        As `hophoop.simulate` gives it.
+    precise : PreciseMotion
+        As `hophoop.simulate` gives it with ``digits=``.
+
+    Returns
+    -------
+    agreement : Agreement
+        A digit is counted beside the number itself or its unit made of R and g, whichever is larger.
+    """
+    scenario = precise.scenario
+    second, length = time_unit(scenario.hoop, scenario.plane), scenario.hoop.radius
+    units = {"t": second, "angle": 1.0, "x": length, "vx": length / second, "omega": 1.0 / second}
+    rows: list[Row] = []
+    ours, theirs = _uncut(motion.events), _uncut(precise.events)
+    theirs = _as_many_bounces(ours, theirs)
+    for mine, right in zip(ours, theirs, strict=False):
+        if _change(mine) != _change(right):
+            return Agreement(
+                tuple(rows),
+                f"The motions differ from t = {float(right.t):.12g} s on: the kernel has {_words(mine)}, "
+                f"{precise.digits} digits have {_words(right)}.",
+            )
+        digits = {name: _digits(getattr(mine, name), getattr(right, name), units[name]) for name in NUMBERS}
+        rows.append(Row(right.kind, float(right.t), digits))
+    if len(ours) != len(theirs):
+        return Agreement(
+            tuple(rows), f"The kernel has {len(ours)} events and {precise.digits} digits have {len(theirs)}."
+        )
+    if motion.status != precise.status:
+        return Agreement(
+            tuple(rows), f"The kernel ends {motion.status}, and {precise.digits} digits end {precise.status}."
+        )
+    return Agreement(tuple(rows), "")
+
+
+def _change(event: Any) -> tuple[str, str | None, str]:
+    return event.kind, event.from_mode, event.to_mode
+
+
+def _words(event: Any) -> str:
+    return f"{event.kind} ({event.from_mode or '–'} → {event.to_mode})"
+
+
+def _digits(value: float, true: Decimal, unit: float) -> float:
+    """Digits that are right, at most what a double has."""
+    if not (math.isfinite(value) and true.is_finite()):
+        return float(MOST_DIGITS) if str(value) == str(float(true)) else 0.0
+    size = max(abs(float(true)), unit)
+    error = float(abs(Decimal(value) - true)) / size
+    return MOST_DIGITS if error == 0.0 else max(0.0, min(float(MOST_DIGITS), -math.log10(error)))
+
+
+def _uncut(events: Sequence[Any]) -> list[Any]:
+    """Without the apex of a flight that is not over."""
+    kept = list(events)
+    if len(kept) > 1 and kept[-1].kind == "end" and kept[-2].kind == "apex":
+        del kept[-2]
+    return kept
+
+
+def _as_many_bounces(ours: Sequence[Any], theirs: Sequence[PreciseEvent]) -> list[PreciseEvent]:
+    """The precise events without the bounces that the kernel has closed already."""
+    kept: list[PreciseEvent] = []
+    place = 0
+    for event in ours:
+        if event.kind == "bounce_limit":
+            while place < len(theirs) and theirs[place].kind in ("impact", "apex", "kane_gain"):
+                place += 1
+        if place >= len(theirs):
+            break
+        kept.append(theirs[place])
+        place += 1
+    return kept + list(theirs[place:])

@@ -1,0 +1,156 @@
+"""Flight: the gap is a parabola minus a cosine, an entire function of time; its Taylor series has no limit of its own."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from hophoop.precise.phases import gap_series
+from hophoop.precise.problem import Body, Number, State
+from hophoop.precise.rules import free_opening
+from hophoop.precise.series import Judge, sign_changes, slope_at, stretched, value
+
+
+class Landing(NamedTuple):
+    """How a flight ends: the state there, whether it lands, and the state where the centre is highest."""
+
+    state: State
+    lands: bool
+    apex: State | None
+
+
+def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> Landing:
+    """Fly until the rim meets the plane or time is over.
+
+    Parameters
+    ----------
+    lifted : bool
+        Whether the hoop has just left the plane from slip with N → 0, so that f_n is zero.
+    """
+    known = 0 if state.y > 0 else 1 if state.vn != 0 else 3 if lifted else 2
+    apex: State | None = None
+    while True:
+        opening = body.zero if known == 3 else free_opening(body, state.th, state.om)
+        left = t_end - state.t
+        if left <= 0:
+            return Landing(state._replace(t=t_end), False, apex)
+        exponent = _exponent(body, state, opening, left)
+        bits = body.bits + max(0, -3 * exponent) + 16
+        series = gap_series(body, state, opening, exponent, _order(body, state, exponent, bits), bits)
+        scale = max(map(abs, series))
+        judge_here = Judge(body.bits, judge.last)
+        if scale == 0:
+            return Landing(_moved(body, state, left, state.y, state.vn)._replace(t=t_end), False, apex)
+        zeros, sign = judge_here.leading(series, scale, known, len(series)) if known else (0, 1)
+        if sign == 0:  # nothing ever lifts it: it hovers on the plane
+            return Landing(_moved(body, state, left, state.y, state.vn)._replace(t=t_end), False, apex)
+        part = 1 << bits
+        limit = int(body.ctx.floor(body.ctx.ldexp(left, bits - exponent)))
+        final = limit <= part
+        part = min(part, limit)
+        where = part
+        roots = sign_changes(stretched(series[zeros:], part, bits), sign, bits, judge_here) if sign > 0 else [0]
+        lands = bool(roots)
+        if lands:
+            where = roots[0] * part >> bits
+        top = _highest(body, judge_here, state, series, known, where, bits, exponent, apex)
+        if top is not None:
+            apex = top
+        after = _at(body, state, series, where, bits, exponent)
+        if lands:
+            vn = min(after.vn, body.zero)
+            return Landing(after._replace(y=body.zero, vn=vn), True, apex)
+        if final:
+            return Landing(after._replace(t=t_end), False, apex)
+        state, known = after, 0
+
+
+def _exponent(body: Body, state: State, opening: Number, left: Number) -> int:
+    """h = 2^exponent: at most half a turn, and not much beyond where a parabola would land."""
+    ctx = body.ctx
+    sizes = [left]
+    if state.om != 0:
+        sizes.append(2 / abs(state.om))
+    if opening < 0:
+        root = ctx.sqrt(state.vn * state.vn - 2 * opening * state.y)
+        fall = (state.vn + root) / -opening if state.vn > 0 else 2 * state.y / (root - state.vn) if state.y else 0
+        if fall > 0:
+            sizes.append(fall * 5 / 4)
+    return int(ctx.ceil(ctx.log(min(sizes), 2)))
+
+
+def _order(body: Body, state: State, exponent: int, bits: int) -> int:
+    """Terms until those of the cosine are below rounding."""
+    turned = float(abs(body.ctx.ldexp(state.om, exponent)))
+    k, size = 3, bits
+    term = 1.0
+    lost = 0
+    while lost < size and turned > 0.0 and k < 4000:
+        term *= max(turned / k, 1e-300)
+        if term < 1e-200:
+            lost += 660
+            term *= 1e200
+        if lost - _log2(term) > size:
+            break
+        k += 1
+    return k + 2
+
+
+def _log2(number: float) -> float:
+    import math
+
+    return math.log2(number) if number > 0.0 else -1000.0
+
+
+def _highest(
+    body: Body,
+    judge: Judge,
+    state: State,
+    series: list[int],
+    known: int,
+    where: int,
+    bits: int,
+    exponent: int,
+    apex: State | None,
+) -> State | None:
+    """The highest top of the gap in this step, if it is higher than what was before."""
+    rate = [k * series[k] for k in range(1, len(series))]
+    scale = max(map(abs, rate))
+    zeros = max(known - 1, 1 if state.vn == 0 and known == 0 else 0)
+    if scale == 0 or where == 0:
+        return None
+    zeros, sign = judge.leading(rate, scale, zeros, len(rate))
+    if sign == 0:
+        return None
+    best = apex.y if apex is not None else state.y
+    found = None
+    for root in sign_changes(stretched(rate[zeros:], where, bits), sign, bits, judge, first=False):
+        sign = -sign
+        if sign < 0:
+            top = _at(body, state, series, root * where >> bits, bits, exponent)._replace(vn=body.zero)
+            if top.y > best:
+                best, found = top.y, top
+    return found
+
+
+def _at(body: Body, state: State, series: list[int], s: int, bits: int, exponent: int) -> State:
+    """State at s of a step of flight."""
+    ctx = body.ctx
+    tau = ctx.ldexp(ctx.mpf(s), exponent - bits)
+    y = ctx.ldexp(ctx.mpf(value(series, s, bits)), -bits)
+    vn = ctx.ldexp(ctx.mpf(slope_at(series, s, bits)), -bits - exponent)
+    return _moved(body, state, tau, y, vn)
+
+
+def _moved(body: Body, state: State, tau: Number, y: Number, vn: Number) -> State:
+    """What flight does to the other coordinates: G is a projectile and θ̇ is constant."""
+    ctx = body.ctx
+    cosine, sine = ctx.cos_sin(state.th)
+    th = state.th + state.om * tau
+    later_cosine, later_sine = ctx.cos_sin(th)
+    along = state.vt + state.om * (1 + body.eps * cosine)  # ẋ_G
+    x = state.x + along * tau + body.gt * tau * tau / 2 - body.eps * (later_sine - sine)
+    vt = state.vt
+    if state.om != 0 and body.eps != 0:
+        vt -= body.eps * state.om * (later_cosine - cosine)
+    vt += body.gt * tau
+    return state._replace(t=state.t + tau, x=x, y=y, th=th, vt=vt, vn=vn)

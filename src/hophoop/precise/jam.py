@@ -1,0 +1,182 @@
+"""Slip that runs into p_σ = 0: the last part of it, where N grows without bound and steps in time shrink to nothing.
+
+In slip θ̇² = u obeys du/dθ = 2 q (g cos β − ε cos θ u)/Π with Π = κ p_σ, a linear equation with a regular singular
+point where Π = 0. In the angle δ still missing its solution is u = A(δ) + C δᵃ B(δ), with power series A and B and
+a = 2 κ cos θ/(sin θ dΠ/dθ) there. For a > 0 and C < 0 the motion ends in the singular point, the dynamic jam, unless
+the slip stops before.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hophoop.precise.problem import Body, Number, State
+
+NEAR = 0.02  # rad
+SHRINK = 2  # terms of the series have to shrink by this factor each
+
+
+@dataclass
+class Approach:
+    """Slip near the singular angle: u(δ) as two series in z = δ/δ₀."""
+
+    body: Body
+    state: State
+    sigma: int
+    way: int
+    singular: Number  # the angle where p_σ = 0
+    extent: Number  # δ₀, the angle missing in `state`
+    power: Number  # a
+    regular: list[Number]
+    factor: list[Number]  # C δ₀ᵃ B
+
+    def square(self, z: Number) -> Number:
+        """θ̇² where the part z of the angle is still missing."""
+        ctx = self.body.ctx
+        if z == 0:
+            return self.regular[0]
+        return ctx.polyval(self.regular[::-1], z) + z**self.power * ctx.polyval(self.factor[::-1], z)
+
+    def duration(self, z: Number) -> Number:
+        """Time from the state until the part z is missing."""
+        ctx = self.body.ctx
+        return self.extent * ctx.quad(lambda part: 1 / ctx.sqrt(self.square(part)), [z, 1])
+
+    def at(self, z: Number) -> State:
+        """The state where the part z is missing; the friction's work is what the energy lacks."""
+        body, before = self.body, self.state
+        th = self.singular - self.way * self.extent * z
+        om = self.way * body.ctx.sqrt(self.square(z))
+        tau = self.duration(z)
+        drag = self.sigma * body.mu_k
+        cosine, sine = body.ctx.cos_sin(before.th)
+        later_cosine, later_sine = body.ctx.cos_sin(th)
+        # ẋ_G + σ μ ẏ_G feels gravity alone
+        pull = body.gt - drag * body.gn
+        kept = before.vt + before.om * (1 + body.eps * cosine - drag * body.eps * sine)
+        vt = kept + pull * tau - om * (1 + body.eps * later_cosine - drag * body.eps * later_sine)
+        shift = body.eps * (later_sine - sine) + drag * body.eps * (later_cosine - cosine)
+        x = before.x + kept * tau + pull * tau * tau / 2 - shift
+        after = before._replace(t=before.t + tau, x=x, th=th, vt=vt, om=om)
+        return after._replace(friction=before.friction + _energy(body, before) - _energy(body, after))
+
+
+def _energy(body: Body, state: State) -> Number:
+    cosine, sine = body.ctx.cos_sin(state.th)
+    along, up = state.vt + state.om * (1 + body.eps * cosine), -body.eps * state.om * sine
+    kinetic = (along * along + up * up + body.kap * state.om * state.om) / 2
+    return kinetic + body.gn * body.eps * cosine - body.gt * (state.x + body.eps * sine)
+
+
+def missing_angle(body: Body, state: State, sigma: int) -> Number:
+    """Estimate of the angle still missing to p_σ = 0; negative where it does not come nearer."""
+    cosine, sine = body.ctx.cos_sin(state.th)
+    stiff, rate = _stiffness(body, sigma, cosine, sine)
+    rate *= 1 if state.om > 0 else -1
+    return -stiff / rate if rate < 0 else -body.one
+
+
+def _stiffness(body: Body, sigma: int, cosine: Number, sine: Number) -> tuple[Number, Number]:
+    """(Π, dΠ/dθ)."""
+    eps, drag = body.eps, sigma * body.mu_k
+    torque = eps * sine + drag * (1 + eps * cosine)
+    return body.kap + eps * sine * torque, eps * (cosine * torque + sine * eps * (cosine - drag * sine))
+
+
+def approach(body: Body, state: State, sigma: int) -> Approach | None:
+    """Slip near p_σ = 0 as a series about the singular angle; None where that does not hold, or not yet."""
+    ctx = body.ctx
+    way = 1 if state.om > 0 else -1
+    singular = state.th + way * missing_angle(body, state, sigma)
+    for _ in range(body.bits):
+        stiff, rate = _stiffness(body, sigma, *ctx.cos_sin(singular))
+        if rate == 0:
+            return None
+        step = stiff / rate
+        singular -= step
+        if abs(step) < ctx.ldexp(body.one, -body.bits // 2 - 8):
+            break
+    extent = way * (singular - state.th)
+    cosine, sine = ctx.cos_sin(singular)
+    rate = _stiffness(body, sigma, cosine, sine)[1]
+    if not (0 < extent < 2 * NEAR and way * rate < 0 and cosine > 0):
+        return None
+    power = 2 * body.kap * cosine / (sine * rate)
+    if power <= 0:
+        return None
+    order = body.bits + 8
+    series = _series(body, sigma, way, singular, extent, power, order)
+    if series is None:
+        return None
+    regular, factor = series
+    one = body.one
+    found = Approach(body, state, sigma, way, singular, extent, power, regular, factor)
+    scale = (state.om * state.om - ctx.fsum(regular)) / ctx.fsum(factor)
+    if scale >= 0:  # f_n comes to zero before p_σ does
+        return None
+    found.factor = [scale * number for number in factor]
+    return found if found.square(one / 2) > 0 else None
+
+
+def _series(
+    body: Body, sigma: int, way: int, singular: Number, extent: Number, power: Number, order: int
+) -> tuple[list[Number], list[Number]] | None:
+    """(A, B) in z = δ/extent, up to the term that rounding hides; None where they do not shrink fast enough."""
+    ctx, eps, drag = body.ctx, body.eps, sigma * body.mu_k
+    cosine, sine = ctx.cos_sin(singular)
+    # sin and cos of θ* − way δ
+    cycle = ((sine, -way * cosine, -sine, way * cosine), (cosine, way * sine, -cosine, -way * sine))
+    sines, cosines, torques, stiffness = [], [], [], []
+    term = body.one
+    grow: list[Number] = []  # 2 ε way q cos θ / Π₁
+    push: list[Number] = []  # −2 way g q / Π₁
+    loads: list[Number] = []  # q cos θ
+    regular: list[Number] = []
+    factor: list[Number] = []
+    small = ctx.ldexp(body.one, -body.bits - 4)
+    for k in range(order):
+        # Π needs one term more than the others, for it is divided by δ
+        while len(sines) < k + 2:
+            j = len(sines)
+            sines.append(term * cycle[0][j % 4])
+            cosines.append(term * cycle[1][j % 4])
+            torques.append(eps * sines[j] + drag * (eps * cosines[j] + (1 if j == 0 else 0)))
+            stiffness.append(eps * ctx.fdot(zip(sines, torques[::-1], strict=True)))
+            term = term * extent / (j + 1)
+        loads.append(ctx.fdot(zip(cosines[: k + 1], torques[k::-1], strict=True)))
+        lead = stiffness[1]
+        for series, value in ((grow, 2 * way * eps * loads[k]), (push, -2 * way * body.gn * torques[k])):
+            rest = ctx.fdot((stiffness[j + 1], series[k - j]) for j in range(1, k + 1))
+            # Π = z (Π₁ extent), and the equation has the factor extent as well
+            series.append((value * extent - rest) / lead)
+        carried = ctx.fdot((grow[j], regular[k - j]) for j in range(1, k + 1))
+        regular.append((push[k] + carried) / (k - power))
+        if k == 0:
+            factor.append(body.one)
+        else:
+            factor.append(ctx.fdot((grow[j], factor[k - j]) for j in range(1, k + 1)) / k)
+        if k > 4 and max(abs(regular[k] / regular[0]), abs(factor[k]), abs(regular[k - 1] / regular[0])) < small:
+            return regular, factor
+        if k > 16 and max(abs(regular[k] / regular[0]), abs(factor[k])) > ctx.mpf(SHRINK) ** (4 - k):
+            return None
+    return None
+
+
+def ending(found: Approach) -> tuple[bool, State]:
+    """(whether it jams, the state at the end): the jam, or where the slip stops before it."""
+    body, ctx = found.body, found.body.ctx
+    last = found.at(body.zero)
+    if found.sigma * last.vt > 0:
+        return True, last
+    # the slip falls with a power of the angle: the place is looked for in its logarithm
+    low, high = -ctx.mpf(4), body.zero  # ln z
+    while found.sigma * found.at(ctx.exp(low)).vt > 0:
+        low, high = 2 * low, low
+    for _ in range(8):
+        middle = (low + high) / 2
+        if found.sigma * found.at(ctx.exp(middle)).vt > 0:
+            high = middle
+        else:
+            low = middle
+    root = ctx.findroot(lambda log: found.at(ctx.exp(log)).vt, (low, high), solver="anderson", tol=0, maxsteps=60, verify=False)
+    return False, found.at(ctx.exp(root))._replace(vt=body.zero)

@@ -1,0 +1,228 @@
+"""A scenario as exact numbers: every given double is the rational number that it is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+from mpmath import MPContext
+
+from hophoop.physics.body import ImpactLaw
+from hophoop.scenario import Hoop, Scenario
+
+Number = Any  # an mpf of the context of a run
+
+
+@dataclass(frozen=True)
+class Problem:
+    """The exact numbers of a scenario, in SI units; friction is None where it is infinite."""
+
+    radius: Fraction
+    mass: Fraction
+    eps: Fraction
+    kap: Fraction
+    gravity: Fraction
+    slope: Fraction
+    mu_s: Fraction | None
+    mu_k: Fraction | None
+    rest: Fraction
+    law: int
+    strike: bool
+    x: Fraction
+    height: Fraction
+    angle: Fraction
+    slip: Fraction
+    vy: Fraction
+    omega: Fraction
+    duration: Fraction
+    max_events: int
+
+    @classmethod
+    def of(cls, scenario: Scenario) -> Problem:
+        """The problem of a rigid scenario.
+
+        κ of an ideal hoop is 1 − γ² without rounding, and ε and κ of a hoop of parts follow from the parts' numbers
+        without rounding, though the scenario itself rounds both to doubles.
+        """
+        hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
+        radius = Fraction(hoop.radius)
+        mass, eps, kap = _body(hoop)
+        if start.speed is not None:
+            slip, omega = Fraction(0), Fraction(start.speed) / radius
+        else:
+            omega = Fraction(start.omega or 0.0)
+            slip = Fraction(start.vx) - radius * omega
+        return cls(
+            radius=radius,
+            mass=mass,
+            eps=eps,
+            kap=kap,
+            gravity=Fraction(plane.gravity),
+            slope=Fraction(plane.slope),
+            mu_s=_friction(plane.mu_static),
+            mu_k=_friction(plane.mu_kinetic),
+            rest=Fraction(plane.restitution),
+            law=int(ImpactLaw[plane.impact_law.upper()]),
+            strike=plane.painleve == "impact",
+            x=Fraction(start.x),
+            height=Fraction(start.height),
+            angle=Fraction(start.angle),
+            slip=slip,
+            vy=Fraction(start.vy),
+            omega=omega,
+            duration=Fraction(scenario.duration),
+            max_events=scenario.contact.max_events,
+        )
+
+    @property
+    def massless(self) -> bool:
+        """Whether all mass is a point on the rim."""
+        return self.kap == 0
+
+    def tiny(self) -> int:
+        """How many bits the smallest number that is not zero lies below 1, in units of the kernel."""
+        unit = self.gravity / self.radius if self.gravity else 1 / self.radius
+        speeds = (self.slip / self.radius, self.vy / self.radius, self.omega)
+        sizes = [number**2 / unit for number in speeds if number]
+        sizes += [number**2 for number in (self.angle, self.slope, self.height / self.radius) if number]
+        sizes += [number for number in (1 - self.eps, self.kap, self.eps, self.mu_k or Fraction(0)) if number]
+        return max([0, *(-(_exponent(size) // 2) for size in sizes)])
+
+
+def _exponent(number: Fraction) -> int:
+    return number.numerator.bit_length() - number.denominator.bit_length()
+
+
+def _friction(mu: float) -> Fraction | None:
+    return Fraction(mu) if math.isfinite(mu) else None
+
+
+def _body(hoop: Hoop) -> tuple[Fraction, Fraction, Fraction]:
+    """(mass, ε, κ) without rounding."""
+    if hoop.parts is not None:
+        radius = Fraction(hoop.radius)
+        masses = [Fraction(part.mass) for part in hoop.parts]
+        places = [Fraction(part.at) / radius for part in hoop.parts]
+        mass = sum(masses, Fraction(0))
+        centre = sum((m * at for m, at in zip(masses, places, strict=True)), Fraction(0)) / mass
+        inertia = sum(
+            (_own_inertia(part) / radius**2 + m * (at - centre) ** 2)
+            for part, m, at in zip(hoop.parts, masses, places, strict=True)
+        )
+        return mass, min(abs(centre), Fraction(1)), inertia / mass
+    mass = Fraction(hoop.mass)
+    if hoop.load_fraction is not None:
+        gamma = Fraction(hoop.load_fraction)
+        return mass, gamma, 1 - gamma * gamma
+    return mass, Fraction(hoop.eccentricity), Fraction(hoop.inertia_ratio)
+
+
+def _own_inertia(part: Any) -> Fraction:
+    """Moment of inertia of a part about its own centre, without rounding."""
+    mass = Fraction(part.mass)
+    if part.shape == "ring":
+        return mass * (Fraction(part.inner_radius) ** 2 + Fraction(part.outer_radius) ** 2) / 2
+    if part.shape == "disk":
+        return mass * Fraction(part.radius) ** 2 / 2
+    if part.shape == "rod":
+        return mass * Fraction(part.length) ** 2 / 12
+    return Fraction(0)
+
+
+class State(NamedTuple):
+    """As the kernel's: in units of R, m and √(R/g), v_t in place of ẋ, and the energy lost so far."""
+
+    t: Number
+    x: Number
+    y: Number
+    th: Number
+    vt: Number
+    vn: Number
+    om: Number
+    friction: Number
+    impact_n: Number
+    impact_t: Number
+
+
+class Fixed(NamedTuple):
+    """The body as fixed-point integers."""
+
+    bits: int
+    eps: int
+    kap: int
+    mu_s: int | None
+    mu_k: int | None
+    gn: int
+    gt: int
+
+
+class Body:
+    """The body at one working precision, in units of R, m and √(R/g).
+
+    Parameters
+    ----------
+    problem : Problem
+    bits : int
+        Working precision.
+    """
+
+    def __init__(self, problem: Problem, bits: int) -> None:
+        self.problem = problem
+        self.bits = bits
+        self.ctx = ctx = MPContext()
+        ctx.prec = bits
+        self.eps, self.kap, self.rest = (self.number(n) for n in (problem.eps, problem.kap, problem.rest))
+        self.mu_s = ctx.inf if problem.mu_s is None else self.number(problem.mu_s)
+        self.mu_k = ctx.inf if problem.mu_k is None else self.number(problem.mu_k)
+        weight = 1 if problem.gravity else 0
+        slope = self.number(problem.slope)
+        self.gn, self.gt = weight * ctx.cos(slope), weight * ctx.sin(slope)
+        self.massless = problem.massless
+        self.zero, self.one = ctx.mpf(0), ctx.mpf(1)
+        self.fixed = Fixed(
+            bits,
+            self.integer(self.eps),
+            self.integer(self.kap),
+            None if problem.mu_s is None else self.integer(self.mu_s),
+            None if problem.mu_k is None else self.integer(self.mu_k),
+            self.integer(self.gn),
+            self.integer(self.gt),
+        )
+        self.length = self.number(problem.radius)
+        self.time = ctx.sqrt(self.length / (self.number(problem.gravity) if problem.gravity else 1))
+        self.mass = self.number(problem.mass)
+
+    def number(self, value: Fraction) -> Number:
+        """A rational number, rounded once."""
+        return self.ctx.mpf(value.numerator) / value.denominator
+
+    def integer(self, value: Number) -> int:
+        """The fixed-point integer of a number."""
+        sign, man, exp, _ = value._mpf_
+        shift = exp + self.bits
+        man = int(man)
+        whole: int = man << shift if shift >= 0 else man >> -shift
+        return -whole if sign else whole
+
+    def of_integer(self, value: int) -> Number:
+        """The number of a fixed-point integer."""
+        return self.ctx.ldexp(self.ctx.mpf(value), -self.bits)
+
+    def start(self) -> State:
+        """The state at t = 0."""
+        problem = self.problem
+        speed = self.length / self.time
+        return State(
+            self.zero,
+            self.number(problem.x / problem.radius),
+            self.number(problem.height / problem.radius),
+            self.number(problem.angle),
+            self.number(problem.slip) / speed,
+            self.number(problem.vy) / speed,
+            self.number(problem.omega) * self.time,
+            self.zero,
+            self.zero,
+            self.zero,
+        )

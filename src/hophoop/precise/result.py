@@ -1,0 +1,328 @@
+"""What a precise motion is read as: events in decimal numbers, in SI units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
+from hophoop.precise.motion import Record
+from hophoop.precise.problem import Body, Number
+from hophoop.precise.solver import Solution, solve
+from hophoop.scenario import Scenario
+
+PASSING = {"turn", "apex", "kane_gain", "rest"}
+STATE = ("x", "height", "angle", "vx", "vy", "omega")
+
+
+@dataclass(frozen=True)
+class PreciseEvent:
+    """One event of a precise motion; the state is the one just after it.
+
+    Attributes
+    ----------
+    t : Decimal
+        Time [s].
+    kind : str
+        One of the kinds of the file format, such as 'slip_start'.
+    from_mode, to_mode : str or None
+        Letters of the modes before and after.
+    x, height, angle : Decimal
+        Centre along the plane [m], gap [m], θ [rad].
+    vx, vy, omega, slip : Decimal
+        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
+    before_vx, before_vy, before_omega, before_slip : Decimal
+        The same just before the event.
+    impulse_normal, impulse_tangential : Decimal
+        Of an impact [N s], else 0.
+    friction, impact_normal, impact_tangential : Decimal
+        Energy lost from the start to just after the event [J].
+    gain : Decimal
+        Energy created by Newton's law in a `kane_gain` [J], else 0.
+    collision : bool or None
+        Of an impact: whether the rim approached the plane.
+    stable : bool or None
+        Of a `rest`: whether the equilibrium is stable.
+    digits_right : int
+        How many digits of time and state two working precisions have in common, each number beside itself or beside
+        its unit made of R, g and m, whichever is larger.
+    """
+
+    t: Decimal
+    kind: str
+    from_mode: str | None
+    to_mode: str
+    x: Decimal
+    height: Decimal
+    angle: Decimal
+    vx: Decimal
+    vy: Decimal
+    omega: Decimal
+    slip: Decimal
+    before_vx: Decimal
+    before_vy: Decimal
+    before_omega: Decimal
+    before_slip: Decimal
+    impulse_normal: Decimal
+    impulse_tangential: Decimal
+    friction: Decimal
+    impact_normal: Decimal
+    impact_tangential: Decimal
+    gain: Decimal
+    collision: bool | None
+    stable: bool | None
+    digits_right: int
+
+
+@dataclass(frozen=True)
+class PreciseMotion:
+    """A motion in as many digits as asked; made by `hophoop.simulate` with ``digits=``.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        Its doubles are taken as the exact numbers that they are.
+    digits : int
+        Digits asked for [1].
+    status : str
+        How the motion ended: completed, at_rest, jammed, undetermined or event_limit.
+    sequence : str
+        One letter a phase: R roll, S spin, K skid, H flight (hop), M skim.
+    events : tuple of PreciseEvent
+        All events in order.
+    energy : dict of Decimal
+        Energies at the end, all that was lost on the way, and the residual that does not add up [J].
+    version : str
+        Of hophoop.
+    """
+
+    scenario: Scenario
+    digits: int
+    status: str
+    sequence: str
+    events: tuple[PreciseEvent, ...]
+    energy: dict[str, Decimal]
+    version: str
+
+    @property
+    def ok(self) -> bool:
+        """Whether the motion reached its end: completed or at rest."""
+        return self.status in ("completed", "at_rest")
+
+    @property
+    def duration(self) -> Decimal:
+        """Time from the start to the end of the motion, however it ended [s]."""
+        return self.events[-1].t
+
+    @cached_property
+    def digits_right(self) -> int:
+        """Digits that every event has [1]; fewer than asked where more precision did not help."""
+        return min((event.digits_right for event in self.events), default=0)
+
+    def find(self, kind: str) -> tuple[PreciseEvent, ...]:
+        """The events of one kind.
+
+        Parameters
+        ----------
+        kind : str
+            Such as 'takeoff'.
+
+        Returns
+        -------
+        events : tuple of PreciseEvent
+
+        Raises
+        ------
+        ValueError
+            If there is no such kind.
+        """
+        if kind not in EVENT_NAMES:
+            raise ValueError(f"kind = {kind!r} is not one of {', '.join(EVENT_NAMES)}.")
+        return tuple(event for event in self.events if event.kind == kind)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The motion as the JSON of the file format, with decimal strings for numbers and ``digits``.
+
+        Returns
+        -------
+        result : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        final = self.events[-1]
+        return {
+            "schema": "hophoop/1",
+            "version": self.version,
+            "digits": self.digits,
+            "digits_right": self.digits_right,
+            "scenario": self.scenario.to_dict(),
+            "status": self.status,
+            "sequence": self.sequence,
+            "events": [_event_dict(event) for event in self.events],
+            "final": {"t": _text(final.t), "mode": final.to_mode, **_state_dict(final)},
+            "energy": {name: _text(value) for name, value in self.energy.items()},
+        }
+
+    def __repr__(self) -> str:
+        lines = [
+            f"<PreciseMotion {self.sequence} {self.status}: {len(self.events)} events in {self.duration:.6g} s, "
+            f"{self.digits} digits asked, {self.digits_right} right>"
+        ]
+        for event in self.events[:40]:
+            change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
+            lines.append(f"  {event.kind:<22} {change:<6} t = {event.t} s, θ = {event.angle}")
+        if len(self.events) > 40:
+            lines.append(f"  … and {len(self.events) - 40} more")
+        return "\n".join(lines)
+
+
+def _text(value: Decimal) -> str | None:
+    # the ring of a massless hoop spins without bound as its load strikes; JSON has no infinity
+    return str(value) if value.is_finite() else None
+
+
+def _state_dict(event: PreciseEvent) -> dict[str, str | None]:
+    return {name: _text(getattr(event, name)) for name in STATE}
+
+
+def _event_dict(event: PreciseEvent) -> dict[str, Any]:
+    result: dict[str, Any] = {
+        "t": _text(event.t),
+        "kind": event.kind,
+        "from": event.from_mode,
+        "to": event.to_mode,
+        **_state_dict(event),
+        "before": {name: _text(getattr(event, f"before_{name}")) for name in ("vx", "vy", "omega")},
+        "impulse": {"normal": _text(event.impulse_normal), "tangential": _text(event.impulse_tangential)},
+        "digits_right": event.digits_right,
+    }
+    if event.collision is False:
+        result["collision"] = False
+    if event.kind == "kane_gain":
+        result["gain"] = _text(event.gain)
+    if event.stable is not None:
+        result["stable"] = event.stable
+    return result
+
+
+class Units:
+    """SI values of R, m and √(R/g) at the working precision, and decimals of so many digits."""
+
+    def __init__(self, body: Body, digits: int) -> None:
+        self.ctx = body.ctx
+        self.digits = digits
+        self.length, self.time, self.mass = body.length, body.time, body.mass
+        self.speed = body.length / body.time
+        self.energy = body.mass * self.speed**2
+
+    def decimal(self, value: Number, unit: Number) -> Decimal:
+        """A number in SI units, rounded to the digits."""
+        if not self.ctx.isfinite(value):
+            return Decimal("NaN" if self.ctx.isnan(value) else "Infinity" if value > 0 else "-Infinity")
+        if value == 0:
+            return Decimal(0)
+        return Decimal(self.ctx.nstr(value * unit, self.digits, strip_zeros=False, min_fixed=-5, max_fixed=self.digits))
+
+
+def _event(record: Record, right: int, units: Units) -> PreciseEvent:
+    state = record.state
+    of = units.decimal
+    return PreciseEvent(
+        t=of(state.t, units.time),
+        kind=EVENT_NAMES[record.kind],
+        from_mode=None if record.before_mode is None else MODE_LETTERS[record.before_mode],
+        to_mode=MODE_LETTERS[record.after_mode],
+        x=of(state.x, units.length),
+        height=of(state.y, units.length),
+        angle=of(state.th, 1),
+        vx=of(state.vt + state.om, units.speed),
+        vy=of(state.vn, units.speed),
+        omega=of(state.om, 1 / units.time),
+        slip=of(state.vt, units.speed),
+        before_vx=of(record.before_vt + record.before_om, units.speed),
+        before_vy=of(record.before_vn, units.speed),
+        before_omega=of(record.before_om, 1 / units.time),
+        before_slip=of(record.before_vt, units.speed),
+        impulse_normal=of(record.p_n, units.mass * units.speed),
+        impulse_tangential=of(record.p_t, units.mass * units.speed),
+        friction=of(state.friction, units.energy),
+        impact_normal=of(state.impact_n, units.energy),
+        impact_tangential=of(state.impact_t, units.energy),
+        gain=of(record.gain, units.energy),
+        collision=record.collision,
+        stable=record.stable,
+        digits_right=right,
+    )
+
+
+def _kinetic(body: Body, vt: Number, vn: Number, om: Number, th: Number) -> Number:
+    cosine, sine = body.ctx.cos_sin(th)
+    along, up = vt + om * (1 + body.eps * cosine), vn - body.eps * om * sine
+    return (along * along + up * up + body.kap * om * om) / 2
+
+
+def _potential(body: Body, record: Record) -> Number:
+    state = record.state
+    cosine, sine = body.ctx.cos_sin(state.th)
+    return body.gn * (state.y + body.eps * (cosine - 1)) - body.gt * (state.x + body.eps * sine)
+
+
+def ledger(solution: Solution) -> dict[str, Number]:
+    """Energies at the end, what was lost on the way, and what does not add up, in units of m g R."""
+    body, first, last = solution.body, solution.records[0], solution.records[-1]
+    state = last.state
+    kinetic, potential = _kinetic(body, state.vt, state.vn, state.om, state.th), _potential(body, last)
+    begin = _kinetic(body, first.before_vt, first.before_vn, first.before_om, first.state.th) + _potential(body, first)
+    lost = state.friction + state.impact_n + state.impact_t
+    return {
+        "kinetic": kinetic,
+        "potential": potential,
+        "friction": state.friction,
+        "impact_normal": state.impact_n,
+        "impact_tangential": state.impact_t,
+        "residual": kinetic + potential + lost - begin,
+    }
+
+
+def sequence_of(solution: Solution) -> str:
+    """One letter a phase that lasts."""
+    passing = {Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST}
+    marks = [record for record in solution.records if record.kind not in passing]
+    letters = [MODE_LETTERS[a.after_mode] for a, b in pairwise(marks) if b.state.t > a.state.t]
+    if not letters:
+        letters = [MODE_LETTERS[min(solution.records[-1].after_mode, Mode.SKIM)]]
+    return "".join(letters)
+
+
+def simulate_precisely(scenario: Scenario, digits: int, version: str) -> PreciseMotion:
+    """The motion of a scenario to a number of digits, in SI units.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+    digits : int
+        From 15 to 1000 [1].
+    version : str
+        Of hophoop, to be written into the result.
+
+    Returns
+    -------
+    motion : PreciseMotion
+
+    Raises
+    ------
+    ValueError
+        If digits is not a whole number in its range, or the contact is compliant.
+    """
+    solution = solve(scenario, digits)
+    units = Units(solution.body, digits)
+    events = tuple(
+        _event(record, right, units)
+        for record, right in zip(solution.records, solution.digits_right, strict=True)
+    )
+    energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
+    status = Status(solution.status).name.lower()
+    return PreciseMotion(scenario, digits, status, sequence_of(solution), events, energy, version)

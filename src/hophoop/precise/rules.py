@@ -1,0 +1,232 @@
+"""Impacts and the mode rule of docs/model.md, with every tie decided by the first derivative that is not zero."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from hophoop.physics.body import ImpactLaw, Mode
+from hophoop.precise.phases import expand
+from hophoop.precise.problem import Body, Number, State
+from hophoop.precise.series import Judge, Series
+
+# Answers of the rule beyond the modes.
+INCONSISTENT, INDETERMINATE, UNDECIDED = 10, 11, 12
+TIE_ORDER = 10  # terms of a candidate motion's series
+
+
+def slip_mode(sigma: int) -> Mode:
+    """Skid for sliding ahead (v_t > 0), spin for over-rotating."""
+    return Mode.SKID if sigma > 0 else Mode.SPIN
+
+
+def direction(mode: int) -> int:
+    """σ = sign(v_t) of a slip mode, 0 of any other."""
+    return {Mode.SKID: 1, Mode.SPIN: -1}.get(Mode(mode), 0)
+
+
+def sign(body: Body, judge: Judge, value: Number, scale: Number) -> int:
+    """Sign of a number beside its natural size."""
+    with body.ctx.workprec(body.bits + 10):
+        return judge.sign(body.integer(value), max(body.integer(abs(scale)), 1))
+
+
+def free_opening(body: Body, th: Number, om: Number) -> Number:
+    """f_n: acceleration of the lowest point off the plane without contact force."""
+    return -body.gn + body.eps * body.ctx.cos(th) * om * om
+
+
+def stiffness(body: Body, th: Number, sigma: int) -> Number:
+    """κ p_σ = κ + ε sin θ (ε sin θ + σ μ (1 + ε cos θ))."""
+    cosine, sine = body.ctx.cos_sin(th)
+    return body.kap + body.eps * sine * (body.eps * sine + sigma * body.mu_k * (1 + body.eps * cosine))
+
+
+def turning_acceleration(body: Body, th: Number, om: Number, sigma: int) -> Number:
+    """θ̈ in rolling (sigma = 0) or slip."""
+    cosine, sine = body.ctx.cos_sin(th)
+    eps, u = body.eps, om * om
+    if sigma == 0:
+        torque = eps * sine * (u + body.gn) + body.gt * (1 + eps * cosine)
+        return torque / (1 + body.kap + eps * eps + 2 * eps * cosine)
+    arm = eps * sine + sigma * body.mu_k * (1 + eps * cosine)
+    return arm * (body.gn - eps * cosine * u) / (body.kap + eps * sine * arm)
+
+
+def opening_sign(body: Body, judge: Judge, th: Number, om: Number) -> int:
+    """Sign of f_n, or of its first derivative in free motion that is not zero; θ̇ stays what it is."""
+    cosine, sine = body.ctx.cos_sin(th)
+    u = om * om
+    pull = body.eps * u
+    scale = body.gn + pull
+    if scale == 0:
+        return 0
+    # f_n = −g + ε u cos(θ + θ̇ τ): with τ in units of 1/θ̇ its derivatives are ε u times −sin, −cos, sin, …
+    way = 1 if om > 0 else -1
+    for value in (pull * cosine - body.gn, -pull * sine * way, -pull * cosine, pull * sine * way):
+        found = sign(body, judge, value, scale)
+        if found or pull == 0:
+            return found
+    return 0
+
+
+def tie_exponent(om: Number) -> int:
+    """Step of a candidate's series: its terms do not grow."""
+    return -2 - max(int(abs(om)).bit_length(), 0)
+
+
+def can_roll(body: Body, judge: Judge, state: State) -> bool:
+    """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    step = expand(body, 0, state, tie_exponent(state.om), TIE_ORDER)
+    if step is None:
+        return False
+    scale = body.integer(body.gn + abs(body.gt) + state.om * state.om)
+    if scale == 0:
+        return False
+    if judge.leading(step.normal, scale)[1] <= 0:
+        return False
+    if body.fixed.mu_s is None:
+        return True
+    return all(judge.leading(margin, scale)[1] >= 0 for margin in cone_margins(body, step.normal, step.friction))
+
+
+def cone_margins(body: Body, normal: Series, friction: Series) -> list[list[int]]:
+    """(μs N − F, μs N + F), over √(1 + μs²) so that neither part outweighs the other; N where μ is infinite."""
+    if body.fixed.mu_s is None:
+        return [list(normal)]
+    bits, ctx = body.bits, body.ctx
+    norm = ctx.sqrt(1 + body.mu_s * body.mu_s)
+    a, b = body.integer(body.mu_s / norm), body.integer(1 / norm)
+    pairs = list(zip(normal, friction, strict=True))
+    return [[(a * n - b * f) >> bits for n, f in pairs], [(a * n + b * f) >> bits for n, f in pairs]]
+
+
+def can_start_slip(body: Body, judge: Judge, state: State, sigma: int) -> bool:
+    """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    if sign(body, judge, stiffness(body, state.th, sigma), 1 + body.mu_k) <= 0:
+        return False
+    step = expand(body, sigma, state, tie_exponent(state.om), TIE_ORDER)
+    if step is None:
+        return False
+    scale = body.integer(body.gn + abs(body.gt) + state.om * state.om)
+    if scale == 0 or judge.leading(step.normal, scale)[1] <= 0:
+        return False
+    return judge.leading(step.slip, scale, 1)[1] == sigma
+
+
+def next_mode(body: Body, judge: Judge, state: State) -> int:
+    """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4."""
+    vt = state.vt
+    sigma = 0 if vt == 0 else sign(body, judge, vt, 1 + abs(state.om))
+    if sigma == 0:
+        if can_roll(body, judge, state):
+            return Mode.ROLL
+        if body.fixed.mu_k is not None:
+            for way in (-1, 1):
+                if can_start_slip(body, judge, state, way):
+                    return slip_mode(way)
+        # μ = ∞: rolling would need to pull and free motion would enter the plane
+        return Mode.FLIGHT if opening_sign(body, judge, state.th, state.om) >= 0 else UNDECIDED
+    opening = opening_sign(body, judge, state.th, state.om)
+    if body.fixed.mu_k is None:  # infinite friction stops any slip at once
+        return Mode.FLIGHT if opening >= 0 else INCONSISTENT
+    firm = sign(body, judge, stiffness(body, state.th, sigma), 1 + body.mu_k)
+    if firm > 0:
+        return slip_mode(sigma) if opening < 0 else Mode.FLIGHT
+    if opening < 0:
+        return INCONSISTENT
+    return INDETERMINATE if firm < 0 else Mode.FLIGHT
+
+
+class Blow(NamedTuple):
+    """What an impact does: velocities after it, the change of θ̇, impulses, and −∫ v dP in both directions."""
+
+    vt: Number
+    vn: Number
+    spin: Number
+    p_n: Number
+    p_t: Number
+    loss_n: Number
+    loss_t: Number
+
+
+def impact(body: Body, judge: Judge, rest: Number, th: Number, vt: Number, vn: Number) -> Blow:
+    """Routh's impact: while the slip keeps its state both velocities are straight lines over the normal impulse p.
+
+    It is at most three pieces of p: slip until it stops, stick or reversed slip, and the end of compression in any of
+    them. With vn = 0 it is the impact without collision.
+    """
+    ctx = body.ctx
+    cosine, sine = ctx.cos_sin(th)
+    arm, lever = 1 + body.eps * cosine, body.eps * sine
+    firm = body.kap + arm * arm
+    hold = arm * lever / firm  # tangential over normal impulse that keeps v_t
+    law = body.problem.law
+    collision, approach = vn < 0, vn
+    spin = p_n = p_t = work_n = work_t = body.zero
+    compression = True
+    todo = target = body.zero
+    for _ in range(8):
+        stick = False
+        if vt != 0:
+            ratio = -body.mu_k if vt > 0 else body.mu_k
+        elif body.fixed.mu_s is None or sign(body, judge, body.mu_s - abs(hold), 1 + body.mu_s) >= 0:
+            ratio, stick = hold, True
+        else:
+            ratio = -body.mu_k if hold < 0 else body.mu_k
+        if ctx.isinf(ratio):  # infinite friction stops the slip with a tangential impulse alone
+            turned, side = arm * vt / firm, -vt * body.kap / firm
+            work_t += vt * side / 2
+            p_t += side
+            spin += turned
+            vn += lever * turned
+            vt = body.zero
+            if sign(body, judge, vn, abs(vn) + abs(approach) + 1) > 0:
+                break
+            continue
+        if stick:
+            turn, rate_t = lever / firm, body.zero
+        else:
+            turn = (lever - arm * ratio) / body.kap
+            rate_t = ratio - arm * turn
+        rate_n = 1 + lever * turn
+        to_stop = -vt / rate_t if vt != 0 and vt * rate_t < 0 else ctx.inf
+        if compression:
+            to_end = -vn / rate_n if rate_n > 0 else ctx.inf
+        elif law == ImpactLaw.NEWTON:
+            to_end = (target - vn) / rate_n if rate_n > 0 else ctx.inf
+        elif law == ImpactLaw.POISSON:
+            to_end = todo
+        else:
+            square = vn * vn + 2 * rate_n * todo
+            to_end = 2 * todo / (vn + ctx.sqrt(square)) if todo else body.zero
+        both = False
+        if ctx.isinf(to_stop) or ctx.isinf(to_end):
+            stops = ctx.isinf(to_end)
+        else:
+            order = sign(body, judge, to_end - to_stop, to_end + to_stop) if to_end + to_stop else 0
+            stops, both = order > 0, order == 0
+        length = to_stop if stops else to_end
+        gain_n = length * (vn + rate_n * length / 2)
+        work_n += gain_n
+        work_t += ratio * length * (vt + rate_t * length / 2)
+        p_n += length
+        p_t += ratio * length
+        spin += turn * length
+        if not compression:
+            todo -= length if law == ImpactLaw.POISSON else gain_n
+        vn += rate_n * length
+        if stops:
+            vt = body.zero
+            continue
+        vt = body.zero if stick or both else vt + rate_t * length
+        if not compression:
+            if law == ImpactLaw.NEWTON:
+                vn = target
+            break
+        vn = body.zero
+        if rest == 0 or (law == ImpactLaw.NEWTON and not collision):
+            break
+        compression = False
+        target = -rest * approach
+        todo = rest * p_n if law == ImpactLaw.POISSON else -rest * rest * work_n
+    return Blow(vt, vn, spin, p_n, p_t, -work_n, -work_t)

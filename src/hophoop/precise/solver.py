@@ -1,0 +1,163 @@
+"""Solve at two working precisions, count the digits that agree, and raise the precision until they are enough."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from hophoop.physics.body import Status
+from hophoop.precise.contact import Stiff
+from hophoop.precise.motion import Record, Run
+from hophoop.precise.problem import Body, Number, Problem, State
+from hophoop.precise.series import MorePrecision
+from hophoop.scenario import InputError, Scenario
+
+LEAST_DIGITS, MOST_DIGITS = 15, 1000
+BITS_A_DIGIT = 3.3219280948873626
+GUARD = 12  # digits beyond those asked for
+SECOND = 32  # bits that the second solution has more than the first
+CLOSING_GUARD = 3  # digits: bounces are closed when what is left of them is this far below what is asked for
+MOST_TRIES = 8
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A motion in many digits, in units of R, m and √(R/g).
+
+    Attributes
+    ----------
+    body : Body
+        Body and plane at the working precision, with the context `body.ctx` of all numbers.
+    status : Status
+    records : tuple of Record
+        All events.
+    digits_right : tuple of int
+        Per event, how many digits of time and state two working precisions have in common; see `agreement`.
+    bits : int
+        Working precision of the records.
+    """
+
+    body: Body
+    status: Status
+    records: tuple[Record, ...]
+    digits_right: tuple[int, ...]
+    bits: int
+
+    def digits(self) -> int:
+        """How many digits every event has."""
+        return min(self.digits_right, default=0)
+
+
+def solve(
+    scenario: Scenario,
+    digits: int = 30,
+    until: Any = None,
+    max_events: int | None = None,
+    closing: float | None = None,
+) -> Solution:
+    """Compute a rigid motion to a number of digits.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact; its doubles are taken as the exact numbers that they are.
+    digits : int, default 30
+        From 15 to 1000 [1].
+    until : float or mpf, optional
+        End of time in units of √(R/g), by default the scenario's duration [1].
+    max_events : int, optional
+        Stop after so many events, by default as the scenario says [1].
+    closing : float, optional
+        A sequence of bounces is closed when what is left of it takes less than this part of the time so far; by default
+        10^(−digits − 3) [1].
+
+    Returns
+    -------
+    solution : Solution
+        Where the digits are not reached, `digits_right` says so.
+
+    Raises
+    ------
+    ValueError
+        If digits is not a whole number in its range, or the contact is compliant.
+    """
+    check(scenario, digits)
+    problem = Problem.of(scenario)
+    if closing is None:
+        closing_at: Any = f"1e-{digits + CLOSING_GUARD}"
+    else:
+        closing_at = closing
+    base = int((digits + GUARD) * BITS_A_DIGIT) + problem.tiny()
+    best: Solution | None = None
+    for _ in range(MOST_TRIES):
+        runs = _pair(problem, base, closing_at, until, max_events)
+        if runs is None:  # what happens differs between the two: neither can be trusted
+            base *= 2
+            continue
+        rough, fine = runs
+        right = tuple(agreement(rough.body, a, b) for a, b in zip(rough.records, fine.records, strict=True))
+        found = Solution(fine.body, fine.status, tuple(fine.records), right, fine.body.bits)
+        if best is None or found.digits() > best.digits():
+            best = found
+        if found.digits() >= digits or base > 12 * digits * BITS_A_DIGIT + 2000:
+            break
+        base += int((digits - found.digits() + GUARD // 2) * BITS_A_DIGIT)
+    if best is None:
+        raise ArithmeticError("two working precisions never gave the same events.")
+    return best
+
+
+def check(scenario: Scenario, digits: int) -> None:
+    """Refuse what cannot be solved so."""
+    whole = isinstance(digits, int) and not isinstance(digits, bool)
+    if not whole or not LEAST_DIGITS <= digits <= MOST_DIGITS:
+        raise InputError(f"digits = {digits!r} must be a whole number from {LEAST_DIGITS} to {MOST_DIGITS}.")
+    if scenario.contact.model != "rigid":
+        raise InputError(f"digits = {digits!r} needs rigid contact: a compliant contact is solved in double precision only.")
+
+
+def _levels(base: int) -> Iterator[tuple[int, bool]]:
+    """Working precisions while something that decides cannot be told from zero; at the last one it is zero."""
+    yield base, False
+    yield base * 3 // 2, False
+    yield base * 3, True
+
+
+def _pair(problem: Problem, base: int, closing: Any, until: Any, max_events: int | None) -> tuple[Run, Run] | None:
+    """The motion at two working precisions; None where the events are not the same."""
+    for bits, last in _levels(base):
+        try:
+            rough = Run(problem, bits, last, closing, until, max_events).run()
+            fine = Run(problem, bits + SECOND, last, closing, until, max_events).run()
+        except (MorePrecision, Stiff):
+            if last:
+                return None
+            continue
+        return (rough, fine) if _signature(rough) == _signature(fine) else None
+    return None
+
+
+def _signature(run: Run) -> list[Any]:
+    return [run.status, *((r.kind, r.before_mode, r.after_mode, r.collision, r.stable) for r in run.records)]
+
+
+def numbers(record: Record) -> list[Number]:
+    """What is compared of an event: time and state."""
+    state: State = record.state
+    return [state.t, state.x, state.y, state.th, state.vt, state.vn, state.om, record.p_n, record.p_t]
+
+
+def agreement(body: Body, rough: Record, fine: Record) -> int:
+    """How many digits of two solutions agree in every number, beside the number itself or 1, whichever is larger."""
+    ctx = body.ctx
+    worst = body.zero
+    for a, b in zip(numbers(rough), numbers(fine), strict=True):
+        if ctx.isfinite(a) and ctx.isfinite(b):
+            worst = max(worst, abs(a - b) / max(abs(b), 1))
+    most = int(body.bits / BITS_A_DIGIT)
+    if worst == 0:
+        return most
+    return max(0, min(most, int(-ctx.log10(worst))))
+
+
