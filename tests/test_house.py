@@ -376,3 +376,38 @@ def whole(speed: float) -> float:
 def test_the_walk_notices(monkeypatch, old, new, expected):
     monkeypatch.setattr(whole, "__doc__", inspect.getdoc(whole).replace(old, new) if old else whole.__doc__)
     assert complaints(whole) == expected
+
+
+# Sections that the source cites
+
+CITED_SECTION = re.compile(r"\bdocs/([\w-]+\.md)(?:#([\w-]+))?")
+
+
+def anchors(page):
+    """Anchors of a page's headings, as the documentation's builder makes them."""
+    lines = (ROOT / "docs" / page).read_text(encoding="utf-8").splitlines()
+    titles = [line.lstrip("#").strip() for line in lines if re.match(r"#{1,3} ", line)]
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def cited_sections():
+    for folder in (SOURCE, ROOT / "tests"):
+        for path in sorted(folder.rglob("*.py")):
+            for found in CITED_SECTION.finditer(path.read_text(encoding="utf-8")):
+                yield path.relative_to(ROOT).as_posix(), found[1], found[2]
+
+
+def test_cited_sections_are_there():
+    places = list(cited_sections())
+    assert len({place for place, page, anchor in places if anchor}) > 6
+    for place, page, anchor in places:
+        assert (ROOT / "docs" / page).exists(), f"{place}: docs/{page}"
+        assert anchor is None or anchor in anchors(page), f"{place}: docs/{page}#{anchor}"
+
+
+def test_nothing_outside_the_repository_is_cited():
+    missing = "physics" + ".md"
+    for folder in ("src", "tests", "docs", "examples", "benchmarks"):
+        for path in (ROOT / folder).rglob("*"):
+            if path.suffix in (".py", ".md", ".js"):
+                assert missing not in path.read_text(encoding="utf-8"), path.relative_to(ROOT)

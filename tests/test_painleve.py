@@ -2,7 +2,7 @@ r"""Painlevé's paradox: slip for which no contact force exists, or several; and
 
 In skid (σ = +1) the load on the rim is N = −f_n/p with m κ p = κ + ε sin θ (ε sin θ + μ (1 + ε cos θ)), all derived again here
 from the contact's answer to a unit force: an impulse (−μ, 1) changes θ̇ by (ε sin θ + μ (1 + ε cos θ))/(κ m R) and
-lifts the rim by 1/m minus the lever ε R sin θ times that, with the sign of physics.md's θ.
+lifts the rim by 1/m minus the lever ε R sin θ times that, with the sign of docs/model.md#coordinates.
 """
 
 from __future__ import annotations
