@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 SCHEMA = "hophoop/1"
 
 # Fields of an event that have a unit; the others are codes.
-_EVENT_UNITS = {
+EVENT_UNITS = {
     "t": "s",
     "x": "m",
     "height": "m",
@@ -178,11 +178,11 @@ def write_events_csv(motion: Motion, path: str | Path) -> None:
         If the file cannot be written.
     """
     units = {
-        name: unit for name, unit in _EVENT_UNITS.items() if not name.startswith("before_") and name != "t"
+        name: unit for name, unit in EVENT_UNITS.items() if not name.startswith("before_") and name != "t"
     }
     before = ("vx", "vy", "omega", "slip")
     header = ["t [s]", "kind", "from", "to", *(f"{name} [{unit}]" for name, unit in units.items())]
-    header += [f"before_{name} [{_EVENT_UNITS[name]}]" for name in before] + ["collision", "stable"]
+    header += [f"before_{name} [{EVENT_UNITS[name]}]" for name in before] + ["collision", "stable"]
     rows = (
         [event.t, event.kind, event.from_mode, event.to_mode]
         + [getattr(event, name) for name in units]
@@ -297,7 +297,7 @@ def _packed(xr: Any, table: np.ndarray, dimension: str) -> xarray.Dataset:
 
 def _describe_events(dataset: Any, motion: Motion) -> None:
     """CF attributes with which other readers see events in SI units; the stored bits stay the kernel's."""
-    for name, unit in _EVENT_UNITS.items():
+    for name, unit in EVENT_UNITS.items():
         if name in dataset:
             factor = motion.units.time if name == "t" else motion.units.of(name.removeprefix("before_"))
             dataset[name].attrs.update(units=unit, scale_factor=factor)
