@@ -16,7 +16,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from hophoop import cite, io
+from hophoop import cite, export, io
 
 FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 
