@@ -23,7 +23,7 @@ from hophoop.cli import app
 # the package gives its name to the function
 module = importlib.import_module("hophoop.article.reproduce")
 
-DATA = Path(__file__).parent / "data"
+DATA = Path(__file__).parents[1] / "data"
 GAMMA, G = 0.75, 9.81
 
 

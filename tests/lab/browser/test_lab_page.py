@@ -12,7 +12,7 @@ uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installe
 
 import hophoop as hh  # noqa: E402
 
-PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parents[1] / "results" / "lab"))
+PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parents[2] / "results" / "lab"))
 
 
 def summary(page):

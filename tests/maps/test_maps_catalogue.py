@@ -10,7 +10,7 @@ import pytest
 import hophoop as hh
 from hophoop import maps
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.mark.parametrize("gamma", maps.catalogued())

@@ -14,6 +14,7 @@ import pytest
 import hophoop as hh
 from hophoop import maps
 from hophoop.maps import store
+from map_tools import contents
 
 AXES = {"plane.mu": np.linspace(0.05, 1.95, 60), "start.speed": np.linspace(0.05, 5.0, 50)}
 QUANTITIES = ["sequence", "hop_height", "status"]
@@ -22,15 +23,6 @@ CHUNK = 200
 
 def make(out, **options):
     return maps.sweep(None, AXES, QUANTITIES, out=out, chunk_cells=CHUNK, **options)
-
-
-def contents(folder):
-    """Every file of a store with its bytes."""
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes()
-        for path in sorted(folder.rglob("*"))
-        if path.is_file()
-    }
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ from hophoop.plots.curves import curve, phases, shown_words
 from hophoop.poses import poses_of
 from hophoop.vocabulary import classes, colors, words
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -183,7 +183,7 @@ def test_a_map_answers_to_the_former_name():
 
 def test_one_spelling():
     former = re.compile("utilisation", re.IGNORECASE)
-    allowed = {"src/hophoop/maps/quantities.py", "docs/maps.md", "tests/test_vocabulary.py", "CHANGELOG.md"}
+    allowed = {"src/hophoop/maps/quantities.py", "docs/maps.md", "tests/vocabulary/test_vocabulary.py", "CHANGELOG.md"}
     found = {
         path.relative_to(ROOT).as_posix()
         for folder in ("src", "docs", "tests", "examples", "benchmarks")

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from hophoop import maps
-from test_maps_store import contents
+from map_tools import contents
 
 pytest.importorskip("distributed")
 

@@ -9,7 +9,8 @@ import hophoop as hh
 from hophoop import maps
 from hophoop.maps.border import follow
 from hophoop.maps.classes import Classifier, make_window
-from hophoop.plots.maps import CODES, class_color, motion_map
+from hophoop.plots.maps import motion_map
+from hophoop.vocabulary.classes import CODES, class_color
 
 WINDOW = {"plane.mu": (0.05, 2.0), "start.speed": (0.05, 5.0)}
 
