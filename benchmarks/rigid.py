@@ -155,7 +155,7 @@ def again(number, body, start, t_end, events, segments, scratch):
     """The motion so many times over from compiled code, as maps call it."""
     found = 0
     for _ in range(number):
-        found += run(body, start, t_end, math.nan, 0, events, segments, scratch)[1]
+        found += run(body, start, t_end, math.nan, 0, events, segments, scratch, events[:0])[1]
     return found
 
 

@@ -350,12 +350,19 @@ _SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9
 _COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
 
 
+@inline_jit
+def versine_of(angle):
+    """1 − cos, with all its digits; a product, since a power is rounded otherwise where code is interpreted."""
+    half = math.sin(0.5 * angle)
+    return 2.0 * half * half
+
+
 @lean_jit
 def turn_deficits(phi):
     """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
     square = phi * phi
     if square > 0.81:
-        versine = 2.0 * math.sin(0.5 * phi) ** 2
+        versine = versine_of(phi)
         return phi - math.sin(phi), 0.5 * square - versine, versine
     sine = 0.0
     cosine = 0.0

@@ -12,10 +12,10 @@ import json
 import platform
 import shutil
 import zipfile
+from importlib.metadata import version as installed_version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numba
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -271,7 +271,7 @@ def _attributes(motion: Motion) -> dict[str, str]:
             {
                 "python": platform.python_version(),
                 "numpy": np.__version__,
-                "numba": numba.__version__,
+                "numba": installed_version("numba"),
                 "machine": f"{platform.system()} {platform.machine()}",
             }
         ),

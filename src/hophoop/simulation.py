@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 import hophoop
-from hophoop._jit import announce_compilation
+from hophoop._jit import precompile
+from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until
 from hophoop.physics.body import Status
+from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.state import start_state
@@ -113,6 +115,25 @@ def simulate(
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
 
 
+def compile_beside() -> None:
+    """Compile what rigid motions need in a process beside, where there is no compiled code yet.
+
+    For what computes motions for long enough to be worth it; `simulate` does the same by itself after a while.
+    """
+    scenario = Scenario()
+    body = to_body(scenario.hoop, scenario.plane)
+    events, segments, scratch = np.empty(1, EVENT), np.empty(1, SEGMENT), new_scratch()
+    start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    times = np.zeros(1)
+    out = np.empty((1, len(sampling.COLUMNS)))
+    precompile(
+        [
+            (run, (body, start, 1.0, math.nan, 0, events, segments, scratch, NO_SCRIPT)),
+            (sampling.sample, (body, segments, times, False, out)),
+        ]
+    )
+
+
 def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray]:
     hoop, plane = scenario.hoop, scenario.plane
     second = time_unit(hoop, plane)
@@ -127,20 +148,28 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
         given.omega * second,
     )
     body = to_body(hoop, plane)
-    announce_compilation(run)
     scratch = new_scratch()
     events_size = min(FIRST_EVENTS, contact.max_events)
     segments_size = FIRST_SEGMENTS
+    script = NO_SCRIPT
+    decisions = 0
     while True:
         events = np.empty(events_size, EVENT)
         segments = np.empty(segments_size, SEGMENT)
         status, count, pieces = run(
-            body, start, scenario.duration / second, math.nan, 0, events, segments, scratch
+            body, start, scenario.duration / second, math.nan, 0, events, segments, scratch, script
         )
         if status == Status.BUFFER:
             segments_size *= 4
         elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
             events_size = min(4 * events_size, contact.max_events)
+        elif decisions < MOST and scratch.doubt[1] <= latest(scenario):
+            # later doubts are decided together, so that each is not solved for from the start anew
+            decisions += 1
+            found = script_until(scenario, min(scratch.doubt[1] * (1.0 if decisions == 1 else 1.5), latest(scenario)))
+            if not found.size or len(found) > contact.max_events:
+                break
+            script = found
         else:
             break
     if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state

@@ -29,7 +29,7 @@ ENDLESS = 1e9
 def motion_of(body, start, t_end=ENDLESS, span=math.nan):
     """(status, events) of the kernel."""
     events = np.empty(400, EVENT)
-    status, count, _ = run(body, start, t_end, span, 0, events, np.empty(0, SEGMENT), new_scratch())
+    status, count, _ = run(body, start, t_end, span, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0])
     return status, events[:count]
 
 

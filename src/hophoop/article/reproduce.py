@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import shutil
+import subprocess
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,11 +16,13 @@ from typing import Any
 import hophoop
 from hophoop._extras import need
 from hophoop._files import replacing
+from hophoop._processes import python_beside
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, drawn
 from hophoop.article.runs import Runs
 from hophoop.article.statement import FAILS, Statement
 from hophoop.article.statements import count, statements
+from hophoop.simulation import compile_beside
 
 DPI = 160
 
@@ -80,22 +84,31 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     (folder / "figures").mkdir(parents=True, exist_ok=True)
     say = progress or _silent
     runs = Runs()
-    checked = _checked(runs, say)
-    _write_json(folder, checked)
-    for k, figure in enumerate(FIGURES):
-        with _style():
-            sheet = drawn(figure, runs)
-            for ending in ("png", "svg"):
-                with replacing(folder / "figures" / f"{figure.name}.{ending}") as path:
-                    sheet.savefig(path, dpi=DPI, metadata={"Date": None} if ending == "svg" else None)
-        say("figures", k + 1, len(FIGURES))
-    made: list[Path] = []
-    reason = "they were not asked for"
-    if with_films:
-        try:
-            made, reason = films(folder / "films", say), ""
-        except ImportError as error:
-            reason = str(error)
+    compile_beside()
+    # beside figures and statements, which take as long
+    beside = _films_beside(folder / "films") if with_films else None
+    try:
+        for k, figure in enumerate(FIGURES):
+            with _style():
+                sheet = drawn(figure, runs)
+                for ending in ("png", "svg"):
+                    with replacing(folder / "figures" / f"{figure.name}.{ending}") as path:
+                        sheet.savefig(path, dpi=DPI, metadata={"Date": None} if ending == "svg" else None)
+            say("figures", k + 1, len(FIGURES))
+        # some of them follow a motion for very long, by when compiled code is there
+        checked = _checked(runs, say)
+        _write_json(folder, checked)
+        made: list[Path] = []
+        reason = "they were not asked for"
+        if with_films:
+            try:
+                made = (beside and beside.finish(say)) or films(folder / "films", say)
+                reason = ""
+            except ImportError as error:
+                reason = str(error)
+    finally:
+        if beside is not None:
+            beside.stop()
     with replacing(folder / "index.html") as path:
         path.write_text(report.page(checked, folder, made), encoding="utf-8")
     return Reproduction(folder, checked, tuple(made), reason)
@@ -133,6 +146,56 @@ def films(out: Path, progress: Progress) -> list[Path]:
         return [path.replace(out / path.name) for path in made]
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
+
+
+class _Beside:
+    """A process that makes the films."""
+
+    def __init__(self, process: subprocess.Popen[bytes]) -> None:
+        self._process = process
+
+    def finish(self, progress: Progress) -> list[Path]:
+        """Wait for the films; none where the process failed."""
+        assert self._process.stdout is not None
+        made: list[Path] = []
+        with self._process, self._process.stdout as lines:
+            for line in lines:
+                said = json.loads(line)
+                if "made" in said:
+                    made = [Path(name) for name in said["made"]]
+                else:
+                    progress("films", said["done"], said["total"])
+        return made
+
+    def stop(self) -> None:
+        """End it, where it is still at work because something else went wrong."""
+        if self._process.poll() is None:
+            self._process.terminate()
+        if self._process.stdout is not None:
+            self._process.stdout.close()
+        self._process.wait()
+
+
+def _films_beside(out: Path) -> _Beside | None:
+    with contextlib.suppress(OSError):
+        process = python_beside(
+            f"from hophoop.article.reproduce import films_for_another; films_for_another({str(out)!r})",
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+        )
+        return _Beside(process)
+    return None
+
+
+def films_for_another(out: str) -> None:
+    """Make the films and say on standard output, in lines of JSON, how far that is."""
+
+    def say(_: str, done: int, total: int) -> None:
+        print(json.dumps({"done": done, "total": total}), flush=True)
+
+    made = films(Path(out), say)
+    print(json.dumps({"made": [str(path) for path in made]}), flush=True)
 
 
 def _checked(runs: Runs, progress: Progress) -> tuple[Statement, ...]:

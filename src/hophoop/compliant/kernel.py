@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from hophoop._jit import announce_compilation, jit
+from hophoop._jit import jit
 from hophoop.compliant.events import (
     FRICTION_CHANGE,
     GUARDS,
@@ -97,7 +97,7 @@ def note(events, count, kind, before, after, t, u):
     cause = quiet(kind, before, state)
     count = write_event(events, count, cause, after, state, 0.0, -1)
     if count > 0 and kind == IMPACT:
-        events[count - 1].collision = 1
+        events[count - 1]["collision"] = 1
     return count
 
 
@@ -251,7 +251,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events):
         if status == AT_REST:
             count = note(events, count, REST, mode, mode, t, u)
             if count > 0:
-                events[count - 1].stable = 1 if stable else 0
+                events[count - 1]["stable"] = 1 if stable else 0
             rows = keep(rows, pieces, t, t_end, HOLD, mode, regime, t, 0.0, work, u)
             pieces += 1
             t = t_end
@@ -371,7 +371,6 @@ def simulate_compliant(scenario: Scenario) -> tuple[int, np.ndarray, np.ndarray]
     """
     body, comp, t_end, rtol = to_compliance(scenario)
     start, touching = to_start(scenario, body, comp)
-    announce_compilation(run)
     limit = scenario.contact.max_events
     size = min(FIRST_EVENTS, limit)
     while True:

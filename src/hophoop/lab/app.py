@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
+import contextlib
 import socket
 import sys
 import threading
 import time
 import webbrowser
-from typing import Any
 from urllib.request import urlopen
 
 from hophoop._extras import need
+from hophoop._jit import mode
+from hophoop._jit.beside import launch
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.simulation import simulate
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-APPLICATION = "hophoop.lab.app:warmed_app"
+APPLICATION = "hophoop.lab.api:create_app"
 
 
 def warm_up() -> None:
-    """Compile before the first visitor waits for it; workers find the result on disk."""
+    """Compile all that a visitor may ask for; other processes find the result on disk."""
     from hophoop import theory
     from hophoop.lab import state
 
@@ -37,12 +39,13 @@ def warm_up() -> None:
         state.answer(state.read(call, options))
 
 
-def warmed_app() -> Any:
-    """The application of one worker, with its kernels loaded before it takes a request."""
-    from hophoop.lab.api import create_app
-
-    warm_up()
-    return create_app()
+def compile_beside() -> None:
+    """Compile all kernels that the page uses in a process beside; until then it is answered by interpreted ones."""
+    if mode() == "interpreted":
+        return
+    with contextlib.suppress(OSError):
+        process = launch("from hophoop.lab.app import warm_up; warm_up()")
+        process.returncode = 0  # it goes on by itself: what it compiles stays for the next time
 
 
 def serve(
@@ -84,7 +87,7 @@ def serve(
         port = _free_port(host)
     _check_free(host, port)
     print("The lab is starting …", file=sys.stderr)
-    warm_up()
+    compile_beside()
     shown = f"[{host}]" if ":" in host else host
     if host in ("0.0.0.0", "::"):
         shown = "localhost"

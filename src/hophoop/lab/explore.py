@@ -143,7 +143,7 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
     "ending": ("how it ends", "duration"),
 }
 
-# Numba's simplest threading layer must not be entered twice at a time.
+# A map has all cores: two at a time would only make both late.
 _one_at_a_time = threading.Lock()
 
 MAP_EVENTS = 2000

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
+import threading
 from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextvars import ContextVar
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import hophoop
-from hophoop._jit import announce_compilation
+from hophoop._jit import compiled
 from hophoop.maps import kernel
 from hophoop.maps.axes import (
     Axis,
@@ -186,9 +190,42 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
 
         gpu.evaluate(cells, span.angle, span.stop, span.timed, wanted, *results)
     else:
-        announce_compilation(kernel.evaluate)
-        kernel.evaluate(cells, span.angle, span.stop, span.timed, wanted, *results)
+        _on_all_cores(cells, span, wanted, results)
     return results
+
+
+def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: Results) -> None:
+    """Blocks of cells for whichever thread is free; what a cell gives does not depend on which takes it."""
+    count = cells.shape[1]
+    evaluate = compiled(
+        kernel.evaluate_block, cells, 0, count, span.angle, span.stop, span.timed, wanted, *results
+    )
+    begins = iter(range(0, count, kernel.BLOCK))
+    lock = threading.Lock()
+
+    def work() -> None:
+        while True:
+            with lock:
+                low = next(begins, count)
+            if low == count:
+                return
+            high = min(low + kernel.BLOCK, count)
+            evaluate(cells, low, high, span.angle, span.stop, span.timed, wanted, *results)
+
+    threads = min(_threads.get() or cores(), -(-count // kernel.BLOCK))
+    if threads <= 1:
+        work()
+        return
+    with ThreadPoolExecutor(threads) as pool:
+        for done in [pool.submit(work) for _ in range(threads)]:
+            done.result()
+
+
+def cores() -> int:
+    """How many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, Results]:
@@ -265,19 +302,19 @@ def points(
     return results
 
 
+_threads: ContextVar[int | None] = ContextVar("threads", default=None)
+
+
 @contextlib.contextmanager
 def thread_limit(threads: int | None) -> Iterator[None]:
     """Use so many threads within; None leaves the number as it is."""
-    import numba
-
     if threads is None:
         yield
         return
-    if not 1 <= threads <= numba.config.NUMBA_NUM_THREADS:
-        raise InputError(f"threads = {threads!r} must be from 1 to {numba.config.NUMBA_NUM_THREADS}.")
-    before = numba.get_num_threads()
-    numba.set_num_threads(threads)
+    if not 1 <= threads <= cores():
+        raise InputError(f"threads = {threads!r} must be from 1 to {cores()}.")
+    before = _threads.set(threads)
     try:
         yield
     finally:
-        numba.set_num_threads(before)
+        _threads.reset(before)

@@ -8,7 +8,6 @@ from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
-from numba.core import config
 from numpy.typing import NDArray
 
 from hophoop.maps.kernel import FIRST_EVENTS, MAX_EVENTS, MORE_EVENTS
@@ -29,6 +28,8 @@ def require_gpu() -> None:
     ValueError
         If numba-cuda is missing, or there is no CUDA GPU with its driver.
     """
+    from numba.core import config
+
     if config.ENABLE_CUDASIM:  # Numba's simulator, which the tests use
         return
     if find_spec("numba_cuda") is None:
@@ -52,14 +53,14 @@ def evaluate(
     words: NDArray[np.int32],
     keys: NDArray[np.uint64],
 ) -> None:
-    """All cells, in batches that fit into the device's memory; as `kernel.evaluate`.
+    """All cells, in batches that fit into the device's memory; as `kernel.evaluate_block`.
 
     Parameters
     ----------
     cells : ndarray, shape (len(CELL), n)
         [SI].
     angle_span, stop, timed, wanted
-        As for `kernel.evaluate`.
+        As for `kernel.evaluate_block`.
     numbers, words, keys : ndarray, shape (n, …)
         Filled.
     """

@@ -8,9 +8,12 @@ from numba import cuda, float64
 from numba.core import config
 
 from hophoop._collocation import ORDER
-from hophoop.maps.kernel import evaluate_cell
+from hophoop.maps import kernel as cells_kernel
 from hophoop.physics.panel import ROWS
 from hophoop.rigid.records import STACK_COLUMNS, STACK_ROWS, Scratch
+
+# What CUDA's simulator runs is Python.
+evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else cells_kernel.evaluate_cell.dispatcher  # type: ignore[attr-defined]
 
 PASSING = 2  # events that a cell needs beside the motion's own
 
@@ -42,6 +45,7 @@ def evaluate_thread(
             cuda.local.array(ORDER, float64),
             cuda.local.array(ORDER, float64),
             cuda.local.array((STACK_ROWS, STACK_COLUMNS), float64),
+            cuda.local.array(2, float64),
         )
         room = events.shape[1] - PASSING
         done = evaluate_cell(

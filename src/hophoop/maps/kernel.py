@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numba import prange
 
-from hophoop._jit import jit, parallel_jit
+from hophoop._jit import jit
 from hophoop.physics.body import Body, Event, Mode, Status
-from hophoop.physics.contact import free_acceleration, rolling_forces
+from hophoop.physics.contact import rolling_forces
 from hophoop.physics.friction import utilization
 from hophoop.physics.roll import rolling_u
 from hophoop.rigid.contact_phase import STOP, limits_of
-from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, run
+from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, opening_of, run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.state import start_state, state_of, whole_angle
 from hophoop.rigid.transitions import collide
@@ -121,7 +120,7 @@ def is_passing(kind):
 @jit
 def leaves_plane(row):
     """Whether the rim leaves the plane at this event."""
-    return row.after_mode == FLIGHT and row.height == 0.0 and not row.vy < 0.0 and not is_passing(row.kind)
+    return row["after_mode"] == FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
 
 
 @jit
@@ -179,21 +178,21 @@ def greatest_utilization(body, events, last):
     result = math.nan
     for i in range(last + 1):
         row = events[i]
-        if row.kind == SLIP_START or (row.kind == TAKEOFF and row.before_mode == ROLL):
+        if row["kind"] == SLIP_START or (row["kind"] == TAKEOFF and row["before_mode"] == ROLL):
             # rolling reaches the friction cone at its end
             return utilization(False, body.mu_s, 1.0, body.mu_s, body.mu_k) if body.mu_s < math.inf else 0.0
     for i in range(last):
         row = events[i]
-        if not events[i + 1].t > row.t:
+        if not events[i + 1]["t"] > row["t"]:
             continue
         used = math.nan
-        if row.after_mode == ROLL:
+        if row["after_mode"] == ROLL:
             used = 0.0
             if 0.0 < body.mu_s < math.inf:
-                turned = events[i + 1].angle - row.angle
-                need = greatest_need(body, row.angle, row.omega * row.omega, turned)
+                turned = events[i + 1]["angle"] - row["angle"]
+                need = greatest_need(body, row["angle"], row["omega"] * row["omega"], turned)
                 used = utilization(False, need, 1.0, body.mu_s, body.mu_k)
-        elif row.after_mode == SPIN or row.after_mode == SKID:
+        elif row["after_mode"] == SPIN or row["after_mode"] == SKID:
             used = utilization(True, body.mu_k, 1.0, body.mu_s, body.mu_k)
         if not used <= result and not math.isnan(used):
             result = min(used, 1.0)
@@ -203,25 +202,18 @@ def greatest_utilization(body, events, last):
 @jit
 def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, numbers, k):
     """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
-    numbers[k, TAKEOFF_TIME] = row.t * second
-    numbers[k, TAKEOFF_ANGLE] = row.angle
+    numbers[k, TAKEOFF_TIME] = row["t"] * second
+    numbers[k, TAKEOFF_ANGLE] = row["angle"]
     state = state_of(row)
     if body.gn == 0.0:
         return
-    opening = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
-    if state.vn > 0.0:
-        zeros = 1
-    elif opening > 1e-13 * (body.gn + state.om * state.om):
-        zeros = 2
-    else:
-        zeros = 3
-        opening = 0.0
+    opening, zeros = opening_of(body, state)
     what, landed, apexes, _ = fly(
         body, state, opening, zeros, limits_of(state, FOREVER, math.nan), passing, 0, segments, 0, scratch
     )
     if what != STOP:
         return
-    numbers[k, HOP_HEIGHT] = (passing[0].height if apexes > 0 else 0.0) * unit
+    numbers[k, HOP_HEIGHT] = (passing[0]["height"] if apexes > 0 else 0.0) * unit
     numbers[k, FLIGHT_TIME] = (landed.t - state.t) * second
     numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * unit
     numbers[k, LANDING_ANGLE] = whole_angle(landed)
@@ -236,7 +228,7 @@ def first_beyond(events, count, angle_span):
     """Index of the first event at which the motion has turned by the span, or the last one."""
     if not math.isnan(angle_span):
         for i in range(count):
-            if abs(events[i].angle - events[0].angle) >= angle_span:
+            if abs(events[i]["angle"] - events[0]["angle"]) >= angle_span:
                 return i
     return count - 1
 
@@ -257,12 +249,12 @@ def ending_of(status, events, count, stop, cut, t_end):
     end = events[count - 1]
     if count > 1:
         before = events[count - 2]
-        if before.t == end.t:
-            if stop & STOP_AT_TURN and before.kind == TURN:
+        if before["t"] == end["t"]:
+            if stop & STOP_AT_TURN and before["kind"] == TURN:
                 return BY_REVERSAL
-            if stop & STOP_AT_TAKEOFF and before.after_mode == FLIGHT:
+            if stop & STOP_AT_TAKEOFF and before["after_mode"] == FLIGHT:
                 return BY_TAKEOFF
-    return BY_TIME if end.t >= t_end else BY_ANGLE
+    return BY_TIME if end["t"] >= t_end else BY_ANGLE
 
 
 @jit
@@ -276,7 +268,7 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
             hop = i
             break
     # the kernel looks for a take-off after the start only
-    if hop >= 0 and stop & STOP_AT_TAKEOFF and events[hop].t == 0.0:
+    if hop >= 0 and stop & STOP_AT_TAKEOFF and events[hop]["t"] == 0.0:
         cut = True
         count = hop + 1
     last = count - 1
@@ -288,27 +280,27 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
     mode = -1
     mark = -1
     length = 0
-    ended = events[last].t
+    ended = events[last]["t"]
     for i in range(count):
         row = events[i]
-        if i > 0 and first < 0 and row.kind != APEX:
-            first = row.kind
-        if row.kind == INCONSISTENT or row.kind == INDETERMINATE or row.kind == JAM:
+        if i > 0 and first < 0 and row["kind"] != APEX:
+            first = row["kind"]
+        if row["kind"] == INCONSISTENT or row["kind"] == INDETERMINATE or row["kind"] == JAM:
             painleve = 1
-        if row.kind == REST:
-            ended = row.t
-        if i < last and row.after_mode == ROLL:
-            rolled += abs(events[i + 1].x - row.x)
-        if is_passing(row.kind):
+        if row["kind"] == REST:
+            ended = row["t"]
+        if i < last and row["after_mode"] == ROLL:
+            rolled += abs(events[i + 1]["x"] - row["x"])
+        if is_passing(row["kind"]):
             continue
-        if mark >= 0 and row.t > events[mark].t:
-            length = add_letter(keys, k, length, events[mark].after_mode)
+        if mark >= 0 and row["t"] > events[mark]["t"]:
+            length = add_letter(keys, k, length, events[mark]["after_mode"])
         mark = i
-        if row.after_mode == ROLL and mode != ROLL:
-            rolling_since = row.angle
-        mode = row.after_mode
+        if row["after_mode"] == ROLL and mode != ROLL:
+            rolling_since = row["angle"]
+        mode = row["after_mode"]
     if ending == BY_TAKEOFF or length == 0:
-        length = add_letter(keys, k, length, events[last].after_mode)
+        length = add_letter(keys, k, length, events[last]["after_mode"])
     begin = events[0]
     end = events[last]
     words[k, STATUS_WORD] = 0 if cut else status
@@ -317,13 +309,13 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
     words[k, HOP_WORD] = 1 if hop >= 0 else 0
     words[k, PAINLEVE_WORD] = painleve
     numbers[k, TIME] = ended * second
-    numbers[k, END_ANGLE] = end.angle
-    numbers[k, END_SPEED] = end.vx * unit / second
-    numbers[k, DISTANCE] = (end.x - begin.x) * unit
+    numbers[k, END_ANGLE] = end["angle"]
+    numbers[k, END_SPEED] = end["vx"] * unit / second
+    numbers[k, DISTANCE] = (end["x"] - begin["x"]) * unit
     numbers[k, DISTANCE_ROLLED] = rolled * unit
     if mode == ROLL and ending <= BY_REST:
-        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin.angle) / (2.0 * math.pi)
-    lost = end.friction + end.impact_normal + end.impact_tangential
+        numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin["angle"]) / (2.0 * math.pi)
+    lost = end["friction"] + end["impact_normal"] + end["impact_tangential"]
     numbers[k, ENERGY_LOST] = lost * energy
     if wanted & UTILIZATION_WANTED:
         numbers[k, GREATEST_UTILIZATION] = greatest_utilization(body, events, last)
@@ -355,7 +347,7 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
     most = int(cells[MAX_EVENTS, k])
     if events.shape[0] > most:
         events = events[:most]
-    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch)
+    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch, events[:0])
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
         count = beyond + 1
@@ -382,14 +374,3 @@ def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, numbers, w
             cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, numbers, words, keys
         ):
             events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[MAX_EVENTS, k])), EVENT)
-
-
-@parallel_jit
-def evaluate(cells, angle_span, stop, timed, wanted, numbers, words, keys):
-    """All cells, spread over the cores; what a cell gives does not depend on which core takes it."""
-    count = cells.shape[1]
-    for block in prange((count + BLOCK - 1) // BLOCK):
-        low = block * BLOCK
-        evaluate_block(
-            cells, low, min(low + BLOCK, count), angle_span, stop, timed, wanted, numbers, words, keys
-        )

@@ -12,6 +12,7 @@ from hophoop._collocation import (
     first_fall_after,
     left_value,
     turn_deficits,
+    versine_of,
 )
 from hophoop._jit import lean_jit
 
@@ -32,7 +33,7 @@ def flight_displacement(body, vt, om, s, c, tau):
     """(change of x, v_t) after the time tau."""
     phi = om * tau
     sine = math.sin(phi)
-    versine = 2.0 * math.sin(0.5 * phi) ** 2
+    versine = versine_of(phi)
     ds = c * sine - s * versine
     dc = -s * sine - c * versine
     # G moves on a parabola: ẋ_G = v_t + θ̇ (1 + ε cos θ)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 
+from hophoop._collocation import versine_of
 from hophoop._jit import jit
 
 
@@ -25,7 +26,7 @@ def skim_state(body, x, th, vt, om, way, tau):
     sink = s * om
     speed = vt + om * (1.0 + c)  # of the load, along the plane
     fallen = sink * tau + 0.5 * body.gn * tau * tau
-    versine = (2.0 * math.sin(0.5 * th) ** 2) + fallen  # 1 − cos θ
+    versine = versine_of(th) + fallen  # 1 − cos θ
     half = math.asin(math.sqrt(min(max(0.5 * versine, 0.0), 1.0)))
     turns = 2.0 * math.pi * math.floor(0.5 * th / math.pi)
     th_end = turns + 2.0 * half if way > 0 else turns + 2.0 * math.pi - 2.0 * half

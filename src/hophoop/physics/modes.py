@@ -112,7 +112,7 @@ def frictionless_mode(body, th, th_low, om):
     s, c = sine_cosine(th, th_low)
     u = om * om
     if body.gt == 0.0:
-        bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + (body.eps * s) ** 2))
+        bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + body.eps * s * body.eps * s))
         drive = s * bend if s != 0.0 else om * c * bend
     else:
         drive = slip_motion(body, s, c, u, 0)[2]
@@ -138,8 +138,14 @@ def next_mode(body, th, th_low, om, vt):
                     return slip_mode(sigma)
         if opening_sign(body, th, om) >= 0:
             return FLIGHT
-        # μ = ∞: rolling would need to pull and free motion would enter the plane
-        return UNDECIDED
+        if math.isinf(body.mu_k):
+            return UNDECIDED  # rolling would need to pull and free motion would enter the plane
+        # for f_n < 0 just one of roll and slip exists: rounding hides which
+        friction, normal = rolling_forces(body, math.sin(th), math.cos(th), om * om)
+        a, b = cone_weights(body.mu_s)
+        if a * normal >= b * abs(friction):
+            return ROLL
+        return slip_mode(-1 if friction > 0.0 else 1)
     sigma = 1 if vt > 0.0 else -1
     s = math.sin(th)
     c = math.cos(th)

@@ -18,6 +18,7 @@ from hophoop._collocation import (
     SINES,
     VERSINES,
     antiderivative,
+    versine_of,
     width_of,
 )
 from hophoop._jit import inline_jit, lean_jit
@@ -91,7 +92,7 @@ def fill_geometry(panel, work):
         part = 0.5 * (1.0 - NODES[i] if panel.kind == ARRIVE else 1.0 + NODES[i])
         offset = panel.extent * part * part
         sines[i] = way * math.sin(offset)
-        versines[i] = 2.0 * math.sin(0.5 * offset) ** 2
+        versines[i] = versine_of(offset)
         stretch[i] = panel.extent * part
 
 
@@ -187,7 +188,7 @@ def arriving_panel(body, before, ahead):
 def turn(s, c, angle):
     """(sin, cos) of θ + angle minus those of θ, without cancellation."""
     sine = math.sin(angle)
-    versine = 2.0 * math.sin(0.5 * angle) ** 2
+    versine = versine_of(angle)
     return c * sine - s * versine, -s * sine - c * versine
 
 
@@ -203,7 +204,7 @@ def chord(panel, xi):
     if panel.kind == LINEAR and xi >= 1.0 and panel.level < LEVELS:
         return panel.way * FAR_SINES[panel.level], FAR_VERSINES[panel.level]
     angle = angle_at(panel, xi)
-    return math.sin(angle), 2.0 * math.sin(0.5 * angle) ** 2
+    return math.sin(angle), versine_of(angle)
 
 
 @lean_jit

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NODES, ORDER, tail, total, turn_deficits
+from hophoop._collocation import NODES, ORDER, tail, total, turn_deficits, versine_of
 from hophoop._jit import inline_jit, lean_jit
 from hophoop.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 from hophoop.physics.panel import (
@@ -51,7 +51,7 @@ def _u_after(body, s0, c0, u0, sine, versine, angle):
 def rolling_u(body, th0, u0, offset):
     """θ̇² at th0 + offset of a hoop that rolls with θ̇² = u0 at th0; negative where it does not get there."""
     sine = math.sin(offset)
-    versine = 2.0 * math.sin(0.5 * offset) ** 2
+    versine = versine_of(offset)
     return _u_after(body, math.sin(th0), math.cos(th0), u0, sine, versine, offset)
 
 

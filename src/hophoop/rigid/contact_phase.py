@@ -17,6 +17,7 @@ from hophoop._collocation import (
     first_fall,
     lagrange,
     left_value,
+    versine_of,
     width_of,
 )
 from hophoop._jit import inline_jit, lean_jit
@@ -68,6 +69,7 @@ from hophoop.physics.panel import (
 )
 from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
+from hophoop.rigid.doubts import CLOSE, grazes_zero, note_doubt
 from hophoop.rigid.state import (
     State,
     at_time,
@@ -236,7 +238,7 @@ def narrower(level, size):
 def turns_within(body, panel, reach):
     """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
     while reach >= 0.5 * panel.extent:
-        versine = 2.0 * math.sin(0.5 * reach) ** 2
+        versine = versine_of(reach)
         if u_on_panel(body, panel, panel.way * math.sin(reach), versine, panel.way * reach) < 0.0:
             return True
         reach *= 0.5
@@ -359,7 +361,7 @@ def fall_of(row, state_is_fresh, floor, scratch):
 
 
 @inline_jit
-def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
+def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 
     Simultaneous events: the cone (roll), then lift-off before the end of slip, then the limits.
@@ -367,8 +369,15 @@ def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
     work = scratch.work
     xi = NOT_FOUND
     what = ON
-    if panel.sigma == 0:
+    if blind:
+        pass
+    elif panel.sigma == 0:
         roll_margins(body, work)
+        scale = body.gn + abs(body.gt) + panel.u
+        if 0.0 < body.mu_s < math.inf and (
+            grazes_zero(work[A], scale, scratch) or grazes_zero(work[B], scale, scratch)
+        ):
+            note_doubt(scratch, state.t, state.t + totals.time)
         rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
         found = fall_of(work[A], fresh, rounding, scratch)
         if found < xi:
@@ -386,6 +395,11 @@ def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
                 for _ in range(zeros):
                     value /= 0.5 * (1.0 + NODES[i])
             work[B, i] = value
+        if body.mu_k > 0.0 and (
+            grazes_zero(work[A], body.gn + panel.u, scratch)
+            or grazes_zero(work[B], abs(panel.vt) + math.sqrt(panel.u), scratch)
+        ):
+            note_doubt(scratch, state.t, state.t + totals.time)
         found = fall_of(work[A], fresh, 0.0, scratch)
         if found < xi:
             xi = found
@@ -395,6 +409,8 @@ def earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch):
         found = fall_of(work[B], fresh, rounding, scratch)
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
+        if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:
+            note_doubt(scratch, state.t, state.t + totals.time)
         if found < xi:
             xi = found
             what = STOP
@@ -500,7 +516,9 @@ def carried(body, panel, totals, xi, after):
         sine = panel.sine
         if panel.kind == ARRIVE:
             sine += turn(panel.sine, panel.cosine, angle_at(panel, -1.0))[0]
-        growth = (body.kap + (body.eps * sine) ** 2) / (body.kap + (body.eps * s) ** 2)
+        before = body.eps * sine
+        now = body.eps * s
+        growth = (body.kap + before * before) / (body.kap + now * now)
     elif xi < 1.0:
         return with_anchor(after, NONE)
     else:
@@ -515,7 +533,8 @@ def shortened(body, panel, totals, state, left, scratch):
         return panel, totals
     begin = begin_of(body, panel.sigma, state, scratch)
     if panel.kind == LEAVE:
-        extent = panel.extent * (4.0 * left / totals.time) ** 2
+        part = 4.0 * left / totals.time
+        extent = panel.extent * part * part
         short = leaving_panel(panel.sigma, panel.way, extent, begin)
     else:
         wide = width_of(0) / (4.0 * left * abs(state.om))
@@ -525,13 +544,15 @@ def shortened(body, panel, totals, state, left, scratch):
 
 
 @inline_jit
-def advance_contact(body, mode, state, fresh, zeros, level, limits, scratch, segments, count):
+def advance_contact(body, mode, state, fresh, blind, zeros, level, limits, scratch, segments, count):
     """Roll or slip over one panel or up to the first event in it.
 
     Parameters
     ----------
     fresh : bool
         Whether the phase begins here; margins that are zero at its begin are no events then.
+    blind : bool
+        Whether the phase is known to last until the end of time, so that no event is looked for.
     zeros : int
         How often v_t is zero at the begin of a fresh slip phase.
 
@@ -555,7 +576,7 @@ def advance_contact(body, mode, state, fresh, zeros, level, limits, scratch, seg
     panel, totals = shortened(body, panel, totals, state, time_left(state, limits.t_end), scratch)
     if not totals.tail <= RESOLVED:
         return STUCK, state, level, count
-    xi, what = earliest_event(body, panel, totals, state, fresh, zeros, limits, scratch)
+    xi, what = earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch)
     after = state_on_panel(body, panel, totals, state, xi, scratch)
     if what == STOP:
         after = with_velocities(after, 0.0, after.vn, after.om)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
+from hophoop._jit import jit, unit_jit
 from hophoop.numerics.double_double import plus
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.contact import free_acceleration
@@ -24,19 +24,23 @@ from hophoop.rigid.contact_phase import (
     STUCK,
     TURNED,
     advance_contact,
+    anchored,
     angle_left,
     at_span,
     equilibrium_is_stable,
     frozen_end,
     limits_of,
 )
+from hophoop.rigid.doubts import CLOSE, note_doubt
 from hophoop.rigid.state import (
     Cause,
     at_time,
+    copy_event,
     flown,
     later,
     moved,
     quiet,
+    state_of,
     time_left,
     with_losses,
     with_velocities,
@@ -126,6 +130,20 @@ def fly(body, state, opening, zeros, limits, events, count, segments, pieces, sc
 
 
 @jit
+def opening_of(body, state):
+    """(f_n at the start of a flight, exactly 0 after a lift-off from slip; how many derivatives of the gap vanish)."""
+    s, c = sine_cosine(state.th, state.th_low)
+    opening = free_acceleration(body, s, c, state.om * state.om)[1]
+    if state.y > 0.0:
+        return opening, 0
+    if state.vn > 0.0:
+        return opening, 1
+    if opening <= 1e-13 * (body.gn + state.om * state.om):
+        return 0.0, 3
+    return opening, 2
+
+
+@jit
 def let_go(body, state, events, count):
     """The massless hoop has lost its contact force: the load falls freely and the rim skims.
 
@@ -204,8 +222,8 @@ def is_last_bounce(body, state, after, last):
     return 2.0 * after.vn / (pull * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
 
 
-@jit
-def run(body, start, t_end, angle_span, stop, events, segments, scratch):
+@unit_jit
+def run(body, start, t_end, angle_span, stop, events, segments, scratch, script):
     """The motion from a state to the end of time, to an end that the physics sets, or to a limit.
 
     Parameters
@@ -222,6 +240,10 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
     events, segments : ndarray of records.EVENT, records.SEGMENT
         Filled; segments may have length 0 where only the events are wanted.
     scratch : records.Scratch
+        Its `doubt` tells afterwards whether the doubles sufficed.
+    script : ndarray of records.EVENT
+        First events, where they are known, else of length 0. The last one is a state inside a phase, or again the
+        last event: from there on the motion is computed.
 
     Returns
     -------
@@ -242,8 +264,18 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
     status = COMPLETED
     massless = body.kap == 0.0
     limits = limits_of(state, t_end, angle_span)
+    scratch.doubt[0] = math.nan
+    scratch.doubt[1] = math.nan
     # The start.
-    if state.y > 0.0 or state.vn != 0.0:
+    row = 0
+    last_row = script.shape[0] - 1
+    blind = last_row > 0
+    if blind:
+        count = copy_event(events, count, script[0])
+        state = state_of(script[0])
+        mode = script[0]["after_mode"]
+        limits = limits_of(state, script[1]["t"], math.nan)
+    elif state.y > 0.0 or state.vn != 0.0:
         count = write_event(events, count, quiet(START, FLIGHT, state), FLIGHT, state, 0.0, -1)
         if massless:
             status = UNDETERMINED
@@ -253,7 +285,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
                 after, cause = close_bounces(body, state)
             state = after
             last_bounce = state.vn
-            mode, state, count = settle(body, state, cause, events, count)
+            mode, state, count = settle(body, state, cause, events, count, scratch)
     else:
         cause = quiet(START, -1, state)
         if massless and state.vt != 0.0:
@@ -266,9 +298,10 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             if math.cos(state.th) > -1.0 and not can_roll(body, state.th, state.om):
                 mode, state, count = let_go(body, state, events, count)
         else:
-            mode, state, count = settle(body, state, cause, events, count)
+            mode, state, count = settle(body, state, cause, events, count, scratch)
     if mode == UNDECIDED:
         status = UNDETERMINED
+        note_doubt(scratch, state.t, state.t)
     slip_zeros = 1 if state.vt == 0.0 else 0
     fresh = True
     level = START_LEVEL
@@ -283,22 +316,37 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             return EVENT_LIMIT, events.shape[0], pieces
         if pieces < 0:
             return BUFFER, count, segments.shape[0]
+        if blind and (mode == FLIGHT or not state.t < limits.t_end):
+            if mode == FLIGHT and state.t < limits.t_end:
+                opening, zeros = opening_of(body, state)
+                pieces = write_segment(
+                    segments, pieces, mode, no_panel(FLY, 0, 0.0), 0.0, opening, state, limits.t_end
+                )
+            row += 1
+            state = state_of(script[row])
+            mode = script[row]["after_mode"]
+            fresh = True
+            slip_zeros = 1 if state.vt == 0.0 else 0
+            level = START_LEVEL
+            new_phase = True
+            if row < last_row:
+                count = copy_event(events, count, script[row])
+                limits = limits_of(state, script[row + 1]["t"], math.nan)
+                continue
+            blind = False
+            limits = limits_of(start, t_end, angle_span)
+            if script[row]["t"] > script[row - 1]["t"]:  # inside a phase
+                fresh = False
+                if mode != FLIGHT:
+                    state = anchored(body, slip_direction(mode), state, scratch)
+            elif script[row - 1]["kind"] == SLIP_START and body.mu_s == body.mu_k:
+                slip_zeros = 2
+            continue
         if mode == FLIGHT:
             if stop & STOP_AT_TAKEOFF and state.t > 0.0:
                 break
             if new_phase:
-                if state.y > 0.0:
-                    zeros = 0
-                elif state.vn > 0.0:
-                    zeros = 1
-                else:
-                    zeros = 2
-                opening = free_acceleration(
-                    body, math.sin(state.th), math.cos(state.th), state.om * state.om
-                )[1]
-                if zeros == 2 and opening <= 1e-13 * (body.gn + state.om * state.om):
-                    opening = 0.0
-                    zeros = 3
+                opening, zeros = opening_of(body, state)
             what, state, count, pieces = fly(
                 body, state, opening, zeros, limits, events, count, segments, pieces, scratch
             )
@@ -308,9 +356,10 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             if is_last_bounce(body, state, after, last_bounce):
                 after, cause = close_bounces(body, state)
             last_bounce = after.vn
-            mode, state, count = settle(body, after, cause, events, count)
+            mode, state, count = settle(body, after, cause, events, count, scratch)
             if mode == UNDECIDED:
                 status = UNDETERMINED
+                note_doubt(scratch, state.t, state.t)
             slip_zeros = 1 if state.vt == 0.0 else 0
             fresh = True
             level = START_LEVEL
@@ -337,9 +386,18 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             continue
         was = mode
         what, state, level, pieces = advance_contact(
-            body, mode, state, fresh, slip_zeros, level, limits, scratch, segments, pieces
+            body, mode, state, fresh, blind, slip_zeros, level, limits, scratch, segments, pieces
         )
         fresh = False
+        if blind:
+            if what in (STILL, STUCK):
+                sigma = slip_direction(mode)
+                rate = frozen_end(body, sigma, state.vt)[0] if sigma != 0 else 0.0
+                pieces = write_segment(
+                    segments, pieces, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, limits.t_end
+                )
+                state = at_time(state, limits.t_end)
+            continue
         if what == ON:
             continue
         if what == TURNED:
@@ -365,13 +423,14 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
                     mode = ROLL
                     count = write_event(events, count, quiet(STICK, was, state), ROLL, state, 0.0, -1)
                 else:
-                    mode, state, count = settle(body, state, quiet(STICK, was, state), events, count)
+                    mode, state, count = settle(body, state, quiet(STICK, was, state), events, count, scratch)
                 fresh = True
         elif what == STUCK:
             if mode == ROLL:
                 status = UNDETERMINED
+                note_doubt(scratch, state.t, state.t)
             else:
-                jams, mode, state, count = pass_singular(body, mode, state, events, count)
+                jams, mode, state, count = pass_singular(body, mode, state, events, count, scratch)
                 if jams:
                     status = JAMMED
                 slip_zeros = 1 if state.vt == 0.0 else 0
@@ -384,7 +443,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             new_phase = False
             continue
         elif what == STOP:
-            mode, state, count = settle(body, state, quiet(STICK, was, state), events, count)
+            mode, state, count = settle(body, state, quiet(STICK, was, state), events, count, scratch)
             slip_zeros = 1 if state.vt == 0.0 else 0
             fresh = True
         elif massless:
@@ -400,6 +459,8 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
         else:
             # rule 2: slip against the friction that was at its limit
             opens = free_acceleration(body, math.sin(state.th), math.cos(state.th), state.om * state.om)[1]
+            if abs(opens) <= CLOSE * (body.gn + state.om * state.om):
+                note_doubt(scratch, state.t, state.t)
             if opens >= 0.0:
                 mode = FLIGHT
                 count = write_event(events, count, quiet(TAKEOFF, ROLL, state), FLIGHT, state, 0.0, -1)
@@ -411,6 +472,8 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch):
             fresh = True
         if mode == UNDECIDED:
             status = UNDETERMINED
+            if body.kap > 0.0 and not math.isinf(body.mu_s):
+                note_doubt(scratch, state.t, state.t)
         new_phase = True
         if fresh:
             level = START_LEVEL

@@ -50,6 +50,7 @@ class Scratch(NamedTuple):
     series: np.ndarray
     weights: np.ndarray
     stack: np.ndarray
+    doubt: np.ndarray  # begin and end of the first doubt of a motion, nan while there is none
 
 
 @jit
@@ -61,4 +62,5 @@ def new_scratch():
         np.zeros(ORDER),
         np.zeros(ORDER),
         np.zeros((STACK_ROWS, STACK_COLUMNS)),
+        np.full(2, np.nan),
     )

@@ -183,6 +183,15 @@ def write_event(events, count, cause, mode, state, gain, stable):
 
 
 @jit
+def copy_event(events, count, row):
+    """Append an event that is known; returns the new count, or -1 where the array is full."""
+    if count < 0 or count >= events.shape[0]:
+        return -1
+    events[count] = row
+    return count + 1
+
+
+@jit
 def write_segment(segments, count, mode, panel, xi, opening, state, t_end):
     """Append a segment that starts in `state`; an array of length 0 keeps none; -1 where it is full."""
     if segments.shape[0] == 0:

@@ -14,6 +14,7 @@ from hophoop.physics.modes import (
     slip_mode,
 )
 from hophoop.physics.panel import sine_cosine
+from hophoop.rigid.doubts import mode_is_in_doubt, note_doubt
 from hophoop.rigid.state import Cause, quiet, with_losses, with_velocities, write_event
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
@@ -71,7 +72,7 @@ def write_cause(events, count, cause, mode, state):
 
 
 @jit
-def settle(body, state, cause, events, count):
+def settle(body, state, cause, events, count, scratch):
     """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
 
     Returns (mode, state, count); the mode is UNDECIDED where the model has no answer.
@@ -79,6 +80,8 @@ def settle(body, state, cause, events, count):
     for _ in range(8):
         if state.vn > 0.0:
             return FLIGHT, state, write_cause(events, count, cause, FLIGHT, state)
+        if mode_is_in_doubt(body, state):
+            note_doubt(scratch, state.t, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
         named = mode
         if mode > SKIM:
@@ -102,7 +105,7 @@ def settle(body, state, cause, events, count):
 
 
 @jit
-def pass_singular(body, mode, state, events, count):
+def pass_singular(body, mode, state, events, count, scratch):
     """What follows slip whose panels have shrunk to nothing: (jams, mode, state, count).
 
     That happens where p_σ → 0 with N → ∞. Anything else is a failure of the program, and UNDECIDED says so.
@@ -123,5 +126,5 @@ def pass_singular(body, mode, state, events, count):
     cause = Cause(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
     if vt != 0.0:  # turned round, and still slipping
         return False, mode, after, write_event(events, count, cause, mode, after, 0.0, -1)
-    mode, after, count = settle(body, after, cause, events, count)
+    mode, after, count = settle(body, after, cause, events, count, scratch)
     return False, mode, after, count

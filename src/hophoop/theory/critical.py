@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hophoop._jit import announce_compilation
 from hophoop.physics.body import Body, Mode
 from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
@@ -59,7 +58,7 @@ class _Trials:
         """Events of the motion up to its first lift-off, its turning back or the end of the turns."""
         start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
         stop = STOP_AT_TURN | STOP_AT_TAKEOFF
-        _, count, _ = run(body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch)
+        _, count, _ = run(body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch, self.events[:0])
         return self.events[:count]
 
     def hops(self, body: Body, speed: float) -> bool:
@@ -181,7 +180,6 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
     if not (isinstance(turns, int | np.integer) and turns >= 1):
         raise InputError(f"turns = {turns!r} must be a whole number of at least 1.")
     cases = _cases(hoop, plane)
-    announce_compilation(run)
     trials = _Trials(int(turns))
     speeds = np.array([trials.hop_speed(body_from(row)) for row in cases.body])
     return cases.shaped(speeds * cases.speed)
@@ -309,7 +307,6 @@ def hop_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:
 
 def _first_angle(hoop: Hoops, v0: ArrayLike, plane: Planes, which: int) -> Any:
     cases = _cases(hoop, plane, v0=v0)
-    announce_compilation(run)
     trials = _Trials()
     rows = zip(cases.body, cases.of_speed("v0"), strict=True)
     angles = np.array([trials.angles(body_from(row), speed)[which] for row, speed in rows])

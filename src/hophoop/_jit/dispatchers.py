@@ -1,0 +1,208 @@
+"""Sources as Numba's dispatchers: cached, IEEE arithmetic, no fastmath; and what the process that compiles does."""
+
+from __future__ import annotations
+
+import contextlib
+import enum
+import gc
+import importlib
+import os
+import pickle
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+import numba
+import numpy as np
+from numba import types
+from numba.core import config, event
+from numba.core.codegen import JITCodeLibrary
+from numba.core.compiler import CompilerBase, DefaultPassBuilder, _LowerResult
+from numba.core.compiler_machinery import register_pass
+from numba.core.typed_passes import NativeLowering
+
+from hophoop._jit import beside, store
+from hophoop._jit.kernels import Namespaces, Source
+
+
+class _PartLibrary(JITCodeLibrary):  # type: ignore[misc]
+    """Code that is only ever linked into that of a caller: of it alone no machine code is made."""
+
+    def _finalize_final_module(self) -> None:
+        self._finalize_dynamic_globals()
+        self._verify_declare_only_symbols()
+        self._finalized = True
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _PartLowering(NativeLowering):  # type: ignore[misc]
+    _name = "part_lowering"
+
+    def run_pass(self, state: Any) -> bool:
+        library = _PartLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
+        state.library = library
+        state.flags.no_compile = True
+        super().run_pass(state)
+        made = state["cr"]
+
+        part: Any = {}.get  # Numba wants a builtin for a key, one for each; nobody calls it
+        state.targetctx.insert_user_function(part, made.fndesc, [library])
+        state["cr"] = _LowerResult(made.fndesc, made.call_helper, cfunc=part, env=made.env)
+        return True
+
+
+class _PartCompiler(CompilerBase):  # type: ignore[misc]
+    """Numba's compiler, with the lowering of parts: making machine code of each one took a sixth of the time."""
+
+    def define_pipelines(self) -> list[Any]:
+        pipeline = DefaultPassBuilder.define_nopython_pipeline(self.state)
+        pipeline.passes = [
+            (_PartLowering if step is NativeLowering else step, text) for step, text in pipeline.passes
+        ]
+        pipeline.finalize()
+        return [pipeline]
+
+
+def _dispatcher(kernel: Source, function: FunctionType, entry: bool) -> Any:
+    options: dict[str, Any] = {"error_model": "numpy", "nogil": True, "cache": entry}
+    if not kernel.options.nrt:
+        options["_nrt"] = False
+    if kernel.options.forceinline:
+        options["forceinline"] = True
+    if not entry:
+        # Python calls it through no one but an entry: what would translate its arguments is half of all code
+        options |= {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": _PartCompiler}
+    before = config.CACHE_DIR
+    # Read by Numba at decoration only, so other packages keep their own setting.
+    config.CACHE_DIR = str(store.folder_of(kernel)) if entry else before
+    try:
+        dispatcher = numba.njit(**options)(function)
+    finally:
+        config.CACHE_DIR = before
+    general = dispatcher.get_call_template
+
+    def get_call_template(arguments: Any, keywords: Any) -> Any:
+        # Numba would compile a function anew for each constant that it is called with: a third of the time to compile
+        return general(
+            [types.unliteral(kind) for kind in arguments],
+            {name: types.unliteral(kind) for name, kind in keywords.items()},
+        )
+
+    dispatcher.get_call_template = get_call_template
+    return dispatcher
+
+
+def _callee(kernel: Source, function: FunctionType) -> Any:
+    return entry(kernel) if kernel.options.unit else _dispatcher(kernel, function, entry=False)
+
+
+_callees = Namespaces(_callee)
+_entries: dict[Source, Any] = {}
+
+
+def inner(kernel: Source) -> Any:
+    """The dispatcher that other kernels call."""
+    return _callees.of(kernel)
+
+
+def entry(kernel: Source) -> Any:
+    """The dispatcher that Python calls, with its code on disk."""
+    if kernel not in _entries:
+        _entries[kernel] = _dispatcher(kernel, _callees.copied(kernel.py_func), entry=True)
+        _callees.fill(kernel.py_func)
+    return _entries[kernel]
+
+
+def numba_type(kind: Any) -> Any:
+    """Numba's type of what `_jit.describe` describes."""
+    if kind[0] == "array":
+        _, dtype, dimensions, layout, writeable = kind
+        return types.Array(numba.from_dtype(np.dtype(dtype)), dimensions, layout, readonly=not writeable)
+    if kind[0] == "tuple":
+        _, made, items = kind
+        return types.BaseTuple.from_types([numba_type(item) for item in items], None if made is tuple else made)
+    if issubclass(kind[1], enum.Enum):
+        return numba.typeof(next(iter(kind[1])))
+    return numba.typeof(kind[1]())
+
+
+def compile_for(kernel: Source, kinds: Any) -> None:
+    """Load compiled code for such arguments from disk, or compile it and put it there."""
+    dispatcher = entry(kernel)
+    there = store.is_ready(kernel, kinds)
+    # one process at a time compiles it; the next loads what that one has made
+    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection():
+        dispatcher.compile(tuple(numba_type(kind) for kind in kinds))
+    store.note_ready(kernel, kinds)
+
+
+def load(kernel: Source, kinds: Any, unknown: Callable[..., Any]) -> Callable[..., Any]:
+    """The dispatcher of a kernel with compiled code for such arguments, waited for where there is none yet.
+
+    `unknown` takes calls with arguments of other kinds.
+    """
+    if not store.is_ready(kernel, kinds):
+        with beside.Waiting(sys.stderr) as waiting:
+            # where no process can be started, or none can import the kernel, it is compiled here
+            beside.start([(kernel, kinds)]).wait(waiting.report)
+    dispatcher = entry(kernel)
+    compile_for(kernel, kinds)
+    dispatcher._compile_for_args = unknown
+    result: Callable[..., Any] = dispatcher
+    return result
+
+
+@contextlib.contextmanager
+def _without_collection() -> Iterator[None]:
+    # Numba makes millions of objects that stay: looking through them for waste takes a sixth of the time
+    was = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was:
+            gc.enable()
+
+
+class _Progress(event.Listener):  # type: ignore[misc]
+    def __init__(self, path: str) -> None:
+        self._path = Path(path)
+        self._count = 0
+
+    def on_start(self, event: Any) -> None:
+        pass
+
+    def on_end(self, event: Any) -> None:
+        self._count += 1
+        with contextlib.suppress(OSError):
+            self._path.write_text(str(self._count))
+
+
+def main() -> None:
+    """Compile what standard input asks for; runs in a process of its own."""
+    wanted, progress = pickle.load(sys.stdin.buffer)
+    if hasattr(os, "nice"):
+        os.nice(5)
+    try:
+        with event.install_listener("numba:compile", _Progress(progress)):
+            for module, name, kinds in wanted:
+                kernel = getattr(importlib.import_module(module), name)
+                compile_for(kernel, kinds)
+    finally:
+        with contextlib.suppress(OSError):
+            Path(progress).unlink()
+
+
+@contextlib.contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "lock", "a+b") as file:
+        try:
+            import fcntl
+        except ImportError:  # Windows: both compile, and write whole files
+            yield
+            return
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield

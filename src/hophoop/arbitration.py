@@ -1,0 +1,107 @@
+"""Decisions that double precision cannot take: the first events of a motion in more digits, as a script for the kernel.
+
+Where a margin is zero but for rounding, `hophoop.precise` solves the motion from its start, with the given doubles as
+exact numbers, until all margins are clear again. The kernel repeats these events and goes on by itself.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop.physics.body import Event, Status
+from hophoop.rigid.records import EVENT
+from hophoop.scenario import Scenario
+
+DIGITS = 20
+MOST = 12  # decisions of one motion that are taken so
+# Beyond this time, in units of √(R/g), the doubles decide: solving so far in more digits would take minutes.
+LATEST = 100.0
+# A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
+LIGHT = 1e-3
+CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
+NO_SCRIPT = np.empty(0, EVENT)
+
+_LAST = (Event.REST, Event.JAM, Event.END)
+
+
+def latest(scenario: Scenario) -> float:
+    """Until when the doubts of a motion are decided in more digits.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    t : float
+        −1 without friction, with infinite friction and for a ring without mass [√(R/g)].
+    """
+    light = scenario.hoop.inertia_ratio
+    if scenario.contact.model != "rigid" or light == 0.0 or not 0.0 < scenario.plane.mu_static < math.inf:
+        return -1.0
+    return LATEST * min(1.0, math.sqrt(light / LIGHT))
+
+
+def script_until(scenario: Scenario, end: float) -> np.ndarray:
+    """The events of a motion until it is clear of a doubt.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+    end : float
+        Time at which the doubt ends [√(R/g)].
+
+    Returns
+    -------
+    script : ndarray of records.EVENT, shape (n,)
+        The last one, of kind END, is the state from which the kernel goes on; of length 0 where no more digits help.
+    """
+    from hophoop.precise import solve
+
+    until = end + CLEAR
+    for _ in range(8):
+        try:
+            solution = solve(scenario, DIGITS, until=until)
+        except ArithmeticError:
+            return NO_SCRIPT
+        records = list(solution.records)
+        if solution.status != Status.COMPLETED:
+            break
+        before = [float(record.state.t) for record in records if record.kind != Event.END]
+        if not before or until - before[-1] >= 0.5 * CLEAR:
+            break
+        until = before[-1] + CLEAR
+    if solution.status != Status.COMPLETED:
+        # what ends the motion is for the kernel to say: it goes on from the last event before
+        while records and records[-1].kind in _LAST:
+            records.pop()
+        if not records:
+            return NO_SCRIPT
+        records.append(records[-1])
+    script = np.zeros(len(records), EVENT)
+    for row, record in zip(script, records, strict=True):
+        state = record.state
+        turns, theta = solution.turns(state.th)
+        row["t"], row["t_low"] = solution.pair(state.t)
+        row["x"], row["x_low"] = solution.pair(state.x)
+        row["theta"], row["theta_low"] = solution.pair(theta)
+        row["turns"] = turns
+        row["angle"] = float(state.th)
+        row["height"] = float(state.y)
+        row["slip"], row["vy"], row["omega"] = float(state.vt), float(state.vn), float(state.om)
+        row["vx"] = float(state.vt + state.om)
+        row["before_slip"], row["before_vy"] = float(record.before_vt), float(record.before_vn)
+        row["before_omega"] = float(record.before_om)
+        row["before_vx"] = float(record.before_vt + record.before_om)
+        row["impulse_normal"], row["impulse_tangential"] = float(record.p_n), float(record.p_t)
+        row["friction"], row["gain"] = float(state.friction), float(record.gain)
+        row["impact_normal"], row["impact_tangential"] = float(state.impact_n), float(state.impact_t)
+        row["kind"] = record.kind
+        row["before_mode"] = -1 if record.before_mode is None else record.before_mode
+        row["after_mode"] = record.after_mode
+        row["collision"] = -1 if record.collision is None else int(record.collision)
+        row["stable"] = -1 if record.stable is None else int(record.stable)
+    return script

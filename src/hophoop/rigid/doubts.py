@@ -1,0 +1,77 @@
+"""Where double precision cannot tell what follows: a quantity that decides is zero but for the rounding of the motion.
+
+A doubt is noted, and the motion goes on with what the doubles say. `hophoop.arbitration` takes the decision in more
+digits, where someone asks.
+"""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._collocation import NOT_FOUND, ORDER, coefficients, extremes, first_fall_after, series_value
+from hophoop._jit import jit, lean_jit
+from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces, slip_stiffness
+from hophoop.physics.panel import sine_cosine
+
+CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be on either side
+NEARBY = 1e-2  # a margin that has no node this near to zero does not come close between its nodes
+
+
+@lean_jit
+def note_doubt(scratch, begin, end):
+    """Keep the times of the first doubt of a motion."""
+    if math.isnan(scratch.doubt[0]):
+        scratch.doubt[0] = begin
+        scratch.doubt[1] = end
+
+
+@jit
+def mode_is_in_doubt(body, state):
+    """Whether the mode that follows a state in contact depends on the rounding of the state."""
+    if body.kap == 0.0 or body.mu_s == 0.0 or math.isinf(body.mu_s):
+        return False
+    s, c = sine_cosine(state.th, state.th_low)
+    u = state.om * state.om
+    scale = body.gn + abs(body.gt) + u
+    if scale == 0.0:
+        return False
+    opening = abs(free_acceleration(body, s, c, u)[1])
+    if state.vt != 0.0:
+        stiffness = slip_stiffness(body, s, c, 1 if state.vt > 0.0 else -1)
+        return opening <= CLOSE * (body.gn + body.eps * u) or abs(stiffness) <= CLOSE * body.kap
+    friction, normal = rolling_forces(body, s, c, u)
+    a, b = cone_weights(body.mu_s)
+    margin = a * normal - b * abs(friction)
+    if abs(margin) <= CLOSE * scale or abs(normal) <= CLOSE * scale:
+        return True
+    return margin < 0.0 and opening <= CLOSE * scale
+
+
+@lean_jit
+def grazes_zero(row, scale, scratch):
+    """Whether a margin has a smallest value inside a panel that is zero but for rounding."""
+    lowest, _ = extremes(row)
+    if not abs(lowest) < NEARBY * scale:
+        return False
+    series = scratch.series
+    rate = scratch.values[1]
+    coefficients(row, series)
+    # minus the derivative, which falls where the margin is smallest
+    after = 0.0
+    here = 0.0
+    for k in range(ORDER - 1, 0, -1):
+        before = after - 2.0 * k * series[k]
+        after = here
+        here = before
+        rate[k - 1] = before
+    rate[0] *= 0.5
+    rate[ORDER - 1] = 0.0
+    begin = -2.0
+    for _ in range(4):
+        xi = first_fall_after(rate, begin, 0.0, scratch.stack)
+        if xi == NOT_FOUND:
+            return False
+        if abs(series_value(series, xi)) <= CLOSE * scale:
+            return True
+        begin = xi
+    return False
