@@ -6,7 +6,7 @@ import contextlib
 import json
 import os
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextvars import ContextVar
 from typing import Any, NamedTuple
@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import hophoop
 from hophoop._jit import compiled
+from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, latest, script_until
 from hophoop.maps import kernel
 from hophoop.maps.axes import (
     Axis,
@@ -54,6 +55,10 @@ class Results(NamedTuple):
         """One quantity, but for the sequence, which stays packed in `keys`."""
         source = self.words if quantity.is_code else self.numbers
         return source[:, quantity.column].astype(quantity.dtype)
+
+# Cells of a chunk whose ties are decided in more digits, at some tenths of a second each; further ones stay as the
+# doubles have them.
+MOST_DECIDED = 500
 
 
 class Plan(NamedTuple):
@@ -184,7 +189,7 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
         np.empty((count, kernel.KEYS), np.uint64),
     )
     if device == "serial":
-        kernel.evaluate_block(cells, 0, count, span.angle, span.stop, span.timed, wanted, *results)
+        kernel.evaluate_block(cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
     elif device == "gpu":
         from hophoop.maps import gpu
 
@@ -194,11 +199,54 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     return results
 
 
+def decide(
+    cells: NDArray[np.float64],
+    span: Span,
+    wanted: int,
+    results: Results,
+    scenario_at: Callable[[int], Scenario],
+) -> None:
+    """Compute those cells again, with their first events in more digits, where double precision cannot tell.
+
+    Parameters
+    ----------
+    cells : ndarray, shape (len(CELL), n)
+        [SI].
+    span : Span
+    wanted : int
+    results : Results
+        Of these cells; changed in place.
+    scenario_at : callable
+        The scenario of a cell, by its index.
+    """
+    until = results.numbers[:, kernel.DOUBT_UNTIL]
+    for k in np.flatnonzero(until <= LATEST)[:MOST_DECIDED].tolist():
+        scenario = scenario_at(k)
+        decided = -1.0
+        for _ in range(MOST):
+            end = float(until[k])
+            if not decided < end <= latest(scenario):
+                break
+            decided = end
+            script = script_until(scenario, end)
+            if not script.size:
+                break
+            kernel.evaluate_block(
+                cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results
+            )
+
+
+def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> Scenario:
+    for path in ordered(list(values)):
+        base = base.replace(path, values[path].reshape(-1)[k].item())
+    return base
+
+
 def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: Results) -> None:
     """Blocks of cells for whichever thread is free; what a cell gives does not depend on which takes it."""
     count = cells.shape[1]
     evaluate = compiled(
-        kernel.evaluate_block, cells, 0, count, span.angle, span.stop, span.timed, wanted, *results
+        kernel.evaluate_block, cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results
     )
     begins = iter(range(0, count, kernel.BLOCK))
     lock = threading.Lock()
@@ -210,7 +258,7 @@ def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: 
             if low == count:
                 return
             high = min(low + kernel.BLOCK, count)
-            evaluate(cells, low, high, span.angle, span.stop, span.timed, wanted, *results)
+            evaluate(cells, low, high, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
 
     threads = min(_threads.get() or cores(), -(-count // kernel.BLOCK))
     if threads <= 1:
@@ -233,7 +281,10 @@ def run_chunk(plan: Plan, index: int, device: str = "cpu") -> tuple[Chunk, Resul
     chunk = plan.part(index)
     values = chunk_values(plan.axes, chunk)
     cells = make_cells(plan.base, values, int(np.prod(chunk.shape)))
-    return chunk, run_cells(cells, plan.span, wanted_of(plan.quantities), device)
+    wanted = wanted_of(plan.quantities)
+    results = run_cells(cells, plan.span, wanted, device)
+    decide(cells, plan.span, wanted, results, lambda k: _scenario_at(plan.base, values, k))
+    return chunk, results
 
 
 def points(
@@ -283,12 +334,10 @@ def points(
     count = int(np.prod(shape))
     # few points are not worth waking all threads
     device = "serial" if count <= kernel.BLOCK else "cpu"
-    raw = run_cells(
-        make_cells(base, {path: flat[path] for path in ordered(list(flat))}, count),
-        make_span(span),
-        wanted_of(chosen),
-        device,
-    )
+    arranged = {path: flat[path] for path in ordered(list(flat))}
+    cells = make_cells(base, arranged, count)
+    raw = run_cells(cells, make_span(span), wanted_of(chosen), device)
+    decide(cells, make_span(span), wanted_of(chosen), raw, lambda k: _scenario_at(base, arranged, k))
     results = {}
     for quantity in chosen:
         if quantity.name == "sequence":

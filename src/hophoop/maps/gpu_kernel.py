@@ -59,6 +59,7 @@ def evaluate_thread(
             events[thread, room:],
             segments[:0],
             scratch,
+            events[thread, :0],
             numbers,
             words,
             keys,

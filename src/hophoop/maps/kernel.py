@@ -33,12 +33,12 @@ CELL = (
 NUMBERS = (
     "time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost",
     "greatest_utilization", "takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance",
-    "landing_angle", "landing_loss",
+    "landing_angle", "landing_loss", "doubt_until",
 )  # fmt: skip
 (
     TIME, END_ANGLE, END_SPEED, DISTANCE, DISTANCE_ROLLED, REVOLUTIONS_TO_ROLLING, ENERGY_LOST,
     GREATEST_UTILIZATION, TAKEOFF_TIME, TAKEOFF_ANGLE, HOP_HEIGHT, FLIGHT_TIME, FLIGHT_DISTANCE,
-    LANDING_ANGLE, LANDING_LOSS,
+    LANDING_ANGLE, LANDING_LOSS, DOUBT_UNTIL,
 ) = range(len(NUMBERS))  # fmt: skip
 WORDS = ("status", "ending", "first_event", "hop", "painleve")
 STATUS_WORD, ENDING_WORD, FIRST_EVENT_WORD, HOP_WORD, PAINLEVE_WORD = range(len(WORDS))
@@ -324,7 +324,7 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
 
 
 @jit
-def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, numbers, words,
+def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, script, numbers, words,
                   keys):  # fmt: skip
     """One cell; False where `events` is too short for its motion.
 
@@ -347,7 +347,7 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
     most = int(cells[MAX_EVENTS, k])
     if events.shape[0] > most:
         events = events[:most]
-    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch, events[:0])
+    status, count, _ = run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
     beyond = first_beyond(events, count, angle_span)
     if beyond < count - 1:  # an event at the very end of the span
         count = beyond + 1
@@ -358,12 +358,13 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
         body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, segments, scratch,
         numbers, words, keys, k,
     )  # fmt: skip
+    numbers[k, DOUBT_UNTIL] = scratch.doubt[1]
     return True
 
 
 @jit
-def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, numbers, words, keys):
-    """Cells from `low` to `high`, one after the other."""
+def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, script, numbers, words, keys):
+    """Cells from `low` to `high`, one after the other; a `script` of first events is for a single one."""
     scratch = new_scratch()
     usual = np.empty(FIRST_EVENTS, EVENT)
     passing = np.empty(2, EVENT)
@@ -371,6 +372,6 @@ def evaluate_block(cells, low, high, angle_span, stop, timed, wanted, numbers, w
     for k in range(low, high):
         events = usual
         while not evaluate_cell(
-            cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, numbers, words, keys
+            cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, script, numbers, words, keys
         ):
             events = np.empty(min(MORE_EVENTS * events.shape[0], int(cells[MAX_EVENTS, k])), EVENT)

@@ -149,7 +149,7 @@ def arc_sine(a):
 @lean_jit
 def turns_and_rest(angle):
     """(whole turns, rest as two doubles from −π to π) of an angle that is a double, taken as exact."""
-    turns = float(math.floor(angle / TWO_PI + 0.5))
+    turns = 1.0 * math.floor(angle / TWO_PI + 0.5)
     high, error = two_product(turns, TWO_PI)
     rest = add((angle, 0.0), (-high, -error))
     rest = add(rest, (-(turns * TWO_PI_LOW), 0.0))

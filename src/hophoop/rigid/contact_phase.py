@@ -123,7 +123,7 @@ def limits_of(start, t_end, span):
     turns = 0.0
     rest = 0.0
     if not math.isnan(span):
-        turns = float(math.floor(span / TWO_PI + 0.5))
+        turns = 1.0 * math.floor(span / TWO_PI + 0.5)
         rest = span - turns * TWO_PI
         if abs(rest) <= 4e-16 * span:
             rest = 0.0
