@@ -106,11 +106,17 @@ def rolling_begin(body, anchor, th, low, s, c, u):
     bend = body.eps * (body.gn * c - body.gt * s)
     if anchor.kind != ROLLING:
         return torque, bend, u
-    psi = offset_from(th, low, anchor.base, anchor.base_low)
+    psi = 0.0
     if body.gt != 0.0:
+        psi = offset_from(th, low, anchor.base, anchor.base_low)
         half = math.sin(0.5 * psi)
         torque = anchor.bend * math.sin(psi) + 2.0 * body.gt * half * half
-    lower = 2.0 * fallen(body, anchor.bend, psi)
+    if body.gt == 0.0:  # ψ is θ or θ ± π: 1 − cos ψ without another sine
+        height = c if anchor.bend > 0.0 else -c
+        versine = s * s / (1.0 + height) if height > 0.0 else 1.0 - height
+        lower = 2.0 * anchor.bend * versine
+    else:
+        lower = 2.0 * fallen(body, anchor.bend, psi)
     energy = anchor.excess + lower
     if energy > CANCELS * (abs(anchor.excess) + abs(lower)):
         u = energy / inertia_at_height(body, load_height(s, c))

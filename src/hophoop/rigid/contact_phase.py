@@ -69,7 +69,7 @@ from hophoop.physics.panel import (
 )
 from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
-from hophoop.rigid.doubts import CLOSE, grazes_zero, note_doubt
+from hophoop.rigid.doubts import CLOSE, NEARBY, grazes_zero, note_doubt
 from hophoop.rigid.state import (
     State,
     at_time,
@@ -340,16 +340,19 @@ def choose_panel(body, sigma, state, level, extent, scratch):
 
 
 @lean_jit
-def fall_of(row, state_is_fresh, floor, scratch):
+def fall_of(row, state_is_fresh, floor, scale, begin, time, scratch):
     """Where in the panel a margin falls through zero; at its very start if it is negative there already.
 
-    A margin that stays above −`floor` counts as the zero that it would be without rounding.
+    A margin that stays above −`floor` counts as the zero that it would be without rounding. One whose smallest value is
+    zero but for rounding, beside `scale`, is a doubt from `begin` on, for `time`.
     """
     lowest, highest = extremes(row)
     # between its nodes and at the ends a function that the panel resolves goes beyond their range by a part of it
     if lowest > highest - lowest:
         return NOT_FOUND
     coefficients(row, scratch.series)
+    if abs(lowest) < NEARBY * scale and grazes_zero(scratch.series, scale, scratch):
+        note_doubt(scratch, begin, begin + time)
     if not state_is_fresh and left_value(scratch.series) <= 0.0:
         if floor == 0.0:
             return -1.0
@@ -374,16 +377,14 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
     elif panel.sigma == 0:
         roll_margins(body, work)
         scale = body.gn + abs(body.gt) + panel.u
-        if 0.0 < body.mu_s < math.inf and (
-            grazes_zero(work[A], scale, scratch) or grazes_zero(work[B], scale, scratch)
-        ):
-            note_doubt(scratch, state.t, state.t + totals.time)
+        if not 0.0 < body.mu_s < math.inf:
+            scale = 0.0
         rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
-        found = fall_of(work[A], fresh, rounding, scratch)
+        found = fall_of(work[A], fresh, rounding, scale, state.t, totals.time, scratch)
         if found < xi:
             xi = found
             what = CONE_AHEAD  # F > 0
-        found = fall_of(work[B], fresh, rounding, scratch)
+        found = fall_of(work[B], fresh, rounding, scale, state.t, totals.time, scratch)
         if found < xi:
             xi = found
             what = CONE_BACK
@@ -395,18 +396,16 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
                 for _ in range(zeros):
                     value /= 0.5 * (1.0 + NODES[i])
             work[B, i] = value
-        if body.mu_k > 0.0 and (
-            grazes_zero(work[A], body.gn + panel.u, scratch)
-            or grazes_zero(work[B], abs(panel.vt) + math.sqrt(panel.u), scratch)
-        ):
-            note_doubt(scratch, state.t, state.t + totals.time)
-        found = fall_of(work[A], fresh, 0.0, scratch)
+        speed = abs(panel.vt) + abs(state.om)
+        scale = body.gn + panel.u if body.mu_k > 0.0 else 0.0
+        found = fall_of(work[A], fresh, 0.0, scale, state.t, totals.time, scratch)
         if found < xi:
             xi = found
             what = LIFT
         # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
-        rounding = GRAZE_ROUNDING * (abs(panel.vt) + math.sqrt(panel.u)) if body.mu_k == 0.0 else 0.0
-        found = fall_of(work[B], fresh, rounding, scratch)
+        rounding = GRAZE_ROUNDING * speed if body.mu_k == 0.0 else 0.0
+        scale = 0.0 if fresh or body.mu_k == 0.0 else speed
+        found = fall_of(work[B], fresh, rounding, scale, state.t, totals.time, scratch)
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
         if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:

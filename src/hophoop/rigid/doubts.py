@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NOT_FOUND, ORDER, coefficients, extremes, first_fall_after, series_value
+from hophoop._collocation import NOT_FOUND, ORDER, first_fall_after, series_value
 from hophoop._jit import jit, lean_jit
 from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces, slip_stiffness
 from hophoop.physics.panel import sine_cosine
@@ -48,14 +48,9 @@ def mode_is_in_doubt(body, state):
 
 
 @lean_jit
-def grazes_zero(row, scale, scratch):
-    """Whether a margin has a smallest value inside a panel that is zero but for rounding."""
-    lowest, _ = extremes(row)
-    if not abs(lowest) < NEARBY * scale:
-        return False
-    series = scratch.series
+def grazes_zero(series, scale, scratch):
+    """Whether a margin, as a series on a panel, has a smallest value that is zero but for rounding."""
     rate = scratch.values[1]
-    coefficients(row, series)
     # minus the derivative, which falls where the margin is smallest
     after = 0.0
     here = 0.0
