@@ -294,7 +294,7 @@ def test_equal_bits_at_random(count):
 
 def test_equal_bits_for_maps():
     values = {"start.speed": np.linspace(0.1, 5.0, 12), "plane.mu": np.linspace(0.2, 1.4, 12)}
-    wanted = ("sequence", "hop_height", "energy_lost", "greatest_utilisation", "takeoff_angle")
+    wanted = ("sequence", "hop_height", "energy_lost", "greatest_utilization", "takeoff_angle")
     with forced("interpreted"):
         plain = hh.maps.points(None, values, wanted)
     with forced("compiled"):

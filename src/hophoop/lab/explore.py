@@ -5,18 +5,19 @@ from __future__ import annotations
 import json
 import math
 import threading
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 
 from hophoop import maps, theory
+from hophoop.lab.frames import codes_of
 from hophoop.lab.limits import Limits, TooMuch, whole_number, within
 from hophoop.lab.words import degrees
 from hophoop.maps.evaluate import CHUNK_CELLS
-from hophoop.physics.body import MODE_LETTERS
-from hophoop.plots import colors
-from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
+from hophoop.scenario import Compliant, InputError, Plane, Rigid, Scenario, parameter
+from hophoop.vocabulary.classes import class_color, class_text
+from hophoop.vocabulary.words import mode_words
 
 # --- theory ----------------------------------------------------------------------------------------
 
@@ -34,60 +35,41 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
         `key`, `label`, `value` (None where there is none), `unit` and `text`.
     """
     hoop, plane = scenario.hoop, scenario.plane
+    known = {quantity.key: quantity for quantity in theory.summary(scenario)}
     found: list[dict[str, Any]] = []
 
-    def add(key: str, label: str, value: float, unit: str, text: str) -> None:
-        finite = float(value) if math.isfinite(value) else None
-        found.append({"key": key, "label": label, "value": finite, "unit": unit, "text": text})
+    def add(key: str, label: str, quantity: str, say: Callable[[float], str]) -> None:
+        there = known.get(quantity)
+        if there is None or there.value is None:
+            return
+        value = there.value if math.isfinite(there.value) else None
+        found.append({"key": key, "label": label, "value": value, "unit": there.unit, "text": say(there.value)})
 
-    speed = scenario.start.speed
-    if hoop.massless:
-        if plane.gravity > 0.0:
-            loss = theory.massless_loss(speed or 0.0, hoop.radius, plane)
-            why = "friction is used up" if loss.by_friction else "the contact force is gone"
-            add("loss", "End of rolling", loss.angle, "rad", f"at {degrees(float(loss.angle))} {why}")
+    if plane.gravity <= 0.0:
+        add("painleve", PARADOX_LABEL, "painleve_friction", lambda mu: _painleve(mu, known, plane))
         return found
-    if plane.gravity > 0.0 and plane.slope >= 0.0:
-        _add_speeds(scenario, add)
-    if speed is not None and plane.gravity > 0.0:
-        need = theory.needed_friction(hoop, speed, plane)
-        mu = float(need[0])
-        whether = "enough here" if mu <= plane.mu_static else "more than there is"
-        said = (
-            f"μ = {mu:.3g} would keep it rolling ({whether})"
-            if math.isfinite(mu)
-            else "no friction keeps it rolling"
-        )
-        add("needed_friction", "Friction for pure rolling", mu, "1", said)
-    least, angle = theory.painleve_minimum(hoop)
-    if math.isfinite(least):
-        beyond = float(least) <= plane.mu_kinetic
-        add(
-            "painleve", "Painlevé’s paradox", float(least), "1",
-            f"from μ = {float(least):.3g} on, at {degrees(float(angle))}: "
-            + ("possible here" if beyond else "not here"),
-        )  # fmt: skip
-    states = theory.jam_states(hoop, plane) if plane.gravity > 0.0 else ()
-    if states:
-        places = ", ".join(f"{degrees(state.angle)} ({state.mode})" for state in states)
-        add("jam", "Dynamic jam", float(states[0].angle), "rad", f"can end a slip at {places}")
-    _add_rest(scenario, add)
+    if hoop.massless:
+        loss = theory.massless_loss(scenario.start.speed or 0.0, hoop.radius, plane)
+        why = "friction is used up" if loss.by_friction else "the contact force is gone"
+        add("loss", "End of rolling", "massless_loss_angle", lambda angle: f"at {degrees(angle)} {why}")
+        return found
+    if plane.slope >= 0.0:
+        push = "any push is enough"
+        add("first_slip", "Slips", "first_slip_speed", lambda speed: _above(speed, "would slip", push))
+        add("first_hop", "Hops", "first_hop_speed", lambda speed: _above(speed, "would hop in its first turn", push))
+        at_once = "would hop at once"
+        add("immediate_hop", "Hops at once", "immediate_hop_speed", lambda speed: _above(speed, at_once, "at any speed"))
+    add("needed_friction", "Friction for pure rolling", "needed_friction", lambda mu: _needed(mu, plane))
+    add("painleve", PARADOX_LABEL, "painleve_friction", lambda mu: _painleve(mu, known, plane))
+    jams = [quantity for key, quantity in known.items() if key.startswith("jam_angle")]
+    places = ", ".join(degrees(jam.value) for jam in jams if jam.value is not None)
+    add("jam", "Dynamic jam", "jam_angle", lambda angle: f"can end a slip at {places}")
+    if hoop.eccentricity > 0.0:
+        add("rest", "Rests stably", "stable_angle", lambda angle: f"with the load at {degrees(angle)}")
     return found
 
 
-def _add_speeds(scenario: Scenario, add: Any) -> None:
-    hoop, plane = scenario.hoop, scenario.plane
-    critical = theory.critical_speeds(hoop, plane)
-    slip, hop, immediate = (float(value) for value in critical)
-    add("first_slip", "Slips", slip, "m/s", _above(slip, "would slip", "any push is enough"))
-    add("first_hop", "Hops", hop, "m/s", _above(hop, "would hop in its first turn", "any push is enough"))
-    add(
-        "immediate_hop",
-        "Hops at once",
-        immediate,
-        "m/s",
-        _above(immediate, "would hop at once", "at any speed"),
-    )
+PARADOX_LABEL = "Painlevé’s paradox"
 
 
 def _above(speed: float, would: str, always: str) -> str:
@@ -98,13 +80,16 @@ def _above(speed: float, would: str, always: str) -> str:
     return f"{would} above {speed:.4g} m/s"
 
 
-def _add_rest(scenario: Scenario, add: Any) -> None:
-    if scenario.plane.gravity <= 0.0 or scenario.hoop.eccentricity == 0.0:
-        return
-    stable = [place for place in theory.equilibria(scenario.hoop, scenario.plane) if place.stable]
-    if stable:
-        angle = float(stable[0].angle)
-        add("rest", "Rests stably", angle, "rad", f"with the load at {degrees(angle)}")
+def _needed(mu: float, plane: Plane) -> str:
+    if not math.isfinite(mu):
+        return "no friction keeps it rolling"
+    return f"μ = {mu:.3g} would keep it rolling ({'enough here' if mu <= plane.mu_static else 'more than there is'})"
+
+
+def _painleve(mu: float, known: Mapping[str, theory.Quantity], plane: Plane) -> str:
+    angle = known["painleve_angle"].value
+    whether = "possible here" if mu <= plane.mu_kinetic else "not here"
+    return "never" if angle is None else f"from μ = {mu:.3g} on, at {degrees(angle)}: {whether}"
 
 
 # --- the (θ, θ̇) plane --------------------------------------------------------------------------------
@@ -129,16 +114,14 @@ def regions(
     Returns
     -------
     regions : dict of ndarray
-        `modes` (rows upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for
+        `modes` (rows upwards): code of the mode's word, 5 where the model has no answer; `paradox`: for
         each column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
     """
     left, right, bottom, top = window
     angles = left + (np.arange(columns) + 0.5) * ((right - left) / columns)
     rates = bottom + (np.arange(rows) + 0.5) * ((top - bottom) / rows)
     letters = theory.mode_of(angles[None, :], rates[:, None], scenario.hoop, scenario.plane)
-    codes = np.full(letters.shape, len(MODE_LETTERS), np.uint8)
-    for code, letter in enumerate(MODE_LETTERS):
-        codes[letters == letter] = code
+    codes = codes_of(mode_words(letters, rates[:, None])).astype(np.uint8)
     paradox = np.zeros(columns)
     if not scenario.hoop.massless and math.isfinite(scenario.plane.mu_kinetic):
         paradox = np.asarray(theory.painleve_region(angles, scenario.plane.mu_kinetic, scenario.hoop), float)
@@ -153,7 +136,7 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
     "hop_height": ("height of the first hop", "takeoff"),
     "takeoff_angle": ("angle of take-off", "takeoff"),
     "flight_time": ("duration of the first hop", "takeoff"),
-    "greatest_utilisation": ("greatest use of friction", "first_revolution"),
+    "greatest_utilization": ("greatest friction utilization", "first_revolution"),
     "energy_lost": ("energy lost", "duration"),
     "end_angle": ("angle at the end", "duration"),
     "painleve": ("Painlevé’s paradox or jam met", "duration"),
@@ -167,7 +150,7 @@ MAP_EVENTS = 2000
 _AXIS_KEYS = {"path", "from", "to", "cells"}
 
 
-def axis_options(body: Mapping[str, Any], name: str, limits: Limits) -> dict[str, Any]:
+def axis_options(body: Mapping[str, Any], name: str) -> dict[str, Any]:
     """One axis of a map: path, from, to (SI) and cells.
 
     Raises
@@ -211,7 +194,7 @@ def map_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:
     for key in body:
         if key not in ("scenario", "query", "changes", "x", "y", "what"):
             raise InputError(f"{key} is not a known key; known are scenario, x, y, what.")
-    x, y = axis_options(body, "x", limits), axis_options(body, "y", limits)
+    x, y = axis_options(body, "x"), axis_options(body, "y")
     if x["path"] == y["path"]:
         raise InputError(f"x.path and y.path are both {x['path']!r} and must differ.")
     what = body.get("what", "sequence")
@@ -265,7 +248,7 @@ def motion_map(
     if quantity.is_code:
         names = maps.words_of(array)
         header["classes"] = [
-            {"name": name, "text": _class_text(what, name), "color": _class_color(what, name)}
+            {"name": name, "text": class_text(name, what), "color": class_color(name, what)}
             for name in names
         ]
         numbers[numbers < 0] = math.nan
@@ -276,36 +259,3 @@ def _middles(axis: Mapping[str, Any]) -> np.ndarray:
     low, high, cells = float(axis["from"]), float(axis["to"]), int(axis["cells"])
     middles: np.ndarray = low + (np.arange(cells) + 0.5) * ((high - low) / cells)
     return middles
-
-
-_PHASES = {"R": "roll", "S": "spin", "K": "skid", "H": "hop", "M": "skim", "+": "…"}
-
-
-def _class_text(what: str, name: str) -> str:
-    if what == "sequence":
-        return " → ".join(_PHASES[letter] for letter in name)
-    return name.replace("_", " ")
-
-
-def _class_color(what: str, name: str) -> str:
-    """A sequence's colour: its last new mode decides the hue, its length how light it is."""
-    if what != "sequence":
-        return _ENDING_COLORS.get(name, colors.GRAY)
-    shade = 0.0
-    if name == "R":
-        return colors.MODES["R"]
-    base = "H" if "H" in name else "M" if "M" in name else "K" if "K" in name else "S" if "S" in name else "R"
-    shade = min(0.12 * max(len(name) - 2, 0), 0.72)
-    return _lightened(colors.MODES[base], shade)
-
-
-_ENDING_COLORS = {
-    "no": colors.LIGHT_GRAY, "yes": colors.VERMILION, "duration": colors.BLUE, "revolutions": colors.BLUE,
-    "reversal": colors.SKY, "takeoff": colors.VERMILION, "rest": colors.GREEN, "jam": colors.BLACK,
-    "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
-}  # fmt: skip
-
-
-def _lightened(color: str, share: float) -> str:
-    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-    return "#" + "".join(f"{round(part + (255 - part) * share):02x}" for part in parts)

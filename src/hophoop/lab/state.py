@@ -17,10 +17,13 @@ from hophoop.lab import explore, files, frames, words
 from hophoop.lab.controls import controls
 from hophoop.lab.limits import USUAL, Limits, TooMuch, whole_number, within
 from hophoop.lab.presets import presets
-from hophoop.plots import colors
+from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import Compliant, InputError, Scenario, time_unit
+from hophoop.scenario.paths import contradiction
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import STATUSES
 
 
 @dataclass(frozen=True)
@@ -55,7 +58,7 @@ def read_scenario(keys: Any) -> Scenario:
 
 
 def changed(scenario: Scenario, changes: Any) -> Scenario:
-    """The scenario with other values at some paths, in their order.
+    """The scenario with other values at some paths; where two say one thing, the later one counts.
 
     Raises
     ------
@@ -64,13 +67,16 @@ def changed(scenario: Scenario, changes: Any) -> Scenario:
     """
     if not isinstance(changes, list):
         raise InputError(f"changes = {json.dumps(changes)[:60]} must be a list of pairs of path and value.")
+    values: dict[str, Any] = {}
     for change in changes:
         if not (isinstance(change, list) and len(change) == 2 and isinstance(change[0], str)):
             raise InputError(
                 f"changes holds {json.dumps(change)[:60]}, which is not a pair of path and value."
             )
-        scenario = scenario.replace(change[0], change[1])
-    return scenario
+        if contradiction([*values, change[0]]):
+            scenario, values = scenario.with_values(values), {}
+        values[change[0]] = change[1]
+    return scenario.with_values(values)
 
 
 def computed(scenario: Scenario, limits: Limits = USUAL) -> Trajectory:
@@ -125,7 +131,7 @@ def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
         "massless": hoop.massless,
         "summary": words.summary(motion),
         "story": words.story(motion),
-        "ending": words.ENDINGS[motion.status],
+        "ending": STATUSES[motion.status],
         "shortened": many,
     }
     return Reply(header, frames.columns(motion))
@@ -168,8 +174,9 @@ def setup(request: Request, limits: Limits) -> Reply:
                 for p in presets()
             ],
             "colors": {
-                "modes": dict(colors.MODES),
-                "mode_names": dict(colors.MODE_NAMES),
+                # by the letters of a hoop that rolls ahead; what is shown has the letter of its word
+                "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
+                "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
                 "gravity_center": colors.GRAVITY_CENTER,
                 "airborne": colors.GRAVITY_CENTER_AIRBORNE,
                 "center_speed": colors.CENTER_SPEED,

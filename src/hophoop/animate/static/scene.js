@@ -303,7 +303,7 @@ function show(now) {
     const turned = at(hoop.angle, now, 1, 0) + data.slope, arm = [Math.sin(turned), 0, Math.cos(turned)];
     const on = (reach) => center.map((x, i) => x + reach * arm[i]);
     const load = moved(on(hoop.load)), ring = moved(center);
-    const airborne = hoop.mode[Math.floor(now)] === "H";
+    const airborne = hoop.mode[Math.floor(now)] === data.flight;
     color(hoop, now);
     draw(hoop.ring, multiply(flat, ring), shade, 0, hoop.ring.count, false);
     draw(hoop.ballMesh, multiply(flat, load), shade, 0);

@@ -190,7 +190,7 @@ export class MotionMap {
         if (value < low) low = value;
         if (value > high) high = value;
       }
-      if (["hop_height", "flight_time", "energy_lost", "greatest_utilisation"].includes(header.what)) low = Math.min(low, 0);
+      if (["hop_height", "flight_time", "energy_lost", "greatest_utilization"].includes(header.what)) low = Math.min(low, 0);
     }
     const palette = classes?.map(({ color }) => parsed(color));
     for (let row = 0; row < y.cells; row++) {
