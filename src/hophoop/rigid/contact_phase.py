@@ -70,7 +70,7 @@ from hophoop.physics.panel import (
 )
 from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
-from hophoop.rigid.doubts import CLOSE, NEARBY, grazes_zero, note_doubt
+from hophoop.rigid.doubts import CLOSE, comes_near, has_graze, note_doubt
 from hophoop.rigid.state import (
     State,
     at_time,
@@ -340,19 +340,16 @@ def choose_panel(body, sigma, state, level, extent, scratch):
 
 
 @lean_jit
-def fall_of(row, state_is_fresh, floor, scale, extent, begin, time, scratch):
+def fall_of(row, state_is_fresh, floor, scratch):
     """Where in the panel a margin falls through zero; at its very start if it is negative there already.
 
-    A margin that stays above −`floor` counts as the zero that it would be without rounding. One whose smallest value is
-    zero but for rounding, beside `scale`, is a doubt from `begin` on, for `time`.
+    A margin that stays above −`floor` counts as the zero that it would be without rounding.
     """
     lowest, highest = extremes(row)
     # between its nodes and at the ends a function that the panel resolves goes beyond their range by a part of it
     if lowest > highest - lowest:
         return NOT_FOUND
     coefficients(row, scratch.series)
-    if abs(lowest) < NEARBY * scale * extent * extent and grazes_zero(scratch.series, scale, scratch):
-        note_doubt(scratch, begin, begin + time)
     if not state_is_fresh and left_value(scratch.series) <= 0.0:
         if floor == 0.0:
             return -1.0
@@ -372,19 +369,20 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
     work = scratch.work
     xi = NOT_FOUND
     what = ON
+    doubtful = False
     if blind:
         pass
     elif panel.sigma == 0:
         roll_margins(body, work)
         scale = body.gn + abs(body.gt) + panel.u
-        if not 0.0 < body.mu_s < math.inf:
-            scale = 0.0
+        if 0.0 < body.mu_s < math.inf:
+            doubtful = comes_near(work[A]) or comes_near(work[B])
         rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
-        found = fall_of(work[A], fresh, rounding, scale, panel.extent, state.t, totals.time, scratch)
+        found = fall_of(work[A], fresh, rounding, scratch)
         if found < xi:
             xi = found
             what = CONE_AHEAD  # F > 0
-        found = fall_of(work[B], fresh, rounding, scale, panel.extent, state.t, totals.time, scratch)
+        found = fall_of(work[B], fresh, rounding, scratch)
         if found < xi:
             xi = found
             what = CONE_BACK
@@ -397,15 +395,15 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
                     value /= 0.5 * (1.0 + NODES[i])
             work[B, i] = value
         speed = abs(panel.vt) + abs(state.om)
-        scale = body.gn + panel.u if body.mu_k > 0.0 else 0.0
-        found = fall_of(work[A], fresh, 0.0, scale, panel.extent, state.t, totals.time, scratch)
+        if body.mu_k > 0.0:
+            doubtful = comes_near(work[A]) or (not fresh and comes_near(work[B]))
+        found = fall_of(work[A], fresh, 0.0, scratch)
         if found < xi:
             xi = found
             what = LIFT
         # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
         rounding = GRAZE_ROUNDING * speed if body.mu_k == 0.0 else 0.0
-        scale = 0.0 if fresh or body.mu_k == 0.0 else speed
-        found = fall_of(work[B], fresh, rounding, scale, panel.extent, state.t, totals.time, scratch)
+        found = fall_of(work[B], fresh, rounding, scratch)
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
         if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:
@@ -413,6 +411,8 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
         if found < xi:
             xi = found
             what = STOP
+    if doubtful and has_graze(body, panel, state, scratch):
+        note_doubt(scratch, state.t, state.t + totals.time)
     if not math.isnan(limits.span):
         ahead = angle_left(limits, state, panel.way)
         if ahead <= panel.extent:

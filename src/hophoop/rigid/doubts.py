@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NOT_FOUND, ORDER, first_fall_after, series_value
-from hophoop._jit import jit, lean_jit
+from hophoop._collocation import NOT_FOUND, ORDER, coefficients, extremes, first_fall_after, series_value
+from hophoop._jit import inline_jit, jit, lean_jit
 from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces, slip_stiffness
-from hophoop.physics.panel import sine_cosine
+from hophoop.physics.panel import A, B, sine_cosine
 
 CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be on either side
-NEARBY = 0.03  # a margin with no node nearer to zero than this, times the square of the width, does not touch it
+NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel
 
 
 @lean_jit
@@ -47,10 +47,19 @@ def mode_is_in_doubt(body, state):
     return margin < 0.0 and opening <= CLOSE * scale
 
 
+@inline_jit
+def comes_near(row):
+    """Whether a margin may touch zero between the nodes: a parabola that does has a node as near as this beside it."""
+    lowest, highest = extremes(row)
+    return abs(lowest) < NEARBY * (highest - lowest)
+
+
 @lean_jit
-def grazes_zero(series, scale, scratch):
-    """Whether a margin, as a series on a panel, has a smallest value that is zero but for rounding."""
+def grazes_zero(row, scale, scratch):
+    """Whether the smallest value of a margin on a panel is zero but for rounding."""
+    series = scratch.series
     rate = scratch.values[1]
+    coefficients(row, series)
     # minus the derivative, which falls where the margin is smallest
     after = 0.0
     here = 0.0
@@ -70,3 +79,14 @@ def grazes_zero(series, scale, scratch):
             return True
         begin = xi
     return False
+
+
+@lean_jit
+def has_graze(body, panel, state, scratch):
+    """Whether a margin of the phase has a smallest value on the panel that is zero but for rounding."""
+    speed = abs(panel.vt) + abs(state.om)
+    scale = body.gn + panel.u
+    if panel.sigma == 0:
+        scale += abs(body.gt)
+        speed = scale
+    return grazes_zero(scratch.work[A], scale, scratch) or grazes_zero(scratch.work[B], speed, scratch)
