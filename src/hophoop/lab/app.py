@@ -22,7 +22,7 @@ APPLICATION = "hophoop.lab.app:warmed_app"
 def warm_up() -> None:
     """Compile before the first visitor waits for it; workers find the result on disk."""
     from hophoop import theory
-    from hophoop.lab import state
+    from hophoop.lab import calls
 
     scenario = Scenario()
     simulate(scenario).at(0.5)
@@ -34,7 +34,7 @@ def warm_up() -> None:
         "y": {"path": "plane.mu", "from": 0.0, "to": 1.5, "cells": 10},
     }
     for call, options in (("map", axes), ("regions", {}), ("theory", {})):
-        state.answer(state.read(call, options))
+        calls.answer(calls.read(call, options))
 
 
 def warmed_app() -> Any:

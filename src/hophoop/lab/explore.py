@@ -1,151 +1,21 @@
-"""What surrounds a motion: theory's thresholds, the regions of the (θ, θ̇) plane, maps of motions."""
+"""Maps of motions over two parameters, as the page shows them."""
 
 from __future__ import annotations
 
-import json
 import math
 import threading
-from collections.abc import Mapping
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
 
-from hophoop import maps, theory
-from hophoop.lab.limits import Limits, TooMuch, whole_number, within
-from hophoop.lab.words import degrees
+from hophoop import maps
+from hophoop.lab.limits import Limits, TooMuch, within
 from hophoop.maps.evaluate import CHUNK_CELLS
-from hophoop.physics.body import MODE_LETTERS
 from hophoop.plots import colors
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
-
-# --- theory ----------------------------------------------------------------------------------------
-
-
-def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
-    """What theory says about the hoop of a scenario.
-
-    Parameters
-    ----------
-    scenario : Scenario
-
-    Returns
-    -------
-    thresholds : list of dict
-        `key`, `label`, `value` (None where there is none), `unit` and `text`.
-    """
-    hoop, plane = scenario.hoop, scenario.plane
-    found: list[dict[str, Any]] = []
-
-    def add(key: str, label: str, value: float, unit: str, text: str) -> None:
-        finite = float(value) if math.isfinite(value) else None
-        found.append({"key": key, "label": label, "value": finite, "unit": unit, "text": text})
-
-    speed = scenario.start.speed
-    if hoop.massless:
-        if plane.gravity > 0.0:
-            loss = theory.massless_loss(speed or 0.0, hoop.radius, plane)
-            why = "friction is used up" if loss.by_friction else "the contact force is gone"
-            add("loss", "End of rolling", loss.angle, "rad", f"at {degrees(float(loss.angle))} {why}")
-        return found
-    if plane.gravity > 0.0 and plane.slope >= 0.0:
-        _add_speeds(scenario, add)
-    if speed is not None and plane.gravity > 0.0:
-        need = theory.needed_friction(hoop, speed, plane)
-        mu = float(need[0])
-        whether = "enough here" if mu <= plane.mu_static else "more than there is"
-        said = (
-            f"μ = {mu:.3g} would keep it rolling ({whether})"
-            if math.isfinite(mu)
-            else "no friction keeps it rolling"
-        )
-        add("needed_friction", "Friction for pure rolling", mu, "1", said)
-    least, angle = theory.painleve_minimum(hoop)
-    if math.isfinite(least):
-        beyond = float(least) <= plane.mu_kinetic
-        add(
-            "painleve", "Painlevé’s paradox", float(least), "1",
-            f"from μ = {float(least):.3g} on, at {degrees(float(angle))}: "
-            + ("possible here" if beyond else "not here"),
-        )  # fmt: skip
-    states = theory.jam_states(hoop, plane) if plane.gravity > 0.0 else ()
-    if states:
-        places = ", ".join(f"{degrees(state.angle)} ({state.mode})" for state in states)
-        add("jam", "Dynamic jam", float(states[0].angle), "rad", f"can end a slip at {places}")
-    _add_rest(scenario, add)
-    return found
-
-
-def _add_speeds(scenario: Scenario, add: Any) -> None:
-    hoop, plane = scenario.hoop, scenario.plane
-    critical = theory.critical_speeds(hoop, plane)
-    slip, hop, immediate = (float(value) for value in critical)
-    add("first_slip", "Slips", slip, "m/s", _above(slip, "would slip", "any push is enough"))
-    add("first_hop", "Hops", hop, "m/s", _above(hop, "would hop in its first turn", "any push is enough"))
-    add(
-        "immediate_hop",
-        "Hops at once",
-        immediate,
-        "m/s",
-        _above(immediate, "would hop at once", "at any speed"),
-    )
-
-
-def _above(speed: float, would: str, always: str) -> str:
-    if speed == 0.0:
-        return f"{would}: {always}"
-    if not math.isfinite(speed):
-        return "never, at any speed"
-    return f"{would} above {speed:.4g} m/s"
-
-
-def _add_rest(scenario: Scenario, add: Any) -> None:
-    if scenario.plane.gravity <= 0.0 or scenario.hoop.eccentricity == 0.0:
-        return
-    stable = [place for place in theory.equilibria(scenario.hoop, scenario.plane) if place.stable]
-    if stable:
-        angle = float(stable[0].angle)
-        add("rest", "Rests stably", angle, "rad", f"with the load at {degrees(angle)}")
-
-
-# --- the (θ, θ̇) plane --------------------------------------------------------------------------------
-
-PARADOX = 6  # one more than the codes of modes and of 'no answer'
-
-
-def regions(
-    scenario: Scenario, window: tuple[float, float, float, float], columns: int = 360, rows: int = 240
-) -> dict[str, Any]:
-    """The mode that follows contact without slip over the (θ, θ̇) plane.
-
-    Parameters
-    ----------
-    scenario : Scenario
-        Its hoop and plane count.
-    window : tuple of float
-        θ from and to [rad], θ̇ from and to [rad/s].
-    columns, rows : int
-        Cells over θ, and over θ̇ [1].
-
-    Returns
-    -------
-    regions : dict of ndarray
-        `modes` (rows upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for
-        each column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
-    """
-    left, right, bottom, top = window
-    angles = left + (np.arange(columns) + 0.5) * ((right - left) / columns)
-    rates = bottom + (np.arange(rows) + 0.5) * ((top - bottom) / rows)
-    letters = theory.mode_of(angles[None, :], rates[:, None], scenario.hoop, scenario.plane)
-    codes = np.full(letters.shape, len(MODE_LETTERS), np.uint8)
-    for code, letter in enumerate(MODE_LETTERS):
-        codes[letters == letter] = code
-    paradox = np.zeros(columns)
-    if not scenario.hoop.massless and math.isfinite(scenario.plane.mu_kinetic):
-        paradox = np.asarray(theory.painleve_region(angles, scenario.plane.mu_kinetic, scenario.hoop), float)
-    return {"modes": codes, "paradox": paradox}
-
-
-# --- maps --------------------------------------------------------------------------------------------
+from hophoop.scenario.base import Count, Frozen, Number, refuse
 
 # name, words, span; what a map in the lab can show
 MAP_QUANTITIES: dict[str, tuple[str, str]] = {
@@ -164,67 +34,38 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
 _one_at_a_time = threading.Lock()
 
 MAP_EVENTS = 2000
-_AXIS_KEYS = {"path", "from", "to", "cells"}
 
 
-def axis_options(body: Mapping[str, Any], name: str, limits: Limits) -> dict[str, Any]:
-    """One axis of a map: path, from, to (SI) and cells.
-
-    Raises
-    ------
-    ValueError
-        If one is missing, unknown or not allowed.
-    """
-    axis = body.get(name)
-    if not isinstance(axis, dict):
-        raise InputError(f"{name} must be an object with path, from, to and cells.")
-    for key in axis:
-        if key not in _AXIS_KEYS:
-            raise InputError(f"{name}.{key} is not a known key; known are path, from, to, cells.")
-    path = axis.get("path")
-    if not isinstance(path, str):
-        raise InputError(
-            f"{name}.path = {json.dumps(path)[:60]} must be the path of a parameter, such as 'plane.mu'."
-        )
-    if parameter(path).unit == "":
-        raise InputError(f"{name}.path = {path!r} must be a number's path, not that of a word.")
-    ends = {}
-    for key in ("from", "to"):
-        value = axis.get(key)
-        if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-            raise InputError(f"{name}.{key} = {json.dumps(value)[:60]} must be a finite number.")
-        ends[key] = float(value)
-    cells = whole_number(axis.get("cells", 48), f"{name}.cells", 1, 4096)
-    return {"path": path, **ends, "cells": cells}
+def _number_path(path: str) -> str:
+    try:
+        known = parameter(path)
+    except InputError as error:
+        raise refuse(str(error)) from None
+    if known.unit == "":
+        raise PydanticCustomError("value", "must be a number's path, not that of a word")
+    return path
 
 
-def map_options(body: Mapping[str, Any], limits: Limits) -> dict[str, Any]:
-    """The options of a map: x, y and what.
+class Axis(Frozen):
+    """One axis of a map."""
 
-    Raises
-    ------
-    ValueError
-        If one is missing or not allowed.
-    TooMuch
-        If it has too many cells.
-    """
-    for key in body:
-        if key not in ("scenario", "query", "changes", "x", "y", "what"):
-            raise InputError(f"{key} is not a known key; known are scenario, x, y, what.")
-    x, y = axis_options(body, "x", limits), axis_options(body, "y", limits)
-    if x["path"] == y["path"]:
-        raise InputError(f"x.path and y.path are both {x['path']!r} and must differ.")
-    what = body.get("what", "sequence")
-    if what not in MAP_QUANTITIES:
-        raise InputError(f"what = {json.dumps(what)[:60]} must be one of {', '.join(MAP_QUANTITIES)}.")
-    cells = x["cells"] * y["cells"]
-    if cells > limits.cells:
-        raise TooMuch(f"x.cells times y.cells = {cells} must be at most {limits.cells} in the lab.")
-    return {"x": x, "y": y, "what": what}
+    path: Annotated[str, AfterValidator(_number_path)] = Field(description="A parameter, such as plane.mu")
+    low: Number = Field(alias="from", description="Where it starts, in SI units")
+    high: Number = Field(alias="to", description="Where it ends, in SI units")
+    cells: Annotated[Count, Field(ge=1, le=4096)] = Field(48, description="How many cells")
+
+    def middles(self) -> np.ndarray:
+        """The middle of each cell."""
+        middles: np.ndarray = self.low + (np.arange(self.cells) + 0.5) * ((self.high - self.low) / self.cells)
+        return middles
+
+    def to_dict(self) -> dict[str, Any]:
+        """As it was asked for."""
+        return self.model_dump(by_alias=True)
 
 
 def motion_map(
-    scenario: Scenario, options: Mapping[str, Any], limits: Limits
+    scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits
 ) -> tuple[dict[str, Any], np.ndarray]:
     """A map over two parameters; each value is that of a cell's middle.
 
@@ -237,9 +78,8 @@ def motion_map(
     """
     if isinstance(scenario.contact, Compliant):
         raise InputError("contact.model = 'compliant' must be 'rigid' for a map.")
-    x, y, what = options["x"], options["y"], options["what"]
     words, span = MAP_QUANTITIES[what]
-    cells = x["cells"] * y["cells"]
+    cells = x.cells * y.cells
     if cells * scenario.duration > limits.map_seconds and span != "first_revolution":
         raise TooMuch(
             f"{cells} cells times duration = {scenario.duration:g} s is {cells * scenario.duration:.3g} s of "
@@ -248,14 +88,14 @@ def motion_map(
     base = within(scenario, limits)
     if isinstance(base.contact, Rigid) and base.contact.max_events > MAP_EVENTS:
         base = base.replace("contact.max_events", MAP_EVENTS)
-    values = {axis["path"]: _middles(axis) for axis in (y, x)}
+    values = {axis.path: axis.middles() for axis in (y, x)}
     with _one_at_a_time:
         dataset = maps.sweep(base, values, (what,), span, chunk_cells=CHUNK_CELLS)
-    array = dataset[what].transpose(y["path"], x["path"])
+    array = dataset[what].transpose(y.path, x.path)
     quantity = maps.QUANTITIES[what]
-    header = {
-        "x": x,
-        "y": y,
+    header: dict[str, Any] = {
+        "x": x.to_dict(),
+        "y": y.to_dict(),
         "what": what,
         "label": words,
         "unit": quantity.unit,
@@ -270,12 +110,6 @@ def motion_map(
         ]
         numbers[numbers < 0] = math.nan
     return header, numbers
-
-
-def _middles(axis: Mapping[str, Any]) -> np.ndarray:
-    low, high, cells = float(axis["from"]), float(axis["to"]), int(axis["cells"])
-    middles: np.ndarray = low + (np.arange(cells) + 0.5) * ((high - low) / cells)
-    return middles
 
 
 _PHASES = {"R": "roll", "S": "spin", "K": "skid", "H": "hop", "M": "skim", "+": "…"}

@@ -1,20 +1,18 @@
-"""A motion as the player takes it: states at enough times, both sides of every event, packed as bytes."""
+"""A motion as the player takes it: what it is told with, and states at enough times, both sides of every event."""
 
 from __future__ import annotations
 
-import json
 import math
-import struct
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from hophoop.lab import words
+from hophoop.lab.packing import PRECISE
 from hophoop.physics.body import MODE_LETTERS
+from hophoop.scenario import Compliant, Scenario, time_unit
 from hophoop.trajectory import Floats, Trajectory
 
-# Positions and times need all digits where a motion is long; the rest is drawn only.
-PRECISE = ("t", "x", "height", "angle")
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
     "friction", "impact_normal", "impact_tangential", "spring", "damping", "utilization", "mode",
@@ -73,52 +71,73 @@ def _codes(letters: np.ndarray) -> np.ndarray:
     return codes
 
 
-def pack(header: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> bytes:
-    """One block of bytes: length of the header, header in JSON, arrays.
+def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, Any]:
+    """What the player knows of a motion besides its frames.
 
     Parameters
     ----------
+    motion : Trajectory
+    scenario : Scenario, optional
+        What it is shown as; the motion's own by default.
+
+    Returns
+    -------
     header : dict
-        Anything JSON holds; under `arrays` the names, types, shapes and places of the arrays are added.
-    arrays : dict of ndarray
-        Of numbers.
-
-    Returns
-    -------
-    block : bytes
-        Little-endian; each array starts at a multiple of 8 bytes, counted from the end of the header.
+        Its result, scenario, link, the values of the sliders, and the motion in words.
     """
-    listing, blocks, place = [], [], 0
-    for name, array in arrays.items():
-        kind = "f8" if name in PRECISE else "u1" if array.dtype == np.uint8 else "f4"
-        with np.errstate(over="ignore"):  # beyond the range of f4 is infinite, and not drawn
-            block = np.ascontiguousarray(array, "<" + kind).tobytes()
-        listing.append({"name": name, "type": kind, "shape": list(array.shape), "place": place})
-        block += bytes(-len(block) % 8)
-        blocks.append(block)
-        place += len(block)
-    text = json.dumps({**header, "arrays": listing}, allow_nan=False, separators=(",", ":")).encode()
-    text += b" " * (-(len(text) + 4) % 8)
-    return struct.pack("<I", len(text)) + text + b"".join(blocks)
+    scenario = motion.scenario if scenario is None else scenario
+    hoop, plane = scenario.hoop, scenario.plane
+    result = motion.to_dict()
+    del result["scenario"]
+    many = len(result["events"]) > 2000
+    if many:
+        result["events"] = result["events"][:2000]
+    state = scenario.start.state(hoop)
+    return {
+        **result,
+        "scenario": scenario.to_dict(),
+        "query": scenario.to_query(),
+        "duration": motion.duration,
+        # as the sliders show them, whichever way the scenario is given
+        "values": {
+            "hoop.radius": hoop.radius,
+            "hoop.mass": hoop.mass,
+            "hoop.load_fraction": hoop.load_fraction,
+            "hoop.eccentricity": hoop.eccentricity,
+            "hoop.inertia_ratio": hoop.inertia_ratio,
+            "plane.mu": _finite(plane.mu),
+            "plane.mu_static": _finite(plane.mu_static),
+            "plane.mu_kinetic": _finite(plane.mu_kinetic),
+            "start.speed": scenario.start.speed,
+            "start.height": state.height,
+            "start.vx": state.vx,
+            "start.vy": state.vy,
+            "start.omega": state.omega,
+        },
+        # what is chosen by itself where the scenario leaves it open
+        "automatic": _automatic(scenario),
+        "massless": hoop.massless,
+        "summary": words.summary(motion),
+        "story": words.story(motion),
+        "ending": words.ENDINGS[motion.status],
+        "shortened": many,
+    }
 
 
-def unpack(block: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """The header and the arrays that `pack` wrote.
+def _automatic(scenario: Scenario) -> dict[str, float]:
+    contact = scenario.contact
+    if not isinstance(contact, Compliant):
+        return {}
+    from hophoop.compliant.parameters import to_compliance
 
-    Parameters
-    ----------
-    block : bytes
+    _, chosen, _, _ = to_compliance(scenario)
+    second = time_unit(scenario.hoop, scenario.plane)
+    return {
+        "contact.stiffness": chosen.k * scenario.hoop.mass / second**2,
+        "contact.slip_speed": chosen.v_s * scenario.hoop.radius / second,
+        "contact.restitution": scenario.plane.restitution,
+    }
 
-    Returns
-    -------
-    header, arrays : tuple of dict
-    """
-    (length,) = struct.unpack_from("<I", block)
-    header = json.loads(block[4 : 4 + length])
-    arrays = {}
-    for entry in header.pop("arrays"):
-        shape = tuple(entry["shape"])
-        arrays[entry["name"]] = np.frombuffer(
-            block, "<" + entry["type"], math.prod(shape), 4 + length + entry["place"]
-        ).reshape(shape)
-    return header, arrays
+
+def _finite(value: float | None) -> float | str | None:
+    return "inf" if value == float("inf") else value
