@@ -1,92 +1,152 @@
-/* Built from web/scene/main.js by esbuild 0.28.2; sources 95d8ac73e47cc3f3bb0e236b12f19008 */
-"use strict";(()=>{var s=ot(JSON.parse(document.getElementById("data").textContent)),x=document.getElementById("scene"),ut=document.getElementById("labels"),i=x.getContext("webgl",
-{antialias:!0}),Z=128,tt=16,et=.05,Rt=.1,wt=.05,nt=L([.32,.75,-1]),m=s.radius;function ot(t){if(Array.isArray(t))return t.map(ot);if(t===null||typeof t!="object")
-return t;if(t.f32!==void 0){let e=Uint8Array.from(atob(t.f32),a=>a.charCodeAt(0));return new Float32Array(e.buffer)}return Object.fromEntries(Object.entries(t).
-map(([e,a])=>[e,ot(a)]))}function L(t){let e=Math.hypot(...t)||1;return t.map(a=>a/e)}function q(t,e){return t[0]*e[0]+t[1]*e[1]+t[2]*e[2]}function at(t,e){return[
-t[1]*e[2]-t[2]*e[1],t[2]*e[0]-t[0]*e[2],t[0]*e[1]-t[1]*e[0]]}function K(t,e){let a=new Float32Array(16);for(let n=0;n<4;n++)for(let o=0;o<4;o++){let r=0;for(let c=0;c<
-4;c++)r+=t[c*4+o]*e[n*4+c];a[n*4+o]=r}return a}function z(t,e,a,n){return new Float32Array([...t,0,...e,0,...a,0,...n,1])}function j(t){return z([1,0,0],[0,1,0],
-[0,0,1],t)}function Ft(t,e,a,n){let o=1/Math.tan(t/2),r=1/(a-n);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(n+a)*r,-1,0,0,2*n*a*r,0])}function St(t,e){let a=L(
-[t[0]-e[0],t[1]-e[1],t[2]-e[2]]),n=L(at([0,0,1],a)),o=at(a,n);return new Float32Array([n[0],o[0],a[0],0,n[1],o[1],a[1],0,n[2],o[2],a[2],0,-q(n,t),-q(o,t),-q(a,t),
-1])}function R(t){return[1,3,5].map(e=>parseInt(t.slice(e,e+2),16)/255)}function W(t,e,a){return t.map((n,o)=>n+a*(e[o]-n))}function U(t,e,a){let n=Math.cos(s.slope),
-o=Math.sin(s.slope);return[t*n+e*o,a,e*n-t*o]}function G(t,e,a){let n=[],o=[],r=[];for(let c=0;c<=t;c++)for(let f=0;f<=e;f++){let[u,d]=a(c/t,f/e);n.push(...u),o.
-push(...d)}for(let c=0;c<t;c++)for(let f=0;f<e;f++){let u=c*(e+1)+f,d=u+e+1;r.push(u,d,d+1,u,d+1,u+1)}return{points:n,normals:o,faces:r}}function Tt(t){return G(
-Z,tt,(e,a)=>{let n=2*Math.PI*e,o=2*Math.PI*a,r=[Math.sin(n),0,Math.cos(n)],c=[Math.cos(o)*r[0],Math.sin(o),Math.cos(o)*r[2]];return[r.map((f,u)=>t*((1-et)*f+et*
-c[u])),c]})}function ct(t){return G(28,18,(e,a)=>{let n=2*Math.PI*e,o=Math.PI*a,r=[Math.cos(n)*Math.sin(o),Math.sin(n)*Math.sin(o),Math.cos(o)];return[r.map(c=>t*
-c),r]})}function it(t){return G(1,24,(e,a)=>{let n=2*Math.PI*a,o=t?1-e:1;return[[e,o*Math.cos(n),o*Math.sin(n)],[t?.4:0,Math.cos(n),Math.sin(n)]]})}function lt(t,e,a){
-let n=t.length/2;return G(Math.max(n-1,1),5,(r,c)=>{let f=Math.min(Math.round(r*Math.max(n-1,1)),n-1),u=Math.max(f-1,0),d=Math.min(f+1,n-1),l=L([t[2*d]-t[2*u],t[2*
-d+1]-t[2*u+1]]),p=2*Math.PI*c,g=Math.cos(p),M=Math.sin(p),v=[-l[1]*g,M,l[0]*g];return[[t[2*f]+e*v[0],a+e*M,t[2*f+1]+e*v[2]],v]})}var kt=`
-attribute vec3 point; attribute vec3 normal; attribute vec3 shade;
-uniform mat4 view; uniform mat4 model; uniform vec3 color; uniform float shaded;
-varying vec3 vNormal; varying vec3 vColor;
-void main() {
-  gl_Position = view * model * vec4(point, 1.0);
-  vNormal = mat3(model[0].xyz, model[1].xyz, model[2].xyz) * normal;
-  vColor = mix(color, shade, shaded);
-}`,Bt=`
-precision mediump float;
-varying vec3 vNormal; varying vec3 vColor;
-uniform vec3 sun; uniform vec3 eye; uniform float lit;
-void main() {
-  vec3 n = normalize(vNormal);
-  float light = 0.45 + 0.4 * max(dot(n, -sun), 0.0) + 0.3 * abs(dot(n, eye));
-  float gloss = 0.25 * pow(max(dot(n, normalize(eye - sun)), 0.0), 24.0);
-  gl_FragColor = vec4(mix(vColor, vColor * light + gloss, lit), 1.0);
-}`,F,y;function _t(){F=i.createProgram();for(let[t,e]of[[i.VERTEX_SHADER,kt],[i.FRAGMENT_SHADER,Bt]]){let a=i.createShader(t);i.shaderSource(a,e),i.compileShader(
-a),i.attachShader(F,a)}if(i.linkProgram(F),!i.getProgramParameter(F,i.LINK_STATUS))throw new Error(i.getProgramInfoLog(F));i.useProgram(F),y={};for(let t of["po\
-int","normal","shade"])y[t]=i.getAttribLocation(F,t);for(let t of["view","model","color","shaded","sun","eye","lit"])y[t]=i.getUniformLocation(F,t)}var dt=i?.getExtension(
-"OES_element_index_uint");function I(t){let e=(n,o)=>{let r=i.createBuffer();return i.bindBuffer(n,r),i.bufferData(n,o,i.STATIC_DRAW),r},a=dt?Uint32Array:Uint16Array;
-return{point:e(i.ARRAY_BUFFER,new Float32Array(t.points)),normal:e(i.ARRAY_BUFFER,new Float32Array(t.normals)),faces:e(i.ELEMENT_ARRAY_BUFFER,new a(t.faces)),count:t.
-faces.length,shade:t.shades?e(i.ARRAY_BUFFER,new Float32Array(t.shades)):null}}function b(t,e,a,n=1,o=t.count,r=t.shade!==null){for(let c of["point","normal","s\
-hade"])t[c]&&(c!=="shade"||r)?(i.bindBuffer(i.ARRAY_BUFFER,t[c]),i.enableVertexAttribArray(y[c]),i.vertexAttribPointer(y[c],3,i.FLOAT,!1,0,0)):i.disableVertexAttribArray(
-y[c]);i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,t.faces),i.uniformMatrix4fv(y.model,!1,e),i.uniform3fv(y.color,a),i.uniform1f(y.shaded,r?1:0),i.uniform1f(y.lit,n),i.drawElements(
-i.TRIANGLES,o,dt?i.UNSIGNED_INT:i.UNSIGNED_SHORT,0)}var w=s.theme,H=R(w.ground),O=R(w.ink),mt=Math.max(...s.hoops.map(t=>Math.abs(t.lane))),P=mt+1.1*m,C=U(0,1,0),
-ht,pt,gt,Mt,yt;function J(t,e,a,n,o){return{points:[[t,a],[e,a],[e,n],[t,n]].map(([c,f])=>U(c,o*m,f)).flat(),normals:[0,1,2,3].flatMap(()=>C),faces:[0,1,2,0,2,3]}}
-function bt(){let t=Math.ceil((s.along[0]-6*m)/s.grid),e=[];for(let a=t;a*s.grid<=s.along[1]+6*m&&e.length<2e3;a++)e.push(a);return e}function Nt(){let t=s.along[0]-
-40*m,e=s.along[1]+40*m;ht=I(J(t,e,-40*m,40*m,-.014)),pt=I(J(t,e,-P,P,-.009));let a={points:[],normals:[],faces:[]};for(let n of bt()){let o=J(n*s.grid-.008*m,n*
-s.grid+.008*m,-P,P,-.006);a.faces.push(...o.faces.map(r=>r+a.points.length/3)),a.points.push(...o.points),a.normals.push(...o.normals)}gt=I(a),Mt=I(it(!1)),yt=I(
-it(!0));for(let n of s.hoops){let o=Tt(n.radius);if(o.shades=new Float32Array(o.points.length),n.shades=o.shades,n.ring=I(o),n.ballMesh=I(ct(Rt*n.radius)),n.beadMesh=
-I(ct(wt*n.radius)),n.traces===null)continue;n.loadTrace=I(lt(n.traces.load,.011*m,n.lane));let r=lt(n.traces.heavy,.016*m,n.lane),[c,f]=[R(s.colors.center),R(s.
-colors.airborne)];r.shades=n.traces.airborne.flatMap(u=>Array(6).fill(u?f:c).flat()),n.heavyTrace=I(r)}}var $={turn:-.35,rise:.2,away:7*m+2*mt+1.5*s.height,shift:[
-0,0,0]},h={...$,shift:[...$.shift]},N=null;function Pt(t){let e=document.getElementById("follow").checked,a=.5*(s.along[0]+s.along[1]),n=e?s.hoops.reduce((f,u)=>f+
-E(u.center,t,2,0)/s.hoops.length,0)/Math.cos(s.slope):a;N=N===null?n:N+(n-N)*.12;let o=U(N,.95*m,0).map((f,u)=>f+h.shift[u]),r=Math.cos(h.rise),c=[Math.sin(h.turn)*
-r,-Math.cos(h.turn)*r,Math.sin(h.rise)];return{eye:o.map((f,u)=>f+h.away*c[u]),spot:o,away:c}}function E(t,e,a,n){let o=Math.min(Math.floor(e),s.count-1),r=Math.
-min(o+1,s.count-1),c=e-o;return t[o*a+n]*(1-c)+t[r*a+n]*c}function Ct(){let t=q(C,nt),e=[];for(let a=0;a<3;a++)e.push([0,1,2].map(n=>(n===a?1:0)-nt[n]*C[a]/t));
-return z(...e,C.map(a=>.002*m*a))}function Lt(t,e){let a=E(t.velocity,e,2,0),n=E(t.velocity,e,2,1),o=t.radius*E(t.omega,e,1,0),r=s.map.length-1;for(let c=0;c<=Z;c++){
-let f=2*Math.PI*c/Z-s.slope,u=Math.hypot(a+o*Math.cos(f),n-o*Math.sin(f)),d=Math.min(Math.max(u/s.topSpeed,0),1)*r,l=Math.min(Math.floor(d),r-1);for(let p=0;p<3;p++){
-let g=s.map[l][p]+(d-l)*(s.map[l+1][p]-s.map[l][p]);for(let M=0;M<=tt;M++)t.shades[3*(c*(tt+1)+M)+p]=g/255}}i.bindBuffer(i.ARRAY_BUFFER,t.ring.shade),i.bufferSubData(
-i.ARRAY_BUFFER,0,t.shades)}function ft(t,e,a,n){if(Math.abs(a)<.02*m)return;let o=e.map(M=>M*Math.sign(a)),r=[0,1,0],c=at(o,r),f=Math.abs(a),u=Math.min(.2*m,f),
-d=.03*m,l=(M,v)=>M.map(Y=>Y*v),p=t.map((M,v)=>M+o[v]*(f-u));f>u&&b(Mt,z(l(o,f-u),l(r,d),l(c,d),t),n);let g=Math.min(2.4*d,.6*u);b(yt,z(l(o,u),l(r,g),l(c,g),p),n)}
-function Ut(t){let e=window.devicePixelRatio||1,a=Math.round(x.clientWidth*e),n=Math.round(x.clientHeight*e);for(let l of[x,ut])(l.width!==a||l.height!==n)&&(l.
-width=a,l.height=n);i.viewport(0,0,a,n);let o=Pt(t),r=a>n?.56:.9,c=K(Ft(r,a/n,.05*h.away,12*h.away+60*m),St(o.eye,o.spot));i.clearColor(...R(w.background),1),i.
-clear(i.COLOR_BUFFER_BIT|i.DEPTH_BUFFER_BIT),i.enable(i.DEPTH_TEST),i.uniformMatrix4fv(y.view,!1,c),i.uniform3fv(y.sun,nt),i.uniform3fv(y.eye,L(o.away));let f=j(
-[0,0,0]);b(ht,f,H,0),b(pt,f,W(H,O,.06),0),b(gt,f,W(H,O,.25),0);let u=Ct(),d=W(H,[0,0,0],.38);for(let l of s.hoops){let p=[E(l.center,t,2,0),l.lane,E(l.center,t,
-2,1)],g=E(l.angle,t,1,0)+s.slope,M=[Math.sin(g),0,Math.cos(g)],v=T=>p.map((S,_)=>S+T*M[_]),Y=j(v(l.load)),rt=j(p),vt=l.mode[Math.floor(t)]==="H";if(Lt(l,t),b(l.
-ring,K(u,rt),d,0,l.ring.count,!1),b(l.ballMesh,K(u,Y),d,0),b(l.ring,rt,O),b(l.ballMesh,Y,R(w.load)),b(l.beadMesh,j(v(l.heavy)),R(vt?s.colors.airborne:s.colors.center)),
-l.traces!==null){let T=E(l.t,t,1,0),S=l.traces.t,_=S.findIndex(It=>It>T);_<0&&(_=S.length);let st=Math.max(_-1,0)*5*6;b(l.loadTrace,f,R(w.load),.3,Math.min(st,l.
-loadTrace.count)),b(l.heavyTrace,f,O,.3,Math.min(st,l.heavyTrace.count))}if(s.newton>0){let T=[E(l.contact,t,2,0),l.lane-(et+.04)*l.radius,E(l.contact,t,2,1)],S=Math.
-floor(t);ft(T,C,s.newton*l.normalForce[S],R(s.colors.normal)),ft(T,U(1,0,0),s.newton*l.frictionForce[S],R(s.colors.friction))}}Dt(c,a,n,e),jt(t)}function Dt(t,e,a,n){
-let o=ut.getContext("2d");o.clearRect(0,0,e,a),o.fillStyle=w.muted,o.textAlign="center",o.font=`${13*n}px "DejaVu Sans", system-ui, sans-serif`;let r=-1e9;for(let c of bt()){
-let f=[...U(c*s.grid,0,-P-.15*m),1],u=[0,0,0,0];for(let p=0;p<4;p++)for(let g=0;g<4;g++)u[p]+=t[g*4+p]*f[g];if(u[3]<=0)continue;let d=(u[0]/u[3]*.5+.5)*e,l=(.5-
-u[1]/u[3]*.5)*a;d<0||d>e||l<0||l>a-50*n||Math.abs(d-r)<55*n||(o.fillText(`${+(c*s.grid).toPrecision(6)} m`.replace("-","−"),d,l+12*n),r=d)}}var Et=[];function Yt(){
-document.body.style.background=w.background,document.body.style.color=w.ink;for(let o of s.hoops){let r=document.createElement("div");r.className="row",r.innerHTML=
-'<span class="mode"><span class="dot"></span><span class="word"></span></span><span class="t"></span><span class="angle"></span><span class="label"></span>',r.querySelector(
-".label").textContent=o.label,document.getElementById("words").append(r),Et.push(r)}let t=s.map.map(o=>`rgb(${o.join(",")})`).join(",");document.getElementById(
-"bar").style.background=`linear-gradient(to right, ${t})`;let e=10**Math.floor(Math.log10(s.topSpeed/3)),a=[5,2,1].map(o=>o*e).find(o=>o<=s.topSpeed/3*1.000001);
-for(let o=0;o<=s.topSpeed;o+=a){let r=document.createElement("span");r.textContent=+o.toPrecision(6),r.style.left=`${100*o/s.topSpeed}%`,document.getElementById(
-"ticks").append(r)}let n=[];s.hoops.some(o=>o.traces!==null)&&n.push([w.load,"load"],[s.colors.center,"centre of gravity"],[s.colors.airborne,"airborne"]),s.newton>
-0&&n.push([s.colors.normal,"normal force"],[s.colors.friction,"friction"]);for(let[o,r]of n){let c=document.createElement("span"),f=document.createElement("i");
-f.style.borderColor=o,c.append(f,r),document.getElementById("lines").append(c)}}function jt(t){s.hoops.forEach((e,a)=>{let[n,o]=s.modes[e.mode[Math.floor(t)]],r=Et[a];
-r.querySelector(".dot").style.background=o,r.querySelector(".word").textContent=n,r.querySelector(".t").textContent=`t = ${E(e.t,t,1,0).toFixed(3)} s`;let c=(E(
-e.angle,t,1,0)*180/Math.PI).toFixed(1);r.querySelector(".angle").textContent=`θ = ${c}°`.replace("-","−")})}var A=0,V=!0,Q=null,B=document.getElementById("t\
-ime"),X=document.getElementById("play");B.max=s.count-1;function D(t){V=t,X.textContent=t?"Pause":"Play"}X.onclick=()=>{!V&&A>=s.count-1&&(A=0),D(!V)};B.oninput=
-()=>{A=Number(B.value),D(!1)};document.getElementById("reset").onclick=()=>{h={...$,shift:[...$.shift]}};document.addEventListener("keydown",t=>{if(t.target.tagName===
-"SELECT"||t.target===X)return;t.key===" "&&(X.onclick(),t.preventDefault());let e={ArrowRight:1,ArrowLeft:-1}[t.key];e&&t.target!==B&&(D(!1),A=Math.min(Math.max(
-Math.round(A)+e,0),s.count-1))});var k=new Map;x.addEventListener("pointerdown",t=>{x.setPointerCapture(t.pointerId),k.set(t.pointerId,t)});for(let t of["pointe\
-rup","pointercancel"])x.addEventListener(t,e=>k.delete(e.pointerId));x.addEventListener("pointermove",t=>{let e=k.get(t.pointerId);if(!e)return;let a=t.clientX-
-e.clientX,n=t.clientY-e.clientY;if(k.size===2){let[o]=[...k.values()].filter(c=>c.pointerId!==t.pointerId),r=c=>Math.hypot(c.clientX-o.clientX,c.clientY-o.clientY);
-At(r(e)/Math.max(r(t),1))}else if(t.shiftKey||t.buttons===2){let o=h.away/x.clientHeight;h.shift[0]-=a*o*Math.cos(h.turn),h.shift[1]-=a*o*Math.sin(h.turn),h.shift[2]+=
-n*o}else h.turn-=a*.008,h.rise=Math.min(Math.max(h.rise+n*.006,.02),1.5);k.set(t.pointerId,t)});function At(t){h.away=Math.min(Math.max(h.away*t,2*m),200*m)}x.addEventListener(
-"wheel",t=>{At(Math.exp(t.deltaY*.001)),t.preventDefault()},{passive:!1});x.addEventListener("contextmenu",t=>t.preventDefault());function xt(t){V&&Q!==null&&(A+=
-(t-Q)/1e3*s.fps*Number(document.getElementById("rate").value),A>=s.count-1&&(A=s.count-1,D(!1)),B.value=A),Q=t,Ut(A),requestAnimationFrame(xt)}if(!i)document.getElementById(
-"problem").style.display="flex";else{_t(),Nt(),Yt();let t=/t=([\d.]+)/.exec(location.hash);if(t){let e=s.hoops[0].t.findIndex(a=>a>=Number(t[1]));A=e<0?s.count-
-1:e,B.value=A,D(!1)}requestAnimationFrame(xt)}})();
+/* Built from web/scene/main.js by esbuild 0.28.2; sources b154002e1efb52ef276843082cbbaabf */
+"use strict";(()=>{var k=r=>{if(Array.isArray(r))return r.map(k);if(r===null||typeof r!="object")return r;if(r.f32!==void 0){let e=Uint8Array.from(atob(r.f32),t=>t.charCodeAt(0));
+return new Float32Array(e.buffer)}return Object.fromEntries(Object.entries(r).map(([e,t])=>[e,k(t)]))};function z(r,e){let[t,s]=[Math.cos(e),Math.sin(e)],n=new Float32Array(
+r.length);for(let i=0;i<r.length;i+=2)n[i]=r[i]*t-r[i+1]*s,n[i+1]=r[i]*s+r[i+1]*t;return n}function H(r){let e=k(JSON.parse(r));for(let t of e.hoops){for(let s of[
+"center","contact","velocity"])t[s]=z(t[s],e.slope);if(t.traces!==null)for(let s of["load","heavy"])t.traces[s]=z(t.traces[s],e.slope)}return e}function f(r,e,t=1,s=0){
+let n=Math.floor(e),i=Math.min(n+1,r.length/t-1),o=e-n;return r[n*t+s]*(1-o)+r[i*t+s]*o}var v=class{constructor(e,t,s){this.data=t,this.follows=s;let n=Math.max(...t.hoops.map(i=>Math.abs(i.lane)));this.home={turn:-.35,rise:.2,away:7*t.radius+2*n+1.5*
+t.height,shift:[0,0,0]},this.reset(),this.along=null,this.listen(e)}reset(){Object.assign(this,this.home,{shift:[...this.home.shift]})}closer(e){let t=this.data.
+radius;this.away=Math.min(Math.max(this.away*e,2*t),200*t)}focus(e){let{hoops:t,along:s}=this.data,n=this.follows()?t.reduce((i,o)=>i+f(o.center,e,2)/t.length,0):
+.5*(s[0]+s[1]);return this.along=this.along===null?n:this.along+(n-this.along)*.12,this.along}view(e){let{radius:t,slope:s}=this.data,n=.95*t,i=[n*Math.sin(s),n*
+Math.cos(s),0].map((c,h)=>c+this.shift[h]),o=Math.cos(this.rise),a=[Math.sin(this.turn)*o,Math.sin(this.rise),Math.cos(this.turn)*o];return{eye:i.map((c,h)=>c+this.
+away*a[h]),target:i,slope:s,angle:e?.56:.9,near:.05*this.away,far:12*this.away+60*t}}listen(e){let t=new Map;e.addEventListener("pointerdown",s=>{e.setPointerCapture(
+s.pointerId),t.set(s.pointerId,s)});for(let s of["pointerup","pointercancel"])e.addEventListener(s,n=>t.delete(n.pointerId));e.addEventListener("pointermove",s=>{
+let n=t.get(s.pointerId);if(!n)return;let[i,o]=[s.clientX-n.clientX,s.clientY-n.clientY];if(t.size===2){let[a]=[...t.values()].filter(h=>h.pointerId!==s.pointerId),
+c=h=>Math.hypot(h.clientX-a.clientX,h.clientY-a.clientY);this.closer(c(n)/Math.max(c(s),1))}else if(s.shiftKey||s.buttons===2){let a=this.away/e.clientHeight;this.
+shift[0]-=i*a*Math.cos(this.turn),this.shift[1]+=o*a,this.shift[2]+=i*a*Math.sin(this.turn)}else this.turn-=i*.008,this.rise=Math.min(Math.max(this.rise+o*.006,
+.02),1.5);t.set(s.pointerId,s)}),e.addEventListener("wheel",s=>{this.closer(Math.exp(s.deltaY*.001)),s.preventDefault()},{passive:!1}),e.addEventListener("conte\
+xtmenu",s=>s.preventDefault())}};function N(r,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let o=0;o<4;o++)i+=r[4*o+n]*e[4*s+o];t[4*s+n]=i}return t}function Y(r,e,t,s){
+let n=1/Math.tan(r/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function j(r,e){let t=g(P(r,e)),s=g(M([0,1,0],t)),n=M(
+t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-L(s,r),-L(n,r),-L(t,r),1])}var P=(r,e)=>[r[0]-e[0],r[1]-e[1],r[2]-e[2]],L=(r,e)=>r[0]*
+e[0]+r[1]*e[1]+r[2]*e[2],M=(r,e)=>[r[1]*e[2]-r[2]*e[1],r[2]*e[0]-r[0]*e[2],r[0]*e[1]-r[1]*e[0]];function g(r){let e=Math.hypot(...r)||1;return[r[0]/e,r[1]/e,r[2]/
+e]}function E(r,e,t,s){let n=g(e),i=g(M(n,Math.abs(n[2])>.9?[1,0,0]:[0,0,1])),o=M(i,n);return new Float32Array([...i.map(a=>a*s),0,...n.map(a=>a*t),0,...o.map(a=>a*
+s),0,...r,1])}var $=([r,e,t])=>new Float32Array([1,0,0,0,0,1,0,0,0,0,1,0,r,e,t,1]);function U(r){let[e,t]=[Math.cos(r),Math.sin(r)];return new Float32Array([e,-t,
+0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function u(r){let e=Number.parseInt(r.slice(1,7),16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function x(r,e,t){let s=r.createProgram();for(let[i,o]of[[r.VERTEX_SHADER,e],[r.FRAGMENT_SHADER,t]]){let a=r.createShader(i);if(r.shaderSource(a,o),r.compileShader(
+a),!r.getShaderParameter(a,r.COMPILE_STATUS))throw new Error(r.getShaderInfoLog(a));r.attachShader(s,a)}if(r.linkProgram(s),!r.getProgramParameter(s,r.LINK_STATUS))
+throw new Error(r.getProgramInfoLog(s));let n={program:s,uniforms:{},attributes:{}};for(let i=0;i<r.getProgramParameter(s,r.ACTIVE_UNIFORMS);i++){let{name:o}=r.
+getActiveUniform(s,i);n.uniforms[o]=r.getUniformLocation(s,o)}for(let i=0;i<r.getProgramParameter(s,r.ACTIVE_ATTRIBUTES);i++){let{name:o}=r.getActiveAttrib(s,i);
+n.attributes[o]=r.getAttribLocation(s,o)}return n}function b(r,e,t,s){let n=r.createBuffer();r.bindBuffer(r.ARRAY_BUFFER,n),r.bufferData(r.ARRAY_BUFFER,new Float32Array(
+e),r.STATIC_DRAW);let i=s&&r.createBuffer();s&&(r.bindBuffer(r.ELEMENT_ARRAY_BUFFER,i),r.bufferData(r.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),r.STATIC_DRAW));let o=4*
+Object.values(t).reduce((a,c)=>a+c,0);return{vertices:n,elements:i,parts:t,stride:o,count:s?s.length:4*e.length/o}}function A(r,{attributes:e},t){r.bindBuffer(r.
+ARRAY_BUFFER,t.vertices);let s=0;for(let[n,i]of Object.entries(t.parts)){let o=e[n];o!==void 0&&(r.enableVertexAttribArray(o),r.vertexAttribPointer(o,i,r.FLOAT,
+!1,t.stride,s)),s+=4*i}t.elements&&r.bindBuffer(r.ELEMENT_ARRAY_BUFFER,t.elements)}function D(r,e){let t=[];for(let s=0;s<r;s++)for(let n=0;n<e;n++){let i=s*(e+
+1)+n,o=i+e+1;t.push(i,o,i+1,o,o+1,i+1)}return t}function G(r,e=120,t=14){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++)s.push(2*Math.PI*n/e,2*Math.PI*i/t);
+return b(r,s,{bend:2},D(e,t))}function X(r,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[o,a]=[2*Math.PI*n/e,Math.PI*i/t],c=[Math.sin(a)*Math.
+cos(o),Math.cos(a),Math.sin(a)*Math.sin(o)];s.push(...c,...c)}return b(r,s,{position:3,normal:3},D(e,t))}function B(r,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
+Math.PI*n/t,o=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...o,e*Math.cos(i),1,e*Math.sin(i),...o)}return b(r,s,{position:3,normal:3},D(t,1))}var W=`
+  uniform vec3 sun, eye;
+  vec3 shaded(vec3 color, vec3 normal) {
+    vec3 n = normalize(normal);
+    float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
+    float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
+    return color * light + vec3(gloss);
+  }`,V=`
+  uniform vec3 slant;
+  vec3 flattened(vec3 p, float shadow) {
+    return shadow > 0.0 ? p - p.y * slant : p;
+  }`,K="vec4(0.0, 0.0, 0.0, shadow)",Z=[`attribute vec2 bend;
+   uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
+   varying vec3 n; varying float speed;
+   ${V}
+   void main() {
+     float phi = size.w + bend.x;
+     vec2 outwards = vec2(sin(phi), cos(phi));
+     vec3 p = center + vec3(outwards * (size.x - size.y + size.y * cos(bend.y)), size.z * sin(bend.y));
+     n = vec3(outwards * cos(bend.y) / size.y, sin(bend.y) / size.z);
+     vec2 v = motion.xy + motion.z * size.x * vec2(cos(phi), -sin(phi));
+     speed = length(v) / most;
+     gl_Position = view * vec4(flattened(p, shadow), 1.0);
+   }`,`precision highp float;
+   varying vec3 n; varying float speed;
+   uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
+   ${W}
+   void main() {
+     vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
+     gl_FragColor = shadow > 0.0 ? ${K} : vec4(shaded(color, n), 1.0);
+   }`],tt=[`attribute vec3 position, normal;
+   uniform mat4 view, model; uniform float shadow;
+   varying vec3 n;
+   ${V}
+   void main() {
+     n = mat3(model) * normal;
+     gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
+   }`,`precision highp float;
+   varying vec3 n; uniform vec3 color; uniform float shadow, lit;
+   ${W}
+   void main() { gl_FragColor = shadow > 0.0 ? ${K} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],et=[`attribute vec3 position, next, tint; attribute f\
+loat side;
+   uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
+   varying vec3 color;
+   void main() {
+     vec3 moved = vec3(-shift, 0.0, depth);
+     vec4 a = view * vec4(position + moved, 1.0);
+     vec4 b = view * vec4(next + moved, 1.0);
+     vec2 way = (b.xy / b.w - a.xy / a.w) / pixel;
+     float size = length(way);
+     vec2 across = size > 1e-6 ? vec2(-way.y, way.x) / size : vec2(0.0, 1.0);
+     float wide = distance > 0.0 ? width * distance / a.w : width;
+     a.xy += across * side * wide * pixel * a.w;
+     gl_Position = a;
+     color = tint;
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],T=class{constructor(e,t,s,n,{keep:i=!1}={}){let o=e.getContext(
+"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!o)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=o,this.canvas=
+e,this.sun=g(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=x(o,...Z),this.body=x(o,...tt),this.line=x(o,...et),this.torus=G(o),this.sphere=X(o),this.
+cylinder=B(o,1),this.cone=B(o,0),this.colors=o.createTexture(),o.bindTexture(o.TEXTURE_2D,this.colors);let a=new Uint8Array(t.flatMap(c=>[...c,255]));o.pixelStorei(
+o.UNPACK_ALIGNMENT,1),o.texImage2D(o.TEXTURE_2D,0,o.RGBA,t.length,1,0,o.RGBA,o.UNSIGNED_BYTE,a);for(let c of["TEXTURE_WRAP_S","TEXTURE_WRAP_T"])o.texParameteri(
+o.TEXTURE_2D,o[c],o.CLAMP_TO_EDGE);for(let c of["TEXTURE_MIN_FILTER","TEXTURE_MAG_FILTER"])o.texParameteri(o.TEXTURE_2D,o[c],o.LINEAR);this.view=U(0),this.eye=[
+0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:n,angle:i,near:o,far:a}){let{gl:c,canvas:h}=this;c.viewport(0,0,h.width,h.height),c.clearColor(...e,
+1),c.clear(c.COLOR_BUFFER_BIT|c.DEPTH_BUFFER_BIT|c.STENCIL_BUFFER_BIT),c.enable(c.DEPTH_TEST);let l=Y(i,h.width/h.height,o,a);this.view=N(N(l,j(t,s)),U(n)),this.
+eye=g(P(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let n={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[i,o]of Object.entries(
+n)){let a=e.uniforms[i];a!==void 0&&(typeof o=="number"?s.uniform1f(a,o):o.length===16?s.uniformMatrix4fv(a,!1,o):s[`uniform${o.length}fv`](a,o))}}ground(e){let{
+gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,t.ZERO,
+t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),t.depthFunc(
+t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:n=!1,lit:i=!0}={}){let{gl:o}=this;this.use(this.body,{model:t,color:s,shadow:n?this.dark:
+0,lit:Number(i)}),A(o,this.body,e),o.drawElements(o.TRIANGLES,e.count,o.UNSIGNED_SHORT,0)}ball(e,t,s,n){this.solid(this.sphere,E(e,[0,1,0],t,t),s,{shadow:n})}ring({
+center:e,radius:t,tube:s,broad:n,angle:i,velocity:o,omega:a,plain:c=null},h){let{gl:l}=this;this.use(this.rim,{center:e,size:[t,s,n,i],motion:[...o,a],most:this.
+fastest,shadow:h?this.dark:0,plain:c??[0,0,0],colored:c?0:1}),A(l,this.rim,this.torus),l.drawElements(l.TRIANGLES,this.torus.count,l.UNSIGNED_SHORT,0)}rod(e,t,s,n,i,o=!1){
+this.solid(this.cylinder,E(e,t,s,n),i,{shadow:o})}arrow(e,t,s,n,i){if(!(s>.02*n))return;let o=Math.min(.18*n,s),a=e.map((c,h)=>c+t[h]*(s-o));s>o&&this.rod(e,t,s-
+o,.029*n,i),this.solid(this.cone,E(a,t,o,Math.min(.075*n,.6*o)),i)}trace(e,t,s){let n=[];for(let i=0;i<e;i++){let o=t(i),a=t(Math.min(i+1,e-1));if(Math.hypot(a[0]-
+o[0],a[1]-o[1])<1e-9&&i>0){let c=t(i-1);a=o.map((h,l)=>2*h-c[l])}for(let c of[-1,1])n.push(...o,0,...a,0,...s(i),c)}return b(this.gl,n,{position:3,next:3,tint:3,
+side:1})}drawTrace(e,t,{width:s,distance:n=0,shift:i,depth:o}){let{gl:a,canvas:c}=this;this.use(this.line,{pixel:[2/c.width,2/c.height],width:s,distance:n,shift:i,
+depth:o}),A(a,this.line,e),a.drawArrays(a.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let n=this.view,[i,o,a]=[0,1,3].map(c=>n[c]*e+n[4+c]*t+n[8+c]*s+n[12+c]);return a>
+0?[(.5+.5*i/a)*this.canvas.width,(.5-.5*o/a)*this.canvas.height]:null}};function R([r,e],[t,s]){return{data:[[r,s],[r,t],[e,s],[e,t]].flatMap(([n,i])=>[n,0,i,0,
+1,0]),indices:[0,1,2,1,3,2]}}function S(r,e){let t=e.flatMap((s,n)=>s.indices.map(i=>i+4*n));return b(r,e.flatMap(s=>s.data),{position:3,normal:3},t)}var C=.05,st=.1,ot=.05,nt=[-.32,1,.75],it=.38,rt='"DejaVu Sans", system-ui, sans-serif',q=(r,e,t)=>r.map((s,n)=>s+t*(e[n]-s)),_=class{constructor(e,t,s){this.canvas=
+e,this.labels=t,this.data=s,this.space=new T(e,s.map,nt,it),this.space.fastest=s.topSpeed,this.half=Math.max(...s.hoops.map(o=>Math.abs(o.lane)))+1.1*s.radius;let n=Math.
+ceil((s.along[0]-6*s.radius)/s.grid),i=Math.min(Math.floor((s.along[1]+6*s.radius)/s.grid),n+1999);this.marks=Array.from({length:Math.max(i-n+1,0)},(o,a)=>(n+a)*
+s.grid),this.floor=this.floorMeshes(),this.traces=s.hoops.map(o=>o.traces&&this.traceMeshes(o.traces))}floorMeshes(){let{data:e,half:t,space:s}=this,n=e.radius,
+i=[e.along[0]-40*n,e.along[1]+40*n],o=[t,-t];return{plane:S(s.gl,[R(i,[40*n,-40*n])]),track:S(s.gl,[R(i,o)]),bars:S(s.gl,this.marks.map(a=>R([a-.008*n,a+.008*n],
+o)))}}traceMeshes({load:e,heavy:t,airborne:s}){let{theme:n,colors:i}=this.data,o=u(n.load),[a,c]=[u(i.center),u(i.airborne)],h=(l,d)=>this.space.trace(l.length/
+2,p=>[l[2*p],l[2*p+1]],d);return{load:h(e,()=>o),heavy:h(t,l=>s[l]?c:a)}}draw(e,t){let{canvas:s,labels:n,data:i,space:o}=this,a=window.devicePixelRatio||1,[c,h]=[
+Math.round(s.clientWidth*a),Math.round(s.clientHeight*a)];for(let m of[s,n])(m.width!==c||m.height!==h)&&Object.assign(m,{width:c,height:h});let l=t.focus(e),d=t.
+view(c>h);o.begin({background:u(i.theme.background),...d}),o.ground(()=>this.drawFloor(l));let p=i.hoops.map(m=>this.pose(m,e,l));o.shadows(()=>{for(let m of p)
+this.drawHoop(m,!0)});let J=h/(2*t.away*Math.tan(.5*d.angle));for(let[m,Q]of p.entries())this.drawHoop(Q,!1),this.drawTraces(i.hoops[m],this.traces[m],e,l,J,t.away),
+i.newton>0&&this.drawForces(i.hoops[m],e,l);this.drawNumbers(l,a)}pose(e,t,s){let n=f(e.angle,t),i=[Math.sin(n),Math.cos(n),0],o=[f(e.center,t,2)-s,f(e.center,t,
+2,1),-e.lane];return{hoop:e,center:o,angle:n,velocity:[f(e.velocity,t,2),f(e.velocity,t,2,1)],omega:f(e.omega,t),airborne:e.mode[Math.floor(t)]==="H",at:a=>o.map(
+(c,h)=>c+a*i[h])}}drawFloor(e){let{theme:t}=this.data,[s,n]=[u(t.ground),u(t.ink)],i=$([-e,0,0]);this.space.solid(this.floor.plane,i,s,{lit:!1}),this.space.solid(
+this.floor.track,i,q(s,n,.06),{lit:!1}),this.space.solid(this.floor.bars,i,q(s,n,.25),{lit:!1})}drawHoop({hoop:e,center:t,angle:s,velocity:n,omega:i,airborne:o,
+at:a},c){let{space:h,data:l}=this,{radius:d}=e;h.ring({center:t,radius:d,tube:C*d,broad:C*d,angle:s,velocity:n,omega:i},c),h.ball(a(e.load),st*d,u(l.theme.load),
+c);let p=o?l.colors.airborne:l.colors.center;c||h.ball(a(e.heavy),ot*d,u(p),c)}drawTraces(e,t,s,n,i,o){if(t===null)return;let a=f(e.t,s),c=e.traces.t.findIndex(
+p=>p>a),h=c<0?e.traces.t.length:c,l=this.data.radius,d={distance:o,shift:n,depth:-e.lane};this.space.drawTrace(t.load,h,{width:.011*l*i,...d}),this.space.drawTrace(
+t.heavy,h,{width:.016*l*i,...d})}drawForces(e,t,s){let{data:n,space:i}=this,o=Math.floor(t),a=-e.lane+(C+.04)*e.radius,c=[f(e.contact,t,2)-s,f(e.contact,t,2,1),
+a],[h,l]=[e.normalForce[o],e.frictionForce[o]].map(d=>n.newton*d);i.arrow(c,[0,Math.sign(h),0],Math.abs(h),n.radius,u(n.colors.normal)),i.arrow(c,[Math.sign(l),
+0,0],Math.abs(l),n.radius,u(n.colors.friction))}drawNumbers(e,t){let{labels:s,data:n,half:i}=this,o=s.getContext("2d");o.clearRect(0,0,s.width,s.height),o.fillStyle=
+n.theme.muted,o.textAlign="center",o.font=`${13*t}px ${rt}`;let a=-1e9;for(let c of this.marks){let h=this.space.onScreen([c-e,0,i+.15*n.radius]);if(!h)continue;
+let[l,d]=h;!(l>=0&&l<=s.width&&d>=0&&d<=s.height-50*t)||Math.abs(l-a)<55*t||(o.fillText(`${+c.toPrecision(6)} m`.replace("-","−"),l,d+12*t),a=l)}}};var F=r=>document.getElementById(r),y=(r,e,...t)=>{let s=document.createElement(r);return s.className=e,s.append(...t),s},I=class{constructor(e){this.data=e,document.
+body.style.background=e.theme.background,document.body.style.color=e.theme.ink,this.rows=e.hoops.map(t=>this.row(t)),this.scale(),this.key()}row(e){let[t,s,n,i]=[
+"dot","word","t","angle"].map(a=>y("span",a)),o=y("span","label",e.label);return F("words").append(y("div","row",y("span","mode",t,s),n,i,o)),{dot:t,word:s,time:n,
+angle:i}}scale(){let{map:e,topSpeed:t}=this.data,s=e.map(o=>`rgb(${o.join(",")})`).join(",");F("bar").style.background=`linear-gradient(to right, ${s})`;let n=10**
+Math.floor(Math.log10(t/3)),i=[5,2,1].map(o=>o*n).find(o=>o<=t/3*1.000001);for(let o=0;o<=t;o+=i){let a=y("span","",String(+o.toPrecision(6)));a.style.left=`${100*
+o/t}%`,F("ticks").append(a)}}key(){let{hoops:e,colors:t,theme:s,newton:n}=this.data,i=[];e.some(o=>o.traces!==null)&&i.push([s.load,"load"],[t.center,"centre of\
+ gravity"],[t.airborne,"airborne"]),n>0&&i.push([t.normal,"normal force"],[t.friction,"friction"]);for(let[o,a]of i){let c=document.createElement("i");c.style.borderColor=
+o,F("lines").append(y("span","",c,a))}}show(e){for(let[t,s]of this.data.hoops.entries()){let[n,i]=this.data.modes[s.mode[Math.floor(e)]],o=this.rows[t],a=(f(s.angle,
+e)*180/Math.PI).toFixed(1);o.dot.style.background=i,o.word.textContent=n,o.time.textContent=`t = ${f(s.t,e).toFixed(3)} s`,o.angle.textContent=`θ = ${a}°`.replace(
+"-","−")}}};var w=r=>document.getElementById(r),O=class{constructor(e){this.data=e,this.last=e.count-1,this.now=0,this.before=null,this.button=w("play"),this.slider=w("time"),
+this.rate=w("rate"),this.follow=w("follow");let t=w("scene");this.picture=new _(t,w("labels"),e),this.camera=new v(t,e,()=>this.follow.checked),this.words=new I(
+e),this.slider.max=String(this.last),this.button.onclick=()=>this.toggle(),this.slider.oninput=()=>{this.now=Number(this.slider.value),this.play(!1)},w("reset").
+onclick=()=>this.camera.reset(),document.addEventListener("keydown",s=>this.key(s)),this.play(!0),this.open(location.hash),requestAnimationFrame(s=>this.tick(s))}open(e){
+let t=/t=([\d.]+)/.exec(e);if(!t)return;let s=this.data.hoops[0].t.findIndex(n=>n>=Number(t[1]));this.now=s<0?this.last:s,this.slider.value=String(this.now),this.
+play(!1)}play(e){this.playing=e,this.button.textContent=e?"Pause":"Play"}toggle(){!this.playing&&this.now>=this.last&&(this.now=0),this.play(!this.playing)}key(e){
+if(e.target.tagName==="SELECT"||e.target===this.button)return;e.key===" "&&(this.toggle(),e.preventDefault());let t={ArrowRight:1,ArrowLeft:-1}[e.key];!t||e.target===
+this.slider||(this.play(!1),this.now=Math.min(Math.max(Math.round(this.now)+t,0),this.last))}tick(e){this.playing&&this.before!==null&&(this.now+=(e-this.before)/
+1e3*this.data.fps*Number(this.rate.value),this.now>=this.last&&(this.now=this.last,this.play(!1)),this.slider.value=String(this.now)),this.before=e,this.picture.
+draw(this.now,this.camera),this.words.show(this.now),requestAnimationFrame(t=>this.tick(t))}};try{new O(H(w("data").textContent))}catch(r){w("problem").textContent=
+r.message,w("problem").style.display="flex"}})();

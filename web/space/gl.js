@@ -1,4 +1,4 @@
-// What drawing in space needs: programs, meshes, matrices. No library: the same file serves page and notebook.
+// What drawing in space needs of WebGL: programs and meshes.
 
 export function makeProgram(gl, vertex, fragment) {
   const program = gl.createProgram();
@@ -21,53 +21,6 @@ export function makeProgram(gl, vertex, fragment) {
     places.attributes[name] = gl.getAttribLocation(program, name);
   }
   return places;
-}
-
-// Matrices are columns of four, as WebGL takes them.
-export function product(a, b) {
-  const out = new Float32Array(16);
-  for (let column = 0; column < 4; column++) {
-    for (let row = 0; row < 4; row++) {
-      let sum = 0;
-      for (let k = 0; k < 4; k++) sum += a[4 * k + row] * b[4 * column + k];
-      out[4 * column + row] = sum;
-    }
-  }
-  return out;
-}
-
-export function perspective(angle, aspect, near, far) {
-  const f = 1 / Math.tan(angle / 2);
-  const d = 1 / (near - far);
-  return new Float32Array([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) * d, -1, 0, 0, 2 * far * near * d, 0]);
-}
-
-export function looking(eye, target) {
-  const z = unit(minus(eye, target));
-  const x = unit(cross([0, 1, 0], z));
-  const y = cross(z, x);
-  return new Float32Array([
-    x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0, -dot(x, eye), -dot(y, eye), -dot(z, eye), 1,
-  ]);
-}
-
-export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-
-export function unit(a) {
-  const size = Math.hypot(...a) || 1;
-  return [a[0] / size, a[1] / size, a[2] / size];
-}
-
-// A matrix that puts the y axis of a mesh along a direction, with a length and a thickness.
-export function along(from, direction, length, thickness) {
-  const y = unit(direction);
-  const x = unit(cross(y, Math.abs(y[2]) > 0.9 ? [1, 0, 0] : [0, 0, 1]));
-  const z = cross(x, y);
-  return new Float32Array([
-    ...x.map((v) => v * thickness), 0, ...y.map((v) => v * length), 0, ...z.map((v) => v * thickness), 0, ...from, 1,
-  ]);
 }
 
 export function mesh(gl, data, parts, indices) {
