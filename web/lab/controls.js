@@ -1,6 +1,7 @@
 // Sliders with exact entry, and choices; what they show comes back from the server with each motion.
 
-import { clamp, focused, h, show, withUnit } from "./dom.js";
+import { focused, h } from "./dom.js";
+import { clamp, show, withUnit } from "./numbers.js";
 import { Parts, partsLike } from "./parts.js";
 
 const DEGREE = Math.PI / 180;

@@ -1,6 +1,6 @@
 // A computed motion: the packed reply of the server, and the state at any time in it.
 
-import { clamp } from "./dom.js";
+import { clamp } from "./numbers.js";
 
 const KINDS = { f8: Float64Array, f4: Float32Array, u1: Uint8Array };
 export const MODE_LETTERS = "RSKHM";

@@ -1,8 +1,9 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
-import {
-  SPEED_COLORS, clamp, fitted, focused, follow, h, niceStep, once, parsed, pinch, show, tickText, ticks, withUnit,
-} from "./dom.js";
+import { SPEED_COLORS, parsed } from "./colors.js";
+import { fitted, focused, h, once } from "./dom.js";
+import { clamp, niceStep, show, tickText, ticks, withUnit } from "./numbers.js";
+import { follow, pinch } from "./pointer.js";
 
 const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
 const RIGHT = 12;
@@ -12,9 +13,15 @@ const LEVELS = [[24, 16], [72, 48], [216, 144]];
 const DEGREE = Math.PI / 180;
 
 export class MotionMap {
-  constructor(lab) {
-    this.lab = lab;
-    const { map_axes: axes } = lab.setup.controls;
+  /**
+   * @param {Backend} backend
+   * @param {Setup} setup
+   * @param {(changes: Change[]) => void} take what a click on a motion does
+   */
+  constructor(backend, setup, take) {
+    this.backend = backend;
+    this.onmotion = take;
+    const { map_axes: axes } = setup.controls;
     this.axes = new Map(axes.map((axis) => [axis.path, axis]));
     this.what = "sequence";
     this.paths = { x: "start.speed", y: "plane.mu" };
@@ -54,7 +61,7 @@ export class MotionMap {
           this.refresh();
         },
       },
-      lab.setup.map_quantities.map(([name, words]) => h("option", { value: name }, words)),
+      setup.map_quantities.map(([name, words]) => h("option", { value: name }, words)),
     );
     this.element = h(
       "section",
@@ -90,11 +97,17 @@ export class MotionMap {
     this.soon = once(() => this.refresh(), 140);
     // only a map that is looked at is computed
     this.seen = false;
-    new IntersectionObserver(([entry]) => {
+    this.watch = new IntersectionObserver(([entry]) => {
       this.seen = entry.isIntersecting;
       if (this.seen && this.stale) this.refresh();
-    }).observe(this.body);
+    });
+    this.watch.observe(this.body);
     this.syncSelects();
+  }
+
+  close() {
+    this.asked?.abort();
+    this.watch.disconnect();
   }
 
   syncSelects() {
@@ -129,8 +142,9 @@ export class MotionMap {
   }
 
   // The present motion has changed: move the mark, and compute again if the map is another one now.
-  mark(film) {
+  mark(film, look) {
     this.film = film;
+    this.look = look;
     const key = this.key_of(film.scenario);
     if (key !== this.key_now) {
       this.key_now = key;
@@ -162,7 +176,7 @@ export class MotionMap {
       for (const [x, y] of LEVELS) {
         this.state.textContent = `computing ${x * y} motions …`;
         const body = { scenario: base, changes, x: this.axis("x", x), y: this.axis("y", y), what: this.what };
-        const reply = await this.lab.backend.call("map", body, signal);
+        const reply = await this.backend.call("map", body, signal);
         this.add(reply);
         this.state.textContent = `${x * y} motions${changes.length ? ", with rigid contact" : ""}`;
         this.redraw();
@@ -262,7 +276,7 @@ export class MotionMap {
 
   redraw() {
     if (!this.film) return;
-    const { look } = this.lab;
+    const { look } = this;
     const { context, width, height } = fitted(this.canvas);
     this.left = this.deep("y") ? LEFT_DEEP : LEFT;
     this.box = { width: width - this.left - RIGHT, height: height - TOP - BOTTOM };
@@ -436,8 +450,7 @@ export class MotionMap {
   }
 
   take(place) {
-    this.lab.clock.time = 0;
-    this.lab.change([[this.paths.x, place.x], [this.paths.y, place.y]], true);
+    this.onmotion([[this.paths.x, place.x], [this.paths.y, place.y]]);
   }
 
   wheel(event) {

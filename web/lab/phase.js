@@ -1,6 +1,9 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
-import { clamp, faded, fitted, focused, h, niceStep, once, parsed, pinch, tickText, ticks } from "./dom.js";
+import { faded, parsed } from "./colors.js";
+import { fitted, focused, h, once } from "./dom.js";
+import { clamp, niceStep, tickText, ticks } from "./numbers.js";
+import { pinch } from "./pointer.js";
 import { swatch } from "./plot.js";
 
 const LEFT = 52;
@@ -10,8 +13,15 @@ const BOTTOM = 30;
 const LETTERS = "RSKHM?";
 
 export class PhasePlane {
-  constructor(lab) {
-    this.lab = lab;
+  /**
+   * @param {Backend} backend
+   * @param {Clock} clock
+   * @param {Colors} colors
+   */
+  constructor(backend, clock, colors) {
+    this.backend = backend;
+    this.clock = clock;
+    this.colors = colors;
     this.canvas = h("canvas", { class: "plot-canvas" });
     this.over = h("canvas", { class: "plot-canvas plot-over" });
     this.keys = h("div", { class: "plot-keys" });
@@ -76,7 +86,7 @@ export class PhasePlane {
   }
 
   async painted(scenario, window, signal) {
-    const { header, arrays } = await this.lab.backend.call("regions", { scenario, window }, signal);
+    const { header, arrays } = await this.backend.call("regions", { scenario, window }, signal);
     return { window: header.window, paradox: arrays.paradox, picture: this.paint(arrays.modes, header.arrays[0].shape) };
   }
 
@@ -170,7 +180,7 @@ export class PhasePlane {
   }
 
   paint(codes, [rows, columns]) {
-    const { modes } = this.lab.colors;
+    const { modes } = this.colors;
     const picture = h("canvas", { width: columns, height: rows });
     const image = new ImageData(columns, rows);
     for (let row = 0; row < rows; row++) {
@@ -187,7 +197,7 @@ export class PhasePlane {
 
   redraw() {
     if (!this.films) return;
-    const { lab, look } = this;
+    const { colors, look } = this;
     const { context, width, height } = fitted(this.canvas);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
@@ -213,12 +223,12 @@ export class PhasePlane {
     this.axes(context, width, height);
     if (this.keyed !== look.dark) {
       this.keyed = look.dark;
-      const names = Object.entries(lab.colors.mode_names).filter(([letter]) => "RSKH".includes(letter));
+      const names = Object.entries(colors.mode_names).filter(([letter]) => "RSKH".includes(letter));
       this.keys.replaceChildren(
-        ...names.map(([letter, name]) => h("span", { class: "plot-key" }, swatch(lab.colors.modes[letter]), name)),
+        ...names.map(([letter, name]) => h("span", { class: "plot-key" }, swatch(colors.modes[letter]), name)),
       );
     }
-    this.cursor(lab.clock.time);
+    this.cursor(this.clock.time);
   }
 
   // Columns in which slip meets the paradox, hatched one way for spin and the other for skid.
@@ -326,7 +336,7 @@ export class PhasePlane {
       if (!(x >= LEFT && x <= LEFT + this.box.width && y >= TOP && y <= TOP + this.box.height)) return;
       context.beginPath();
       context.arc(x, y, lane ? 4 : 5.5, 0, 2 * Math.PI);
-      context.fillStyle = this.lab.colors.modes[pose.mode];
+      context.fillStyle = this.colors.modes[pose.mode];
       context.fill();
       context.lineWidth = 2;
       context.strokeStyle = this.look.ink;
@@ -348,6 +358,6 @@ export class PhasePlane {
       const distance = Math.hypot(this.x(th) - px, this.y(omega[i]) - py);
       if (distance < best.distance) best = { distance, t: film.t[i] };
     }
-    if (best.distance < 40) this.lab.clock.seek(clamp(best.t, 0, film.duration));
+    if (best.distance < 40) this.clock.seek(clamp(best.t, 0, film.duration));
   }
 }

@@ -1,6 +1,9 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
-import { clamp, faded, fitted, focused, follow, h, niceStep, pinch, readable, show, tickText, ticks } from "./dom.js";
+import { faded, readable } from "./colors.js";
+import { fitted, focused, h } from "./dom.js";
+import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
+import { follow, pinch } from "./pointer.js";
 
 const LEFT = 52;
 const RIGHT = 10;

@@ -1,6 +1,7 @@
 // Keep and share: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
-import { degrees, h, saveBlob, show } from "./dom.js";
+import { h, saveBlob } from "./dom.js";
+import { degrees, show } from "./numbers.js";
 
 const FILES = [
   ["motion.toml", "Scenario (TOML)"],
@@ -43,7 +44,7 @@ export class Share {
           try {
             await action();
           } catch (error) {
-            this.lab.fail(error);
+            this.lab.notice.fail(error);
           }
         },
       },
@@ -52,10 +53,10 @@ export class Share {
   }
 
   async copyLink() {
-    const link = this.lab.link();
+    const link = this.lab.motions.link();
     try {
       await navigator.clipboard.writeText(link);
-      this.lab.say("The link is copied.");
+      this.lab.notice.say("The link is copied.");
     } catch {
       this.show("The link to this motion", link);
     }
@@ -63,15 +64,15 @@ export class Share {
 
   async download(name) {
     const film = this.lab.film();
-    this.lab.say(name.endsWith("mp4") ? "The film is being made; this takes a while …" : `Fetching ${name} …`);
+    this.lab.notice.say(name.endsWith("mp4") ? "The film is being made; this takes a while …" : `Fetching ${name} …`);
     saveBlob(await this.lab.backend.file(name, film.query), `hophoop-${name}`);
-    this.lab.say(`${name} is there.`);
+    this.lab.notice.say(`${name} is there.`);
   }
 
   picture() {
     return new Promise((resolve) => {
       this.lab.drawStage();
-      const source = this.lab.stageCanvas();
+      const source = this.lab.stage.canvas();
       const copy = h("canvas", { width: source.width, height: source.height });
       this.copyInto(copy);
       copy.toBlob((blob) => {
@@ -84,9 +85,9 @@ export class Share {
   // A copy of what is shown, with the words that stand beside it on the page.
   copyInto(canvas) {
     const { lab } = this;
-    const source = lab.stageCanvas();
+    const source = lab.stage.canvas();
     const context = canvas.getContext("2d");
-    context.fillStyle = lab.look.paper;
+    context.fillStyle = lab.theme.look.paper;
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.drawImage(source, 0, 0, canvas.width, canvas.height);
     const size = canvas.width / Math.max(source.getBoundingClientRect().width, 1);
@@ -96,13 +97,13 @@ export class Share {
       const pose = film.at(lab.clock.time);
       const words = [
         films.length > 1 ? `${"AB"[i]}: ` : "",
-        `${lab.colors.mode_names[pose.mode]}, t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`,
+        `${lab.theme.colors.mode_names[pose.mode]}, t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`,
       ].join("");
-      const top = lab.options.three ? 10 + 20 * i : 10 + (i * source.getBoundingClientRect().height) / films.length;
-      context.fillStyle = lab.colors.modes[pose.mode];
+      const top = lab.stage.options.three ? 10 + 20 * i : 10 + (i * source.getBoundingClientRect().height) / films.length;
+      context.fillStyle = lab.theme.colors.modes[pose.mode];
       context.fillRect(12 * size, (top + 2) * size, 11 * size, 11 * size);
-      context.fillStyle = lab.look.ink;
-      context.font = `${13 * size}px ${lab.look.font}`;
+      context.fillStyle = lab.theme.look.ink;
+      context.font = `${13 * size}px ${lab.theme.look.font}`;
       context.fillText(words, 30 * size, top * size);
     });
   }
@@ -110,7 +111,7 @@ export class Share {
   // The canvas itself, played once from the start, as WebM.
   async record() {
     const { lab } = this;
-    const source = lab.stageCanvas();
+    const source = lab.stage.canvas();
     if (!source.captureStream || !globalThis.MediaRecorder) {
       throw new Error("This browser cannot record a canvas; take the MP4 instead.");
     }
@@ -123,7 +124,7 @@ export class Share {
     const before = lab.clock.loop;
     lab.clock.loop = false;
     lab.clock.seek(0);
-    lab.say("Recording one run …");
+    lab.notice.say("Recording one run …");
     lab.afterFrame = () => {
       this.copyInto(copy);
       if (!lab.clock.playing && recorder.state === "recording") recorder.stop();
@@ -134,7 +135,7 @@ export class Share {
     lab.afterFrame = null;
     lab.clock.loop = before;
     saveBlob(new Blob(pieces, { type: recorder.mimeType }), "hophoop.webm");
-    lab.say("The film is there.");
+    lab.notice.say("The film is there.");
   }
 
   async code() {

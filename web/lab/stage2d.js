@@ -1,19 +1,22 @@
 // The hoop on its plane, drawn on a canvas.
 
-import { SPEED_TEXTS, clamp, fitted, focused, follow, niceStep, pinch, show, tickText } from "./dom.js";
+import { SPEED_TEXTS } from "./colors.js";
+import { fitted, focused } from "./dom.js";
+import { clamp, niceStep, show, tickText } from "./numbers.js";
+import { follow, pinch } from "./pointer.js";
 
 const SEGMENTS = 120;
 
 export class Stage2D {
-  constructor(canvas) {
+  constructor(canvas, onview) {
     this.canvas = canvas;
+    this.onview = onview;
     this.zoom = 1;
     this.shift = [0, 0];
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     canvas.addEventListener("dblclick", () => this.reset());
     this.pinched = pinch(canvas, (factor) => this.zoomBy(factor));
-    this.onview = () => {};
   }
 
   reset() {

@@ -3,7 +3,10 @@
 import { rgb } from "../space/algebra.js";
 import { bind, makeProgram, mesh } from "../space/gl.js";
 import { Space } from "../space/space.js";
-import { SPEED_COLORS, clamp, focused, follow, pinch } from "./dom.js";
+import { SPEED_COLORS } from "./colors.js";
+import { focused } from "./dom.js";
+import { clamp } from "./numbers.js";
+import { follow, pinch } from "./pointer.js";
 
 const SUN = [0.35, 0.85, 0.4];
 const SHADOW = 0.18;

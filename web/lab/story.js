@@ -1,6 +1,7 @@
 // The motion in words, as a list that leads to each moment, and what theory says about this hoop.
 
-import { h, show } from "./dom.js";
+import { h } from "./dom.js";
+import { show } from "./numbers.js";
 
 export class Story {
   constructor(clock) {

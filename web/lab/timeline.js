@@ -1,6 +1,9 @@
 // The bar of time: modes as coloured stretches, events as marks, and the hand that scrubs.
 
-import { clamp, fitted, follow, h, niceStep, show, tickText, ticks, writing } from "./dom.js";
+import { writing } from "./colors.js";
+import { fitted, h } from "./dom.js";
+import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
+import { follow } from "./pointer.js";
 
 const MARKS = {
   takeoff: "▲", impact: "▼", apex: "•", jam: "✖", kane_gain: "✚", bounce_limit: "≋", turn: "↺", rest: "■",
