@@ -56,7 +56,11 @@ def test_the_build_gives_the_same_bytes(node, tmp_path):
 
 
 def test_the_linter_finds_nothing(node):
-    node("node_modules/@biomejs/biome/bin/biome", "lint", "--error-on-warnings", ".")
+    node("node_modules/@biomejs/biome/bin/biome", "check", "--error-on-warnings", ".")
+
+
+def test_types_hold(node):
+    node("node_modules/typescript/bin/tsc", "--project", ".")
 
 
 def test_no_lock_file_names_a_registry():

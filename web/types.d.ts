@@ -86,7 +86,7 @@ interface Part {
   shape: "ring" | "disk" | "point_mass" | "rod";
   mass: number;
   at?: number;
-  [key: string]: number | string | undefined;
+  [measure: string]: any;
 }
 
 interface Scenario {
@@ -162,6 +162,45 @@ interface Point {
   clientY: number;
 }
 
+type AxisName = "x" | "y";
+
+// A place on a map, in the units of its axes.
+interface Place {
+  x: number;
+  y: number;
+}
+
+interface Box {
+  width: number;
+  height: number;
+}
+
+interface MapClass {
+  name: string;
+  text: string;
+  color: string;
+}
+
+interface MapHeader {
+  x: { path: string; from: number; to: number; cells: number };
+  y: { path: string; from: number; to: number; cells: number };
+  what: string;
+  label: string;
+  unit: string;
+  classes: MapClass[] | null;
+}
+
+// A computed part of a map; a finer one lies over a coarser one.
+interface MapLayer {
+  picture: HTMLCanvasElement;
+  header: MapHeader;
+  values: Float32Array;
+  x: number[];
+  y: number[];
+  low: number;
+  high: number;
+}
+
 interface Curve {
   name: string;
   color?: string;
@@ -186,8 +225,62 @@ interface PlotShared {
   changed: () => void;
 }
 
-type Program = ReturnType<typeof import("./space/gl.js").makeProgram>;
-type Mesh = ReturnType<typeof import("./space/gl.js").mesh>;
+type Vector = number[]; // of three
+type Matrix = Float32Array; // columns of four
+type Camera = import("./scene/camera.js").Camera;
+
+interface Program {
+  program: WebGLProgram;
+  uniforms: Record<string, WebGLUniformLocation | null>;
+  attributes: Record<string, number>;
+}
+
+interface Mesh {
+  vertices: WebGLBuffer;
+  elements: WebGLBuffer | null;
+  parts: Record<string, number>;
+  stride: number;
+  count: number;
+}
+
+// A camera: `eye` and `target` are level, `angle` is that of the view.
+interface View {
+  eye: Vector;
+  target: Vector;
+  slope: number;
+  angle: number;
+  near: number;
+  far: number;
+}
+
+// `tube` and `broad` are half the rim's thickness and half its breadth; `plain` is its colour where speed has none.
+interface Ring {
+  center: Vector;
+  radius: number;
+  tube: number;
+  broad: number;
+  angle: number;
+  velocity: number[];
+  omega: number;
+  plain?: Vector | null;
+}
+
+// A flat piece of the plane.
+interface Sheet {
+  data: number[];
+  indices: number[];
+}
+
+// A hoop of the film that turns, at one instant.
+interface ScenePose {
+  hoop: SceneHoop;
+  center: Vector;
+  angle: number;
+  velocity: number[];
+  omega: number;
+  airborne: boolean;
+  at: (distance: number) => Vector;
+}
 
 // The film that turns, as animate/web.py writes it.
 interface SceneHoop {

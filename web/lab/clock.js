@@ -19,6 +19,7 @@ export class Clock {
     for (const listener of this.listeners) listener(this);
   }
 
+  /** @param {number} time */
   seek(time) {
     this.time = clamp(time, 0, this.duration);
     this.changed();
@@ -31,13 +32,17 @@ export class Clock {
     this.changed();
   }
 
+  /** @param {-1 | 1} way */
   faster(way) {
     const place = SPEEDS.indexOf(this.speed);
     this.speed = SPEEDS[clamp(place + way, 0, SPEEDS.length - 1)];
     this.changed();
   }
 
-  // Called once a frame; whether the time has moved.
+  /**
+   * Called once a frame; whether the time has moved.
+   * @param {number} now
+   */
   tick(now) {
     if (!this.playing) return false;
     // after a pause of the tab the film goes on where it was

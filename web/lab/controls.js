@@ -7,6 +7,10 @@ import { Parts, partsLike } from "./parts.js";
 const DEGREE = Math.PI / 180;
 
 class Slider {
+  /**
+   * @param {SliderInfo} info
+   * @param {(changes: Change[], commit: boolean) => void} onchange
+   */
   constructor(info, onchange) {
     this.info = info;
     this.onchange = onchange;
@@ -46,6 +50,7 @@ class Slider {
     return this.info.logarithmic ? Math.log10(this.info.most) : this.info.most;
   }
 
+  /** @param {boolean} commit */
   slid(commit) {
     const place = Number(this.range.value);
     const value = this.info.logarithmic ? Number((10 ** place).toPrecision(3)) : place;
@@ -59,14 +64,23 @@ class Slider {
     this.send(Number(this.number.value), true);
   }
 
+  /**
+   * @param {number} value
+   * @param {boolean} commit
+   */
   send(value, commit) {
     this.onchange([[this.info.path, this.info.degrees ? value * DEGREE : value]], commit);
   }
 
+  /** @param {number} value */
   say(value) {
     this.range.setAttribute("aria-valuetext", withUnit(show(value, 4), this.info.unit));
   }
 
+  /**
+   * @param {number | string | null | undefined} value "inf" for no limit
+   * @param {number | null} automatic what is chosen where there is no value
+   */
   show(value, automatic = null) {
     // what the lab chooses by itself stands behind an empty field
     const own = value !== null && value !== undefined;
@@ -75,7 +89,7 @@ class Slider {
       this.number.value = "";
       return;
     }
-    const shown = found === "inf" ? Infinity : this.info.degrees ? found / DEGREE : found;
+    const shown = found === "inf" ? Infinity : Number(found) / (this.info.degrees ? DEGREE : 1);
     const text = Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "";
     this.number.value = own ? text : "";
     this.number.placeholder = !own ? `auto ${show(shown, 2)}` : Number.isFinite(shown) ? "" : "∞";
@@ -88,6 +102,10 @@ class Slider {
   }
 }
 
+/**
+ * @param {ChoiceInfo} info
+ * @param {(changes: Change[], commit: boolean) => void} onchange
+ */
 function choice(info, onchange) {
   const select = h(
     "select",
@@ -99,8 +117,26 @@ function choice(info, onchange) {
 }
 
 export class Controls {
+  /** @type {{ select: HTMLSelectElement, element: HTMLElement }} */
+  way;
+  /** @type {{ select: HTMLSelectElement, element: HTMLElement }} */
+  kind;
+  /** @type {{ select: HTMLSelectElement, element: HTMLElement }} */
+  gravity;
+  /** @type {HTMLInputElement} */
+  apart;
+  /** @type {HTMLElement} */
+  derived;
+  /** @type {Film} */
+  film;
+
+  /**
+   * @param {ControlsInfo} setup
+   * @param {(changes: Change[], commit: boolean) => void} onchange
+   */
   constructor(setup, onchange) {
-    this.onchange = (changes, commit = true) => onchange(changes, commit);
+    this.onchange = (/** @type {Change[]} */ changes, commit = true) => onchange(changes, commit);
+    /** @type {Map<string, Slider>} */
     this.sliders = new Map();
     for (const list of Object.values(setup.groups)) {
       for (const info of list) this.sliders.set(info.path, new Slider(info, this.onchange));
@@ -111,10 +147,18 @@ export class Controls {
     this.element = h("div", { class: "controls" }, this.hoop(), this.plane(), this.start(), this.contact());
   }
 
+  /** @param {string} path */
   at(path) {
-    return (this.sliders.get(path) ?? this.choices.get(path)).element;
+    const found = this.sliders.get(path) ?? this.choices.get(path);
+    if (!found) throw new Error(`There is no control of ${path}.`);
+    return found.element;
   }
 
+  /**
+   * @param {string} label
+   * @param {[string, string][]} options
+   * @param {(value: string) => void} onchange
+   */
   select(label, options, onchange) {
     const select = h(
       "select",
@@ -124,6 +168,10 @@ export class Controls {
     return { select, element: h("label", { class: "choice" }, h("span", {}, label), select) };
   }
 
+  /**
+   * @param {string} title
+   * @param {...HTMLElement} children
+   */
   group(title, ...children) {
     // on a phone all of it would be a long way to scroll
     const open = title === "Start" || title === "Plane" || !matchMedia("(max-width: 760px)").matches;
@@ -133,7 +181,11 @@ export class Controls {
   hoop() {
     this.way = this.select(
       "Given by",
-      [["load_fraction", "load fraction γ"], ["eccentricity", "ε and κ"], ["parts", "real parts"]],
+      [
+        ["load_fraction", "load fraction γ"],
+        ["eccentricity", "ε and κ"],
+        ["parts", "real parts"],
+      ],
       (way) => {
         const { values } = this.film;
         if (way === "parts") this.onchange([["hoop.parts", partsLike(values)]]);
@@ -160,14 +212,17 @@ export class Controls {
       onchange: () => {
         const { values } = this.film;
         if (this.apart.checked) {
-          this.onchange([["plane.mu_static", values["plane.mu_static"]], ["plane.mu_kinetic", values["plane.mu_kinetic"]]]);
+          this.onchange([
+            ["plane.mu_static", values["plane.mu_static"]],
+            ["plane.mu_kinetic", values["plane.mu_kinetic"]],
+          ]);
         } else this.onchange([["plane.mu", values["plane.mu_static"]]]);
       },
     });
     this.gravity = this.select(
       "Where",
-      [...this.gravities.map(([name]) => [name, name]), ["", "elsewhere"]],
-      (name) => {
+      [...this.gravities.map(([name]) => /** @type {[string, string]} */ ([name, name])), ["", "elsewhere"]],
+      (/** @type {string} */ name) => {
         const found = this.gravities.find(([known]) => known === name);
         if (found) this.onchange([["plane.gravity", found[1]]]);
       },
@@ -188,11 +243,18 @@ export class Controls {
   }
 
   start() {
-    this.kind = this.select("Starts", [["rolling", "rolling"], ["free", "in any state"]], (kind) => {
-      const { values } = this.film;
-      if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
-      else this.onchange([["start.omega", values["start.omega"]]]);
-    });
+    this.kind = this.select(
+      "Starts",
+      [
+        ["rolling", "rolling"],
+        ["free", "in any state"],
+      ],
+      (/** @type {string} */ kind) => {
+        const { values } = this.film;
+        if (kind === "rolling") this.onchange([["start.speed", values["start.vx"]]]);
+        else this.onchange([["start.omega", values["start.omega"]]]);
+      },
+    );
     return this.group(
       "Start",
       this.kind.element,
@@ -218,6 +280,7 @@ export class Controls {
     );
   }
 
+  /** @param {Film} film */
   show(film) {
     this.film = film;
     const { scenario, values } = film;
@@ -254,19 +317,21 @@ export class Controls {
     };
     for (const [path, seen] of Object.entries(visible)) this.at(path).hidden = !seen;
     this.parts.element.hidden = way !== "parts";
-    if (way === "parts") this.parts.show(scenario.hoop.parts, values["hoop.radius"], values["hoop.mass"]);
+    if (scenario.hoop.parts) this.parts.show(scenario.hoop.parts, values["hoop.radius"], values["hoop.mass"]);
     this.derived.textContent =
       way === "eccentricity"
         ? ""
         : `ε = ${show(values["hoop.eccentricity"], 5)}, κ = ${show(values["hoop.inertia_ratio"], 5)}` +
           (way === "parts" ? `, m = ${show(values["hoop.mass"], 5)} kg` : "");
+    /** @type {Record<string, any>} */
+    const sections = scenario;
     for (const [path, slider] of this.sliders) {
       const [section, key] = path.split(".");
-      slider.show(values[path] ?? (key ? scenario[section]?.[key] : scenario[section]), film.automatic?.[path]);
+      slider.show(values[path] ?? (key ? sections[section]?.[key] : sections[section]), film.automatic?.[path]);
     }
     for (const [path, { select }] of this.choices) {
       const [section, key] = path.split(".");
-      if (scenario[section]?.[key] !== undefined) select.value = scenario[section][key];
+      if (sections[section]?.[key] !== undefined) select.value = sections[section][key];
     }
   }
 }

@@ -2,44 +2,80 @@
 
 import { clamp } from "./numbers.js";
 
+/** @type {Record<string, any>} */
 const KINDS = { f8: Float64Array, f4: Float32Array, u1: Uint8Array };
 export const MODE_LETTERS = "RSKHM";
 
+/** @param {ArrayBuffer | ArrayBufferView} buffer */
 export function unpack(buffer) {
   const view = buffer instanceof DataView ? buffer : ArrayBuffer.isView(buffer) ? buffer : new DataView(buffer);
   let bytes = new Uint8Array(view.buffer, view.byteOffset, view.byteLength);
   if (bytes.byteOffset % 8) bytes = bytes.slice(); // typed arrays start at multiples of their size
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
+  /** @type {Record<string, Column>} */
   const arrays = {};
   for (const { name, type, shape, place } of header.arrays) {
-    const count = shape.reduce((product, size) => product * size, 1);
+    const count = shape.reduce((/** @type {number} */ product, /** @type {number} */ size) => product * size, 1);
     arrays[name] = new KINDS[type](bytes.buffer, bytes.byteOffset + 4 + length + place, count);
   }
   return { header, arrays };
 }
 
 const STEADY = new Set(["x", "angle", "height"]);
+/** @type {Record<string, string>} */
 const RATES = { x: "vx", angle: "omega", height: "vy" };
 
 export class Film {
+  /** @param {Reply} reply */
   constructor(reply) {
-    Object.assign(this, reply.header);
+    const { header } = reply;
+    /** @type {Scenario} */
+    this.scenario = header.scenario;
+    /** @type {string} */
+    this.query = header.query;
+    /** @type {number} */
+    this.duration = header.duration;
+    /** @type {string} */
+    this.status = header.status;
+    /** @type {string} */
+    this.sequence = header.sequence;
+    /** @type {MotionEvent[]} */
+    this.events = header.events;
+    /** @type {Record<string, any>} */
+    this.values = header.values;
+    /** @type {Record<string, number>} */
+    this.automatic = header.automatic;
+    /** @type {string} */
+    this.summary = header.summary;
+    /** @type {Sentence[]} */
+    this.story = header.story;
+    /** @type {boolean} */
+    this.shortened = header.shortened;
+    /** @type {Record<string, Column>} */
     this.columns = reply.arrays;
+    /** @type {Float64Array} */
     this.t = reply.arrays.t;
     this.length = this.t.length;
+    /** @type {number} */
     this.radius = this.values["hoop.radius"];
+    /** @type {number} */
     this.mass = this.values["hoop.mass"];
+    /** @type {number} */
     this.eccentricity = this.values["hoop.eccentricity"];
+    /** @type {number} */
     this.slope = this.scenario.plane.slope ?? 0;
+    /** @type {number} */
     this.gravity = this.scenario.plane.gravity ?? 9.81;
     this.phases = this.findPhases();
     this.extent = this.findExtent();
+    /** @type {Map<string, Column>} */
     this.cache = new Map();
   }
 
   findPhases() {
     const { mode } = this.columns;
+    /** @type {Phase[]} */
     const phases = [];
     for (let i = 0; i < this.length; i++) {
       const last = phases.at(-1);
@@ -53,6 +89,7 @@ export class Film {
   findExtent() {
     const { x, height, vx, vy, omega } = this.columns;
     const extent = { left: Infinity, right: -Infinity, top: 0, speed: 0 };
+    /** @type {number[]} */
     const speeds = [];
     for (let i = 0; i < this.length; i++) {
       if (Number.isFinite(x[i])) {
@@ -69,7 +106,10 @@ export class Film {
     return extent;
   }
 
-  // Largest index with t[index] <= time: of two samples at an event, the one after it.
+  /**
+   * Largest index with t[index] <= time: of two samples at an event, the one after it.
+   * @param {number} time
+   */
   index(time) {
     let low = 0;
     let high = this.length;
@@ -81,12 +121,14 @@ export class Film {
     return low;
   }
 
+  /** @param {number} time */
   at(time) {
     const now = clamp(time, 0, this.duration);
     const i = this.index(now);
     const j = Math.min(i + 1, this.length - 1);
     const span = this.t[j] - this.t[i];
     const share = span > 0 ? (now - this.t[i]) / span : 0;
+    /** @type {Record<string, any>} */
     const pose = { t: now, mode: MODE_LETTERS[this.columns.mode[i]] };
     for (const [name, column] of Object.entries(this.columns)) {
       if (name === "t" || name === "mode") continue;
@@ -98,17 +140,30 @@ export class Film {
         pose[name] = hermite(a, b, rate[i] * span, rate[j] * span, share);
       } else pose[name] = a + (b - a) * share;
     }
-    return pose;
+    return /** @type {Pose} */ (pose);
   }
 
-  // A derived column, computed once.
+  /**
+   * A derived column, computed once.
+   * @param {string} name
+   * @param {(columns: Record<string, Column>) => Column} make
+   * @returns {Column}
+   */
   derived(name, make) {
-    if (!this.cache.has(name)) this.cache.set(name, make(this.columns, this));
-    return this.cache.get(name);
+    const found = this.cache.get(name) ?? make(this.columns);
+    this.cache.set(name, found);
+    return found;
   }
 }
 
-// Cubic through both values with both rates: exact to drawing also at a tenth of the speed.
+/**
+ * Cubic through both values with both rates: exact to drawing also at a tenth of the speed.
+ * @param {number} a
+ * @param {number} b
+ * @param {number} da
+ * @param {number} db
+ * @param {number} s
+ */
 function hermite(a, b, da, db, s) {
   if (!Number.isFinite(da) || !Number.isFinite(db)) return a + (b - a) * s;
   const r = 1 - s;

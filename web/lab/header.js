@@ -42,7 +42,11 @@ export class Header {
       },
       h("option", { value: "" }, "Motions to start from …"),
       [...groups].map(([group, list]) =>
-        h("optgroup", { label: group }, list.map(({ key, title }) => h("option", { value: key }, title))),
+        h(
+          "optgroup",
+          { label: group },
+          list.map(({ key, title }) => h("option", { value: key }, title)),
+        ),
       ),
     );
     this.undo = button(icon("undo"), "Undo (z)", actions.undo);

@@ -3,9 +3,18 @@
 import { h } from "./dom.js";
 
 const KEYS = [
-  ["space", "play, pause"], ["← →", "one frame"], ["Shift ← →", "previous, next event"], ["h  l", "next hop, landing"],
-  ["[ ]", "slower, faster"], ["Home End", "start, end"], ["t f c w", "traces, forces, rim speed, whole path"],
-  ["3", "in space"], ["+ − 0", "zoom, zoom back"], ["z y", "undo, redo"], ["d", "dark, light"], ["p", "Python"],
+  ["space", "play, pause"],
+  ["← →", "one frame"],
+  ["Shift ← →", "previous, next event"],
+  ["h  l", "next hop, landing"],
+  ["[ ]", "slower, faster"],
+  ["Home End", "start, end"],
+  ["t f c w", "traces, forces, rim speed, whole path"],
+  ["3", "in space"],
+  ["+ − 0", "zoom, zoom back"],
+  ["z y", "undo, redo"],
+  ["d", "dark, light"],
+  ["p", "Python"],
 ];
 
 /** @param {string} version */

@@ -65,7 +65,9 @@ export class Lab {
       this.clock.time = 0;
       this.motions.change(changes, true);
     });
-    this.controls = new Controls(setup.controls, (changes, commit) => this.motions.change(changes, commit));
+    this.controls = new Controls(setup.controls, (/** @type {Change[]} */ changes, /** @type {boolean} */ commit) =>
+      this.motions.change(changes, commit),
+    );
     this.share = new Share(this);
     this.help = helpDialog(setup.version);
     this.hoops = new Hoops((lane) => this.motions.choose(lane));
@@ -123,14 +125,14 @@ export class Lab {
       h("div", { class: "words" }, this.story.element, want("theory") && this.theory.element),
       want("map") && this.map.element,
     );
-    const why = h(
-      "div",
-      { class: "why" },
-      want("plots") && this.plots.element,
-      want("plots") && this.phase.element,
-    );
+    const why = h("div", { class: "why" }, want("plots") && this.plots.element, want("plots") && this.phase.element);
     root.replaceChildren(
-      h("div", { class: "page" }, this.header.element, h("div", { class: "columns" }, want("controls") && side, middle, why)),
+      h(
+        "div",
+        { class: "page" },
+        this.header.element,
+        h("div", { class: "columns" }, want("controls") && side, middle, why),
+      ),
       notice.toast,
       this.share.dialog,
       this.help,

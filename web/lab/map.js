@@ -1,7 +1,7 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
 import { SPEED_COLORS, parsed } from "./colors.js";
-import { fitted, focused, h, once } from "./dom.js";
+import { fitted, focused, h, once, pen } from "./dom.js";
 import { clamp, niceStep, show, tickText, ticks, withUnit } from "./numbers.js";
 import { follow, pinch } from "./pointer.js";
 
@@ -9,10 +9,39 @@ const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
 const RIGHT = 12;
 const TOP = 10;
 const BOTTOM = 36;
-const LEVELS = [[24, 16], [72, 48], [216, 144]];
+const LEVELS = [
+  [24, 16],
+  [72, 48],
+  [216, 144],
+];
 const DEGREE = Math.PI / 180;
+/** @type {AxisName[]} */
+const AXES = ["x", "y"];
 
 export class MotionMap {
+  /** @type {Film} */
+  film;
+  /** @type {Look} */
+  look;
+  /** @type {Box} */
+  box;
+  /** @type {AbortController} */
+  asked;
+  /** @type {boolean} */
+  stale;
+  /** @type {boolean} */
+  computing;
+  /** @type {string} */
+  key_now;
+  /** @type {string} */
+  kind;
+  /** @type {number} */
+  level;
+  /** @type {boolean} */
+  dragging;
+  /** @type {Place | null} */
+  pointed = null;
+
   /**
    * @param {Backend} backend
    * @param {Setup} setup
@@ -22,17 +51,22 @@ export class MotionMap {
     this.backend = backend;
     this.onmotion = take;
     const { map_axes: axes } = setup.controls;
-    this.axes = new Map(axes.map((axis) => [axis.path, axis]));
+    this.known = new Map(axes.map((axis) => [axis.path, axis]));
     this.what = "sequence";
+    /** @type {Record<AxisName, string>} */
     this.paths = { x: "start.speed", y: "plane.mu" };
-    this.windows = { x: [...this.axes.get("start.speed").range], y: [...this.axes.get("plane.mu").range] };
+    /** @type {Record<AxisName, number[]>} */
+    this.windows = { x: [...this.axisOf("start.speed").range], y: [...this.axisOf("plane.mu").range] };
+    /** @type {MapLayer[]} */
     this.layers = [];
     this.canvas = h("canvas", { class: "plot-canvas" });
     this.tip = h("div", { class: "tip", hidden: true });
     this.body = h(
       "div",
       {
-        class: "map-body", tabindex: "0", role: "application",
+        class: "map-body",
+        tabindex: "0",
+        role: "application",
         "aria-label": "Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.",
       },
       this.canvas,
@@ -40,18 +74,16 @@ export class MotionMap {
     );
     this.keys = h("div", { class: "map-keys" });
     this.state = h("span", { class: "hint", role: "status" });
-    const pick = (name, label) =>
-      h(
-        "label",
-        {},
-        label,
-        h(
-          "select",
-          { "data-axis": name, onchange: (event) => this.setAxis(name, event.target.value) },
-          axes.map(({ path, label: text }) => h("option", { value: path }, text)),
-        ),
+    /** @type {(name: AxisName) => HTMLSelectElement} */
+    const pick = (name) => {
+      const select = h(
+        "select",
+        { "data-axis": name, onchange: () => this.setAxis(name, select.value) },
+        axes.map(({ path, label }) => h("option", { value: path }, label)),
       );
-    this.selects = { x: pick("x", "Across"), y: pick("y", "Up") };
+      return select;
+    };
+    this.selects = { x: pick("x"), y: pick("y") };
     this.quantity = h(
       "select",
       {
@@ -71,8 +103,8 @@ export class MotionMap {
         { class: "map-head" },
         h("h2", {}, "Map"),
         h("label", {}, "of", this.quantity),
-        this.selects.x,
-        this.selects.y,
+        h("label", {}, "Across", this.selects.x),
+        h("label", {}, "Up", this.selects.y),
         h(
           "span",
           { class: "buttons" },
@@ -84,13 +116,17 @@ export class MotionMap {
       ),
       this.body,
       this.keys,
-      h("p", { class: "hint" }, "Click to take that motion into the player; wheel or two fingers to zoom, drag to move."),
+      h(
+        "p",
+        { class: "hint" },
+        "Click to take that motion into the player; wheel or two fingers to zoom, drag to move.",
+      ),
     );
     this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.body.addEventListener("pointerdown", (event) => this.press(event));
     this.body.addEventListener("pointermove", (event) => this.hover(event));
     this.body.addEventListener("pointerleave", () => (this.tip.hidden = true));
-    this.body.addEventListener("dblclick", () => this.zoom(0.35, this.pointed));
+    this.body.addEventListener("dblclick", () => this.zoom(0.35, this.pointed ?? undefined));
     this.body.addEventListener("keydown", (event) => this.key(event));
     this.pinched = pinch(this.body, (factor, at) => this.box && this.zoom(1 / factor, this.place(at)));
     this.left = LEFT;
@@ -110,10 +146,22 @@ export class MotionMap {
     this.watch.disconnect();
   }
 
-  syncSelects() {
-    for (const name of ["x", "y"]) this.selects[name].querySelector("select").value = this.paths[name];
+  /**
+   * What is known of the parameter on an axis.
+   * @param {string} path
+   */
+  axisOf(path) {
+    return /** @type {AxisInfo} */ (this.known.get(path));
   }
 
+  syncSelects() {
+    for (const name of AXES) this.selects[name].value = this.paths[name];
+  }
+
+  /**
+   * @param {AxisName} name
+   * @param {string} path
+   */
   setAxis(name, path) {
     const other = name === "x" ? "y" : "x";
     if (this.paths[other] === path) {
@@ -121,18 +169,22 @@ export class MotionMap {
       this.windows[other] = [...this.windows[name]];
     }
     this.paths[name] = path;
-    this.windows[name] = [...this.axes.get(path).range];
+    this.windows[name] = [...this.axisOf(path).range];
     this.syncSelects();
     this.home();
   }
 
   home() {
-    for (const name of ["x", "y"]) this.windows[name] = [...this.axes.get(this.paths[name]).range];
+    for (const name of AXES) this.windows[name] = [...this.axisOf(this.paths[name]).range];
     this.refresh();
   }
 
-  // What the map depends on, apart from its own axes.
+  /**
+   * What the map depends on, apart from its own axes.
+   * @param {Scenario} scenario
+   */
   key_of(scenario) {
+    /** @type {Record<string, any>} */
     const rest = structuredClone(scenario);
     for (const path of Object.values(this.paths)) {
       const [section, name] = path.split(".");
@@ -141,7 +193,11 @@ export class MotionMap {
     return JSON.stringify(rest);
   }
 
-  // The present motion has changed: move the mark, and compute again if the map is another one now.
+  /**
+   * The present motion has changed: move the mark, and compute again if the map is another one now.
+   * @param {Film} film
+   * @param {Look} look
+   */
   mark(film, look) {
     this.film = film;
     this.look = look;
@@ -183,20 +239,29 @@ export class MotionMap {
       }
       this.level = LEVELS.length;
     } catch (error) {
-      if (error.name === "AbortError") return;
-      this.state.textContent = error.message;
+      const { name, message } = /** @type {Error} */ (error);
+      if (name === "AbortError") return;
+      this.state.textContent = message;
     }
     this.computing = false;
   }
 
+  /**
+   * @param {AxisName} name
+   * @param {number} cells
+   */
   axis(name, cells) {
     const [from, to] = this.windows[name];
     return { path: this.paths[name], from, to, cells };
   }
 
+  /**
+   * @param {Reply} reply
+   */
   add({ header, arrays }) {
-    const { values } = arrays;
-    const { x, y, classes } = header;
+    /** @type {{ values: Float32Array }} */
+    const { values } = /** @type {any} */ (arrays);
+    const { x, y, classes } = /** @type {MapHeader} */ (header);
     const image = new ImageData(x.cells, y.cells);
     let [low, high] = [Infinity, -Infinity];
     if (!classes) {
@@ -204,7 +269,8 @@ export class MotionMap {
         if (value < low) low = value;
         if (value > high) high = value;
       }
-      if (["hop_height", "flight_time", "energy_lost", "greatest_utilisation"].includes(header.what)) low = Math.min(low, 0);
+      if (["hop_height", "flight_time", "energy_lost", "greatest_utilisation"].includes(header.what))
+        low = Math.min(low, 0);
     }
     const palette = classes?.map(({ color }) => parsed(color));
     for (let row = 0; row < y.cells; row++) {
@@ -224,20 +290,24 @@ export class MotionMap {
       }
     }
     const picture = h("canvas", { width: x.cells, height: y.cells });
-    picture.getContext("2d").putImageData(image, 0, 0);
+    pen(picture).putImageData(image, 0, 0);
     const layer = { picture, header, values, x: [x.from, x.to], y: [y.from, y.to], low, high };
     // layers that the new one covers whole are done with
-    const inside = (a, b) => a[0] >= b[0] - 1e-300 && a[1] <= b[1] + 1e-300;
+    const inside = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+      a[0] >= b[0] - 1e-300 && a[1] <= b[1] + 1e-300;
     this.layers = this.layers.filter((old) => !(inside(old.x, layer.x) && inside(old.y, layer.y)));
     this.layers.push(layer);
     if (this.layers.length > 12) this.layers.shift();
     this.legend(layer);
   }
 
+  /**
+   * @param {MapLayer} layer
+   */
   legend({ header, low, high, values }) {
     if (!header.classes) {
       const bar = h("canvas", { width: 120, height: 10, style: "width:120px;height:10px" });
-      const context = bar.getContext("2d");
+      const context = pen(bar);
       for (let k = 0; k < 120; k++) {
         context.fillStyle = `rgb(${SPEED_COLORS[Math.floor((255 * k) / 119)].join(",")})`;
         context.fillRect(k, 0, 1, 10);
@@ -255,20 +325,23 @@ export class MotionMap {
     const counts = new Map();
     for (const value of values) counts.set(value, (counts.get(value) ?? 0) + 1);
     const order = [...counts].filter(([code]) => code >= 0).sort((a, b) => b[1] - a[1]);
+    const { classes } = header;
     this.keys.replaceChildren(
       ...order.slice(0, 10).map(([code]) => {
-        const { color, text } = header.classes[code];
+        const { color, text } = classes[code];
         return h("span", {}, h("i", { style: `background:${color}`, "aria-hidden": "true" }), text);
       }),
       order.length > 10 ? h("span", {}, `and ${order.length - 10} more`) : "",
     );
   }
 
+  /** @param {number} value */
   x(value) {
     const [low, high] = this.windows.x;
     return this.left + ((value - low) / (high - low)) * this.box.width;
   }
 
+  /** @param {number} value */
   y(value) {
     const [low, high] = this.windows.y;
     return TOP + (1 - (value - low) / (high - low)) * this.box.height;
@@ -300,8 +373,18 @@ export class MotionMap {
     this.frame(context, height, look);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} x
+   * @param {number} y
+   * @param {string} ink
+   * @param {string} paper
+   */
   cross(context, x, y, ink, paper) {
-    for (const [color, line] of [[paper, 4], [ink, 1.8]]) {
+    for (const [color, line] of /** @type {[string, number][]} */ ([
+      [paper, 4],
+      [ink, 1.8],
+    ])) {
       context.strokeStyle = color;
       context.lineWidth = line;
       context.beginPath();
@@ -320,28 +403,36 @@ export class MotionMap {
 
   // Where the present motion stands on the map.
   here() {
-    const value = (path) => {
+    const value = (/** @type {string} */ path) => {
       const [section, name] = path.split(".");
-      return this.film.values[path] ?? this.film.scenario[section]?.[name];
+      return this.film.values[path] ?? /** @type {Record<string, any>} */ (this.film.scenario)[section]?.[name];
     };
     const place = { x: value(this.paths.x), y: value(this.paths.y) };
     return typeof place.x === "number" && typeof place.y === "number" ? place : null;
   }
 
-  // Whether the numbers on an axis would differ in digits only that have no room.
+  /**
+   * Whether the numbers on an axis would differ in digits only that have no room.
+   * @param {AxisName} name
+   */
   deep(name) {
     const [low, high] = this.windows[name];
     return high - low < 5e-5 * Math.max(Math.abs(low), Math.abs(high));
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} height
+   * @param {Look} look
+   */
   frame(context, height, look) {
     context.strokeStyle = look.soft;
     context.fillStyle = look.soft;
     context.lineWidth = 1;
     context.strokeRect(this.left + 0.5, TOP + 0.5, this.box.width - 1, this.box.height - 1);
     context.font = `11px ${look.font}`;
-    for (const name of ["x", "y"]) {
-      const info = this.axes.get(this.paths[name]);
+    for (const name of AXES) {
+      const info = this.axisOf(this.paths[name]);
       const scale = info.degrees ? 1 / DEGREE : 1;
       const [low, high] = this.windows[name].map((value) => value * scale);
       const count = name === "x" ? this.box.width / 80 : this.box.height / 40;
@@ -378,14 +469,19 @@ export class MotionMap {
 
   // --- hands ---------------------------------------------------------------------------------
 
+  /**
+   * @param {Point} event
+   */
   place(event) {
     const box = this.body.getBoundingClientRect();
     const across = (event.clientX - box.left - this.left) / this.box.width;
     const up = 1 - (event.clientY - box.top - TOP) / this.box.height;
-    const at = ([low, high], share) => low + clamp(share, 0, 1) * (high - low);
+    const at = (/** @type {number[]} */ [low, high], /** @type {number} */ share) =>
+      low + clamp(share, 0, 1) * (high - low);
     return { x: at(this.windows.x, across), y: at(this.windows.y, up) };
   }
 
+  /** @param {Place} place */
   value(place) {
     for (const layer of [...this.layers].reverse()) {
       const { x, y } = layer.header;
@@ -401,9 +497,10 @@ export class MotionMap {
     return "…";
   }
 
+  /** @param {Place} place */
   said(place) {
-    const part = (name) => {
-      const info = this.axes.get(this.paths[name]);
+    const part = (/** @type {AxisName} */ name) => {
+      const info = this.axisOf(this.paths[name]);
       // as many digits as tell a cell from the next
       const [low, high] = this.windows[name];
       const size = Math.max(Math.abs(low), Math.abs(high));
@@ -413,6 +510,7 @@ export class MotionMap {
     return `${part("x")}, ${part("y")}: ${this.value(place)}`;
   }
 
+  /** @param {PointerEvent} event */
   hover(event) {
     if (!this.box || this.dragging || event.pointerType === "touch") return;
     const place = this.place(event);
@@ -423,6 +521,7 @@ export class MotionMap {
     this.tip.style.bottom = `${box.bottom - event.clientY + 16}px`;
   }
 
+  /** @param {PointerEvent} event */
   press(event) {
     event.preventDefault();
     this.body.focus({ preventScroll: true });
@@ -430,46 +529,57 @@ export class MotionMap {
     const from = { x: [...this.windows.x], y: [...this.windows.y] };
     this.pointed = this.place(event);
     let twoFingers = this.pinched();
-    const move = (moved) => {
+    const move = (/** @type {PointerEvent} */ moved) => {
       twoFingers ||= this.pinched();
       if (twoFingers) return;
       const [dx, dy] = [moved.clientX - start[0], moved.clientY - start[1]];
       if (Math.hypot(dx, dy) < 5 && !this.dragging) return;
       this.dragging = true;
       this.tip.hidden = true;
-      const shift = (name, part) => from[name].map((value) => value + part * (from[name][1] - from[name][0]));
+      const shift = (/** @type {AxisName} */ name, /** @type {number} */ part) =>
+        from[name].map((value) => value + part * (from[name][1] - from[name][0]));
       this.windows.x = shift("x", -dx / this.box.width);
       this.windows.y = shift("y", dy / this.box.height);
       this.redraw();
       this.soon();
     };
     follow(this.body, event, move, (_last, lifted) => {
-      if (lifted && !this.dragging && !twoFingers) this.take(this.pointed);
+      if (lifted && !this.dragging && !twoFingers && this.pointed) this.take(this.pointed);
       this.dragging = false;
     });
   }
 
+  /** @param {Place} place */
   take(place) {
-    this.onmotion([[this.paths.x, place.x], [this.paths.y, place.y]]);
+    this.onmotion([
+      [this.paths.x, place.x],
+      [this.paths.y, place.y],
+    ]);
   }
 
+  /** @param {WheelEvent} event */
   wheel(event) {
     if (!this.box) return;
     event.preventDefault();
     this.zoom(Math.exp(clamp(event.deltaY, -200, 200) * 0.0022), this.place(event));
   }
 
+  /**
+   * @param {number} factor
+   * @param {Place} [center]
+   */
   zoom(factor, center) {
     this.tip.hidden = true;
-    const next = {};
-    for (const name of ["x", "y"]) {
+    /** @type {Record<AxisName, number[]>} */
+    const next = { x: [], y: [] };
+    for (const name of AXES) {
       const [low, high] = this.windows[name];
       const middle = center?.[name] ?? 0.5 * (low + high);
       next[name] = [middle - (middle - low) * factor, middle + (high - middle) * factor];
       // as deep as numbers go, and no further
       const size = Math.max(Math.abs(next[name][0]), Math.abs(next[name][1]), 1e-9);
       if (next[name][1] - next[name][0] < 400 * Number.EPSILON * size) return;
-      const { range } = this.axes.get(this.paths[name]);
+      const { range } = this.axisOf(this.paths[name]);
       if (next[name][1] - next[name][0] > 4 * (range[1] - range[0])) return;
     }
     this.windows = next;
@@ -477,13 +587,16 @@ export class MotionMap {
     this.soon();
   }
 
+  /** @param {KeyboardEvent} event */
   key(event) {
+    /** @type {Record<string, [number, number]>} */
     const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-    const middle = (name) => 0.5 * (this.windows[name][0] + this.windows[name][1]);
+    const middle = (/** @type {AxisName} */ name) => 0.5 * (this.windows[name][0] + this.windows[name][1]);
     this.pointed ??= this.here() ?? { x: middle("x"), y: middle("y") };
     if (ways[event.key]) {
       const [dx, dy] = ways[event.key];
-      const step = (name, way) => (way * (this.windows[name][1] - this.windows[name][0])) / 48;
+      const step = (/** @type {AxisName} */ name, /** @type {number} */ way) =>
+        (way * (this.windows[name][1] - this.windows[name][0])) / 48;
       this.pointed = { x: this.pointed.x + step("x", dx), y: this.pointed.y + step("y", dy) };
       this.state.textContent = this.said(this.pointed);
     } else if (event.key === "Enter") this.take(this.pointed);

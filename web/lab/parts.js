@@ -8,11 +8,21 @@ const SHAPES = {
   point_mass: { label: "Point mass", keys: ["mass", "at"] },
   rod: { label: "Rod", keys: ["mass", "length", "at"] },
 };
+/** @type {Record<string, string>} */
 const LABELS = {
-  mass: "mass [kg]", inner_radius: "inner radius [m]", outer_radius: "outer radius [m]", radius: "radius [m]",
-  at: "distance from centre [m]", length: "length [m]",
+  mass: "mass [kg]",
+  inner_radius: "inner radius [m]",
+  outer_radius: "outer radius [m]",
+  radius: "radius [m]",
+  at: "distance from centre [m]",
+  length: "length [m]",
 };
 
+/**
+ * @param {Part["shape"]} shape
+ * @param {number} R
+ * @param {number} mass
+ */
 const fresh = (shape, R, mass) =>
   ({
     ring: { shape, mass, inner_radius: 0.95 * R, outer_radius: R },
@@ -21,7 +31,11 @@ const fresh = (shape, R, mass) =>
     rod: { shape, mass, length: 0.5 * R, at: 0.5 * R },
   })[shape];
 
-// Parts that stand for the hoop there is: a thin ring and a load.
+/**
+ * Parts that stand for the hoop there is: a thin ring and a load.
+ * @param {Record<string, any>} values
+ * @returns {Part[]}
+ */
 export function partsLike(values) {
   const R = values["hoop.radius"];
   const mass = values["hoop.mass"];
@@ -32,9 +46,20 @@ export function partsLike(values) {
   ];
 }
 
+/** @param {number} value */
 const round = (value) => Number(value.toPrecision(6));
 
 export class Parts {
+  /** @type {Part[]} */
+  parts;
+  /** @type {string} */
+  text;
+  /** @type {number} */
+  radius;
+  /** @type {number} */
+  mass;
+
+  /** @param {(changes: Change[], commit?: boolean) => void} onchange */
   constructor(onchange) {
     this.onchange = onchange;
     this.list = h("div", { class: "parts" });
@@ -46,7 +71,7 @@ export class Parts {
         "select",
         {
           "aria-label": "Add a part",
-          onchange: (event) => {
+          onchange: (/** @type {any} */ event) => {
             const shape = event.target.value;
             event.target.value = "";
             if (shape) this.send([...this.parts, fresh(shape, this.radius, round(0.2 * this.mass))]);
@@ -58,13 +83,22 @@ export class Parts {
     );
   }
 
+  /** @param {Part[]} parts */
   send(parts) {
     this.onchange([["hoop.parts", parts]]);
   }
 
+  /**
+   * @param {Part[]} parts
+   * @param {number} radius
+   * @param {number} mass
+   */
   show(parts, radius, mass) {
     const text = JSON.stringify(parts);
-    if (text === this.text || this.list.contains(this.list.getRootNode().activeElement)) {
+    if (
+      text === this.text ||
+      this.list.contains(/** @type {Document | ShadowRoot} */ (this.list.getRootNode()).activeElement)
+    ) {
       this.parts = parts;
       return;
     }
@@ -72,6 +106,10 @@ export class Parts {
     this.list.replaceChildren(...parts.map((part, i) => this.row(part, i)));
   }
 
+  /**
+   * @param {Part} part
+   * @param {number} i
+   */
   row(part, i) {
     const { label, keys } = SHAPES[part.shape];
     return h(
@@ -102,7 +140,7 @@ export class Parts {
             type: "number",
             step: "any",
             value: String(part[key] ?? 0),
-            onchange: (event) =>
+            onchange: (/** @type {any} */ event) =>
               this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: Number(event.target.value) } : one))),
           }),
         ),

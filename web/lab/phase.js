@@ -1,7 +1,7 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
 import { faded, parsed } from "./colors.js";
-import { fitted, focused, h, once } from "./dom.js";
+import { fitted, focused, h, once, pen } from "./dom.js";
 import { clamp, niceStep, tickText, ticks } from "./numbers.js";
 import { pinch } from "./pointer.js";
 import { swatch } from "./plot.js";
@@ -13,6 +13,29 @@ const BOTTOM = 30;
 const LETTERS = "RSKHM?";
 
 export class PhasePlane {
+  /** @type {Film[]} */
+  films;
+  /** @type {number} */
+  active;
+  /** @type {Look} */
+  look;
+  /** @type {Box} */
+  box;
+  /** @type {number[] | null} */
+  window;
+  /** @type {{ window: number[], paradox: Column, picture: HTMLCanvasElement }[]} */
+  pictures;
+  /** @type {number} */
+  reached;
+  /** @type {boolean} */
+  forwards;
+  /** @type {boolean} */
+  backwards;
+  /** @type {boolean} */
+  keyed;
+  /** @type {AbortController} */
+  sharpening;
+
   /**
    * @param {Backend} backend
    * @param {Clock} clock
@@ -28,7 +51,9 @@ export class PhasePlane {
     this.body = h(
       "div",
       {
-        class: "plot-body", role: "img", tabindex: "0",
+        class: "plot-body",
+        role: "img",
+        tabindex: "0",
         "aria-label": "Plane of angle and angular velocity with the regions of rolling, slip and flight",
       },
       this.canvas,
@@ -58,7 +83,11 @@ export class PhasePlane {
     this.soon = once(() => this.sharpen(), 140);
   }
 
-  // The regions belong to hoop and plane alone: they are asked for when those change, or the reach grows.
+  /**
+   * The regions belong to hoop and plane alone: they are asked for when those change, or the reach grows.
+   * @param {Scenario} scenario
+   * @param {AbortSignal | undefined} signal
+   */
   async fetch(scenario, signal) {
     const reach = this.reach();
     const key = JSON.stringify([scenario.hoop, scenario.plane, reach]);
@@ -77,17 +106,30 @@ export class PhasePlane {
     this.sharpening?.abort();
     this.sharpening = new AbortController();
     try {
-      const part = await this.painted(this.films[this.active].scenario, [...this.range, ...this.window], this.sharpening.signal);
+      const part = await this.painted(
+        this.films[this.active].scenario,
+        [...this.range, ...this.window],
+        this.sharpening.signal,
+      );
       this.pictures = [this.pictures[0], part];
       this.redraw();
     } catch (error) {
-      if (error.name !== "AbortError") throw error;
+      if (/** @type {Error} */ (error).name !== "AbortError") throw error;
     }
   }
 
+  /**
+   * @param {Scenario} scenario
+   * @param {number[]} window
+   * @param {AbortSignal | undefined} signal
+   */
   async painted(scenario, window, signal) {
     const { header, arrays } = await this.backend.call("regions", { scenario, window }, signal);
-    return { window: header.window, paradox: arrays.paradox, picture: this.paint(arrays.modes, header.arrays[0].shape) };
+    return {
+      window: header.window,
+      paradox: arrays.paradox,
+      picture: this.paint(arrays.modes, header.arrays[0].shape),
+    };
   }
 
   reach() {
@@ -105,6 +147,7 @@ export class PhasePlane {
     return Math.ceil((Math.max(most, 1) * 1.12) / step) * step;
   }
 
+  /** @param {number[] | null} range */
   zoomTo(range) {
     this.range = range ?? [0, 2 * Math.PI];
     this.window = null;
@@ -112,12 +155,14 @@ export class PhasePlane {
     this.redraw();
   }
 
+  /** @param {WheelEvent} event */
   wheel(event) {
     if (!(event.ctrlKey || event.shiftKey || focused(this.body)) || !this.box) return;
     event.preventDefault();
     this.zoomAbout(this.point(event), Math.exp((event.deltaY || event.deltaX) * 0.002));
   }
 
+  /** @param {KeyboardEvent} event */
   key(event) {
     const middle = [0.5 * (this.range[0] + this.range[1]), 0.5 * (this.bottom() + this.top())];
     if (event.key === "+" || event.key === "=") this.zoomAbout(middle, 0.6);
@@ -128,7 +173,10 @@ export class PhasePlane {
     event.stopPropagation();
   }
 
-  // θ and θ̇ under a pointer.
+  /**
+   * θ and θ̇ under a pointer.
+   * @param {Point} event
+   */
   point(event) {
     const box = this.body.getBoundingClientRect();
     const across = (event.clientX - box.left - LEFT) / this.box.width;
@@ -139,6 +187,10 @@ export class PhasePlane {
     ];
   }
 
+  /**
+   * @param {number[]} center
+   * @param {number} factor
+   */
   zoomAbout([th, om], factor) {
     const low = Math.max(th - (th - this.range[0]) * factor, 0);
     const high = Math.min(th + (this.range[1] - th) * factor, 2 * Math.PI);
@@ -160,6 +212,11 @@ export class PhasePlane {
     return this.window ? this.window[1] : this.forwards ? this.reach() : 0.12 * this.reach();
   }
 
+  /**
+   * @param {Film[]} films
+   * @param {number} active
+   * @param {Look} look
+   */
   draw(films, active, look) {
     this.films = films;
     this.active = active;
@@ -171,14 +228,20 @@ export class PhasePlane {
     this.redraw();
   }
 
+  /** @param {number} th */
   x(th) {
     return LEFT + ((th - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
   }
 
+  /** @param {number} rate */
   y(rate) {
     return TOP + (1 - (rate - this.bottom()) / (this.top() - this.bottom())) * this.box.height;
   }
 
+  /**
+   * @param {Column} codes
+   * @param {number[]} shape
+   */
   paint(codes, [rows, columns]) {
     const { modes } = this.colors;
     const picture = h("canvas", { width: columns, height: rows });
@@ -191,7 +254,7 @@ export class PhasePlane {
         image.data.set([...color, 255], place);
       }
     }
-    picture.getContext("2d").putImageData(image, 0, 0);
+    pen(picture).putImageData(image, 0, 0);
     return picture;
   }
 
@@ -211,9 +274,9 @@ export class PhasePlane {
         const [left, right, bottom, top] = window;
         const place = [this.x(left), this.y(top), this.x(right) - this.x(left), this.y(bottom) - this.y(top)];
         context.fillStyle = look.panel;
-        context.fillRect(...place);
+        context.fillRect(place[0], place[1], place[2], place[3]);
         context.globalAlpha = 0.35;
-        context.drawImage(picture, ...place);
+        context.drawImage(picture, place[0], place[1], place[2], place[3]);
         context.globalAlpha = 1;
       }
       this.hatch(context);
@@ -231,7 +294,10 @@ export class PhasePlane {
     this.cursor(this.clock.time);
   }
 
-  // Columns in which slip meets the paradox, hatched one way for spin and the other for skid.
+  /**
+   * Columns in which slip meets the paradox, hatched one way for spin and the other for skid.
+   * @param {CanvasRenderingContext2D} context
+   */
   hatch(context) {
     const { paradox } = this.pictures[0];
     const columns = paradox.length;
@@ -259,6 +325,11 @@ export class PhasePlane {
     }
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Film} film
+   * @param {number} lane
+   */
   way(context, film, lane) {
     const { angle, omega, mode } = film.columns;
     const turn = 2 * Math.PI;
@@ -288,6 +359,11 @@ export class PhasePlane {
     context.setLineDash([]);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {number} height
+   */
   axes(context, width, height) {
     const { look } = this;
     context.font = `11px ${look.font}`;
@@ -323,6 +399,7 @@ export class PhasePlane {
     context.restore();
   }
 
+  /** @param {number} time */
   cursor(time) {
     if (!this.films || !this.box) return;
     const { context, width, height } = fitted(this.over);
@@ -344,7 +421,10 @@ export class PhasePlane {
     });
   }
 
-  // The moment of the motion that passes nearest to where the finger points.
+  /**
+   * The moment of the motion that passes nearest to where the finger points.
+   * @param {PointerEvent} event
+   */
   seek(event) {
     const box = this.body.getBoundingClientRect();
     const [px, py] = [event.clientX - box.left, event.clientY - box.top];

@@ -12,9 +12,38 @@ const BOTTOM = 30;
 const DASHES = { solid: [], dash: [6, 4], dot: [2, 3] };
 
 export class Plot {
-  // `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots.
+  /** @type {Film[]} */
+  films;
+  /** @type {number} */
+  active;
+  /** @type {Look} */
+  look;
+  /** @type {Box} */
+  box;
+  /** @type {number[]} */
+  range;
+  /** @type {number[]} */
+  heights;
+  /** @type {number[] | null} */
+  picked;
+  /** @type {string} */
+  named;
+  /** @type {HTMLOutputElement[]} */
+  values;
+
+  /**
+   * `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots.
+   * @param {PlotDefinition} definition
+   * @param {PlotShared} shared
+   */
   constructor({ key, title, unit, curves, limits, symmetric = false }, shared) {
-    Object.assign(this, { key, title, unit, curves, limits, symmetric, shared });
+    this.key = key;
+    this.title = title;
+    this.unit = unit;
+    this.curves = curves;
+    this.limits = limits;
+    this.symmetric = symmetric;
+    this.shared = shared;
     this.canvas = h("canvas", { class: "plot-canvas" });
     this.over = h("canvas", { class: "plot-canvas plot-over" });
     this.keys = h("div", { class: "plot-keys" });
@@ -34,10 +63,15 @@ export class Plot {
     this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.body.addEventListener("dblclick", () => this.zoomTo(null));
     this.body.addEventListener("keydown", (event) => this.key_(event));
-    this.pinched = pinch(this.body, (factor, at) => this.films && this.zoomAbout(this.valueAt(at), 1 / factor));
+    this.pinched = pinch(
+      this.body,
+      (/** @type {number} */ factor, at) => this.films && this.zoomAbout(this.valueAt(at), 1 / factor),
+    );
+    /** @type {(time: number) => void} */
     this.onseek = () => {};
   }
 
+  /** @param {Film} film */
   abscissa(film) {
     if (this.shared.axis === "time") return film.columns.t;
     return film.derived("degrees", ({ angle }) => Float64Array.from(angle, (value) => (value * 180) / Math.PI));
@@ -55,7 +89,13 @@ export class Plot {
     return high > low ? [low, high] : [low - 1, high + 1];
   }
 
-  // Curves and axes; the cursor has its own canvas above.
+  /**
+   * Curves and axes; the cursor has its own canvas above.
+   * @param {Film[]} films
+   * @param {number} active
+   * @param {Look} look
+   * @param {Colors} colors
+   */
   draw(films, active, look, colors) {
     this.films = films;
     this.active = active;
@@ -78,31 +118,42 @@ export class Plot {
     this.describe(drawn);
   }
 
+  /** @param {Film} film */
   shades(film) {
-    return this.curves(film).map((curve) => ({ ...curve, color: curve.color && readable(curve.color, this.look.dark) }));
+    return this.curves(film).map((curve) => ({
+      ...curve,
+      color: curve.color && readable(curve.color, this.look.dark),
+    }));
   }
 
+  /** @param {number} value */
   x(value) {
     return LEFT + ((value - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
   }
 
+  /** @param {number} value */
   y(value) {
     return TOP + (1 - (value - this.heights[0]) / (this.heights[1] - this.heights[0])) * this.box.height;
   }
 
+  /** @param {(Curve & { film: Film, lane: number })[]} drawn */
   findHeights(drawn) {
     const seen = [];
     for (const { film, values } of drawn) {
       const across = this.abscissa(film);
       for (let i = 0; i < values.length; i++) {
-        if (across[i] >= this.range[0] && across[i] <= this.range[1] && Number.isFinite(values[i])) seen.push(values[i]);
+        if (across[i] >= this.range[0] && across[i] <= this.range[1] && Number.isFinite(values[i]))
+          seen.push(values[i]);
       }
     }
     if (!seen.length) return [0, 1];
     const sorted = Float64Array.from(seen).sort();
-    let [low, high] = [sorted[0], sorted.at(-1)];
+    let [low, high] = [sorted[0], sorted[sorted.length - 1]];
     // a force that grows without bound must not flatten all else
-    const [almostLow, almostHigh] = [sorted[Math.floor(0.02 * sorted.length)], sorted[Math.ceil(0.98 * sorted.length) - 1]];
+    const [almostLow, almostHigh] = [
+      sorted[Math.floor(0.02 * sorted.length)],
+      sorted[Math.ceil(0.98 * sorted.length) - 1],
+    ];
     const usual = Math.max(almostHigh - almostLow, 1e-12);
     if (high > almostHigh + 4 * usual) high = almostHigh + 0.6 * usual;
     if (low < almostLow - 4 * usual) low = almostLow - 0.6 * usual;
@@ -113,6 +164,11 @@ export class Plot {
     return [low < 0 ? low - margin : low, high + margin];
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Film} film
+   * @param {Colors} colors
+   */
   bands(context, film, colors) {
     for (const phase of film.phases) {
       const from = clamp(this.x(phase.from), LEFT, LEFT + this.box.width);
@@ -123,6 +179,12 @@ export class Plot {
     }
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Look} look
+   * @param {number} width
+   * @param {number} height
+   */
   grid(context, look, width, height) {
     context.font = `11px ${look.font}`;
     context.strokeStyle = look.line;
@@ -130,11 +192,11 @@ export class Plot {
     context.lineWidth = 1;
     let tall = Math.max(this.box.height / 28, 4);
     // one number alone gives no scale
-    while (ticks(...this.heights, tall).length < 3 && tall < 12) tall += 1;
+    while (ticks(this.heights[0], this.heights[1], tall).length < 3 && tall < 12) tall += 1;
     const step = niceStep(this.heights[1] - this.heights[0], tall);
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const value of ticks(...this.heights, tall)) {
+    for (const value of ticks(this.heights[0], this.heights[1], tall)) {
       const y = Math.round(this.y(value)) + 0.5;
       context.globalAlpha = Math.abs(value) < 1e-9 * step ? 1 : 0.55;
       context.beginPath();
@@ -149,7 +211,7 @@ export class Plot {
     context.textAlign = "center";
     context.textBaseline = "alphabetic";
     const unit = this.shared.axis === "time" ? "time [s]" : "angle [°]";
-    for (const value of ticks(...this.range, wide)) {
+    for (const value of ticks(this.range[0], this.range[1], wide)) {
       const x = this.x(value);
       context.beginPath();
       context.moveTo(x, TOP + this.box.height);
@@ -167,6 +229,11 @@ export class Plot {
     context.restore();
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Curve & { film: Film, lane: number }} drawn
+   * @param {boolean} two
+   */
   curve(context, { film, lane, values, color, dash }, two) {
     const across = this.abscissa(film);
     context.strokeStyle = color ?? this.look.ink;
@@ -191,6 +258,10 @@ export class Plot {
     context.globalAlpha = 1;
   }
 
+  /**
+   * @param {Curve[]} curves
+   * @param {boolean} dark
+   */
   legend(curves, dark) {
     const names = curves.map((curve) => curve.name).join() + dark;
     if (this.named !== names) {
@@ -204,6 +275,7 @@ export class Plot {
     }
   }
 
+  /** @param {(Curve & { film: Film, lane: number })[]} drawn */
   describe(drawn) {
     const parts = drawn.slice(0, 6).map(({ name, values, lane }) => {
       let [low, high] = [Infinity, -Infinity];
@@ -217,6 +289,7 @@ export class Plot {
     this.body.setAttribute("aria-label", `${this.title} in ${this.unit}. ${parts.filter(Boolean).join("; ")}.`);
   }
 
+  /** @param {number} time */
   cursor(time) {
     if (!this.films) return;
     const { context, width, height } = fitted(this.over);
@@ -255,19 +328,23 @@ export class Plot {
     }
   }
 
+  /**
+   * @param {Point} event
+   */
   valueAt(event) {
     const box = this.body.getBoundingClientRect();
     const share = clamp((event.clientX - box.left - LEFT) / this.box.width, 0, 1);
     return this.range[0] + share * (this.range[1] - this.range[0]);
   }
 
+  /** @param {PointerEvent} event */
   press(event) {
     if (!this.films) return;
     const box = this.body.getBoundingClientRect();
     const start = event.clientX - box.left;
     const from = this.valueAt(event);
     let twoFingers = this.pinched();
-    const move = (moved) => {
+    const move = (/** @type {PointerEvent} */ moved) => {
       twoFingers ||= this.pinched();
       if (twoFingers) return;
       const now = moved.clientX - box.left;
@@ -285,6 +362,7 @@ export class Plot {
     });
   }
 
+  /** @param {number} value */
   seek(value) {
     if (this.shared.axis === "time") return this.onseek(value);
     // the time at which the angle is passed first after the present time, else at all
@@ -297,12 +375,17 @@ export class Plot {
     return this.onseek(film.t[best]);
   }
 
+  /** @param {WheelEvent} event */
   wheel(event) {
     if (!this.films || !(event.ctrlKey || event.shiftKey || focused(this.body))) return;
     event.preventDefault();
     this.zoomAbout(this.valueAt(event), Math.exp((event.deltaY || event.deltaX) * 0.002));
   }
 
+  /**
+   * @param {number} center
+   * @param {number} factor
+   */
   zoomAbout(center, factor) {
     const full = this.fullRange();
     const low = Math.max(center - (center - this.range[0]) * factor, full[0]);
@@ -310,11 +393,13 @@ export class Plot {
     this.zoomTo(low <= full[0] && high >= full[1] ? null : [low, high]);
   }
 
+  /** @param {number[] | null} range */
   zoomTo(range) {
     this.shared.range = range && range[1] - range[0] > 1e-9 ? range : null;
     this.shared.changed();
   }
 
+  /** @param {KeyboardEvent} event */
   key_(event) {
     const middle = this.range ? 0.5 * (this.range[0] + this.range[1]) : 0;
     if (event.key === "+" || event.key === "=") this.zoomAbout(middle, 0.6);
@@ -326,6 +411,10 @@ export class Plot {
   }
 }
 
+/**
+ * @param {string | undefined} color
+ * @param {"solid" | "dash" | "dot"} dash
+ */
 export function swatch(color, dash = "solid") {
   const element = h("i", { class: "swatch", "aria-hidden": "true" });
   element.style.borderTopColor = color ?? "var(--ink)";

@@ -3,19 +3,28 @@
 import { h } from "./dom.js";
 import { Plot } from "./plot.js";
 
+/**
+ * @param {Film} film
+ * @param {string} name
+ * @param {...string} columns
+ */
 function sum(film, name, ...columns) {
   return film.derived(name, (all) =>
     Float64Array.from(all.t, (_, i) => columns.reduce((total, column) => total + all[column][i], 0)),
   );
 }
 
+/**
+ * @param {Colors} colors
+ * @returns {PlotDefinition[]}
+ */
 function definitions(colors) {
   return [
     {
       key: "velocities",
       title: "Velocities",
       unit: "velocity [m/s]",
-      curves: (film) => [
+      curves: (/** @type {Film} */ film) => [
         { name: "v (centre)", color: colors.center_speed, values: film.columns.vx },
         {
           name: "R θ̇",
@@ -29,7 +38,7 @@ function definitions(colors) {
       key: "energies",
       title: "Energies and losses",
       unit: "energy [J]",
-      curves: (film) => [
+      curves: (/** @type {Film} */ film) => [
         { name: "kinetic", color: colors.kinetic, values: film.columns.kinetic },
         { name: "potential", color: colors.potential, values: film.columns.potential },
         { name: "total", values: sum(film, "total", "kinetic", "potential"), dash: "dash" },
@@ -49,7 +58,7 @@ function definitions(colors) {
       key: "forces",
       title: "Contact forces",
       unit: "force [N]",
-      curves: (film) => [
+      curves: (/** @type {Film} */ film) => [
         { name: "normal N", color: colors.normal_force, values: film.columns.normal_force },
         { name: "friction F", color: colors.friction_force, dash: "dash", values: film.columns.friction_force },
       ],
@@ -59,23 +68,40 @@ function definitions(colors) {
       title: "Use of friction",
       unit: "|F| / μN",
       limits: [0, 1.08],
-      curves: (film) => [{ name: "|F| / μN", color: colors.friction_force, values: film.columns.utilization }],
+      curves: (/** @type {Film} */ film) => [
+        { name: "|F| / μN", color: colors.friction_force, values: film.columns.utilization },
+      ],
     },
   ];
 }
 
 export class Plots {
+  /** @type {Film[]} */
+  films;
+  /** @type {number} */
+  active;
+  /** @type {Look} */
+  look;
+
+  /**
+   * @param {Clock} clock
+   * @param {Colors} colors
+   */
   constructor(clock, colors) {
     this.colors = colors;
     this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
     this.plots = definitions(colors).map((definition) => new Plot(definition, this.shared));
-    for (const plot of this.plots) plot.onseek = (time) => clock.seek(time);
+    for (const plot of this.plots) plot.onseek = (/** @type {number} */ time) => clock.seek(time);
     // diagrams that are scrolled away wait until they are seen
     this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
-    const watch = new IntersectionObserver((entries) => {
-      for (const { target, isIntersecting } of entries) this.seen.set(target, isIntersecting);
-      this.redraw();
-    }, { rootMargin: "400px" });
+    const watch = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries)
+          this.seen.set(/** @type {HTMLElement} */ (target), isIntersecting);
+        this.redraw();
+      },
+      { rootMargin: "400px" },
+    );
     for (const plot of this.plots) watch.observe(plot.element);
     this.axis = h(
       "select",
@@ -90,22 +116,25 @@ export class Plots {
       h("option", { value: "time" }, "over time"),
       h("option", { value: "angle" }, "over angle"),
     );
-    this.back = h("button", { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) }, "Whole motion");
+    this.back = h(
+      "button",
+      { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) },
+      "Whole motion",
+    );
     this.hint = h("span", { class: "hint" });
     this.element = h(
       "div",
       { class: "plots" },
-      h(
-        "div",
-        { class: "plots-head" },
-        this.axis,
-        this.back,
-        this.hint,
-      ),
+      h("div", { class: "plots-head" }, this.axis, this.back, this.hint),
       this.plots.map((plot) => plot.element),
     );
   }
 
+  /**
+   * @param {Film[]} films
+   * @param {number} active
+   * @param {Look} look
+   */
   draw(films, active, look) {
     this.films = films;
     this.active = active;
@@ -113,7 +142,8 @@ export class Plots {
     const hands = matchMedia("(hover: none)").matches
       ? "slide to go there, two fingers zoom"
       : "drag to zoom, double-click for all, click to go there";
-    this.hint.textContent = films.length > 1 ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands;
+    this.hint.textContent =
+      films.length > 1 ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands;
     this.redraw();
   }
 
@@ -128,6 +158,7 @@ export class Plots {
     return this.plots.filter((plot) => this.seen.get(plot.element));
   }
 
+  /** @param {number} time */
   cursor(time) {
     for (const plot of this.visible()) plot.cursor(time);
   }

@@ -1,12 +1,19 @@
 // What fingers and mouse do: drag, pinch.
 
-// One press: `move` follows the finger, `end` gets the last event and whether the finger was lifted (or taken away).
+/**
+ * One press: `move` follows the finger, `end` gets the last event and whether the finger was lifted (or taken away).
+ * @param {HTMLElement} element
+ * @param {PointerEvent} event
+ * @param {(event: PointerEvent) => void} move
+ * @param {(event: PointerEvent, lifted: boolean) => void} end
+ */
 export function follow(element, event, move, end = () => {}) {
   const leave = new AbortController();
   const { signal } = leave;
+  /** @type {(kind: "pointermove" | "pointerup" | "pointercancel", action: (other: PointerEvent) => void) => void} */
   const on = (kind, action) =>
     element.addEventListener(kind, (other) => other.pointerId === event.pointerId && action(other), { signal });
-  const finish = (lifted) => (last) => {
+  const finish = (/** @type {boolean} */ lifted) => (/** @type {PointerEvent} */ last) => {
     leave.abort();
     end(last, lifted);
   };
@@ -16,10 +23,16 @@ export function follow(element, event, move, end = () => {}) {
   on("pointercancel", finish(false));
 }
 
-// Two fingers zoom: `zoom` gets the factor by which they have spread and the point between them. The function that
-// comes back tells whether two fingers are down; what one finger does has to wait then.
+/**
+ * Two fingers zoom: `zoom` gets the factor by which they have spread and the point between them. The function that
+ * comes back tells whether two fingers are down; what one finger does has to wait then.
+ * @param {HTMLElement} element
+ * @param {(factor: number, at: Point) => void} zoom
+ */
 export function pinch(element, zoom) {
+  /** @type {Map<number, PointerEvent>} */
   const fingers = new Map();
+  /** @type {{ span: number, clientX: number, clientY: number } | null} */
   let before = null;
   const measured = () => {
     const [a, b] = [...fingers.values()];
@@ -42,14 +55,15 @@ export function pinch(element, zoom) {
     zoom(now.span / before.span, now);
     before = now;
   });
-  for (const kind of ["pointerup", "pointercancel"]) {
-    element.addEventListener(kind, (event) => {
+  for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) {
+    element.addEventListener(kind, (/** @type {PointerEvent} */ event) => {
       fingers.delete(event.pointerId);
       before = null;
     });
   }
   // the page neither scrolls nor zooms under two fingers
-  const still = (event) => event.touches.length > 1 && event.cancelable && event.preventDefault();
+  const still = (/** @type {TouchEvent} */ event) =>
+    event.touches.length > 1 && event.cancelable && event.preventDefault();
   element.addEventListener("touchmove", still, { passive: false });
   return () => fingers.size > 1;
 }

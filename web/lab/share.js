@@ -1,6 +1,6 @@
 // Keep and share: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
-import { h, saveBlob } from "./dom.js";
+import { h, pen, saveBlob } from "./dom.js";
 import { degrees, show } from "./numbers.js";
 
 const FILES = [
@@ -12,6 +12,7 @@ const FILES = [
 ];
 
 export class Share {
+  /** @param {import("./lab.js").Lab} lab */
   constructor(lab) {
     this.lab = lab;
     this.menu = h(
@@ -29,11 +30,15 @@ export class Share {
       ),
     );
     this.dialog = h("dialog", { class: "code-dialog", "aria-label": "The same motion in Python" });
-    lab.root.addEventListener("pointerdown", (event) => {
-      if (!this.menu.contains(event.target)) this.menu.open = false;
+    lab.root.addEventListener("pointerdown", (/** @type {PointerEvent} */ event) => {
+      if (!this.menu.contains(/** @type {Node} */ (event.target))) this.menu.open = false;
     });
   }
 
+  /**
+   * @param {string} label
+   * @param {() => void} action
+   */
   item(label, action) {
     return h(
       "button",
@@ -44,7 +49,7 @@ export class Share {
           try {
             await action();
           } catch (error) {
-            this.lab.notice.fail(error);
+            this.lab.notice.fail(/** @type {Error} */ (error));
           }
         },
       },
@@ -53,7 +58,7 @@ export class Share {
   }
 
   async copyLink() {
-    const link = this.lab.motions.link();
+    const link = this.lab.motions.link() ?? "";
     try {
       await navigator.clipboard.writeText(link);
       this.lab.notice.say("The link is copied.");
@@ -62,6 +67,7 @@ export class Share {
     }
   }
 
+  /** @param {string} name */
   async download(name) {
     const film = this.lab.film();
     this.lab.notice.say(name.endsWith("mp4") ? "The film is being made; this takes a while …" : `Fetching ${name} …`);
@@ -70,42 +76,50 @@ export class Share {
   }
 
   picture() {
-    return new Promise((resolve) => {
-      this.lab.drawStage();
-      const source = this.lab.stage.canvas();
-      const copy = h("canvas", { width: source.width, height: source.height });
-      this.copyInto(copy);
-      copy.toBlob((blob) => {
-        saveBlob(blob, "hophoop.png");
-        resolve();
-      }, "image/png");
-    });
+    this.lab.drawStage();
+    const source = this.lab.stage.canvas();
+    const copy = h("canvas", { width: source.width, height: source.height });
+    this.copyInto(copy);
+    return /** @type {Promise<void>} */ (
+      new Promise((resolve) => {
+        copy.toBlob((blob) => {
+          if (blob) saveBlob(blob, "hophoop.png");
+          resolve();
+        }, "image/png");
+      })
+    );
   }
 
-  // A copy of what is shown, with the words that stand beside it on the page.
+  /**
+   * A copy of what is shown, with the words that stand beside it on the page.
+   * @param {HTMLCanvasElement} canvas
+   */
   copyInto(canvas) {
     const { lab } = this;
     const source = lab.stage.canvas();
-    const context = canvas.getContext("2d");
+    const context = pen(canvas);
     context.fillStyle = lab.theme.look.paper;
     context.fillRect(0, 0, canvas.width, canvas.height);
     context.drawImage(source, 0, 0, canvas.width, canvas.height);
     const size = canvas.width / Math.max(source.getBoundingClientRect().width, 1);
     context.textBaseline = "top";
     context.textAlign = "left";
-    lab.films().forEach((film, i, films) => {
+    const films = lab.films();
+    for (const [i, film] of films.entries()) {
       const pose = film.at(lab.clock.time);
       const words = [
         films.length > 1 ? `${"AB"[i]}: ` : "",
         `${lab.theme.colors.mode_names[pose.mode]}, t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`,
       ].join("");
-      const top = lab.stage.options.three ? 10 + 20 * i : 10 + (i * source.getBoundingClientRect().height) / films.length;
+      const top = lab.stage.options.three
+        ? 10 + 20 * i
+        : 10 + (i * source.getBoundingClientRect().height) / films.length;
       context.fillStyle = lab.theme.colors.modes[pose.mode];
       context.fillRect(12 * size, (top + 2) * size, 11 * size, 11 * size);
       context.fillStyle = lab.theme.look.ink;
       context.font = `${13 * size}px ${lab.theme.look.font}`;
       context.fillText(words, 30 * size, top * size);
-    });
+    }
   }
 
   // The canvas itself, played once from the start, as WebM.
@@ -118,6 +132,7 @@ export class Share {
     // films want even numbers of pixels
     const copy = h("canvas", { width: 2 * Math.ceil(source.width / 2), height: 2 * Math.ceil(source.height / 2) });
     const recorder = new MediaRecorder(copy.captureStream(60), { videoBitsPerSecond: 8e6 });
+    /** @type {Blob[]} */
     const pieces = [];
     recorder.ondataavailable = (event) => pieces.push(event.data);
     const done = new Promise((resolve) => (recorder.onstop = resolve));
@@ -143,6 +158,10 @@ export class Share {
     this.show("The same motion in Python", header.python, "The scenario as a file", header.toml);
   }
 
+  /**
+   * Headings and texts in turn.
+   * @param {...string} pairs
+   */
   show(...pairs) {
     const blocks = [];
     for (let i = 0; i < pairs.length; i += 2) {

@@ -42,7 +42,11 @@ export class Stage {
       { class: "stage", role: "img", "aria-label": "The hoop", tabindex: "0" },
       this.plane,
       this.space,
-      h("dl", { class: "readout", "aria-hidden": "true" }, this.outputs.flatMap(({ name, value }) => [name, value])),
+      h(
+        "dl",
+        { class: "readout", "aria-hidden": "true" },
+        this.outputs.flatMap(({ name, value }) => [name, value]),
+      ),
       this.legend,
       h(
         "div",

@@ -8,6 +8,10 @@ import { follow, pinch } from "./pointer.js";
 const SEGMENTS = 120;
 
 export class Stage2D {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {() => void} onview
+   */
   constructor(canvas, onview) {
     this.canvas = canvas;
     this.onview = onview;
@@ -16,7 +20,7 @@ export class Stage2D {
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     canvas.addEventListener("dblclick", () => this.reset());
-    this.pinched = pinch(canvas, (factor) => this.zoomBy(factor));
+    this.pinched = pinch(canvas, (/** @type {number} */ factor) => this.zoomBy(factor));
   }
 
   reset() {
@@ -25,11 +29,13 @@ export class Stage2D {
     this.onview();
   }
 
+  /** @param {number} factor */
   zoomBy(factor) {
     this.zoom = clamp(this.zoom * factor, 0.05, 60);
     this.onview();
   }
 
+  /** @param {WheelEvent} event */
   wheel(event) {
     // the page scrolls on unless the stage has been chosen
     if (!(event.ctrlKey || event.shiftKey || focused(this.canvas.parentElement))) return;
@@ -37,16 +43,24 @@ export class Stage2D {
     this.zoomBy(Math.exp(-(event.deltaY || event.deltaX) * 0.0015));
   }
 
+  /** @param {PointerEvent} event */
   drag(event) {
     const start = [event.clientX, event.clientY];
     const before = this.shift;
-    follow(this.canvas, event, (moved) => {
+    follow(this.canvas, event, (/** @type {PointerEvent} */ moved) => {
       if (this.pinched()) return;
       this.shift = [before[0] + moved.clientX - start[0], before[1] + moved.clientY - start[1]];
       this.onview();
     });
   }
 
+  /**
+   * @param {Film[]} films
+   * @param {number} time
+   * @param {StageOptions} options
+   * @param {Look} look
+   * @param {Colors} colors
+   */
   draw(films, time, options, look, colors) {
     const { context, width, height } = fitted(this.canvas);
     context.clearRect(0, 0, width, height);
@@ -81,8 +95,28 @@ export class Stage2D {
 }
 
 class Scene {
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} width
+   * @param {number} height
+   * @param {Film} film
+   * @param {number} time
+   * @param {StageOptions} options
+   * @param {Look} look
+   * @param {Colors} colors
+   * @param {number} zoom
+   * @param {number[]} shift
+   * @param {{ top: number, radius: number, speed: number }} common
+   */
   constructor(context, width, height, film, time, options, look, colors, zoom, shift, common) {
-    Object.assign(this, { context, width, height, film, options, look, colors, common });
+    this.context = context;
+    this.width = width;
+    this.height = height;
+    this.film = film;
+    this.options = options;
+    this.look = look;
+    this.colors = colors;
+    this.common = common;
     this.pose = film.at(time);
     const R = film.radius;
     const { left, right } = film.extent;
@@ -105,7 +139,12 @@ class Scene {
     }
   }
 
-  // Plane coordinates (along, away) to pixels; downhill is to the right.
+  /**
+   * Plane coordinates (along, away) to pixels; downhill is to the right.
+   * @param {number} along
+   * @param {number} away
+   * @returns {[number, number]}
+   */
   point(along, away) {
     const x = along - this.focus[0];
     const y = away - this.focus[1];
@@ -164,13 +203,14 @@ class Scene {
     const last = film.index(this.pose.t);
     const R = film.radius;
     const { x, height, angle, mode } = film.columns;
+    /** @type {(distance: number, color: string, width: number, wanted?: boolean) => void} */
     const path = (distance, color, width, wanted) => {
       context.strokeStyle = color;
       context.lineWidth = width;
       context.lineJoin = "round";
       context.beginPath();
       let open = false;
-      const add = (cx, gap, th) => {
+      const add = (/** @type {number} */ cx, /** @type {number} */ gap, /** @type {number} */ th) => {
         const [px, py] = this.point(cx + distance * Math.sin(th), R + gap + distance * Math.cos(th));
         if (open) context.lineTo(px, py);
         else context.moveTo(px, py);
@@ -197,7 +237,7 @@ class Scene {
     const width = clamp(0.07 * R * scale, 2, 14);
     const inner = R - (0.5 * width) / scale;
     const center = [pose.x, R + pose.height];
-    const rim = (phi, radius = inner) =>
+    const rim = (/** @type {number} */ phi, radius = inner) =>
       this.point(center[0] + radius * Math.sin(phi), center[1] + radius * Math.cos(phi));
     context.lineCap = "butt";
     if (look.dark) {
@@ -205,7 +245,7 @@ class Scene {
       context.strokeStyle = look.soft;
       context.lineWidth = width + 2;
       context.beginPath();
-      context.arc(...this.point(...center), inner * scale, 0, 2 * Math.PI);
+      context.arc(...this.point(center[0], center[1]), inner * scale, 0, 2 * Math.PI);
       context.stroke();
     }
     if (this.options.speed) {
@@ -220,33 +260,34 @@ class Scene {
         );
         context.strokeStyle = SPEED_TEXTS[clamp(Math.round((255 * speed) / most) || 0, 0, 255)];
         context.beginPath();
-        context.moveTo(...rim(phi - 0.04 * step));
-        context.lineTo(...rim(phi + 1.04 * step));
+        context.moveTo(.../** @type {[number, number]} */ (rim(phi - 0.04 * step)));
+        context.lineTo(.../** @type {[number, number]} */ (rim(phi + 1.04 * step)));
         context.stroke();
       }
     } else {
       context.strokeStyle = colors.modes[pose.mode];
       context.lineWidth = width;
       context.beginPath();
-      context.arc(...this.point(...center), inner * scale, 0, 2 * Math.PI);
+      context.arc(...this.point(center[0], center[1]), inner * scale, 0, 2 * Math.PI);
       context.stroke();
     }
     context.strokeStyle = look.soft;
     context.lineWidth = 1;
     context.beginPath();
-    context.moveTo(...this.point(...center));
-    context.lineTo(...rim(pose.angle));
+    context.moveTo(...this.point(center[0], center[1]));
+    context.lineTo(.../** @type {[number, number]} */ (rim(pose.angle)));
     context.stroke();
+    /** @type {(place: number[], radius: number, fill: string, edge: string) => void} */
     const dot = (place, radius, fill, edge) => {
       context.beginPath();
-      context.arc(...place, radius, 0, 2 * Math.PI);
+      context.arc(.../** @type {[number, number]} */ (place), radius, 0, 2 * Math.PI);
       context.fillStyle = fill;
       context.fill();
       context.lineWidth = 1.5;
       context.strokeStyle = edge;
       context.stroke();
     };
-    dot(this.point(...center), 2.5, look.soft, look.soft);
+    dot(this.point(center[0], center[1]), 2.5, look.soft, look.soft);
     const parts = film.scenario.hoop.parts;
     if (parts) this.parts(parts, center);
     else dot(rim(pose.angle), clamp(0.1 * R * scale, 4, 16), look.ink, look.paper);
@@ -255,7 +296,11 @@ class Scene {
     dot(G, clamp(0.05 * R * scale, 3.5, 7), pose.mode === "H" ? colors.airborne : colors.gravity_center, look.paper);
   }
 
-  // A hoop of real parts: each where it sits on the line from C to the load.
+  /**
+   * A hoop of real parts: each where it sits on the line from C to the load.
+   * @param {Part[]} parts
+   * @param {number[]} center
+   */
   parts(parts, center) {
     const { film, pose, context, look, scale } = this;
     const moment = parts.reduce((sum, part) => sum + part.mass * (part.at ?? 0), 0);
@@ -269,13 +314,14 @@ class Scene {
       context.beginPath();
       if (part.shape === "ring") {
         context.globalAlpha = 0.22;
-        context.arc(...place, part.outer_radius * scale, 0, 2 * Math.PI);
-        context.arc(...place, part.inner_radius * scale, 0, 2 * Math.PI, true);
+        context.arc(.../** @type {[number, number]} */ (place), part.outer_radius * scale, 0, 2 * Math.PI);
+        context.arc(.../** @type {[number, number]} */ (place), part.inner_radius * scale, 0, 2 * Math.PI, true);
         context.fill();
         context.globalAlpha = 1;
       } else if (part.shape === "rod") {
         const half = 0.5 * part.length;
-        const along = (r) => this.point(center[0] + r * Math.sin(pose.angle), center[1] + r * Math.cos(pose.angle));
+        const along = (/** @type {number} */ r) =>
+          this.point(center[0] + r * Math.sin(pose.angle), center[1] + r * Math.cos(pose.angle));
         context.lineWidth = 4;
         context.moveTo(...along(at - half));
         context.lineTo(...along(at + half));
@@ -283,7 +329,7 @@ class Scene {
       } else {
         const radius = part.shape === "disk" ? part.radius * scale : clamp(0.08 * film.radius * scale, 3, 12);
         context.globalAlpha = part.shape === "disk" ? 0.55 : 1;
-        context.arc(...place, radius, 0, 2 * Math.PI);
+        context.arc(.../** @type {[number, number]} */ (place), radius, 0, 2 * Math.PI);
         context.fill();
         context.globalAlpha = 1;
       }
@@ -295,14 +341,27 @@ class Scene {
     const R = film.radius;
     const weight = film.mass * (film.gravity || 9.81);
     // to scale up to four weights; a longer arrow would leave the picture and is drawn broken
-    const size = (force) => (0.55 * R * force) / weight;
+    const size = (/** @type {number} */ force) => (0.55 * R * force) / weight;
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const foot = [pose.x, pose.height];
     this.arrow(foot, [0, size(pose.normal_force)], colors.normal_force, `N = ${show(pose.normal_force, 3)} N`, false);
-    this.arrow(foot, [size(pose.friction_force), 0], colors.friction_force, `F = ${show(pose.friction_force, 3)} N`, true);
+    this.arrow(
+      foot,
+      [size(pose.friction_force), 0],
+      colors.friction_force,
+      `F = ${show(pose.friction_force, 3)} N`,
+      true,
+    );
   }
 
-  // The label of N stands beside its tip, that of F below the plane: they never meet.
+  /**
+   * The label of N stands beside its tip, that of F below the plane: they never meet.
+   * @param {number[]} from
+   * @param {number[]} way
+   * @param {string} color
+   * @param {string} label
+   * @param {boolean} below
+   */
   arrow([x, y], [dx, dy], color, label, below) {
     const { context, look, width } = this;
     const most = 2.2 * this.film.radius;
@@ -315,17 +374,20 @@ class Scene {
     const ux = (to[0] - from[0]) / length;
     const uy = (to[1] - from[1]) / length;
     const head = Math.min(11, length);
-    for (const [stroke, width] of [[look.paper, 6], [color, 3]]) {
+    for (const [stroke, width] of /** @type {[string, number][]} */ ([
+      [look.paper, 6],
+      [color, 3],
+    ])) {
       context.strokeStyle = stroke;
       context.fillStyle = stroke;
       context.lineWidth = width;
       context.beginPath();
-      context.moveTo(...from);
+      context.moveTo(.../** @type {[number, number]} */ (from));
       context.lineTo(to[0] - ux * head, to[1] - uy * head);
       context.stroke();
     }
     context.beginPath();
-    context.moveTo(...to);
+    context.moveTo(.../** @type {[number, number]} */ (to));
     context.lineTo(to[0] - ux * head - uy * head * 0.5, to[1] - uy * head + ux * head * 0.5);
     context.lineTo(to[0] - ux * head + uy * head * 0.5, to[1] - uy * head - ux * head * 0.5);
     context.fill();
@@ -349,7 +411,7 @@ class Scene {
       ? [from[0] - 0.5 * size - 32 * this.sine, from[1] + 32 * this.cosine]
       : [to[0] + 12, clamp(to[1] + 4, 16, from[1] - 0.36 * this.film.radius * this.scale)];
     place[0] = clamp(place[0], 4, width - size - 4);
-    context.strokeText(label, ...place);
-    context.fillText(label, ...place);
+    context.strokeText(label, place[0], place[1]);
+    context.fillText(label, place[0], place[1]);
   }
 }

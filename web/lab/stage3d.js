@@ -27,11 +27,15 @@ const FLOOR = [
 ];
 
 export class Stage3D {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {() => void} onview
+   */
   constructor(canvas, onview) {
     this.canvas = canvas;
     this.onview = onview;
     this.space = new Space(canvas, SPEED_COLORS, SUN, SHADOW, { keep: true });
-    this.floor = makeProgram(this.space.gl, ...FLOOR);
+    this.floor = makeProgram(this.space.gl, FLOOR[0], FLOOR[1]);
     this.corners = mesh(this.space.gl, [-1, -1, 1, -1, -1, 1, 1, 1], { corner: 2 });
     this.turned = { ...HOME };
     this.lines = new WeakMap();
@@ -41,23 +45,29 @@ export class Stage3D {
     this.focus = 0;
     this.reach = 1;
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
-    canvas.addEventListener("wheel", (event) => {
-      if (!(event.ctrlKey || event.shiftKey || focused(canvas.parentElement))) return;
-      event.preventDefault();
-      this.zoomBy(Math.exp(-(event.deltaY || event.deltaX) * 0.0015));
-    }, { passive: false });
-    this.pinched = pinch(canvas, (factor) => this.zoomBy(factor));
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        if (!(event.ctrlKey || event.shiftKey || focused(canvas.parentElement))) return;
+        event.preventDefault();
+        this.zoomBy(Math.exp(-(event.deltaY || event.deltaX) * 0.0015));
+      },
+      { passive: false },
+    );
+    this.pinched = pinch(canvas, (/** @type {number} */ factor) => this.zoomBy(factor));
   }
 
+  /** @param {number} factor */
   zoomBy(factor) {
     if (factor) this.turned.distance = clamp(this.turned.distance / factor, 1.6, 60);
     else this.turned = { ...HOME };
     this.onview();
   }
 
+  /** @param {PointerEvent} event */
   drag(event) {
     const start = { ...this.turned, x: event.clientX, y: event.clientY };
-    follow(this.canvas, event, (moved) => {
+    follow(this.canvas, event, (/** @type {PointerEvent} */ moved) => {
       if (this.pinched()) return;
       this.turned.azimuth = clamp(start.azimuth - (moved.clientX - start.x) * 0.008, -1.5, 1.5);
       this.turned.height = clamp(start.height + (moved.clientY - start.y) * 0.006, 0.02, 1.45);
@@ -78,7 +88,15 @@ export class Stage3D {
     return this.share;
   }
 
-  // `running`: a film that runs may lose sharpness, a still picture never.
+  /**
+   * `running`: a film that runs may lose sharpness, a still picture never.
+   * @param {Film[]} films
+   * @param {number} time
+   * @param {StageOptions} options
+   * @param {Look} look
+   * @param {Colors} colors
+   * @param {boolean} running
+   */
   draw(films, time, options, look, colors, running) {
     const { canvas, space } = this;
     const ratio = Math.min(globalThis.devicePixelRatio || 1, 2) * (running ? this.quality() : 1);
@@ -91,7 +109,7 @@ export class Stage3D {
     this.focus = Number.isFinite(poses[0].x) ? poses[0].x : 0;
     space.begin({ background: rgb(look.paper), ...this.camera(films[0], poses[0], R, options) });
     space.ground(() => this.drawFloor(R, look));
-    const each = (paint) => {
+    const each = (/** @type {(film: Film, pose: Pose, depth: number) => void} */ paint) => {
       for (const [lane, film] of films.entries()) paint(film, poses[lane], -2.1 * R * lane);
     };
     space.shadows(() => each((film, pose, depth) => this.drawHoop(film, pose, depth, options, look, colors, true)));
@@ -102,6 +120,12 @@ export class Stage3D {
     });
   }
 
+  /**
+   * @param {Film} film
+   * @param {Pose} pose
+   * @param {number} R
+   * @param {StageOptions} options
+   */
   camera(film, pose, R, options) {
     const { azimuth, height, distance } = this.turned;
     const { left, right } = film.extent;
@@ -119,6 +143,10 @@ export class Stage3D {
     return { eye, target, slope: film.slope, angle: 0.75, near: 0.05 * R, far: 40 * R + 6 * away };
   }
 
+  /**
+   * @param {number} R
+   * @param {Look} look
+   */
   drawFloor(R, look) {
     const { space } = this;
     const light = rgb(look.ground);
@@ -130,6 +158,15 @@ export class Stage3D {
     space.gl.drawArrays(space.gl.TRIANGLE_STRIP, 0, 4);
   }
 
+  /**
+   * @param {Film} film
+   * @param {Pose} pose
+   * @param {number} depth
+   * @param {StageOptions} options
+   * @param {Look} look
+   * @param {Colors} colors
+   * @param {boolean} shadow
+   */
   drawHoop(film, pose, depth, options, look, colors, shadow) {
     const { space } = this;
     const R = film.radius;
@@ -137,52 +174,80 @@ export class Stage3D {
     const center = [pose.x - this.focus, R + pose.height, depth];
     space.ring(
       {
-        center, radius: R, tube, broad: 3.2 * tube, angle: pose.angle, velocity: [pose.vx, pose.vy], omega: pose.omega,
+        center,
+        radius: R,
+        tube,
+        broad: 3.2 * tube,
+        angle: pose.angle,
+        velocity: [pose.vx, pose.vy],
+        omega: pose.omega,
         plain: options.speed ? null : rgb(colors.modes[pose.mode]),
       },
       shadow,
     );
     const way = [Math.sin(pose.angle), Math.cos(pose.angle), 0];
-    const at = (distance) => center.map((value, i) => value + distance * way[i]);
+    const at = (/** @type {number} */ distance) => center.map((value, i) => value + distance * way[i]);
     space.ball(at(R - tube), 0.125 * R, look.dark ? [0.9, 0.91, 0.94] : [0.12, 0.13, 0.15], shadow);
     space.rod(center, way, R - tube, 0.012 * R, [0.55, 0.57, 0.6], shadow);
     const inAir = pose.mode === "H";
     space.ball(at(film.eccentricity * R), 0.07 * R, rgb(inAir ? colors.airborne : colors.gravity_center), shadow);
   }
 
+  /**
+   * @param {Film} film
+   * @param {Pose} pose
+   * @param {number} depth
+   * @param {Colors} colors
+   */
   drawForces(film, pose, depth, colors) {
     if (pose.mode === "H" || !(pose.normal_force > 0)) return;
     const R = film.radius;
     const weight = film.mass * (film.gravity || 9.81);
     const from = [pose.x - this.focus, pose.height + 0.03 * R, depth + 0.2 * R];
-    const length = (force) => clamp((0.55 * R * Math.abs(force)) / weight, 0, 3.2 * R);
+    const length = (/** @type {number} */ force) => clamp((0.55 * R * Math.abs(force)) / weight, 0, 3.2 * R);
     const side = Math.sign(pose.friction_force);
     this.space.arrow(from, [0, 1, 0], length(pose.normal_force), R, rgb(colors.normal_force));
     this.space.arrow(from, [side, 0, 0], length(pose.friction_force), R, rgb(colors.friction_force));
   }
 
-  // Load and centre of gravity, built once a film; what lies ahead in time is left out when drawn.
+  /**
+   * Load and centre of gravity, built once a film; what lies ahead in time is left out when drawn.
+   * @param {Film} film
+   * @param {Look} look
+   * @param {Colors} colors
+   */
   linesOf(film, look, colors) {
     const kept = this.lines.get(film);
     if (kept?.dark === look.dark) return kept;
     const R = film.radius;
     const { x, height, angle, mode } = film.columns;
-    const trace = (distance, tint) =>
+    const trace = (/** @type {number} */ distance, /** @type {(i: number) => number[]} */ tint) =>
       this.space.trace(
         film.length,
-        (i) => [x[i] + distance * Math.sin(angle[i]), R + height[i] + distance * Math.cos(angle[i])],
+        (/** @type {number} */ i) => [
+          x[i] + distance * Math.sin(angle[i]),
+          R + height[i] + distance * Math.cos(angle[i]),
+        ],
         tint,
       );
     const [contact, air, ink] = [rgb(colors.gravity_center), rgb(colors.airborne), rgb(look.ink)];
     const made = {
       dark: look.dark,
       load: trace(R, () => ink),
-      center: trace(film.eccentricity * R, (i) => (mode[i] === 3 ? air : contact)),
+      center: trace(film.eccentricity * R, (/** @type {number} */ i) => (mode[i] === 3 ? air : contact)),
     };
     this.lines.set(film, made);
     return made;
   }
 
+  /**
+   * @param {Film} film
+   * @param {Pose} pose
+   * @param {number} depth
+   * @param {Look} look
+   * @param {Colors} colors
+   * @param {number} ratio
+   */
   drawTraces(film, pose, depth, look, colors, ratio) {
     const { load, center } = this.linesOf(film, look, colors);
     const count = Math.min(film.index(pose.t) + 2, film.length);

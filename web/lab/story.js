@@ -4,6 +4,14 @@ import { h } from "./dom.js";
 import { show } from "./numbers.js";
 
 export class Story {
+  /** @type {Film} */
+  film;
+  /** @type {HTMLElement[]} */
+  items;
+  /** @type {number} */
+  current;
+
+  /** @param {Clock} clock */
   constructor(clock) {
     this.clock = clock;
     this.summary = h("p", { class: "summary" });
@@ -20,7 +28,12 @@ export class Story {
     );
   }
 
-  // The list is that of the chosen hoop, the sentences above it are those of both.
+  /**
+   * The list is that of the chosen hoop, the sentences above it are those of both.
+   * @param {Film[]} films
+   * @param {number} active
+   * @param {Colors} colors
+   */
   draw(films, active, colors) {
     this.film = films[active];
     this.heading.textContent = films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens";
@@ -50,10 +63,12 @@ export class Story {
     this.cursor(this.clock.time);
   }
 
+  /** @param {Film[]} films */
   announce(films) {
     this.live.textContent = films.map((film) => film.summary).join(" ");
   }
 
+  /** @param {number} time */
   cursor(time) {
     const { story } = this.film;
     let now = -1;
@@ -82,10 +97,11 @@ export class Theory {
     this.element = h("section", { class: "theory" }, this.heading, this.list);
   }
 
+  /** @param {{ label: string, text: string }[]} thresholds */
   draw(thresholds, hoop = "") {
     this.heading.textContent = hoop ? `What theory says of hoop ${hoop}` : "What theory says";
     this.list.replaceChildren(
-      ...thresholds.flatMap(({ label, text }) => [h("dt", {}, label), h("dd", {}, text)]),
+      ...thresholds.flatMap(({ label, /** @type {string} */ text }) => [h("dt", {}, label), h("dd", {}, text)]),
     );
   }
 }

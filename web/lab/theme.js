@@ -24,6 +24,9 @@ export class Theme {
     this.listen = () => this.apply();
     this.media.addEventListener("change", this.listen);
     this.mark();
+    /** @type {Look} */
+    this.look = theme(root);
+    this.inks = { ...colors };
     this.read();
   }
 
@@ -35,7 +38,6 @@ export class Theme {
 
   // The colours that the style sheet gives now, and those of thin lines, which must stand out from the paper.
   read() {
-    /** @type {Look} */
     this.look = theme(this.root);
     this.inks = { ...this.colors };
     for (const name of LINES) this.inks[name] = readable(this.colors[name], this.look.dark);

@@ -5,19 +5,46 @@ import { fitted, h } from "./dom.js";
 import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
 import { follow } from "./pointer.js";
 
+/** @type {Record<string, string>} */
 const MARKS = {
-  takeoff: "▲", impact: "▼", apex: "•", jam: "✖", kane_gain: "✚", bounce_limit: "≋", turn: "↺", rest: "■",
-  painleve_inconsistent: "◆", painleve_indeterminate: "◇", skim: "◗",
+  takeoff: "▲",
+  impact: "▼",
+  apex: "•",
+  jam: "✖",
+  kane_gain: "✚",
+  bounce_limit: "≋",
+  turn: "↺",
+  rest: "■",
+  painleve_inconsistent: "◆",
+  painleve_indeterminate: "◇",
+  skim: "◗",
 };
 
+/** @type {Record<string, string>} */
 export const EVENT_WORDS = {
-  start: "start", slip_start: "slip begins", stick: "slip ends", slip_reversal: "slip turns round",
-  takeoff: "take-off", impact: "landing", turn: "turns back", apex: "highest point", bounce_limit: "bounces end",
-  painleve_inconsistent: "Painlevé: no solution", painleve_indeterminate: "Painlevé: several solutions", jam: "jam",
-  kane_gain: "energy gain (Kane)", skim: "skimming begins", rest: "at rest", end: "end",
+  start: "start",
+  slip_start: "slip begins",
+  stick: "slip ends",
+  slip_reversal: "slip turns round",
+  takeoff: "take-off",
+  impact: "landing",
+  turn: "turns back",
+  apex: "highest point",
+  bounce_limit: "bounces end",
+  painleve_inconsistent: "Painlevé: no solution",
+  painleve_indeterminate: "Painlevé: several solutions",
+  jam: "jam",
+  kane_gain: "energy gain (Kane)",
+  skim: "skimming begins",
+  rest: "at rest",
+  end: "end",
 };
 
 export class Timeline {
+  /** @type {Film[]} */
+  films;
+
+  /** @param {Clock} clock */
   constructor(clock) {
     this.clock = clock;
     this.canvas = h("canvas", { class: "timeline-canvas" });
@@ -25,7 +52,11 @@ export class Timeline {
     this.element = h(
       "div",
       {
-        class: "timeline", role: "slider", tabindex: "0", "aria-label": "Time", "aria-valuemin": "0",
+        class: "timeline",
+        role: "slider",
+        tabindex: "0",
+        "aria-label": "Time",
+        "aria-valuemin": "0",
         "aria-orientation": "horizontal",
       },
       this.canvas,
@@ -36,21 +67,24 @@ export class Timeline {
     this.element.addEventListener("pointerleave", () => (this.tip.hidden = true));
   }
 
+  /** @param {PointerEvent} event */
   timeAt(event) {
     const box = this.canvas.getBoundingClientRect();
     return clamp((event.clientX - box.left) / box.width, 0, 1) * this.clock.duration;
   }
 
+  /** @param {PointerEvent} event */
   scrub(event) {
     event.preventDefault();
     this.element.focus({ preventScroll: true });
     const resume = this.clock.playing;
     this.clock.playing = false;
-    const move = (moved) => this.clock.seek(this.timeAt(moved));
+    const move = (/** @type {PointerEvent} */ moved) => this.clock.seek(this.timeAt(moved));
     move(event);
     follow(this.element, event, move, () => resume && this.clock.play(true));
   }
 
+  /** @param {PointerEvent} event */
   hover(event) {
     const time = this.timeAt(event);
     const near = this.nearest(time, 8);
@@ -63,6 +97,10 @@ export class Timeline {
     this.tip.style.left = `${clamp(event.clientX - box.left, 70, box.width - 70)}px`;
   }
 
+  /**
+   * @param {number} time
+   * @param {number} pixels
+   */
   nearest(time, pixels) {
     const reach = (pixels * this.clock.duration) / (this.canvas.getBoundingClientRect().width || 1);
     let best = null;
@@ -76,11 +114,16 @@ export class Timeline {
     return best;
   }
 
+  /**
+   * @param {Film[]} films
+   * @param {Look} look
+   * @param {Colors} colors
+   */
   draw(films, look, colors) {
     this.films = films;
     const { context, width, height } = fitted(this.canvas);
     const duration = this.clock.duration || 1;
-    const place = (t) => (t / duration) * width;
+    const place = (/** @type {number} */ t) => (t / duration) * width;
     context.clearRect(0, 0, width, height);
     const above = 15; // room for the marks of each hoop
     const band = (height - 15) / films.length - above;
@@ -127,7 +170,17 @@ export class Timeline {
     this.element.setAttribute("aria-valuetext", `${show(this.clock.time, 4)} seconds`);
   }
 
-  // The word of a mode inside its stretch, where it fits.
+  /**
+   * The word of a mode inside its stretch, where it fits.
+   * @param {CanvasRenderingContext2D} context
+   * @param {string} word
+   * @param {number} from
+   * @param {number} wide
+   * @param {number} y
+   * @param {number} high
+   * @param {string} color
+   * @param {Look} look
+   */
   named(context, word, from, wide, y, high, color, look) {
     context.font = `11px ${look.font}`;
     if (high < 13 || context.measureText(word).width + 8 > wide) return;
@@ -138,6 +191,14 @@ export class Timeline {
     context.textBaseline = "alphabetic";
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Film} film
+   * @param {(t: number) => number} place
+   * @param {number} top
+   * @param {number} width
+   * @param {Look} look
+   */
   marks(context, film, place, top, width, look) {
     context.font = `11px ${look.font}`;
     context.textAlign = "center";

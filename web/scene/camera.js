@@ -3,6 +3,22 @@
 import { between } from "./data.js";
 
 export class Camera {
+  /** @type {number} */
+  turn;
+  /** @type {number} */
+  rise;
+  /** @type {number} */
+  away;
+  /** @type {number[]} */
+  shift;
+  /** @type {number | null} */
+  along;
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {SceneData} data
+   * @param {() => boolean} follows
+   */
   constructor(canvas, data, follows) {
     this.data = data;
     this.follows = follows; // whether it is to follow now
@@ -17,12 +33,16 @@ export class Camera {
     Object.assign(this, this.home, { shift: [...this.home.shift] });
   }
 
+  /** @param {number} factor */
   closer(factor) {
     const R = this.data.radius;
     this.away = Math.min(Math.max(this.away * factor, 2 * R), 200 * R);
   }
 
-  // What is looked at, along the plane: it lags a little behind, so that fits and starts are followed calmly.
+  /**
+   * What is looked at, along the plane: it lags a little behind, so that fits and starts are followed calmly.
+   * @param {number} now
+   */
   focus(now) {
     const { hoops, along } = this.data;
     const wanted = this.follows()
@@ -32,7 +52,11 @@ export class Camera {
     return this.along;
   }
 
-  // Level places, relative to the point of the plane that is looked at.
+  /**
+   * Level places, relative to the point of the plane that is looked at.
+   * @param {boolean} wide
+   * @returns {View}
+   */
   view(wide) {
     const { radius: R, slope } = this.data;
     const above = 0.95 * R;
@@ -49,14 +73,16 @@ export class Camera {
     };
   }
 
+  /** @param {HTMLCanvasElement} canvas */
   listen(canvas) {
+    /** @type {Map<number, PointerEvent>} */
     const fingers = new Map();
     canvas.addEventListener("pointerdown", (event) => {
       canvas.setPointerCapture(event.pointerId);
       fingers.set(event.pointerId, event);
     });
-    for (const name of ["pointerup", "pointercancel"]) {
-      canvas.addEventListener(name, (event) => fingers.delete(event.pointerId));
+    for (const name of /** @type {const} */ (["pointerup", "pointercancel"])) {
+      canvas.addEventListener(name, (/** @type {PointerEvent} */ event) => fingers.delete(event.pointerId));
     }
     canvas.addEventListener("pointermove", (event) => {
       const old = fingers.get(event.pointerId);
@@ -64,7 +90,8 @@ export class Camera {
       const [dx, dy] = [event.clientX - old.clientX, event.clientY - old.clientY];
       if (fingers.size === 2) {
         const [other] = [...fingers.values()].filter((each) => each.pointerId !== event.pointerId);
-        const span = (one) => Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
+        const span = (/** @type {PointerEvent} */ one) =>
+          Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
         this.closer(span(old) / Math.max(span(event), 1));
       } else if (event.shiftKey || event.buttons === 2) {
         const scale = this.away / canvas.clientHeight;

@@ -5,17 +5,24 @@ import { unpacked } from "./data.js";
 import { Picture } from "./picture.js";
 import { Words } from "./words.js";
 
+/** @type {(id: string) => any} */
 const element = (id) => document.getElementById(id);
 
 class Player {
+  /** @param {SceneData} data */
   constructor(data) {
     this.data = data;
     this.last = data.count - 1;
     this.now = 0;
+    /** @type {number | null} */
     this.before = null;
+    /** @type {HTMLButtonElement} */
     this.button = element("play");
+    /** @type {HTMLInputElement} */
     this.slider = element("time");
+    /** @type {HTMLSelectElement} */
     this.rate = element("rate");
+    /** @type {HTMLInputElement} */
     this.follow = element("follow");
     const canvas = element("scene");
     this.picture = new Picture(canvas, element("labels"), data);
@@ -34,7 +41,10 @@ class Player {
     requestAnimationFrame((clock) => this.tick(clock));
   }
 
-  // A link that ends in #t=1.05 opens at that time.
+  /**
+   * A link that ends in #t=1.05 opens at that time.
+   * @param {string} hash
+   */
   open(hash) {
     const asked = /t=([\d.]+)/.exec(hash);
     if (!asked) return;
@@ -44,6 +54,7 @@ class Player {
     this.play(false);
   }
 
+  /** @param {boolean} on */
   play(on) {
     this.playing = on;
     this.button.textContent = on ? "Pause" : "Play";
@@ -54,18 +65,20 @@ class Player {
     this.play(!this.playing);
   }
 
+  /** @param {KeyboardEvent} event */
   key(event) {
-    if (event.target.tagName === "SELECT" || event.target === this.button) return;
+    if (/** @type {Element} */ (event.target).tagName === "SELECT" || event.target === this.button) return;
     if (event.key === " ") {
       this.toggle();
       event.preventDefault();
     }
-    const way = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    const way = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
     if (!way || event.target === this.slider) return;
     this.play(false);
     this.now = Math.min(Math.max(Math.round(this.now) + way, 0), this.last);
   }
 
+  /** @param {number} clock [ms] */
   tick(clock) {
     if (this.playing && this.before !== null) {
       this.now += ((clock - this.before) / 1000) * this.data.fps * Number(this.rate.value);
@@ -86,6 +99,6 @@ try {
   new Player(unpacked(element("data").textContent));
 } catch (error) {
   // mostly because there is no WebGL
-  element("problem").textContent = error.message;
+  element("problem").textContent = /** @type {Error} */ (error).message;
   element("problem").style.display = "flex";
 }

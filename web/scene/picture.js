@@ -11,9 +11,15 @@ const SUN = [-0.32, 1, 0.75];
 const SHADOW = 0.38;
 const NUMBER_FONT = '"DejaVu Sans", system-ui, sans-serif';
 
+/** @type {(a: Vector, b: Vector, share: number) => Vector} */
 const mixed = (a, b, share) => a.map((value, i) => value + share * (b[i] - value));
 
 export class Picture {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {HTMLCanvasElement} labels
+   * @param {SceneData} data
+   */
   constructor(canvas, labels, data) {
     this.canvas = canvas;
     this.labels = labels;
@@ -36,18 +42,27 @@ export class Picture {
     return {
       plane: sheets(space.gl, [sheet(reach, [40 * R, -40 * R])]),
       track: sheets(space.gl, [sheet(reach, across)]),
-      bars: sheets(space.gl, this.marks.map((x) => sheet([x - 0.008 * R, x + 0.008 * R], across))),
+      bars: sheets(
+        space.gl,
+        this.marks.map((x) => sheet([x - 0.008 * R, x + 0.008 * R], across)),
+      ),
     };
   }
 
+  /** @param {SceneTraces} traces */
   traceMeshes({ load, heavy, airborne }) {
     const { theme, colors } = this.data;
     const ink = rgb(theme.load);
     const [contact, air] = [rgb(colors.center), rgb(colors.airborne)];
+    /** @type {(way: Float32Array, tint: (i: number) => Vector) => Mesh} */
     const made = (way, tint) => this.space.trace(way.length / 2, (i) => [way[2 * i], way[2 * i + 1]], tint);
     return { load: made(load, () => ink), heavy: made(heavy, (i) => (airborne[i] ? air : contact)) };
   }
 
+  /**
+   * @param {number} now
+   * @param {Camera} camera
+   */
   draw(now, camera) {
     const { canvas, labels, data, space } = this;
     const ratio = window.devicePixelRatio || 1;
@@ -73,6 +88,12 @@ export class Picture {
     this.drawNumbers(focus, ratio);
   }
 
+  /**
+   * @param {SceneHoop} hoop
+   * @param {number} now
+   * @param {number} focus
+   * @returns {ScenePose}
+   */
   pose(hoop, now, focus) {
     const turned = between(hoop.angle, now);
     const way = [Math.sin(turned), Math.cos(turned), 0];
@@ -84,10 +105,11 @@ export class Picture {
       velocity: [between(hoop.velocity, now, 2), between(hoop.velocity, now, 2, 1)],
       omega: between(hoop.omega, now),
       airborne: hoop.mode[Math.floor(now)] === "H",
-      at: (distance) => center.map((value, i) => value + distance * way[i]),
+      at: (/** @type {number} */ distance) => center.map((value, i) => value + distance * way[i]),
     };
   }
 
+  /** @param {number} focus */
   drawFloor(focus) {
     const { theme } = this.data;
     const [ground, ink] = [rgb(theme.ground), rgb(theme.ink)];
@@ -97,6 +119,10 @@ export class Picture {
     this.space.solid(this.floor.bars, place, mixed(ground, ink, 0.25), { lit: false });
   }
 
+  /**
+   * @param {ScenePose} pose
+   * @param {boolean} shadow
+   */
   drawHoop({ hoop, center, angle, velocity, omega, airborne, at }, shadow) {
     const { space, data } = this;
     const { radius } = hoop;
@@ -106,8 +132,16 @@ export class Picture {
     if (!shadow) space.ball(at(hoop.heavy), HEAVY * radius, rgb(color), shadow);
   }
 
+  /**
+   * @param {SceneHoop} hoop
+   * @param {{ load: Mesh, heavy: Mesh } | null} made
+   * @param {number} now
+   * @param {number} focus
+   * @param {number} scale
+   * @param {number} distance
+   */
   drawTraces(hoop, made, now, focus, scale, distance) {
-    if (made === null) return;
+    if (made === null || hoop.traces === null) return;
     const time = between(hoop.t, now);
     const later = hoop.traces.t.findIndex((each) => each > time);
     const count = later < 0 ? hoop.traces.t.length : later;
@@ -117,7 +151,12 @@ export class Picture {
     this.space.drawTrace(made.heavy, count, { width: 0.016 * R * scale, ...place });
   }
 
-  // Forces jump; they are not drawn in between.
+  /**
+   * Forces jump; they are not drawn in between.
+   * @param {SceneHoop} hoop
+   * @param {number} now
+   * @param {number} focus
+   */
   drawForces(hoop, now, focus) {
     const { data, space } = this;
     const k = Math.floor(now);
@@ -128,10 +167,14 @@ export class Picture {
     space.arrow(from, [Math.sign(friction), 0, 0], Math.abs(friction), data.radius, rgb(data.colors.friction));
   }
 
-  // Metres beside the track, as many as there is room for.
+  /**
+   * Metres beside the track, as many as there is room for.
+   * @param {number} focus
+   * @param {number} ratio
+   */
   drawNumbers(focus, ratio) {
     const { labels, data, half } = this;
-    const pen = labels.getContext("2d");
+    const pen = /** @type {CanvasRenderingContext2D} */ (labels.getContext("2d"));
     pen.clearRect(0, 0, labels.width, labels.height);
     pen.fillStyle = data.theme.muted;
     pen.textAlign = "center";

@@ -2,8 +2,10 @@
 
 import { between } from "./data.js";
 
-const element = (id) => document.getElementById(id);
+/** @type {(id: string) => HTMLElement} */
+const element = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
+/** @type {(tag: string, className: string, ...children: (Node | string)[]) => HTMLElement} */
 const named = (tag, className, ...children) => {
   const made = document.createElement(tag);
   made.className = className;
@@ -12,6 +14,7 @@ const named = (tag, className, ...children) => {
 };
 
 export class Words {
+  /** @param {SceneData} data */
   constructor(data) {
     this.data = data;
     document.body.style.background = data.theme.background;
@@ -21,6 +24,7 @@ export class Words {
     this.key();
   }
 
+  /** @param {SceneHoop} hoop */
   row(hoop) {
     const [dot, word, time, angle] = ["dot", "word", "t", "angle"].map((name) => named("span", name));
     const label = named("span", "label", hoop.label);
@@ -33,7 +37,7 @@ export class Words {
     const stops = map.map((color) => `rgb(${color.join(",")})`).join(",");
     element("bar").style.background = `linear-gradient(to right, ${stops})`;
     const power = 10 ** Math.floor(Math.log10(topSpeed / 3));
-    const step = [5, 2, 1].map((x) => x * power).find((x) => x <= (topSpeed / 3) * 1.000001);
+    const step = [5, 2, 1].map((x) => x * power).find((x) => x <= (topSpeed / 3) * 1.000001) ?? power;
     for (let value = 0; value <= topSpeed; value += step) {
       const tick = named("span", "", String(+value.toPrecision(6)));
       tick.style.left = `${(100 * value) / topSpeed}%`;
@@ -55,6 +59,7 @@ export class Words {
     }
   }
 
+  /** @param {number} now */
   show(now) {
     for (const [i, hoop] of this.data.hoops.entries()) {
       const [word, color] = this.data.modes[hoop.mode[Math.floor(now)]];

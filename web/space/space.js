@@ -81,8 +81,15 @@ const LINE = [
 ];
 
 export class Space {
-  // `speeds` are the colours of the rim from rest to the fastest, `sun` is the way to the light, `dark` how dark a
-  // shadow is.
+  /**
+   * `speeds` are the colours of the rim from rest to the fastest, `sun` is the way to the light, `dark` how dark a
+   * shadow is.
+   * @param {HTMLCanvasElement} canvas
+   * @param {number[][]} speeds
+   * @param {Vector} sun
+   * @param {number} dark
+   * @param {{ keep?: boolean }} options whether the picture can be copied
+   */
   constructor(canvas, speeds, sun, dark, { keep = false } = {}) {
     const gl = canvas.getContext("webgl", { antialias: true, stencil: true, preserveDrawingBuffer: keep });
     if (!gl) throw new Error("This browser draws nothing in space (WebGL is missing).");
@@ -91,9 +98,9 @@ export class Space {
     this.sun = unit(sun);
     this.dark = dark;
     this.slant = [sun[0] / sun[1], 1, sun[2] / sun[1]];
-    this.rim = makeProgram(gl, ...RIM);
-    this.body = makeProgram(gl, ...BODY);
-    this.line = makeProgram(gl, ...LINE);
+    this.rim = makeProgram(gl, RIM[0], RIM[1]);
+    this.body = makeProgram(gl, BODY[0], BODY[1]);
+    this.line = makeProgram(gl, LINE[0], LINE[1]);
     this.torus = torusMesh(gl);
     this.sphere = sphereMesh(gl);
     this.cylinder = coneMesh(gl, 1);
@@ -103,18 +110,23 @@ export class Space {
     const pixels = new Uint8Array(speeds.flatMap((color) => [...color, 255]));
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, speeds.length, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    for (const name of ["TEXTURE_WRAP_S", "TEXTURE_WRAP_T"]) gl.texParameteri(gl.TEXTURE_2D, gl[name], gl.CLAMP_TO_EDGE);
-    for (const name of ["TEXTURE_MIN_FILTER", "TEXTURE_MAG_FILTER"]) gl.texParameteri(gl.TEXTURE_2D, gl[name], gl.LINEAR);
+    for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
+    for (const way of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, way, gl.LINEAR);
+    /** @type {Matrix} */
     this.view = tilted(0);
+    /** @type {Vector} */
     this.eye = [0, 0, 1];
     this.fastest = 1;
   }
 
-  // An empty picture of the canvas' size, and the camera: `eye` and `target` are level, `angle` is that of the view.
+  /**
+   * An empty picture of the canvas' size, and the camera: `eye` and `target` are level, `angle` is that of the view.
+   * @param {View & { background: Vector }} view
+   */
   begin({ background, eye, target, slope, angle, near, far }) {
     const { gl, canvas } = this;
     gl.viewport(0, 0, canvas.width, canvas.height);
-    gl.clearColor(...background, 1);
+    gl.clearColor(background[0], background[1], background[2], 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     const lens = perspective(angle, canvas.width / canvas.height, near, far);
@@ -122,20 +134,28 @@ export class Space {
     this.eye = unit(minus(eye, target));
   }
 
+  /**
+   * @param {Program} program
+   * @param {Record<string, number | Vector | Matrix>} values
+   */
   use(program, values) {
     const { gl } = this;
     gl.useProgram(program.program);
+    /** @type {Record<string, any>} */
     const all = { view: this.view, sun: this.sun, eye: this.eye, slant: this.slant, ...values };
     for (const [name, value] of Object.entries(all)) {
       const place = program.uniforms[name];
       if (place === undefined) continue;
       if (typeof value === "number") gl.uniform1f(place, value);
       else if (value.length === 16) gl.uniformMatrix4fv(place, false, value);
-      else gl[`uniform${value.length}fv`](place, value);
+      else gl[/** @type {"uniform3fv"} */ (`uniform${value.length}fv`)](place, value);
     }
   }
 
-  // What lies on the plane is painted over each other in its order, and hides only what is below the plane.
+  /**
+   * What lies on the plane is painted over each other in its order, and hides only what is below the plane.
+   * @param {() => void} paint
+   */
   ground(paint) {
     const { gl } = this;
     gl.depthFunc(gl.ALWAYS);
@@ -143,7 +163,10 @@ export class Space {
     gl.depthFunc(gl.LESS);
   }
 
-  // Each point of the floor is darkened once, however many things stand above it.
+  /**
+   * Each point of the floor is darkened once, however many things stand above it.
+   * @param {() => void} paint
+   */
   shadows(paint) {
     const { gl } = this;
     gl.enable(gl.BLEND);
@@ -161,6 +184,12 @@ export class Space {
     gl.disable(gl.BLEND);
   }
 
+  /**
+   * @param {Mesh} shape
+   * @param {Matrix} model
+   * @param {Vector} color
+   * @param {{ shadow?: boolean, lit?: boolean }} options
+   */
   solid(shape, model, color, { shadow = false, lit = true } = {}) {
     const { gl } = this;
     this.use(this.body, { model, color, shadow: shadow ? this.dark : 0, lit: Number(lit) });
@@ -168,26 +197,55 @@ export class Space {
     gl.drawElements(gl.TRIANGLES, shape.count, gl.UNSIGNED_SHORT, 0);
   }
 
+  /**
+   * @param {Vector} place
+   * @param {number} radius
+   * @param {Vector} color
+   * @param {boolean} shadow
+   */
   ball(place, radius, color, shadow) {
     this.solid(this.sphere, along(place, [0, 1, 0], radius, radius), color, { shadow });
   }
 
-  // `tube` and `broad` are half the rim's thickness and half its breadth; `plain` is its colour where speed has none.
+  /**
+   * `tube` and `broad` are half the rim's thickness and half its breadth; `plain` is its colour where speed has none.
+   * @param {Ring} ring
+   * @param {boolean} shadow
+   */
   ring({ center, radius, tube, broad, angle, velocity, omega, plain = null }, shadow) {
     const { gl } = this;
     this.use(this.rim, {
-      center, size: [radius, tube, broad, angle], motion: [...velocity, omega], most: this.fastest,
-      shadow: shadow ? this.dark : 0, plain: plain ?? [0, 0, 0], colored: plain ? 0 : 1,
+      center,
+      size: [radius, tube, broad, angle],
+      motion: [...velocity, omega],
+      most: this.fastest,
+      shadow: shadow ? this.dark : 0,
+      plain: plain ?? [0, 0, 0],
+      colored: plain ? 0 : 1,
     });
     bind(gl, this.rim, this.torus);
     gl.drawElements(gl.TRIANGLES, this.torus.count, gl.UNSIGNED_SHORT, 0);
   }
 
+  /**
+   * @param {Vector} from
+   * @param {Vector} way
+   * @param {number} length
+   * @param {number} radius
+   * @param {Vector} color
+   */
   rod(from, way, length, radius, color, shadow = false) {
     this.solid(this.cylinder, along(from, way, length, radius), color, { shadow });
   }
 
-  // A force at a hoop of radius `R`, `length` long along `way`.
+  /**
+   * A force at a hoop of radius `R`, `length` long along `way`.
+   * @param {Vector} from
+   * @param {Vector} way
+   * @param {number} length
+   * @param {number} R
+   * @param {Vector} color
+   */
   arrow(from, way, length, R, color) {
     if (!(length > 0.02 * R)) return;
     const head = Math.min(0.18 * R, length);
@@ -196,7 +254,12 @@ export class Space {
     this.solid(this.cone, along(tip, way, head, Math.min(0.075 * R, 0.6 * head)), color);
   }
 
-  // A line through points of the plane, each with its colour.
+  /**
+   * A line through points of the plane, each with its colour.
+   * @param {number} count
+   * @param {(i: number) => number[]} point
+   * @param {(i: number) => Vector} tint
+   */
   trace(count, point, tint) {
     const data = [];
     for (let i = 0; i < count; i++) {
@@ -211,8 +274,13 @@ export class Space {
     return mesh(this.gl, data, { position: 3, next: 3, tint: 3, side: 1 });
   }
 
-  // So many points of a trace, moved back by `shift` and into its lane; `width` pixels to each side, everywhere or, where
-  // a distance is given, so far from the camera.
+  /**
+   * So many points of a trace, moved back by `shift` and into its lane; `width` pixels to each side, everywhere or, where
+   * a distance is given, so far from the camera.
+   * @param {Mesh} made
+   * @param {number} count
+   * @param {{ width: number, distance?: number, shift: number, depth: number }} place
+   */
   drawTrace(made, count, { width, distance = 0, shift, depth }) {
     const { gl, canvas } = this;
     this.use(this.line, { pixel: [2 / canvas.width, 2 / canvas.height], width, distance, shift, depth });
@@ -220,7 +288,10 @@ export class Space {
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 2 * count);
   }
 
-  // Where a point is in the picture, from its upper left; null behind the camera.
+  /**
+   * Where a point is in the picture, from its upper left; null behind the camera.
+   * @param {Vector} place
+   */
   onScreen([x, y, z]) {
     const m = this.view;
     const [a, b, w] = [0, 1, 3].map((row) => m[row] * x + m[4 + row] * y + m[8 + row] * z + m[12 + row]);
@@ -229,16 +300,35 @@ export class Space {
   }
 }
 
-// A flat piece of the plane, from one place along it to another and over a breadth, as part of a mesh.
+/**
+ * A flat piece of the plane, from one place along it to another and over a breadth, as part of a mesh.
+ * @param {number[]} along
+ * @param {number[]} across
+ * @returns {Sheet}
+ */
 export function sheet([left, right], [near, far]) {
   return {
-    data: [[left, far], [left, near], [right, far], [right, near]].flatMap(([x, z]) => [x, 0, z, 0, 1, 0]),
+    data: [
+      [left, far],
+      [left, near],
+      [right, far],
+      [right, near],
+    ].flatMap(([x, z]) => [x, 0, z, 0, 1, 0]),
     indices: [0, 1, 2, 1, 3, 2],
   };
 }
 
-// Several sheets as one mesh.
+/**
+ * Several sheets as one mesh.
+ * @param {WebGLRenderingContext} gl
+ * @param {Sheet[]} list
+ */
 export function sheets(gl, list) {
   const indices = list.flatMap((part, k) => part.indices.map((i) => i + 4 * k));
-  return mesh(gl, list.flatMap((part) => part.data), { position: 3, normal: 3 }, indices);
+  return mesh(
+    gl,
+    list.flatMap((part) => part.data),
+    { position: 3, normal: 3 },
+    indices,
+  );
 }
