@@ -1,10 +1,10 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
 import { faded, parsed } from "./colors.js";
-import { fitted, focused, h, once, pen } from "./dom.js";
+import { fitted, h, once, pen } from "./dom.js";
 import { clamp, niceStep, tickText, ticks } from "./numbers.js";
-import { pinch } from "./pointer.js";
 import { swatch } from "./plot.js";
+import { zoomable } from "./zoom.js";
 
 const LEFT = 52;
 const RIGHT = 10;
@@ -74,10 +74,11 @@ export class PhasePlane {
       ),
     );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
-    this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    this.body.addEventListener("dblclick", () => this.zoomTo(null));
-    this.body.addEventListener("keydown", (event) => this.key(event));
-    this.pinched = pinch(this.body, (factor, at) => this.box && this.zoomAbout(this.point(at), 1 / factor));
+    this.pinched = zoomable(this.body, {
+      zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
+      home: () => this.zoomTo(null),
+      keys: true,
+    });
     this.range = [0, 2 * Math.PI];
     this.asked = "";
     this.soon = once(() => this.sharpen(), 140);
@@ -155,24 +156,6 @@ export class PhasePlane {
     this.redraw();
   }
 
-  /** @param {WheelEvent} event */
-  wheel(event) {
-    if (!(event.ctrlKey || event.shiftKey || focused(this.body)) || !this.box) return;
-    event.preventDefault();
-    this.zoomAbout(this.point(event), Math.exp((event.deltaY || event.deltaX) * 0.002));
-  }
-
-  /** @param {KeyboardEvent} event */
-  key(event) {
-    const middle = [0.5 * (this.range[0] + this.range[1]), 0.5 * (this.bottom() + this.top())];
-    if (event.key === "+" || event.key === "=") this.zoomAbout(middle, 0.6);
-    else if (event.key === "-") this.zoomAbout(middle, 1.7);
-    else if (event.key === "0") this.zoomTo(null);
-    else return;
-    event.preventDefault();
-    event.stopPropagation();
-  }
-
   /**
    * θ and θ̇ under a pointer.
    * @param {Point} event
@@ -185,6 +168,10 @@ export class PhasePlane {
       this.range[0] + across * (this.range[1] - this.range[0]),
       this.bottom() + up * (this.top() - this.bottom()),
     ];
+  }
+
+  middle() {
+    return [0.5 * (this.range[0] + this.range[1]), 0.5 * (this.bottom() + this.top())];
   }
 
   /**

@@ -1,9 +1,10 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
 import { faded, readable } from "./colors.js";
-import { fitted, focused, h } from "./dom.js";
+import { fitted, h } from "./dom.js";
 import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
-import { follow, pinch } from "./pointer.js";
+import { follow } from "./pointer.js";
+import { zoomable } from "./zoom.js";
 
 const LEFT = 52;
 const RIGHT = 10;
@@ -60,13 +61,11 @@ export class Plot {
       this.body,
     );
     this.body.addEventListener("pointerdown", (event) => this.press(event));
-    this.body.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
-    this.body.addEventListener("dblclick", () => this.zoomTo(null));
-    this.body.addEventListener("keydown", (event) => this.key_(event));
-    this.pinched = pinch(
-      this.body,
-      (/** @type {number} */ factor, at) => this.films && this.zoomAbout(this.valueAt(at), 1 / factor),
-    );
+    this.pinched = zoomable(this.body, {
+      zoom: (factor, at) => this.films && this.zoomAbout(at ? this.valueAt(at) : this.middle(), 1 / factor),
+      home: () => this.zoomTo(null),
+      keys: true,
+    });
     /** @type {(time: number) => void} */
     this.onseek = () => {};
   }
@@ -375,11 +374,8 @@ export class Plot {
     return this.onseek(film.t[best]);
   }
 
-  /** @param {WheelEvent} event */
-  wheel(event) {
-    if (!this.films || !(event.ctrlKey || event.shiftKey || focused(this.body))) return;
-    event.preventDefault();
-    this.zoomAbout(this.valueAt(event), Math.exp((event.deltaY || event.deltaX) * 0.002));
+  middle() {
+    return 0.5 * (this.range[0] + this.range[1]);
   }
 
   /**
@@ -397,17 +393,6 @@ export class Plot {
   zoomTo(range) {
     this.shared.range = range && range[1] - range[0] > 1e-9 ? range : null;
     this.shared.changed();
-  }
-
-  /** @param {KeyboardEvent} event */
-  key_(event) {
-    const middle = this.range ? 0.5 * (this.range[0] + this.range[1]) : 0;
-    if (event.key === "+" || event.key === "=") this.zoomAbout(middle, 0.6);
-    else if (event.key === "-") this.zoomAbout(middle, 1.7);
-    else if (event.key === "0") this.zoomTo(null);
-    else return;
-    event.preventDefault();
-    event.stopPropagation();
   }
 }
 

@@ -1,9 +1,10 @@
 // The hoop on its plane, drawn on a canvas.
 
 import { SPEED_TEXTS } from "./colors.js";
-import { fitted, focused } from "./dom.js";
+import { fitted } from "./dom.js";
 import { clamp, niceStep, show, tickText } from "./numbers.js";
-import { follow, pinch } from "./pointer.js";
+import { follow } from "./pointer.js";
+import { zoomable } from "./zoom.js";
 
 const SEGMENTS = 120;
 
@@ -17,10 +18,12 @@ export class Stage2D {
     this.onview = onview;
     this.zoom = 1;
     this.shift = [0, 0];
-    canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
-    canvas.addEventListener("dblclick", () => this.reset());
-    this.pinched = pinch(canvas, (/** @type {number} */ factor) => this.zoomBy(factor));
+    this.pinched = zoomable(canvas, {
+      zoom: (factor) => this.zoomBy(factor),
+      home: () => this.reset(),
+      chosen: () => canvas.parentElement,
+    });
   }
 
   reset() {
@@ -33,14 +36,6 @@ export class Stage2D {
   zoomBy(factor) {
     this.zoom = clamp(this.zoom * factor, 0.05, 60);
     this.onview();
-  }
-
-  /** @param {WheelEvent} event */
-  wheel(event) {
-    // the page scrolls on unless the stage has been chosen
-    if (!(event.ctrlKey || event.shiftKey || focused(this.canvas.parentElement))) return;
-    event.preventDefault();
-    this.zoomBy(Math.exp(-(event.deltaY || event.deltaX) * 0.0015));
   }
 
   /** @param {PointerEvent} event */

@@ -4,9 +4,9 @@ import { rgb } from "../space/algebra.js";
 import { bind, makeProgram, mesh } from "../space/gl.js";
 import { Space } from "../space/space.js";
 import { SPEED_COLORS } from "./colors.js";
-import { focused } from "./dom.js";
 import { clamp } from "./numbers.js";
-import { follow, pinch } from "./pointer.js";
+import { follow } from "./pointer.js";
+import { zoomable } from "./zoom.js";
 
 const SUN = [0.35, 0.85, 0.4];
 const SHADOW = 0.18;
@@ -45,16 +45,11 @@ export class Stage3D {
     this.focus = 0;
     this.reach = 1;
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
-    canvas.addEventListener(
-      "wheel",
-      (event) => {
-        if (!(event.ctrlKey || event.shiftKey || focused(canvas.parentElement))) return;
-        event.preventDefault();
-        this.zoomBy(Math.exp(-(event.deltaY || event.deltaX) * 0.0015));
-      },
-      { passive: false },
-    );
-    this.pinched = pinch(canvas, (/** @type {number} */ factor) => this.zoomBy(factor));
+    this.pinched = zoomable(canvas, {
+      zoom: (factor) => this.zoomBy(factor),
+      home: () => this.zoomBy(0),
+      chosen: () => canvas.parentElement,
+    });
   }
 
   /** @param {number} factor */
