@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.lab import calls, controls, files, frames, limits, packing, page, presets, regions, thresholds, words
+from hophoop.lab import calls, controls, files, film, limits, packing, page, presets, regions, thresholds, words
 from hophoop.scenario import InputError, paths
 
 HOP = hh.Scenario()
@@ -49,7 +49,7 @@ def test_every_array_starts_where_a_browser_can_read_it():
 
 
 def test_the_film_holds_both_sides_of_each_event(motion):
-    columns = frames.columns(motion)
+    columns = film.columns(motion)
     landing = motion.find("impact")[0]
     before, after = np.flatnonzero(columns["t"] == landing.t)
     assert columns["vy"][before] == pytest.approx(landing.before.vy)
@@ -64,7 +64,7 @@ def test_the_film_holds_both_sides_of_each_event(motion):
 
 
 def test_frames_are_the_motion(motion):
-    columns = frames.columns(motion)
+    columns = film.columns(motion)
     places = np.flatnonzero(np.diff(columns["t"], append=np.inf) > 0.0)[::50]
     sample = motion.at(columns["t"][places])
     for name in ("x", "height", "angle", "omega", "normal_force", "kinetic"):
@@ -72,7 +72,7 @@ def test_frames_are_the_motion(motion):
 
 
 def test_utilization_is_one_in_slip_and_nowhere_above(motion):
-    columns = frames.columns(motion)
+    columns = film.columns(motion)
     slip = np.isin(columns["mode"], (1, 2))
     np.testing.assert_allclose(columns["utilization"][slip], 1.0, rtol=1e-12)
     assert np.isnan(columns["utilization"][columns["mode"] == 3]).all()
@@ -81,7 +81,7 @@ def test_utilization_is_one_in_slip_and_nowhere_above(motion):
 
 def test_a_motion_without_length_has_a_frame():
     jammed = hh.simulate(hh.Scenario(start=hh.Start(angle=0.0, vx=1.0, omega=1.0), duration=1e-9))
-    assert len(frames.columns(jammed)["t"]) >= 2
+    assert len(film.columns(jammed)["t"]) >= 2
 
 
 # Words

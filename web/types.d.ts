@@ -1,6 +1,6 @@
 // What Python sends, and the shapes that several files share. The classes are in the files themselves.
 
-type Film = import("./lab/frames.js").Film;
+type Film = import("./lab/film.js").Film;
 type Clock = import("./lab/clock.js").Clock;
 
 interface Colors {

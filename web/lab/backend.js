@@ -1,6 +1,6 @@
 // Where answers come from: the server of the page, or the notebook's kernel. Both take the same calls.
 
-import { unpack } from "./frames.js";
+import { unpack } from "./packing.js";
 
 export class HttpBackend {
   /** @param {URL} base */

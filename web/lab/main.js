@@ -1,7 +1,7 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
 import { HttpBackend, KernelBackend } from "./backend.js";
-import { unpack } from "./frames.js";
+import { unpack } from "./packing.js";
 import { Lab } from "./lab.js";
 
 /** @param {HTMLElement} root */

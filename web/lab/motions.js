@@ -1,6 +1,6 @@
 // The one or two motions that are shown, what is being changed in them, and the steps back and forth.
 
-import { Film } from "./frames.js";
+import { Film } from "./film.js";
 import { History } from "./history.js";
 
 /**

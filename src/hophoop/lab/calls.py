@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import hophoop
-from hophoop.lab import explore, files, frames, requests, thresholds
+from hophoop.lab import files, film, motion_map, requests, thresholds
 from hophoop.lab.controls import controls
 from hophoop.lab.limits import USUAL, Limits, TooMuch, within
 from hophoop.lab.packing import pack
@@ -89,7 +89,7 @@ def computed(scenario: Scenario, limits: Limits = USUAL) -> Trajectory:
 
 def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
     """A motion that is there already, for the player; `scenario` is what it is shown as."""
-    return Reply(frames.header(motion, scenario), frames.columns(motion))
+    return Reply(film.header(motion, scenario), film.columns(motion))
 
 
 def _film(request: Request, limits: Limits) -> Reply:
@@ -102,7 +102,7 @@ def _setup(request: Request, limits: Limits) -> Reply:
         {
             "version": hophoop.__version__,
             "controls": controls(),
-            "map_quantities": [[name, words] for name, (words, _) in explore.MAP_QUANTITIES.items()],
+            "map_quantities": [[name, words] for name, (words, _) in motion_map.MAP_QUANTITIES.items()],
             "presets": [
                 {
                     "key": p.key,
@@ -164,7 +164,7 @@ def _regions(request: Request, limits: Limits) -> Reply:
 
 def _map(request: Request, limits: Limits) -> Reply:
     body = request.body
-    header, values = explore.motion_map(request.scenario, body.x, body.y, body.what, limits)
+    header, values = motion_map.motion_map(request.scenario, body.x, body.y, body.what, limits)
     return Reply(header, {"values": values})
 
 

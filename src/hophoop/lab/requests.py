@@ -13,8 +13,8 @@ from pydantic_core import PydanticCustomError
 
 import hophoop
 from hophoop.lab import files
-from hophoop.lab.explore import MAP_QUANTITIES, Axis
 from hophoop.lab.limits import Limits, TooMuch
+from hophoop.lab.motion_map import MAP_QUANTITIES, Axis
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.scenario.sentences import findings_sentence

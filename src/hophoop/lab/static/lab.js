@@ -1,59 +1,46 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 2b992cb7e6642fa542016b612734334e */
-var b=(a,t,e)=>Math.min(Math.max(a,t),e);function v(a,t=4){if(a==null)return"–";if(typeof a!="number")return String(a);if(!Number.isFinite(a))return Number.isNaN(
-a)?"–":a>0?"∞":"−∞";if(a===0)return"0";let e=Math.abs(a),s;if(e>=1e6||e<1e-4){let[i,o]=a.toExponential(t-1).split("e");s=`${Jt(i)}·10${Se(Number(o))}`}else
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 381753708a0c76130d9b0939aaebdc24 */
+var Se={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function q(a){let t=a instanceof DataView||ArrayBuffer.isView(a)?a:new DataView(a),e=new Uint8Array(t.buffer,
+t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
+4,4+s))),o={};for(let{name:n,type:h,shape:r,place:c}of i.arrays){let d=r.reduce((p,u)=>p*u,1);o[n]=new Se[h](e.buffer,e.byteOffset+4+s+c,d)}return{header:i,arrays:o}}var it=class{constructor(t){this.base=t,this.shares=!0}async call(t,e,s){let i=await fetch(new URL(`lab/${t}`,this.base),{method:"POST",headers:{"Content-Type":"\
+application/json"},body:JSON.stringify(e),signal:s});if(!i.ok){let o=await i.json().catch(()=>({}));throw new Error(o.detail??`The server answered ${i.status}.`)}
+return q(await i.arrayBuffer())}async file(t,e){let s=await fetch(new URL(`api/v1/files/${t}?${e}`,this.base));if(!s.ok)throw new Error((await s.json()).detail);
+return s.blob()}link(t,e){return`${new URL(t?`?${t}`:"",this.base)}${e}`}},Ee=2e4,Ae=3e5,ot=class{constructor(t){this.model=t,this.shares=!1,this.waiting=new Map,
+this.number=0,this.view=Math.random().toString(36).slice(2),this.listen=(e,s)=>this.answered(e,s),t.on("msg:custom",this.listen)}answered(t,e){let s=t?.view===this.
+view&&this.waiting.get(t.number);s&&(clearTimeout(s.timer),this.waiting.delete(t.number),t.error?s.reject(new Error(t.error)):s.resolve(q(e[0])))}call(t,e,s){let i=++this.
+number;return new Promise((o,n)=>{let h=setTimeout(()=>{this.waiting.delete(i),n(new Error("The notebook’s kernel does not answer; run the cell again."))},t===
+"file"?Ae:Ee);this.waiting.set(i,{resolve:o,reject:n,timer:h}),s?.addEventListener("abort",()=>{clearTimeout(h),this.waiting.delete(i),n(new DOMException("super\
+seded","AbortError"))}),this.model.send({view:this.view,number:i,call:t,body:e})})}async file(t,e){let{arrays:s}=await this.call("file",{query:e,name:t});return new Blob(
+[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var b=(a,t,e)=>Math.min(Math.max(a,t),e);function v(a,t=4){if(a==null)return"–";if(typeof a!="number")return String(a);if(!Number.isFinite(a))return Number.isNaN(
+a)?"–":a>0?"∞":"−∞";if(a===0)return"0";let e=Math.abs(a),s;if(e>=1e6||e<1e-4){let[i,o]=a.toExponential(t-1).split("e");s=`${Jt(i)}·10${_e(Number(o))}`}else
 s=Jt(a.toPrecision(t)),s.includes("e")&&(s=String(Math.round(a)));return s.replace("-","−")}function Jt(a){return a.includes(".")&&!a.includes("e")?a.replace(
-/\.?0+$/,""):a}function Se(a){let t={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(a)].map(e=>t[e]).join(
-"")}var I=(a,t)=>t?t==="°"?`${a}°`:`${a} ${t}`:a,it=a=>`${(a*180/Math.PI).toFixed(1)}°`.replace("-","−");function Zt(a){let t=Math.abs(a),[e,s]=t>=.995?[1,
+/\.?0+$/,""):a}function _e(a){let t={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(a)].map(e=>t[e]).join(
+"")}var I=(a,t)=>t?t==="°"?`${a}°`:`${a} ${t}`:a,nt=a=>`${(a*180/Math.PI).toFixed(1)}°`.replace("-","−");function Zt(a){let t=Math.abs(a),[e,s]=t>=.995?[1,
 "m"]:t>=.00995?[100,"cm"]:[1e3,"mm"];return I(v(a*e,3),s)}function S(a,t){let e=a/Math.max(t,1),s=10**Math.floor(Math.log10(e)),i=e/s;return(i>5?10:i>2?5:i>1?2:
 1)*s}function L(a,t,e){if(!(t>a)||!Number.isFinite(a)||!Number.isFinite(t))return[];let s=S(t-a,e),i=[];for(let o=Math.ceil(a/s-1e-9);o*s<=t+1e-9*s&&i.length<200;o++)
 i.push(o*s);return i}function _(a,t){let e=b(-Math.floor(Math.log10(t)+1e-9),0,15);return Math.max(Math.abs(a),t)>=1e6||e>12?v(a,3):(Math.abs(a)<t*1e-6?0:a).toFixed(
-e).replace("-","−")}var Ee={f8:Float64Array,f4:Float32Array,u1:Uint8Array},Ot="RSKHM";function X(a){let t=a instanceof DataView||ArrayBuffer.isView(a)?a:new DataView(a),e=new Uint8Array(
-t.buffer,t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(
-e.subarray(4,4+s))),o={};for(let{name:n,type:h,shape:r,place:c}of i.arrays){let d=r.reduce((p,u)=>p*u,1);o[n]=new Ee[h](e.buffer,e.byteOffset+4+s+c,d)}return{header:i,
-arrays:o}}var Ae=new Set(["x","angle","height"]),_e={x:"vx",angle:"omega",height:"vy"},q=class{constructor(t){let{header:e}=t;this.scenario=e.scenario,this.query=
-e.query,this.duration=e.duration,this.status=e.status,this.sequence=e.sequence,this.events=e.events,this.values=e.values,this.automatic=e.automatic,this.summary=
-e.summary,this.story=e.story,this.shortened=e.shortened,this.columns=t.arrays,this.t=t.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],
-this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??
-9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map}findPhases(){let{mode:t}=this.columns,e=[];for(let s=0;s<this.length;s++){let i=e.
-at(-1);i&&i.mode===Ot[t[s]]?i.to=this.t[s]:e.push({mode:Ot[t[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<e.length;s++)e[s].to=e[s+1].from;return e.filter(
-s=>s.to>s.from||e.length===1)}findExtent(){let{x:t,height:e,vx:s,vy:i,omega:o}=this.columns,n={left:1/0,right:-1/0,top:0,speed:0},h=[];for(let r=0;r<this.length;r++){
-Number.isFinite(t[r])&&(n.left=Math.min(n.left,t[r]),n.right=Math.max(n.right,t[r])),e[r]>n.top&&(n.top=e[r]);let c=Math.hypot(s[r],i[r])+this.radius*Math.abs(o[r]);
-Number.isFinite(c)&&h.push(c)}return h.sort((r,c)=>r-c),n.speed=h[Math.floor(.95*(h.length-1))]||1,n}index(t){let e=0,s=this.length;for(;s-e>1;){let i=e+s>>1;this.
-t[i]<=t?e=i:s=i}return e}at(t){let e=b(t,0,this.duration),s=this.index(e),i=Math.min(s+1,this.length-1),o=this.t[i]-this.t[s],n=o>0?(e-this.t[s])/o:0,h={t:e,mode:Ot[this.
-columns.mode[s]]};for(let[r,c]of Object.entries(this.columns)){if(r==="t"||r==="mode")continue;let d=c[s],p=c[i];if(n===0||!Number.isFinite(p))h[r]=d;else if(Ae.
-has(r)){let u=this.columns[_e[r]];h[r]=Pe(d,p,u[s]*o,u[i]*o,n)}else h[r]=d+(p-d)*n}return h}derived(t,e){let s=this.cache.get(t)??e(this.columns);return this.cache.
-set(t,s),s}};function Pe(a,t,e,s,i){if(!Number.isFinite(e)||!Number.isFinite(s))return a+(t-a)*i;let o=1-i;return o*o*(1+2*i)*a+i*i*(3-2*i)*t+i*o*(o*e-i*s)}var ot=class{constructor(t){this.base=t,this.shares=!0}async call(t,e,s){let i=await fetch(new URL(`lab/${t}`,this.base),{method:"POST",headers:{"Content-Type":"\
-application/json"},body:JSON.stringify(e),signal:s});if(!i.ok){let o=await i.json().catch(()=>({}));throw new Error(o.detail??`The server answered ${i.status}.`)}
-return X(await i.arrayBuffer())}async file(t,e){let s=await fetch(new URL(`api/v1/files/${t}?${e}`,this.base));if(!s.ok)throw new Error((await s.json()).detail);
-return s.blob()}link(t,e){return`${new URL(t?`?${t}`:"",this.base)}${e}`}},Re=2e4,Ie=3e5,nt=class{constructor(t){this.model=t,this.shares=!1,this.waiting=new Map,
-this.number=0,this.view=Math.random().toString(36).slice(2),this.listen=(e,s)=>this.answered(e,s),t.on("msg:custom",this.listen)}answered(t,e){let s=t?.view===this.
-view&&this.waiting.get(t.number);s&&(clearTimeout(s.timer),this.waiting.delete(t.number),t.error?s.reject(new Error(t.error)):s.resolve(X(e[0])))}call(t,e,s){let i=++this.
-number;return new Promise((o,n)=>{let h=setTimeout(()=>{this.waiting.delete(i),n(new Error("The notebook’s kernel does not answer; run the cell again."))},t===
-"file"?Ie:Re);this.waiting.set(i,{resolve:o,reject:n,timer:h}),s?.addEventListener("abort",()=>{clearTimeout(h),this.waiting.delete(i),n(new DOMException("super\
-seded","AbortError"))}),this.model.send({view:this.view,number:i,call:t,body:e})})}async file(t,e){let{arrays:s}=await this.call("file",{query:e,name:t});return new Blob(
-[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var Z=[.05,.1,.25,.5,1,2,4],at=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+e).replace("-","−")}var Z=[.05,.1,.25,.5,1,2,4],at=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
 for(let t of this.listeners)t(this)}seek(t){this.time=b(t,0,this.duration),this.changed()}play(t=!this.playing){this.playing=t,this.last=null,t&&this.time>=this.
 duration&&(this.time=0),this.changed()}faster(t){let e=Z.indexOf(this.speed);this.speed=Z[b(e+t,0,Z.length-1)],this.changed()}tick(t){if(!this.playing)return!1;
 let e=this.last===null?0:Math.min(t-this.last,100)/1e3;return this.last=t,this.time+=e*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
 this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function l(a,t={},...e){let s=document.createElement(a),i=s;for(let[o,n]of Object.entries(t))n==null||n===!1||(o.startsWith("on")?s.addEventListener(o.slice(2),
 n):o==="class"?s.className=n:o in s&&o!=="list"&&typeof n!="string"?i[o]=n:s.setAttribute(o,n===!0?"":n));for(let o of e.flat())o==null||o===!1||s.append(o.nodeType?
-o:document.createTextNode(String(o)));return s}var Y=a=>a!==null&&a.getRootNode().activeElement===a,C=a=>a.getContext("2d");function P(a){let t=a.getBoundingClientRect(),
+o:document.createTextNode(String(o)));return s}var X=a=>a!==null&&a.getRootNode().activeElement===a,C=a=>a.getContext("2d");function P(a){let t=a.getBoundingClientRect(),
 e=Math.min(globalThis.devicePixelRatio||1,2.5),s=Math.max(Math.round(t.width*e),1),i=Math.max(Math.round(t.height*e),1);(a.width!==s||a.height!==i)&&(a.width=s,
-a.height=i);let o=C(a);return o.setTransform(e,0,0,e,0,0),{context:o,width:s/e,height:i/e}}function Bt(a){let t=getComputedStyle(a),e=s=>t.getPropertyValue(s).trim();
+a.height=i);let o=C(a);return o.setTransform(e,0,0,e,0,0),{context:o,width:s/e,height:i/e}}function Ot(a){let t=getComputedStyle(a),e=s=>t.getPropertyValue(s).trim();
 return{ink:e("--ink"),soft:e("--soft"),line:e("--line"),paper:e("--paper"),panel:e("--panel"),ground:e("--ground"),font:e("--font"),dark:e("--dark")==="1"}}function ht(a,t){
-let e=l("a",{href:URL.createObjectURL(a),download:t});document.body.append(e),e.click(),e.remove(),setTimeout(()=>URL.revokeObjectURL(e.href),1e4)}function G(a,t){
+let e=l("a",{href:URL.createObjectURL(a),download:t});document.body.append(e),e.click(),e.remove(),setTimeout(()=>URL.revokeObjectURL(e.href),1e4)}function Y(a,t){
 let e=0;return()=>{clearTimeout(e),e=setTimeout(a,t)}}var Qt={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Le={mass:"mass [kg]",inner_radius:"inner radius [m]",outer_radius:"outer radius [m]",radius:"radius [m\
-]",at:"distance from centre [m]",length:"length [m]"},$e=(a,t,e)=>({ring:{shape:a,mass:e,inner_radius:.95*t,outer_radius:t},disk:{shape:a,mass:e,radius:.1*t,at:.8*
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Pe={mass:"mass [kg]",inner_radius:"inner radius [m]",outer_radius:"outer radius [m]",radius:"radius [m\
+]",at:"distance from centre [m]",length:"length [m]"},Re=(a,t,e)=>({ring:{shape:a,mass:e,inner_radius:.95*t,outer_radius:t},disk:{shape:a,mass:e,radius:.1*t,at:.8*
 t},point_mass:{shape:a,mass:e,at:t},rod:{shape:a,mass:e,length:.5*t,at:.5*t}})[a];function te(a){let t=a["hoop.radius"],e=a["hoop.mass"],s=Math.min(Math.max(a["\
 hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:rt(e*(1-s)),inner_radius:rt(.98*t),outer_radius:t},{shape:"point_mass",mass:rt(e*s),at:t}]}var rt=a=>Number(
 a.toPrecision(6)),lt=class{parts;text;radius;mass;constructor(t){this.onchange=t,this.list=l("div",{class:"parts"}),this.element=l("div",{},this.list,l("select",
-{"aria-label":"Add a part",onchange:e=>{let s=e.target.value;e.target.value="",s&&this.send([...this.parts,$e(s,this.radius,rt(.2*this.mass))])}},l("option",{value:""},
+{"aria-label":"Add a part",onchange:e=>{let s=e.target.value;e.target.value="",s&&this.send([...this.parts,Re(s,this.radius,rt(.2*this.mass))])}},l("option",{value:""},
 "+ add a part …"),Object.entries(Qt).map(([e,{label:s}])=>l("option",{value:e},s))))}send(t){this.onchange([["hoop.parts",t]])}show(t,e,s){let i=JSON.stringify(
 t);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=t;return}Object.assign(this,{text:i,parts:t,radius:e,mass:s}),this.list.
 replaceChildren(...t.map((o,n)=>this.row(o,n)))}row(t,e){let{label:s,keys:i}=Qt[t.shape];return l("fieldset",{class:"part"},l("legend",{},s,this.parts.length>1&&
 l("button",{type:"button",class:"quiet","aria-label":`Remove part ${e+1}, ${s}`,onclick:()=>this.send(this.parts.filter((o,n)=>n!==e))},"×")),i.map(o=>l("label",
-{},Le[o],l("input",{type:"number",step:"any",value:String(t[o]??0),onchange:n=>this.send(this.parts.map((h,r)=>r===e?{...h,[o]:Number(n.target.value)}:h))}))))}};var ee=Math.PI/180,Dt=class{constructor(t,e){this.info=t,this.onchange=e;let s=`hh-${t.path}-${Math.random().toString(36).slice(2,7)}`;this.range=l("input",{type:"\
+{},Pe[o],l("input",{type:"number",step:"any",value:String(t[o]??0),onchange:n=>this.send(this.parts.map((h,r)=>r===e?{...h,[o]:Number(n.target.value)}:h))}))))}};var ee=Math.PI/180,Bt=class{constructor(t,e){this.info=t,this.onchange=e;let s=`hh-${t.path}-${Math.random().toString(36).slice(2,7)}`;this.range=l("input",{type:"\
 range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:t.logarithmic?"0.01":String(t.step),"data-path":t.path,oninput:()=>this.slid(!1),
 onchange:()=>this.slid(!0)}),this.number=l("input",{type:"number",step:"any",class:"exact","aria-label":`${t.label}, exact value${t.unit?` in ${t.unit}`:""}`,onchange:()=>this.
 typed()}),this.element=l("div",{class:"control",title:t.help},l("label",{for:s},l("span",{},t.label),l("span",{class:"symbol"},t.symbol)),this.range,l("span",{class:"\
@@ -62,11 +49,11 @@ Math.log10(this.info.most):this.info.most}slid(t){let e=Number(this.range.value)
 s),this.say(s),this.send(s,t)}typed(){this.number.value.trim()!==""&&this.send(Number(this.number.value),!0)}send(t,e){this.onchange([[this.info.path,this.info.
 degrees?t*ee:t]],e)}say(t){this.range.setAttribute("aria-valuetext",I(v(t,4),this.info.unit))}show(t,e=null){let s=t!=null,i=s?t:e;if(i==null){this.number.value=
 "";return}let o=i==="inf"?1/0:Number(i)/(this.info.degrees?ee:1),n=Number.isFinite(o)?String(Number(o.toPrecision(9))):"";this.number.value=s?n:"",this.number.placeholder=
-s?Number.isFinite(o)?"":"∞":`auto ${v(o,2)}`,this.number.title=s?I(String(o),this.info.unit):"";let h=this.info.logarithmic?Math.log10(o):o;(!Y(this.range)||Math.
-abs(Number(this.range.value)-h)>1e-6)&&(this.range.value=String(b(h,this.low(),this.high()))),this.say(o)}};function ze(a,t){let e=l("select",{"data-path":a.path,
+s?Number.isFinite(o)?"":"∞":`auto ${v(o,2)}`,this.number.title=s?I(String(o),this.info.unit):"";let h=this.info.logarithmic?Math.log10(o):o;(!X(this.range)||Math.
+abs(Number(this.range.value)-h)>1e-6)&&(this.range.value=String(b(h,this.low(),this.high()))),this.say(o)}};function Ie(a,t){let e=l("select",{"data-path":a.path,
 onchange:()=>t([[a.path,e.value]],!0)},a.options.map(([i,o])=>l("option",{value:i},o)));return{element:l("label",{class:"choice",title:a.help},l("span",{},a.label),
 e),select:e,path:a.path}}var ct=class{way;kind;gravity;apart;derived;film;constructor(t,e){this.onchange=(s,i=!0)=>e(s,i),this.sliders=new Map;for(let s of Object.
-values(t.groups))for(let i of s)this.sliders.set(i.path,new Dt(i,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,ze(s,this.onchange)])),this.parts=
+values(t.groups))for(let i of s)this.sliders.set(i.path,new Bt(i,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,Ie(s,this.onchange)])),this.parts=
 new lt(this.onchange),this.gravities=t.gravities,this.element=l("div",{class:"controls"},this.hoop(),this.plane(),this.start(),this.contact())}at(t){let e=this.
 sliders.get(t)??this.choices.get(t);if(!e)throw new Error(`There is no control of ${t}.`);return e.element}select(t,e,s){let i=l("select",{onchange:()=>s(i.value)},
 e.map(([o,n])=>l("option",{value:o},n)));return{select:i,element:l("label",{class:"choice"},l("span",{},t),i)}}group(t,...e){let s=t==="Start"||t==="Plane"||!matchMedia(
@@ -90,11 +77,11 @@ mu_kinetic":n,"plane.restitution":!h,"plane.impact_law":!h,"plane.painleve":!h,"
 ontact.law":h,"contact.friction":h,"contact.stiffness":h,"contact.slip_speed":h,"contact.restitution":h};for(let[p,u]of Object.entries(c))this.at(p).hidden=!u;this.
 parts.element.hidden=i!=="parts",e.hoop.parts&&this.parts.show(e.hoop.parts,s["hoop.radius"],s["hoop.mass"]),this.derived.textContent=i==="eccentricity"?"":`ε =\
  ${v(s["hoop.eccentricity"],5)}, κ = ${v(s["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${v(s["hoop.mass"],5)} kg`:"");let d=e;for(let[p,u]of this.sliders){let[
-g,m]=p.split(".");u.show(s[p]??(m?d[g]?.[m]:d[g]),t.automatic?.[p])}for(let[p,{select:u}]of this.choices){let[g,m]=p.split(".");d[g]?.[m]!==void 0&&(u.value=d[g][m])}}};var Fe={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+g,m]=p.split(".");u.show(s[p]??(m?d[g]?.[m]:d[g]),t.automatic?.[p])}for(let[p,{select:u}]of this.choices){let[g,m]=p.split(".");d[g]?.[m]!==void 0&&(u.value=d[g][m])}}};var Le={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",theme:"M8.5 2a6.5 6.5 \
 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function E(a){let t="http://www.w3.org/2000/svg",e=document.createElementNS(t,"svg");e.setAttribute("v\
-iewBox","0 0 17 17"),e.setAttribute("aria-hidden","true"),e.setAttribute("class","icon");let s=document.createElementNS(t,"path");return s.setAttribute("d",Fe[a]),
+iewBox","0 0 17 17"),e.setAttribute("aria-hidden","true"),e.setAttribute("class","icon");let s=document.createElementNS(t,"path");return s.setAttribute("d",Le[a]),
 e.append(s),e}var Q=(a,t,e)=>l("button",{type:"button",title:t,"aria-label":t,onclick:e},a),dt=class{constructor(t,e,s){let i=new Map;for(let n of t)i.set(n.group,[...i.get(n.
 group)??[],n]);this.presets=l("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let n=t.find(({key:h})=>h===this.presets.value);n&&s.
 take(n)}},l("option",{value:""},"Motions to start from …"),[...i].map(([n,h])=>l("optgroup",{label:n},h.map(({key:r,title:c})=>l("option",{value:r},c))))),this.
@@ -102,31 +89,31 @@ undo=Q(E("undo"),"Undo (z)",s.undo),this.redo=Q(E("redo"),"Redo (y)",s.redo);let
 o")));this.compare=Q(o,"Compare two hoops",s.compare),this.element=l("header",{class:"top"},l("h1",{},l("span",{class:"logo","aria-hidden":"true"}),l("span",{},
 "hophoop",l("span",{class:"long"}," lab"))),this.presets,l("div",{class:"buttons"},this.undo,this.redo,this.compare),l("div",{class:"buttons right"},e,Q(E("them\
 e"),"Dark or light (d)",s.theme),Q("?","Keys and help (?)",s.help)))}show(t,e){this.undo.disabled=!t.past.length,this.redo.disabled=!t.future.length,this.compare.
-setAttribute("aria-pressed",String(e))}};var Ne=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next hop, landing"],["[ ]","slower, faster"],["Home En\
+setAttribute("aria-pressed",String(e))}};var $e=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next hop, landing"],["[ ]","slower, faster"],["Home En\
 d","start, end"],["t f c w","traces, forces, rim speed, whole path"],["3","in space"],["+ − 0","zoom, zoom back"],["z y","undo, redo"],["d","dark, light"],["p",
 "Python"]];function se(a){let t=l("dialog",{class:"help","aria-label":"Keys and help"},l("h2",{},"The hoop"),l("p",{},"A ring with a load on its rim rolls on a \
 plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a\
- slider and see."),l("table",{},l("caption",{},"Keys"),Ne.map(([e,s])=>l("tr",{},l("th",{scope:"row"},e),l("td",{},s)))),l("p",{class:"hint"},`hophoop ${a}`),l(
+ slider and see."),l("table",{},l("caption",{},"Keys"),$e.map(([e,s])=>l("tr",{},l("th",{scope:"row"},e),l("td",{},s)))),l("p",{class:"hint"},`hophoop ${a}`),l(
 "button",{type:"button",class:"close",onclick:()=>t.close()},"Close"));return t}var pt=class{constructor(t){this.tabs=["A","B"].map((e,s)=>l("button",{type:"button","aria-pressed":"false",onclick:()=>t(s)},`Hoop ${e}`)),this.bar=l("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=l("p",{class:"preset-text"}),this.element=l("div",{class:"lanes"},
-this.bar,this.text)}show(t,e){this.bar.hidden=t<2;for(let[s,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(s===e))}};var Ce=(a,t)=>({" ":()=>a.clock.play(),ArrowLeft:()=>t?a.transport.jump(-1):a.transport.nudge(-1),ArrowRight:()=>t?a.transport.jump(1):a.transport.nudge(1),Home:()=>a.
+this.bar,this.text)}show(t,e){this.bar.hidden=t<2;for(let[s,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(s===e))}};var ze=(a,t)=>({" ":()=>a.clock.play(),ArrowLeft:()=>t?a.transport.jump(-1):a.transport.nudge(-1),ArrowRight:()=>t?a.transport.jump(1):a.transport.nudge(1),Home:()=>a.
 clock.seek(0),End:()=>a.clock.seek(a.clock.duration),h:()=>a.transport.jump(1,"takeoff"),l:()=>a.transport.jump(1,"impact"),"[":()=>a.clock.faster(-1),"]":()=>a.
 clock.faster(1),t:()=>a.toggle("traces"),f:()=>a.toggle("forces"),c:()=>a.toggle("speed"),w:()=>a.toggle("whole"),3:()=>a.toggle("three"),"+":()=>a.stage.zoom(1.25),
 "=":()=>a.stage.zoom(1.25),"-":()=>a.stage.zoom(.8),0:()=>a.stage.zoom(0),z:()=>a.travel(-1),y:()=>a.travel(1),d:()=>a.theme.toggle(),p:()=>a.share.code(),"?":()=>a.
-help.showModal()});function Oe(a,t){let e=t.target;if(t.ctrlKey||t.metaKey||t.altKey||a.root.querySelector("dialog[open]")||e.matches?.("input:not([type=range])\
-, textarea, select")||e.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(t.key)||t.key===" "&&e.matches?.("button, summary"))return;let i=Ce(a,t.shiftKey)[t.
-key];i&&(t.preventDefault(),i())}function ie(a,t){let e=t?document:a.root,s=i=>{Oe(a,i),t||i.stopPropagation()};return e.addEventListener("keydown",s),()=>e.removeEventListener(
-"keydown",s)}function F(a){let t=Number.parseInt(a.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var oe=a=>Ut(a)>.2?"#111111":"#ffffff",tt=(a,t)=>`rgba(${F(a).join(",")},${t}\
-)`,Be=a=>{let t=a/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};function Ut(a){let[t,e,s]=F(a).map(Be);return .2126*t+.7152*e+.0722*s}function ut(a,t){if(!t||
-!/^#[0-9a-f]{6}$/i.test(a))return a;if(Ut(a)<.002)return"#eceef2";let e=a;for(let s=0;Ut(e)<.2&&s<1;s+=.05)e=`#${F(a).map(i=>Math.round(i+(255-i)*s).toString(16).
-padStart(2,"0")).join("")}`;return e}var mt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function De(){let a=[];for(let t=0;t<
-256;t++){let e=t/255*(mt.length-1),s=Math.min(Math.floor(e),mt.length-2),i=F(mt[s]),o=F(mt[s+1]);a.push(i.map((n,h)=>Math.round(n+(o[h]-n)*(e-s))))}return a}var K=De(),
-ft=K.map(a=>`rgb(${a.join(",")})`);function z(a,t,e,s=()=>{}){let i=new AbortController,{signal:o}=i,n=(r,c)=>a.addEventListener(r,d=>d.pointerId===t.pointerId&&c(d),{signal:o}),h=r=>c=>{i.abort(),
+help.showModal()});function Fe(a,t){let e=t.target;if(t.ctrlKey||t.metaKey||t.altKey||a.root.querySelector("dialog[open]")||e.matches?.("input:not([type=range])\
+, textarea, select")||e.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(t.key)||t.key===" "&&e.matches?.("button, summary"))return;let i=ze(a,t.shiftKey)[t.
+key];i&&(t.preventDefault(),i())}function ie(a,t){let e=t?document:a.root,s=i=>{Fe(a,i),t||i.stopPropagation()};return e.addEventListener("keydown",s),()=>e.removeEventListener(
+"keydown",s)}function F(a){let t=Number.parseInt(a.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var oe=a=>Dt(a)>.2?"#111111":"#ffffff",tt=(a,t)=>`rgba(${F(a).join(",")},${t}\
+)`,Ne=a=>{let t=a/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};function Dt(a){let[t,e,s]=F(a).map(Ne);return .2126*t+.7152*e+.0722*s}function ut(a,t){if(!t||
+!/^#[0-9a-f]{6}$/i.test(a))return a;if(Dt(a)<.002)return"#eceef2";let e=a;for(let s=0;Dt(e)<.2&&s<1;s+=.05)e=`#${F(a).map(i=>Math.round(i+(255-i)*s).toString(16).
+padStart(2,"0")).join("")}`;return e}var mt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Ce(){let a=[];for(let t=0;t<
+256;t++){let e=t/255*(mt.length-1),s=Math.min(Math.floor(e),mt.length-2),i=F(mt[s]),o=F(mt[s+1]);a.push(i.map((n,h)=>Math.round(n+(o[h]-n)*(e-s))))}return a}var G=Ce(),
+ft=G.map(a=>`rgb(${a.join(",")})`);function z(a,t,e,s=()=>{}){let i=new AbortController,{signal:o}=i,n=(r,c)=>a.addEventListener(r,d=>d.pointerId===t.pointerId&&c(d),{signal:o}),h=r=>c=>{i.abort(),
 s(c,r)};a.setPointerCapture(t.pointerId),n("pointermove",e),n("pointerup",h(!0)),n("pointercancel",h(!1))}function gt(a,t){let e=new Map,s=null,i=()=>{let[n,h]=[
 ...e.values()];return{span:Math.max(Math.hypot(n.clientX-h.clientX,n.clientY-h.clientY),1),clientX:.5*(n.clientX+h.clientX),clientY:.5*(n.clientY+h.clientY)}};a.
 addEventListener("pointerdown",n=>{n.pointerType!=="mouse"&&(e.set(n.pointerId,n),s=e.size===2?i():null)}),a.addEventListener("pointermove",n=>{if(!e.has(n.pointerId)||
 (e.set(n.pointerId,n),e.size!==2||!s))return;let h=i();t(h.span/s.span,h),s=h});for(let n of["pointerup","pointercancel"])a.addEventListener(n,h=>{e.delete(h.pointerId),
-s=null});let o=n=>n.touches.length>1&&n.cancelable&&n.preventDefault();return a.addEventListener("touchmove",o,{passive:!1}),()=>e.size>1}var[ne,Ue]=[62,92],He=12,H=10,We=36,ae=[[24,16],[72,48],[216,144]],yt=Math.PI/180,wt=["x","y"],bt=class{film;look;box;asked;stale;computing;key_now;kind;level;dragging;pointed=null;constructor(t,e,s){
+s=null});let o=n=>n.touches.length>1&&n.cancelable&&n.preventDefault();return a.addEventListener("touchmove",o,{passive:!1}),()=>e.size>1}var[ne,Oe]=[62,92],Be=12,H=10,De=36,ae=[[24,16],[72,48],[216,144]],yt=Math.PI/180,wt=["x","y"],bt=class{film;look;box;asked;stale;computing;key_now;kind;level;dragging;pointed=null;constructor(t,e,s){
 this.backend=t,this.onmotion=s;let{map_axes:i}=e.controls;this.known=new Map(i.map(n=>[n.path,n])),this.what="sequence",this.paths={x:"start.speed",y:"plane.mu"},
 this.windows={x:[...this.axisOf("start.speed").range],y:[...this.axisOf("plane.mu").range]},this.layers=[],this.canvas=l("canvas",{class:"plot-canvas"}),this.tip=
 l("div",{class:"tip",hidden:!0}),this.body=l("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Ent\
@@ -139,7 +126,7 @@ zoom(.5)},"+"),l("button",{type:"button","aria-label":"Zoom out of the map",oncl
 "Whole map")),this.state),this.body,this.keys,l("p",{class:"hint"},"Click to take that motion into the player; wheel or two fingers to zoom, drag to move.")),this.
 body.addEventListener("wheel",n=>this.wheel(n),{passive:!1}),this.body.addEventListener("pointerdown",n=>this.press(n)),this.body.addEventListener("pointermove",
 n=>this.hover(n)),this.body.addEventListener("pointerleave",()=>this.tip.hidden=!0),this.body.addEventListener("dblclick",()=>this.zoom(.35,this.pointed??void 0)),
-this.body.addEventListener("keydown",n=>this.key(n)),this.pinched=gt(this.body,(n,h)=>this.box&&this.zoom(1/n,this.place(h))),this.left=ne,this.soon=G(()=>this.
+this.body.addEventListener("keydown",n=>this.key(n)),this.pinched=gt(this.body,(n,h)=>this.box&&this.zoom(1/n,this.place(h))),this.left=ne,this.soon=Y(()=>this.
 refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([n])=>{this.seen=n.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(this.
 body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}axisOf(t){return this.known.get(t)}syncSelects(){for(let t of wt)this.selects[t].value=
 this.paths[t]}setAxis(t,e){let s=t==="x"?"y":"x";this.paths[s]===e&&(this.paths[s]=this.paths[t],this.windows[s]=[...this.windows[t]]),this.paths[t]=e,this.windows[t]=
@@ -154,18 +141,18 @@ if(n==="AbortError")return;this.state.textContent=h}this.computing=!1}axis(t,e){
 arrays:e}){let{values:s}=e,{x:i,y:o,classes:n}=t,h=new ImageData(i.cells,o.cells),[r,c]=[1/0,-1/0];if(!n){for(let m of s)m<r&&(r=m),m>c&&(c=m);["hop_height","fl\
 ight_time","energy_lost","greatest_utilisation"].includes(t.what)&&(r=Math.min(r,0))}let d=n?.map(({color:m})=>F(m));for(let m=0;m<o.cells;m++)for(let y=0;y<i.cells;y++){
 let f=s[m*i.cells+y],w=4*((o.cells-1-m)*i.cells+y);if(!Number.isFinite(f))continue;let x=d&&(y+1<i.cells&&s[m*i.cells+y+1]!==f||m+1<o.cells&&s[(m+1)*i.cells+y]!==
-f),k=d?d[f].map(M=>x?.72*M:M):K[b(Math.round(255*(f-r)/(c-r||1)),0,255)];h.data.set([...k,255],w)}let p=l("canvas",{width:i.cells,height:o.cells});C(p).putImageData(
+f),k=d?d[f].map(M=>x?.72*M:M):G[b(Math.round(255*(f-r)/(c-r||1)),0,255)];h.data.set([...k,255],w)}let p=l("canvas",{width:i.cells,height:o.cells});C(p).putImageData(
 h,0,0);let u={picture:p,header:t,values:s,x:[i.from,i.to],y:[o.from,o.to],low:r,high:c},g=(m,y)=>m[0]>=y[0]-1e-300&&m[1]<=y[1]+1e-300;this.layers=this.layers.filter(
 m=>!(g(m.x,u.x)&&g(m.y,u.y))),this.layers.push(u),this.layers.length>12&&this.layers.shift(),this.legend(u)}legend({header:t,low:e,high:s,values:i}){if(!t.classes){
-let r=l("canvas",{width:120,height:10,style:"width:120px;height:10px"}),c=C(r);for(let u=0;u<120;u++)c.fillStyle=`rgb(${K[Math.floor(255*u/119)].join(",")})`,c.
+let r=l("canvas",{width:120,height:10,style:"width:120px;height:10px"}),c=C(r);for(let u=0;u<120;u++)c.fillStyle=`rgb(${G[Math.floor(255*u/119)].join(",")})`,c.
 fillRect(u,0,1,10);let d=t.unit==="rad"?1/yt:1,p=t.unit==="rad"?"°":t.unit==="1"?"":t.unit;this.keys.replaceChildren(l("span",{},`${t.label}: ${s>=e?v(e*d,3):"\
 none"} `),r,l("span",{},s>=e?I(v(s*d,3),p):""),i.some(u=>!Number.isFinite(u))?l("span",{},l("i",{class:"blank"}),"none"):"");return}let o=new Map;for(let r of i)
 o.set(r,(o.get(r)??0)+1);let n=[...o].filter(([r])=>r>=0).sort((r,c)=>c[1]-r[1]),{classes:h}=t;this.keys.replaceChildren(...n.slice(0,10).map(([r])=>{let{color:c,
 text:d}=h[r];return l("span",{},l("i",{style:`background:${c}`,"aria-hidden":"true"}),d)}),n.length>10?l("span",{},`and ${n.length-10} more`):"")}x(t){let[e,s]=this.
 windows.x;return this.left+(t-e)/(s-e)*this.box.width}y(t){let[e,s]=this.windows.y;return H+(1-(t-e)/(s-e))*this.box.height}redraw(){if(!this.film)return;let{look:t}=this,
-{context:e,width:s,height:i}=P(this.canvas);this.left=this.deep("y")?Ue:ne,this.box={width:s-this.left-He,height:i-H-We},e.clearRect(0,0,s,i),e.save(),e.beginPath(),
+{context:e,width:s,height:i}=P(this.canvas);this.left=this.deep("y")?Oe:ne,this.box={width:s-this.left-Be,height:i-H-De},e.clearRect(0,0,s,i),e.save(),e.beginPath(),
 e.rect(this.left,H,this.box.width,this.box.height),e.clip(),e.imageSmoothingEnabled=!1;for(let n of this.layers){let[h,r]=n.x.map(p=>this.x(p)),[c,d]=n.y.map(p=>this.
-y(p));e.drawImage(n.picture,h,d,r-h,c-d)}let o=this.here();o&&this.cross(e,this.x(o.x),this.y(o.y),t.ink,t.paper),this.pointed&&Y(this.body)&&this.cross(e,this.
+y(p));e.drawImage(n.picture,h,d,r-h,c-d)}let o=this.here();o&&this.cross(e,this.x(o.x),this.y(o.y),t.ink,t.paper),this.pointed&&X(this.body)&&this.cross(e,this.
 x(this.pointed.x),this.y(this.pointed.y),"#D55E00",t.paper),e.restore(),this.frame(e,i,t)}cross(t,e,s,i,o){for(let[n,h]of[[o,4],[i,1.8]])t.strokeStyle=n,t.lineWidth=
 h,t.beginPath(),t.arc(e,s,7,0,2*Math.PI),t.moveTo(e-13,s),t.lineTo(e-4,s),t.moveTo(e+4,s),t.lineTo(e+13,s),t.moveTo(e,s-13),t.lineTo(e,s-4),t.moveTo(e,s+4),t.lineTo(
 e,s+13),t.stroke()}here(){let t=s=>{let[i,o]=s.split(".");return this.film.values[s]??this.film.scenario[i]?.[o]},e={x:t(this.paths.x),y:t(this.paths.y)};return typeof e.
@@ -193,21 +180,33 @@ r)return;let{range:c}=this.axisOf(this.paths[i]);if(s[i][1]-s[i][0]>4*(c[1]-c[0]
 ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},s=i=>.5*(this.windows[i][0]+this.windows[i][1]);if(this.pointed??=this.here()??{x:s("x"),y:s("y")},e[t.key]){let[
 i,o]=e[t.key],n=(h,r)=>r*(this.windows[h][1]-this.windows[h][0])/48;this.pointed={x:this.pointed.x+n("x",i),y:this.pointed.y+n("y",o)},this.state.textContent=this.
 said(this.pointed)}else if(t.key==="Enter")this.take(this.pointed);else if(t.key==="+"||t.key==="=")this.zoom(.6,this.pointed);else if(t.key==="-")this.zoom(1.7,
-this.pointed);else if(t.key==="0")this.home();else return;t.preventDefault(),t.stopPropagation(),this.redraw()}};var vt=class{constructor(){this.past=[],this.future=[],this.now=null}note(t){this.now&&JSON.stringify(this.now)!==JSON.stringify(t)&&(this.past.push(this.now),this.
+this.pointed);else if(t.key==="0")this.home();else return;t.preventDefault(),t.stopPropagation(),this.redraw()}};var Ut="RSKHM",Ue=new Set(["x","angle","height"]),He={x:"vx",angle:"omega",height:"vy"},K=class{constructor(t){let{header:e}=t;this.scenario=e.scenario,this.query=
+e.query,this.duration=e.duration,this.status=e.status,this.sequence=e.sequence,this.events=e.events,this.values=e.values,this.automatic=e.automatic,this.summary=
+e.summary,this.story=e.story,this.shortened=e.shortened,this.columns=t.arrays,this.t=t.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],
+this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??
+9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map}findPhases(){let{mode:t}=this.columns,e=[];for(let s=0;s<this.length;s++){let i=e.
+at(-1);i&&i.mode===Ut[t[s]]?i.to=this.t[s]:e.push({mode:Ut[t[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<e.length;s++)e[s].to=e[s+1].from;return e.filter(
+s=>s.to>s.from||e.length===1)}findExtent(){let{x:t,height:e,vx:s,vy:i,omega:o}=this.columns,n={left:1/0,right:-1/0,top:0,speed:0},h=[];for(let r=0;r<this.length;r++){
+Number.isFinite(t[r])&&(n.left=Math.min(n.left,t[r]),n.right=Math.max(n.right,t[r])),e[r]>n.top&&(n.top=e[r]);let c=Math.hypot(s[r],i[r])+this.radius*Math.abs(o[r]);
+Number.isFinite(c)&&h.push(c)}return h.sort((r,c)=>r-c),n.speed=h[Math.floor(.95*(h.length-1))]||1,n}index(t){let e=0,s=this.length;for(;s-e>1;){let i=e+s>>1;this.
+t[i]<=t?e=i:s=i}return e}at(t){let e=b(t,0,this.duration),s=this.index(e),i=Math.min(s+1,this.length-1),o=this.t[i]-this.t[s],n=o>0?(e-this.t[s])/o:0,h={t:e,mode:Ut[this.
+columns.mode[s]]};for(let[r,c]of Object.entries(this.columns)){if(r==="t"||r==="mode")continue;let d=c[s],p=c[i];if(n===0||!Number.isFinite(p))h[r]=d;else if(Ue.
+has(r)){let u=this.columns[He[r]];h[r]=We(d,p,u[s]*o,u[i]*o,n)}else h[r]=d+(p-d)*n}return h}derived(t,e){let s=this.cache.get(t)??e(this.columns);return this.cache.
+set(t,s),s}};function We(a,t,e,s,i){if(!Number.isFinite(e)||!Number.isFinite(s))return a+(t-a)*i;let o=1-i;return o*o*(1+2*i)*a+i*i*(3-2*i)*t+i*o*(o*e-i*s)}var vt=class{constructor(){this.past=[],this.future=[],this.now=null}note(t){this.now&&JSON.stringify(this.now)!==JSON.stringify(t)&&(this.past.push(this.now),this.
 past.length>500&&this.past.shift(),this.future=[]),this.now=t}step(t){let[e,s]=t<0?[this.past,this.future]:[this.future,this.past],i=e.pop();return!i||!this.now?
 null:(s.push(this.now),this.now=i,i)}};var xt=class{constructor(t,e){this.backend=t,this.listener=e,this.history=new vt,this.lanes=[],this.active=0}film(t=this.active){return this.lanes[t].film}films(){
-return this.lanes.map(t=>t.film)}name(){return this.lanes.length>1?"AB"[this.active]:""}set(t){this.lanes=t.map(e=>({film:new q(e)})),this.active=Math.min(this.
+return this.lanes.map(t=>t.film)}name(){return this.lanes.length>1?"AB"[this.active]:""}set(t){this.lanes=t.map(e=>({film:new K(e)})),this.active=Math.min(this.
 active,this.lanes.length-1)}async load(t){this.set(await Promise.all(t.map(e=>this.backend.call("film",{query:e}))))}change(t,e){let s=this.lanes[this.active];s.
 since??=performance.now(),s.pending=[...(s.pending??[]).filter(([i])=>!t.some(([o])=>o===i)),...t],s.commit||=e,this.pump(s)}async pump(t){if(t.busy)return;if(!t.
-pending){t.commit&&this.settle(t);return}let e=t.pending,{since:s}=t;t.pending=null,t.since=null,t.busy=!0;try{t.film=new q(await this.backend.call("film",{scenario:t.
+pending){t.commit&&this.settle(t);return}let e=t.pending,{since:s}=t;t.pending=null,t.since=null,t.busy=!0;try{t.film=new K(await this.backend.call("film",{scenario:t.
 film.scenario,changes:e})),this.listener.shown(s)}catch(i){this.listener.failed(i)}finally{t.busy=!1}this.pump(t)}settle(t){t.commit=!1,this.note(),this.listener.
-settled()}note(){this.history.note(this.films().map(t=>t.query)),this.listener.noted()}replace(t){this.lanes[this.active].film=new q(t),this.listener.shown(),this.
+settled()}note(){this.history.note(this.films().map(t=>t.query)),this.listener.noted()}replace(t){this.lanes[this.active].film=new K(t),this.listener.shown(),this.
 note()}async travel(t){let e=this.history.step(t);e&&(await this.load(e),this.listener.shown(),this.listener.noted())}compare(){this.lanes.length===1?(this.lanes.
 push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(t){this.active=t,this.
 listener.shown(),this.listener.noted()}link(){let t=this.lanes.length>1?`#with=${encodeURIComponent(this.film(1).query)}`:"";return this.backend.link(this.film(
 0).query,t)}};var je=4e3,kt=class{constructor(){this.message=l("p",{class:"message",role:"alert",hidden:!0}),this.toast=l("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(t){this.message.textContent=t.message,this.message.hidden=!1,this.message.isConnected||this.say(t.message)}clear(){this.message.hidden=!0}say(t){this.
-toast.textContent=t,this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},je)}};var qe=.0018,[Xe,Ye]=[1/.6,1/1.7];function O(a,{zoom:t,home:e,chosen:s=()=>a,keys:i=!1}){return a.addEventListener("wheel",o=>{(o.ctrlKey||o.shiftKey||Y(s()))&&
+toast.textContent=t,this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},je)}};var qe=.0018,[Xe,Ye]=[1/.6,1/1.7];function O(a,{zoom:t,home:e,chosen:s=()=>a,keys:i=!1}){return a.addEventListener("wheel",o=>{(o.ctrlKey||o.shiftKey||X(s()))&&
 (o.preventDefault(),t(Math.exp(-(o.deltaY||o.deltaX)*qe),o))},{passive:!1}),a.addEventListener("dblclick",e),i&&a.addEventListener("keydown",o=>{if(o.key==="+"||
 o.key==="=")t(Xe);else if(o.key==="-")t(Ye);else if(o.key==="0")e();else return;o.preventDefault(),o.stopPropagation()}),gt(a,t)}var R=52,Ht=10,A=8,Ge=30,Ke={solid:[],dash:[6,4],dot:[2,3]},Mt=class{films;active;look;box;range;heights;picked;named;values;constructor({key:t,title:e,unit:s,curves:i,
 limits:o,symmetric:n=!1},h){this.key=t,this.title=e,this.unit=s,this.curves=i,this.limits=o,this.symmetric=n,this.shared=h,this.canvas=l("canvas",{class:"plot-c\
@@ -259,7 +258,7 @@ ght"},this.canvas,this.over),this.element=l("section",{class:"phase"},l("header"
 "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox. "+(matchMedia("(hover: none)").matches?"Tap to go there, t\
 wo fingers zoom.":"Click to go there; with Ctrl or Shift the wheel zooms, double-click for all."))),this.body.addEventListener("pointerdown",i=>this.seek(i)),this.
 pinched=O(this.body,{zoom:(i,o)=>this.box&&this.zoomAbout(o?this.point(o):this.middle(),1/i),home:()=>this.zoomTo(null),keys:!0}),this.range=[0,2*Math.PI],this.
-asked="",this.soon=G(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),i=JSON.stringify([t.hoop,t.plane,s]);if(i!==this.asked){let o=await this.painted(
+asked="",this.soon=Y(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),i=JSON.stringify([t.hoop,t.plane,s]);if(i!==this.asked){let o=await this.painted(
 t,[0,2*Math.PI,-s,s],e);this.asked=i,this.pictures=[o],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.pictures||!this.window)){this.
 sharpening?.abort(),this.sharpening=new AbortController;try{let t=await this.painted(this.films[this.active].scenario,[...this.range,...this.window],this.sharpening.
 signal);this.pictures=[this.pictures[0],t],this.redraw()}catch(t){if(t.name!=="AbortError")throw t}}}async painted(t,e,s){let{header:i,arrays:o}=await this.backend.
@@ -324,7 +323,7 @@ t),this.lab.notice.say("The link is copied.")}catch{this.show("The link to this 
  is there.`)}picture(){this.lab.drawStage();let t=this.lab.stage.canvas(),e=l("canvas",{width:t.width,height:t.height});return this.copyInto(e),new Promise(s=>{
 e.toBlob(i=>{i&&ht(i,"hophoop.png"),s()},"image/png")})}copyInto(t){let{lab:e}=this,s=e.stage.canvas(),i=C(t);i.fillStyle=e.theme.look.paper,i.fillRect(0,0,t.width,
 t.height),i.drawImage(s,0,0,t.width,t.height);let o=t.width/Math.max(s.getBoundingClientRect().width,1);i.textBaseline="top",i.textAlign="left";let n=e.films();
-for(let[h,r]of n.entries()){let c=r.at(e.clock.time),d=[n.length>1?`${"AB"[h]}: `:"",`${e.theme.colors.mode_names[c.mode]}, t = ${c.t.toFixed(3)} s, θ = ${it(c.
+for(let[h,r]of n.entries()){let c=r.at(e.clock.time),d=[n.length>1?`${"AB"[h]}: `:"",`${e.theme.colors.mode_names[c.mode]}, t = ${c.t.toFixed(3)} s, θ = ${nt(c.
 angle)}, v = ${v(c.vx,3)} m/s`].join(""),p=e.stage.options.three?10+20*h:10+h*s.getBoundingClientRect().height/n.length;i.fillStyle=e.theme.colors.modes[c.mode],
 i.fillRect(12*o,(p+2)*o,11*o,11*o),i.fillStyle=e.theme.look.ink,i.font=`${13*o}px ${e.theme.look.font}`,i.fillText(d,30*o,p*o)}}async record(){let{lab:t}=this,e=t.
 stage.canvas();if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 instead.");let s=l("canvas",{width:2*
@@ -478,7 +477,7 @@ depth:n}),J(h,this.line,t),h.drawArrays(h.TRIANGLE_STRIP,0,2*e)}onScreen([t,e,s]
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],It=class{constructor(t,e){this.canvas=t,this.onview=e,this.space=new Rt(t,K,ts,es,{keep:!0}),this.floor=V(this.space.gl,xe[0],xe[1]),this.corners=j(this.
+   }`],It=class{constructor(t,e){this.canvas=t,this.onview=e,this.space=new Rt(t,G,ts,es,{keep:!0}),this.floor=V(this.space.gl,xe[0],xe[1]),this.corners=j(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...ve},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,t.addEventListener(
 "pointerdown",s=>this.drag(s)),this.pinched=O(t,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>t.parentElement})}zoomBy(t){t?this.turned.distance=b(
 this.turned.distance/t,1.6,60):this.turned={...ve},this.onview()}drag(t){let e={...this.turned,x:t.clientX,y:t.clientY};z(this.canvas,t,s=>{this.pinched()||(this.
@@ -511,7 +510,7 @@ value:o})=>[i,o])),this.legend,l("div",{class:"stage-keys","aria-hidden":"true"}
 rborne"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(t,e,s,{look:i,inks:o}){let{options:n}=this;this.legend.hidden=!n.speed,this.
 order.hidden=!(n.three&&t.length>1),this.fastest.textContent=`≥ ${v(Math.max(...t.map(h=>h.extent.speed)),2)} m/s`,n.three?(this.deep??=new It(this.space,this.
 onview),this.deep.draw(t,s.time,n,i,o,s.playing)):this.flat.draw(t,s.time,n,i,o),this.read(t,e,s.time)}read(t,e,s){let i=t[e],o=i.at(s),n=[t.length>1?"AB"[e]:"",
-this.colors.mode_names[o.mode],`${o.t.toFixed(3)} s`,it(o.angle),I(v(o.vx,3),"m/s"),I(v(o.omega*i.radius,3),"m/s"),o.height>0?Zt(o.height):"0"];for(let[c,d]of n.
+this.colors.mode_names[o.mode],`${o.t.toFixed(3)} s`,nt(o.angle),I(v(o.vx,3),"m/s"),I(v(o.omega*i.radius,3),"m/s"),o.height>0?Zt(o.height):"0"];for(let[c,d]of n.
 entries()){let{value:p}=this.outputs[c];p.textContent!==d&&(p.textContent=d)}let[h,r]=this.outputs;h.value.hidden=h.name.hidden=t.length<2,r.value.style.setProperty(
 "--mode",this.colors.modes[o.mode])}describe(t){this.element.setAttribute("aria-label",`The hoop. ${t.map(e=>e.summary).join(" ")}`)}turn(t){let e=()=>{this.plane.
 hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,e();try{t()}catch(s){throw this.options.three=!1,e(),s}}zoom(t){
@@ -528,8 +527,8 @@ removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step
 this.list=l("dl",{}),this.heading=l("h2",{},"What theory says"),this.element=l("section",{class:"theory"},this.heading,this.list)}draw(t,e=""){this.heading.textContent=
 e?`What theory says of hoop ${e}`:"What theory says",this.list.replaceChildren(...t.flatMap(({label:s,text:i})=>[l("dt",{},s),l("dd",{},i)]))}};var ke="hophoop-theme",is=["gravity_center","airborne","normal_force","friction_force"],Ft=class{constructor(t,e,s,i){this.root=t,this.colors=e,this.hosted=s,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=Bt(t),this.inks={...e},this.read()}mark(){let t=this.hosted?os(ke):null;this.root.dataset.theme=this.chosen??t??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Bt(this.root),this.inks={...this.colors};for(let t of is)
+this.mark(),this.look=Ot(t),this.inks={...e},this.read()}mark(){let t=this.hosted?os(ke):null;this.root.dataset.theme=this.chosen??t??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Ot(this.root),this.inks={...this.colors};for(let t of is)
 this.inks[t]=ut(this.colors[t],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
 k",this.hosted&&ns(ke,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};function os(a){try{return localStorage.getItem(a)}catch{
 return null}}function ns(a,t){try{localStorage.setItem(a,t)}catch{}}var as={takeoff:"▲",impact:"▼",apex:"•",jam:"✖",kane_gain:"✚",bounce_limit:"≋",turn:"↺",rest:"■",painleve_inconsistent:"◆",painleve_indeterminate:"\
@@ -573,7 +572,7 @@ r=>this.toggle(r),r=>this.notice.say(r)),this.timeline=new Nt(this.clock),this.s
 phase=new Tt(e,this.clock,h),this.map=new bt(e,s,r=>{this.clock.time=0,this.motions.change(r,!0)}),this.controls=new ct(s.controls,(r,c)=>this.motions.change(r,
 c)),this.share=new Et(this),this.help=se(s.version),this.hoops=new pt(r=>this.motions.choose(r)),this.header=new dt(s.presets,this.share.menu,{take:r=>this.take(
 r),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(
-o),this.requested=!1,this.surrounding=!1,this.afterFrame=null,this.asked=null,this.later=G(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=
+o),this.requested=!1,this.surrounding=!1,this.afterFrame=null,this.asked=null,this.later=Y(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=
 this.frame.bind(this),this.clock.listeners.add(()=>this.request()),this.deaf=ie(this,i),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){this.root.classList.
 add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts="true")}layOut(t){
 let{root:e,notice:s}=this,i=r=>!t||t.includes(r),o=l("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.element),n=l("d\
@@ -597,9 +596,9 @@ this.requested=!1,this.motions.lanes.length&&(this.clock.tick(t),this.drawStage(
 let{scenario:t}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked;try{let s=await this.backend.call("theory",{scenario:t},
 e);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(t,e)}catch(s){let{name:i,message:o}=s;i!=="AbortError"&&this.theory.draw([{label:"\
 –",text:o}])}}toggle(t){let{options:e}=this.stage;if(t!=="three")e[t]=!e[t];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
-this.transport.show(e),this.request()}};async function ds(a){let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=new ot(t),s;try{s=(await e.call("setup",{})).header}catch(n){a.textContent=n.message;
+this.transport.show(e),this.request()}};async function ds(a){let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=new it(t),s;try{s=(await e.call("setup",{})).header}catch(n){a.textContent=n.message;
 return}let i=new et(a,e,s,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let o=new URLSearchParams(location.hash.slice(1)).get("with");try{await i.open([
 location.search.slice(1),...o===null?[]:[o]])}catch(n){history.replaceState(null,"",t),await i.open([""]),i.notice.fail(n)}}function ps({model:a,el:t}){let e=document.
-createElement("div");t.append(e);let s=new nt(a),i=new et(e,s,a.get("setup"),{panels:a.get("panels"),onmotion:n=>{a.get("query")!==n&&(a.set("query",n),a.save_changes())}});
-i.motions.set([X(a.get("film"))]),i.begin();let o=()=>i.motions.replace(X(a.get("film")));return a.on("change:film",o),()=>{a.off("change:film",o),s.close(),i.close()}}
-var Te=document.getElementById("hophoop-lab");Te&&ds(Te);var So={render:ps};export{So as default};
+createElement("div");t.append(e);let s=new ot(a),i=new et(e,s,a.get("setup"),{panels:a.get("panels"),onmotion:n=>{a.get("query")!==n&&(a.set("query",n),a.save_changes())}});
+i.motions.set([q(a.get("film"))]),i.begin();let o=()=>i.motions.replace(q(a.get("film")));return a.on("change:film",o),()=>{a.off("change:film",o),s.close(),i.close()}}
+var Te=document.getElementById("hophoop-lab");Te&&ds(Te);var Eo={render:ps};export{Eo as default};
