@@ -10,7 +10,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from hophoop.plots.compliant_study import angle_error, landing_scenario, with_contact
+from hophoop.convergence import angle_error, landing_scenario, with_contact
 from hophoop.scenario import Scenario
 from hophoop.simulation import simulate
 
@@ -42,7 +42,7 @@ def main() -> None:
             for rtol in (1e-6, 1e-9):
                 soft = with_contact(rigid, stiffness, friction=friction, rtol=rtol)
                 cost = timed(soft)
-                steps = len(simulate(soft)._segments)
+                steps = len(simulate(soft).tables["segments"])
                 print(
                     f"{friction:8s}  {stiffness:.0e}      {rtol:.0e} {cost * 1e3:7.2f} {cost / base:8.0f} "
                     f"{steps:6d}  {angle_error(rigid, soft):.1e}"

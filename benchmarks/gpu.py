@@ -40,7 +40,7 @@ from hophoop.rigid.records import EVENT, SEGMENT
 
 ARCHITECTURE = (8, 0)
 ROOM = 3000  # events of one motion
-WANTED = kernel.FLIGHT_WANTED | kernel.UTILISATION_WANTED
+WANTED = kernel.FLIGHT_WANTED | kernel.UTILIZATION_WANTED
 
 
 def signature() -> Any:

@@ -4,7 +4,7 @@
 
 Motions are those of γ = 3/4 with μ from 0 to 2 and v0 from 0 to 5 m/s over the first revolution, on a grid or drawn at random.
 Times are those of the process (CPU seconds), so that a busy machine does not spoil them; only the scaling
-over workers needs wall time. MuJoCo is in the extra `engines`; the SciPy solution is the tests' own oracle.
+over workers needs wall time. MuJoCo is installed apart (`pip install mujoco`); the SciPy solution is the tests' own oracle.
 """
 
 from __future__ import annotations

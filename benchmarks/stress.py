@@ -19,6 +19,7 @@ import math
 import multiprocessing
 import sys
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -31,63 +32,16 @@ from hophoop.rigid.kernel import run
 from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.sampling import COLUMNS, find_segment, sample
 
+sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
+from random_scenarios import EVENTS, draw, scenario_of
+
 SAMPLES = 24
 BLOCK = 500
-EVENTS = 2000  # beyond these an elastic or nearly elastic bouncing is cut off
 SEGMENTS = 150_000
 
 MEASURES = ("ledger at the end", "ledger at any time", "penetration", "pull", "cone", "friction along slip", "mirror")
 LEDGER, ALWAYS, GAP, PULL, CONE, POWER, MIRROR = range(len(MEASURES))
 KINDS = ("ideal, 1 − γ ≥ 0.001", "general", "nearly massless, 1 − γ from 0.001 to 1e-12")
-
-
-def draw(seed: int, index: int) -> tuple[int, dict[str, Any]]:
-    """(kind of hoop, sections of a scenario) of a motion."""
-    random = np.random.default_rng([seed, index])
-    kind = int(random.choice(3, p=[0.48, 0.47, 0.05]))
-    hoop: dict[str, Any] = {"radius": float(10 ** random.uniform(-1, 0.5)), "mass": float(10 ** random.uniform(-1, 1))}
-    if kind == 0:
-        hoop["load_fraction"] = float(random.random() ** 0.5 * 0.999)
-    elif kind == 1:
-        eccentricity = float(random.random())
-        hoop["eccentricity"] = eccentricity
-        within = float(random.random() * (1 - eccentricity**2))
-        spread = float(10 ** random.uniform(-4, 0.5))
-        hoop["inertia_ratio"] = max(within if random.random() < 0.7 else spread, 1e-6)
-    else:
-        hoop["load_fraction"] = 1.0 - float(10 ** random.uniform(-12, -3))
-    static = float(10 ** random.uniform(-2, 1))
-    near = random.random()
-    if near < 0.1:
-        static = 0.0
-    elif near < 0.2 and kind == 0:  # just beside the least friction of Painlevé's paradox
-        gamma = max(hoop["load_fraction"], 0.1)
-        static = math.sqrt(1 - gamma**2) / gamma * (1 + float(random.normal()) * 10 ** float(random.uniform(-8, -1)))
-    elif near < 0.23:
-        static = math.inf
-    plane: dict[str, Any] = {
-        "gravity": 0.0 if random.random() < 0.1 else 9.81,
-        "slope": 0.0 if random.random() < 0.6 else float(random.uniform(-1.2, 1.2)),
-        "mu_static": static,
-        "mu_kinetic": static * (float(random.random()) if random.random() < 0.3 and math.isfinite(static) else 1.0),
-        "restitution": float(random.choice([0.0, random.random(), 1.0], p=[0.5, 0.4, 0.1])),
-        "impact_law": str(random.choice(["stronge", "newton", "poisson"])),
-        "painleve": str(random.choice(["flight", "impact"])),
-    }
-    speed = math.sqrt(hoop["radius"] * 9.81)
-    angle = float(random.choice([0.0, random.uniform(-4, 4)], p=[0.2, 0.8]))
-    state = {"angle": angle, "vx": float(random.normal() * 1.3 * speed)}
-    spin = float(random.normal() * 1.6 * speed / hoop["radius"])
-    chosen = random.random()
-    if chosen < 0.35:
-        start = {"speed": state["vx"], "angle": angle}
-    elif chosen < 0.7:
-        start = {**state, "omega": spin}
-    else:
-        height = 0.0 if random.random() < 0.3 else float(random.random() * 2 * hoop["radius"])
-        start = {**state, "omega": spin, "height": height, "vy": float(random.normal() * speed)}
-    duration = float(random.choice([6.0, 20.0])) * math.sqrt(hoop["radius"] / 9.81)
-    return kind, {"hoop": hoop, "plane": plane, "start": start, "duration": duration}
 
 
 def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
@@ -121,17 +75,6 @@ def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
         "allowed": 1,
     }
     return np.array([float(values[name]) for name in CELL]) + 0.0
-
-
-def scenario_of(sections: dict[str, Any]) -> hh.Scenario:
-    """The same for `simulate`."""
-    return hh.Scenario(
-        hoop=hh.Hoop(**sections["hoop"]),
-        plane=hh.Plane(**sections["plane"]),
-        start=hh.Start(**sections["start"]),
-        duration=sections["duration"],
-        contact=hh.Rigid(max_events=EVENTS),
-    )
 
 
 @jit

@@ -11,8 +11,8 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
+from hophoop import convergence as study
 from hophoop.plots import compliant as figures
-from hophoop.plots import compliant_study as study
 
 
 def main(folder: Path) -> None:

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import hophoop as hh
+from hophoop.animate import Look, Look3D, Timing
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else "films")
 width = int(sys.argv[2]) if len(sys.argv) > 2 else 320
@@ -18,22 +19,16 @@ hoop = hh.Hoop.ideal(load_fraction=0.75)
 motion = hh.simulate(hoop, hh.Plane(mu=1.0), hh.Start.rolling(speed=3.1), duration=2.0)
 slippery = hh.simulate(hoop, hh.Plane(mu=0.5), hh.Start.rolling(speed=3.1), duration=2.0)
 
+panels = ("velocity", "energy", "utilization", "phase")
 # Real time, but eight times slower around the take-off.
-hh.animate.film(
-    motion,
-    folder / "hop.mp4",
-    size=size,
-    fps=30,
-    slow_at="takeoff",
-    panels=("velocity", "energy", "utilization", "phase"),
-)
+hh.animate.film(motion, folder / "hop.mp4", Timing(fps=30, slow_at="takeoff"), Look(size=size, panels=panels))
 
 # What friction changes: the same start on two planes, in one view, as a gif.
-hh.animate.film([motion, slippery], folder / "friction.gif", size=size, layout="overlay", camera="hold")
+hh.animate.film([motion, slippery], folder / "friction.gif", look=Look(size=size, layout="overlay", camera="hold"))
 
 # In 3D: a film, and a page that plays and turns in any browser.
-hh.animate.film_3d(motion, folder / "hop-3d.mp4", size=size, fps=10, camera="orbit")
-hh.animate.scene(motion, folder / "hop.html", slow_at="takeoff")
+hh.animate.film_3d(motion, folder / "hop-3d.mp4", Timing(fps=10), Look3D(size=size, camera="orbit"))
+hh.animate.scene(motion, folder / "hop.html", Timing(slow_at="takeoff"))
 
 # For print: the hoop every 45 degrees.
 hh.plots.strobe(motion, every_deg=45).figure.savefig(folder / "hop.png", dpi=150)

@@ -3,7 +3,7 @@
 Usage: python examples/impact_laws.py [FOLDER]   (default: docs/figures)
 
 A block-like body (ε = 1/2, κ = 0.39, sin θ = −4/5) strikes at v = (−1, −3) m/s and (−8, −3) m/s: its slip stops in
-compression, in restitution, or reverses, and everything can be worked by hand (tests/test_impacts.py does).
+compression, in restitution, or reverses, and everything can be worked by hand (tests/rigid/test_impacts.py does).
 """
 
 from __future__ import annotations

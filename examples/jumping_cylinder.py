@@ -22,11 +22,11 @@ from hophoop.plots import colors
 RADIUS = 0.05
 GRAVITY = 9.81
 KINDS = (
-    ("slips ahead first (skid)", colors.mode_color("K")),
-    ("over-rotates first (spin)", colors.mode_color("S")),
-    ("jumps without slip", colors.mode_color("H")),
+    ("slips ahead first (skid)", colors.mode_color("skid")),
+    ("over-rotates first (spin)", colors.mode_color("spin")),
+    ("jumps without slip", colors.mode_color("flight")),
     ("N = 0 and cannot jump (quasi-jump)", colors.GRAY),
-    ("rolls for 4 s", colors.mode_color("R")),
+    ("rolls for 4 s", colors.mode_color("roll")),
 )
 
 

@@ -10,19 +10,18 @@ import numpy as np
 from PIL import Image
 
 from animate_tools import motion
-from hophoop.animate import picture
+from hophoop.animate import Look, picture
 
 FOLDER = Path(__file__).parent / "baseline" / "films"
 SHRINK = 4
 
+PANELS = ("velocity", "energy", "utilization", "phase")
 PICTURES = {
     "rolling": lambda: picture(motion(), 0.62),
-    "flight-panels-dark": lambda: picture(
-        motion(), 1.5, theme="dark", panels=("velocity", "energy", "utilization", "phase")
-    ),
-    "slope-print": lambda: picture(motion(0.5, 1.0, 1.5, 0.25), 1.3, theme="print"),
+    "flight-panels-dark": lambda: picture(motion(), 1.5, Look(theme="dark", panels=PANELS)),
+    "slope-print": lambda: picture(motion(0.5, 1.0, 1.5, 0.25), 1.3, Look(theme="print")),
     "side-by-side": lambda: picture([motion(), motion(2.0)], 0.9),
-    "overlay-hold": lambda: picture([motion(), motion(2.0)], 1.0, layout="overlay", camera="hold"),
+    "overlay-hold": lambda: picture([motion(), motion(2.0)], 1.0, Look(layout="overlay", camera="hold")),
 }
 
 

@@ -146,8 +146,7 @@ def needs():
 def test_extras_hold_what_is_needed_of_them():
     for place, module, extra in needs():
         assert extra in PROJECT["optional-dependencies"], place
-        # Engines are not installed for the tests, and rooms of our own need no installing.
-        if extra != "engines" and not module.startswith("hophoop."):
+        if not module.startswith("hophoop."):  # rooms of our own need no installing
             assert module.partition(".")[0] in extra_modules(extra), f"{place}: {module} is not in {extra}"
 
 
@@ -184,8 +183,8 @@ def test_unknown_names_are_not():
 
 
 # The rooms whose functions users call; kernels are documented by physics formulas beside the code.
-ROOMS = ["scenario", "simulation", "trajectory", "theory", "io", "cite", "maps", "fit", "engines", "plots"]
-ROOMS += ["animate", "article", "lab"]
+ROOMS = ["scenario", "simulation", "trajectory", "theory", "io", "export", "portrait", "poses"]
+ROOMS += ["cite", "convergence", "maps", "plots", "animate", "article", "lab"]
 
 
 def public_objects(room):
@@ -377,3 +376,38 @@ def whole(speed: float) -> float:
 def test_the_walk_notices(monkeypatch, old, new, expected):
     monkeypatch.setattr(whole, "__doc__", inspect.getdoc(whole).replace(old, new) if old else whole.__doc__)
     assert complaints(whole) == expected
+
+
+# Sections that the source cites
+
+CITED_SECTION = re.compile(r"\bdocs/([\w-]+\.md)(?:#([\w-]+))?")
+
+
+def anchors(page):
+    """Anchors of a page's headings, as the documentation's builder makes them."""
+    lines = (ROOT / "docs" / page).read_text(encoding="utf-8").splitlines()
+    titles = [line.lstrip("#").strip() for line in lines if re.match(r"#{1,3} ", line)]
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+def cited_sections():
+    for folder in (SOURCE, ROOT / "tests"):
+        for path in sorted(folder.rglob("*.py")):
+            for found in CITED_SECTION.finditer(path.read_text(encoding="utf-8")):
+                yield path.relative_to(ROOT).as_posix(), found[1], found[2]
+
+
+def test_cited_sections_are_there():
+    places = list(cited_sections())
+    assert len({place for place, page, anchor in places if anchor}) > 6
+    for place, page, anchor in places:
+        assert (ROOT / "docs" / page).exists(), f"{place}: docs/{page}"
+        assert anchor is None or anchor in anchors(page), f"{place}: docs/{page}#{anchor}"
+
+
+def test_nothing_outside_the_repository_is_cited():
+    missing = "physics" + ".md"
+    for folder in ("src", "tests", "docs", "examples", "benchmarks"):
+        for path in (ROOT / folder).rglob("*"):
+            if path.suffix in (".py", ".md", ".js"):
+                assert missing not in path.read_text(encoding="utf-8"), path.relative_to(ROOT)

@@ -16,7 +16,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from hophoop import cite, io
+from hophoop import cite, export, io
 
 FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
 
@@ -150,7 +150,7 @@ def test_plain_xarray_reads_the_tables_in_si(motion, tmp_path, name):
         for field in ("t", "x", "vx", "omega", "friction"):
             expected = [getattr(event, field) for event in scaled.events]
             np.testing.assert_allclose(events[field], expected, rtol=1e-14, atol=1e-14)
-            assert events[field].attrs["units"] == io._EVENT_UNITS[field]
+            assert events[field].attrs["units"] == export.EVENT_UNITS[field]
         words = events["kind"].attrs["flag_meanings"].split()
         assert [words[kind] for kind in events["kind"].values] == [event.kind for event in scaled.events]
 

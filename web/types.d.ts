@@ -289,7 +289,7 @@ interface SceneHoop {
   radius: number;
   load: number;
   heavy: number;
-  mode: string;
+  mode: number[];
   t: Float32Array;
   center: Float32Array;
   contact: Float32Array;
@@ -321,6 +321,7 @@ interface SceneData {
   map: number[][];
   theme: { background: string; ground: string; ink: string; muted: string; load: string; dark: boolean };
   colors: { center: string; airborne: string; normal: string; friction: string };
-  modes: Record<string, [string, string]>;
+  flight: number;
+  modes: [string, string][];
   hoops: SceneHoop[];
 }

@@ -1,169 +1,24 @@
-"""Files of a motion: netCDF and Zarr that load to the same bits, CSV and JSON for others.
-
-A saved motion holds three tables. The group ``/`` is the motion sampled over time, for any reader of netCDF
-or Zarr. The groups ``/events`` and ``/segments`` are what the simulation wrote, in its own units, from which
-a loaded motion samples alike to the last bit.
-"""
+"""Files of motions, read back; what writes them is `export`, whose functions are offered here as well."""
 
 from __future__ import annotations
 
-import csv
 import errno
 import json
 import os
-import platform
-import shutil
-import uuid
 import warnings
-import zipfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numba
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
 import hophoop
 from hophoop._extras import need
-from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES, Status
-from hophoop.results import Sample
+from hophoop.export import SCHEMA, TABLES, format_of, save, to_xarray, write_csv, write_events_csv, write_json
+from hophoop.physics.body import Status
 from hophoop.scenario import InputError, Scenario
 from hophoop.trajectory import Trajectory
 
-if TYPE_CHECKING:
-    import xarray
-
-SCHEMA = "hophoop/1"
-
-# Variables over time: unit and meaning.
-VARIABLES: dict[str, tuple[str, str]] = {
-    "mode": ("1", "Mode"),
-    "x": ("m", "Position of the centre along the plane"),
-    "height": ("m", "Gap between rim and plane"),
-    "angle": ("rad", "Angle from the plane's normal to the centre of gravity"),
-    "vx": ("m/s", "Velocity of the centre along the plane"),
-    "vy": ("m/s", "Velocity of the centre away from the plane"),
-    "omega": ("rad/s", "Angular velocity"),
-    "slip": ("m/s", "Slip velocity of the lowest point"),
-    "friction_force": ("N", "Friction force along the plane"),
-    "normal_force": ("N", "Normal force"),
-    "kinetic": ("J", "Kinetic energy"),
-    "potential": ("J", "Potential energy"),
-    "total": ("J", "Kinetic and potential energy"),
-    "friction": ("J", "Energy lost in slip so far"),
-    "impact_normal": ("J", "Energy lost in the normal part of impacts so far"),
-    "impact_tangential": ("J", "Energy lost in the tangential part of impacts so far"),
-    "spring": ("J", "Energy stored in the compliant contact"),
-    "damping": ("J", "Energy lost in the damper of the compliant contact so far"),
-}
-
-# Fields of an event that have a unit; the others are codes.
-_EVENT_UNITS = {
-    "t": "s",
-    "x": "m",
-    "height": "m",
-    "angle": "rad",
-    **dict.fromkeys(("vx", "vy", "slip", "before_vx", "before_vy", "before_slip"), "m/s"),
-    **dict.fromkeys(("omega", "before_omega"), "rad/s"),
-    **dict.fromkeys(("impulse_normal", "impulse_tangential"), "N s"),
-    **dict.fromkeys(("friction", "impact_normal", "impact_tangential", "gain"), "J"),
-}
-_TABLES = ("events", "segments")
-_ENDINGS = "must end in .nc (netCDF), .zarr or .zarr.zip (Zarr)"
-
-
-def to_xarray(motion: Trajectory, times: ArrayLike | None = None) -> xarray.Dataset:
-    """A motion as an xarray.Dataset over time.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    times : array_like, optional
-        Times within the motion; a thousand equally spaced ones by default [s].
-
-    Returns
-    -------
-    dataset : xarray.Dataset
-        Every variable has units and long_name; the mode is a code with CF's flag_meanings. The attributes
-        hold the scenario as JSON, the status, the sequence, the version and the schema.
-
-    Raises
-    ------
-    ValueError
-        If a time is outside the motion.
-    ImportError
-        If xarray is missing.
-
-    Examples
-    --------
-    >>> import hophoop as hh
-    >>> motion = hh.simulate(hh.Hoop(), hh.Plane(), hh.Start.rolling(3.1), duration=2.0)
-    >>> dataset = to_xarray(motion, times=[0.0, 1.2, 2.0])
-    >>> dataset.angle.attrs["units"], dataset.height.values.round(6)
-    ('rad', array([0.      , 0.020767, 0.      ]))
-    """
-    xr = need("xarray", "maps")
-    grid = _grid(motion, times)
-    sample = motion.at(grid)
-    variables = {
-        name: ("time", _column(sample, name), {"units": unit, "long_name": meaning})
-        for name, (unit, meaning) in VARIABLES.items()
-    }
-    variables["mode"][2].update(_flags(MODE_NAMES, np.int8), flag_letters=" ".join(MODE_LETTERS))
-    time = ("time", grid, {"units": "s", "long_name": "Time"})
-    dataset: xarray.Dataset = xr.Dataset(variables, coords={"time": time}, attrs=_attributes(motion))
-    return dataset
-
-
-def save(motion: Trajectory, path: str | Path, n: int = 1000) -> None:
-    """Write a motion to a file that `load` reads back, sampling alike to the last bit.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    path : str or Path
-        Ends in .nc (netCDF), .zarr (a folder) or .zarr.zip. What was there is replaced only when the new file
-        is whole.
-    n : int, default 1000
-        How many equally spaced times the table for other readers has, at least 2.
-
-    Raises
-    ------
-    ValueError
-        If the path ends otherwise or n is below 2.
-    OSError
-        If the file cannot be written.
-    ImportError
-        If xarray or the library that writes the format is missing.
-    """
-    target = Path(path)
-    kind = _format(target)
-    xr = need("xarray", "maps")
-    groups: dict[str, Any] = {"/": to_xarray(motion, motion.times(n))}
-    for name in _TABLES:
-        groups[name] = _packed(xr, getattr(motion, f"_{name}"), name.removesuffix("s"))
-    _describe_events(groups["events"], motion)
-    with _replacing(target) as temporary:
-        if kind == "netcdf":
-            need("netCDF4", "maps")
-            for name, group in groups.items():
-                exact = {key: {"_FillValue": None} for key in group.variables}
-                mode = "w" if name == "/" else "a"
-                group.to_netcdf(temporary, mode=mode, group=name, engine="netcdf4", encoding=exact)
-        else:
-            need("zarr", "maps")
-            folder = temporary.with_suffix("") if kind == "zip" else temporary
-            try:
-                for name, group in groups.items():
-                    mode = "w" if name == "/" else "a"
-                    group.to_zarr(str(folder), group=name, mode=mode, consolidated=False)
-                if kind == "zip":
-                    _zip(folder, temporary)
-            finally:
-                if kind == "zip":
-                    shutil.rmtree(folder, ignore_errors=True)
+__all__ = ["load", "save", "to_xarray", "write_csv", "write_events_csv", "write_json"]
 
 
 def load(path: str | Path) -> Trajectory:
@@ -190,7 +45,7 @@ def load(path: str | Path) -> Trajectory:
         If xarray or the library that reads the format is missing.
     """
     file = Path(path)
-    kind = _format(file)
+    kind = format_of(file)
     if not file.exists():
         raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
     attributes, tables = _read(file, kind)
@@ -201,7 +56,7 @@ def load(path: str | Path) -> Trajectory:
         raise InputError(
             f"{file} has the schema {schema!r}, but this version of hophoop reads {SCHEMA!r} only."
         )
-    if any(name not in tables for name in _TABLES):
+    if any(name not in tables for name in TABLES):
         raise InputError(f"{file} is not whole: a table of the motion is missing.")
     version = str(attributes["version"])
     motion = Trajectory(
@@ -212,150 +67,11 @@ def load(path: str | Path) -> Trajectory:
         version,
     )
     if version != hophoop.__version__:
-        _check_other_version(motion, file, attributes, tables["/"])
+        _check_other_version(motion, file, tables["/"])
     return motion
 
 
-def write_csv(motion: Trajectory, path: str | Path, times: ArrayLike | None = None) -> None:
-    """Write the motion over time as CSV, one row for each time.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    path : str or Path
-    times : array_like, optional
-        Times within the motion; a thousand equally spaced ones by default [s].
-
-    Raises
-    ------
-    ValueError
-        If a time is outside the motion.
-    OSError
-        If the file cannot be written.
-    """
-    grid = _grid(motion, times)
-    sample = motion.at(grid)
-    header = ["t [s]"] + [
-        name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in VARIABLES.items()
-    ]
-    columns = [grid] + [getattr(sample, name) for name in VARIABLES]
-    _write_rows(Path(path), header, zip(*(column.tolist() for column in columns), strict=True))
-
-
-def write_events_csv(motion: Trajectory, path: str | Path) -> None:
-    """Write the events as CSV, one row for each.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    path : str or Path
-
-    Raises
-    ------
-    OSError
-        If the file cannot be written.
-    """
-    units = {
-        name: unit for name, unit in _EVENT_UNITS.items() if not name.startswith("before_") and name != "t"
-    }
-    before = ("vx", "vy", "omega", "slip")
-    header = ["t [s]", "kind", "from", "to", *(f"{name} [{unit}]" for name, unit in units.items())]
-    header += [f"before_{name} [{_EVENT_UNITS[name]}]" for name in before] + ["collision", "stable"]
-    rows = (
-        [event.t, event.kind, event.from_mode, event.to_mode]
-        + [getattr(event, name) for name in units]
-        + [getattr(event.before, name) for name in before]
-        + [event.collision, event.stable]
-        for event in motion.events
-    )
-    _write_rows(Path(path), header, rows)
-
-
-def write_json(motion: Trajectory, path: str | Path) -> None:
-    """Write scenario, events, final state and energy as JSON, in full double precision.
-
-    Parameters
-    ----------
-    motion : Trajectory
-    path : str or Path
-
-    Raises
-    ------
-    OSError
-        If the file cannot be written.
-    """
-    text = json.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
-    with _replacing(Path(path)) as temporary:
-        temporary.write_text(text + "\n", encoding="utf-8")
-
-
 # --- inside ----------------------------------------------------------------------------------------
-
-
-def _zip(folder: Path, target: Path) -> None:
-    # Zarr's own store would write some members twice
-    with zipfile.ZipFile(target, "w") as archive:
-        for file in sorted(folder.rglob("*")):
-            if file.is_file():
-                archive.write(file, file.relative_to(folder).as_posix())
-
-
-def _grid(motion: Trajectory, times: ArrayLike | None) -> NDArray[np.float64]:
-    return motion.times() if times is None else np.atleast_1d(np.asarray(times, dtype=float))
-
-
-def _format(path: Path) -> str:
-    name = path.name.lower()
-    for ending, kind in ((".nc", "netcdf"), (".zarr", "zarr"), (".zarr.zip", "zip")):
-        if name.endswith(ending):
-            return kind
-    raise InputError(f"{path} {_ENDINGS}.")
-
-
-def _column(sample: Sample, name: str) -> np.ndarray:
-    values = np.asarray(getattr(sample, name))
-    if name == "mode":
-        return np.array([MODE_LETTERS.index(letter) for letter in values], dtype=np.int8)
-    return values
-
-
-def _flags(names: tuple[str, ...], kind: Any) -> dict[str, Any]:
-    return {"flag_values": np.arange(len(names), dtype=kind), "flag_meanings": " ".join(names)}
-
-
-def _attributes(motion: Trajectory) -> dict[str, str]:
-    return {
-        "Conventions": "CF-1.11",
-        "title": f"Motion of a loaded hoop: {motion.sequence}",
-        "schema": SCHEMA,
-        "version": motion.version,
-        "source": f"hophoop {motion.version}",
-        "provenance": json.dumps(
-            {
-                "python": platform.python_version(),
-                "numpy": np.__version__,
-                "numba": numba.__version__,
-                "machine": f"{platform.system()} {platform.machine()}",
-            }
-        ),
-        "scenario": json.dumps(motion.scenario.to_dict(), ensure_ascii=False),
-        "status": motion.status,
-        "sequence": motion.sequence,
-    }
-
-
-def _packed(xr: Any, table: np.ndarray, dimension: str) -> xarray.Dataset:
-    """A structured array as a Dataset, one variable for each field."""
-    names = table.dtype.names or ()
-    variables = {}
-    for name in names:
-        column = np.ascontiguousarray(table[name])
-        extra = [f"{name}_{axis}" for axis in range(1, column.ndim)]
-        meaning = name.replace("_", " ").capitalize()
-        variables[name] = ([dimension, *extra], column, {"long_name": meaning, "units": "1"})
-    layout = json.dumps([[name, table.dtype[name].base.str, list(table.dtype[name].shape)] for name in names])
-    dataset: xarray.Dataset = xr.Dataset(variables, attrs={"layout": layout})
-    return dataset
 
 
 def _unpacked(dataset: Any) -> np.ndarray:
@@ -366,17 +82,6 @@ def _unpacked(dataset: Any) -> np.ndarray:
     for name, *_ in layout:
         table[name] = dataset[name].values
     return table
-
-
-def _describe_events(dataset: Any, motion: Trajectory) -> None:
-    """CF attributes with which other readers see events in SI units; the stored bits stay the kernel's."""
-    for name, unit in _EVENT_UNITS.items():
-        if name in dataset:
-            factor = motion._units.time if name == "t" else motion._units.of(name.removeprefix("before_"))
-            dataset[name].attrs.update(units=unit, scale_factor=factor)
-    for name, words in (("kind", EVENT_NAMES), ("before_mode", MODE_NAMES), ("after_mode", MODE_NAMES)):
-        if name in dataset:
-            dataset[name].attrs.update(_flags(words, dataset[name].dtype))
 
 
 def _read(file: Path, kind: str) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -398,7 +103,7 @@ def _read(file: Path, kind: str) -> tuple[dict[str, Any], dict[str, Any]]:
     options: dict[str, Any] = {"decode_cf": False}
     options |= {"engine": "netcdf4"} if kind == "netcdf" else {"engine": "zarr", "consolidated": False}
     try:
-        for name in ("/", *_TABLES):
+        for name in ("/", *TABLES):
             try:
                 dataset = xr.open_dataset(store, group=name, **options)
             except Exception as error:
@@ -418,7 +123,7 @@ def _read(file: Path, kind: str) -> tuple[dict[str, Any], dict[str, Any]]:
     return attributes, tables
 
 
-def _check_other_version(motion: Trajectory, file: Path, attributes: dict[str, Any], samples: Any) -> None:
+def _check_other_version(motion: Trajectory, file: Path, samples: Any) -> None:
     """Refuse a file whose segments mean something else to this version than to the one that wrote it."""
     said = f"{file} was written by hophoop {motion.version}"
     times = samples["time"].values
@@ -433,37 +138,3 @@ def _check_other_version(motion: Trajectory, file: Path, attributes: dict[str, A
     if not alike:
         raise InputError(f"{said}, whose segments this version {hophoop.__version__} cannot sample.")
     warnings.warn(f"{said}; samples may differ from its own in the last digits.", UserWarning, stacklevel=3)
-
-
-def _write_rows(path: Path, header: list[str], rows: Any) -> None:
-    with _replacing(path) as temporary, temporary.open("w", encoding="utf-8", newline="") as stream:
-        writer = csv.writer(stream)
-        writer.writerow(header)
-        writer.writerows(rows)
-
-
-@contextmanager
-def _replacing(target: Path) -> Iterator[Path]:
-    """A path beside the target to write to; it takes the target's place when all went well."""
-    if target.is_dir() and not any((target / name).exists() for name in ("zarr.json", ".zgroup")):
-        # someone's folder, which only an older Zarr store is not
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
-    # the ending stays, since libraries choose the format by it
-    temporary = target.with_name(f".{uuid.uuid4().hex[:12]}.{target.name}")
-    try:
-        yield temporary
-        if target.is_dir():  # a folder cannot be replaced in one step
-            old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
-            target.rename(old)
-            temporary.rename(target)
-            shutil.rmtree(old)
-        else:
-            os.replace(temporary, target)
-    except FileNotFoundError as error:
-        # name the path that the caller gave
-        raise FileNotFoundError(error.errno, error.strerror, str(target)) from None
-    finally:
-        if temporary.is_dir():
-            shutil.rmtree(temporary)
-        else:
-            temporary.unlink(missing_ok=True)

@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal, Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hophoop.physics.friction import utilizations
+from hophoop.scenario import Plane, Scenario
+from hophoop.units import Units
 
 
 @dataclass(frozen=True)
@@ -79,7 +84,7 @@ class Sample:
     t : float or ndarray
         Time [s].
     mode : str or ndarray of str
-        Letter of the mode: R roll, S spin, K skid, H flight, M skim.
+        Letter of the mode: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
     x, height, angle : float or ndarray
         Centre along the plane [m], gap [m], θ [rad].
     vx, vy, omega, slip : float or ndarray
@@ -118,23 +123,105 @@ class Sample:
         """Kinetic and potential energy [J]."""
         return self.kinetic + self.potential
 
-    def utilization(self, mu: float) -> Any:
-        """Share of the available friction that is used, abs(F)/(μ N); nan in flight.
+    @property
+    def friction_loss(self) -> Any:
+        """Energy lost to friction so far, in slip and along the plane in impacts [J]."""
+        return self.friction + self.impact_tangential
+
+    @property
+    def normal_loss(self) -> Any:
+        """Energy lost normal to the plane so far, in impacts or in a compliant contact's damper [J]."""
+        return self.impact_normal + self.damping
+
+    def utilization(self, plane: Plane, signed: bool = False) -> Any:
+        """Share of the friction that is possible, abs(F)/(μ N) with μk in slip and μs else.
 
         Parameters
         ----------
-        mu : float
-            Coefficient of friction [1].
+        plane : Plane
+            Whose friction it is.
+        signed : bool, default False
+            With the sign of F, as some plots want it.
 
         Returns
         -------
         utilization : float or ndarray
-            From 0 to 1 [1].
+            From 0 to 1 [1]: 1 in slip with friction, nan in flight.
         """
-        normal = np.asarray(self.normal_force)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = np.where(normal > 0.0, np.abs(self.friction_force) / (mu * normal), np.nan)
+        share = utilization_of(
+            np.isin(self.mode, ("S", "K")), self.friction_force, self.normal_force, plane.mu_static, plane.mu_kinetic
+        )
+        if signed:
+            # in slip the letter is the sign, also where F vanishes with N
+            sign = np.select([np.equal(self.mode, "S"), np.equal(self.mode, "K")], [1.0, -1.0], np.sign(self.friction_force))
+            share = share * sign
         return share if share.ndim else float(share)
+
+
+class Motion(Protocol):
+    """What a computed motion offers to those that show it or write it: the public face of `hophoop.Trajectory`."""
+
+    scenario: Scenario
+    version: str
+
+    @property
+    def status(self) -> str:
+        """How it ended."""
+
+    @property
+    def sequence(self) -> str:
+        """One letter a phase."""
+
+    @property
+    def duration(self) -> float:
+        """How long it lasts [s]."""
+
+    @property
+    def events(self) -> tuple[EventRecord, ...]:
+        """All events in order."""
+
+    @property
+    def tables(self) -> dict[str, np.ndarray]:
+        """What the kernel wrote: events and segments, in its own units."""
+
+    @property
+    def units(self) -> Units:
+        """Those units."""
+
+    def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
+        """The motion at any time."""
+
+    def times(self, n: int = 1000) -> NDArray[np.float64]:
+        """Equally spaced times over it [s]."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """The motion as JSON."""
+
+
+def utilization_of(
+    slips: ArrayLike, friction: ArrayLike, normal: ArrayLike, mu_static: ArrayLike, mu_kinetic: ArrayLike
+) -> NDArray[np.float64]:
+    """Share of the friction that is possible, in slip or not: see `Sample.utilization`.
+
+    Parameters
+    ----------
+    slips : bool or array_like
+    friction, normal : float or array_like
+        F and N, in any one unit [N].
+    mu_static, mu_kinetic : float or array_like
+        μs and μk [1].
+
+    Returns
+    -------
+    utilization : ndarray
+        abs(F)/(μ N) [1].
+    """
+    numbers = (np.asarray(each, float) for each in (friction, normal, mu_static, mu_kinetic))
+    columns = np.broadcast_arrays(np.asarray(slips, bool), *numbers)
+    share = np.empty(columns[0].shape)
+    slipping, force, pressure, mu_s, mu_k = (np.ascontiguousarray(column).reshape(-1) for column in columns)
+    utilizations(slipping, force, pressure, mu_s, mu_k, share.reshape(-1))
+    return share
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import math
 from collections.abc import Sequence
 from dataclasses import fields
@@ -14,7 +13,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop import export, portrait
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
+from hophoop.physics.energy import kinetic_energy, potential_energy
 from hophoop.results import EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import Scenario
 from hophoop.units import Units
@@ -55,7 +56,7 @@ class Trajectory:
 
     @cached_property
     def sequence(self) -> str:
-        """One letter a phase: R roll, S spin, K skid, H flight (hop), M skim."""
+        """One letter a phase: R roll, S slip with v_t < 0, K with v_t > 0, H flight (hop), M skim."""
         marks = [row for row in self._events if row["kind"] not in _PASSING]
         letters = []
         for row, following in pairwise(marks):
@@ -126,7 +127,7 @@ class Trajectory:
             raise ValueError(f"t = {times[bad].flat[0]!r} must be from 0 to the motion's end at {end!r} s.")
         raw = self._sample(self._kernel_times(times.ravel()), side == "left")
         columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
-        unit = self._units
+        unit = self.units
         values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in ("mode", "theta")}
         values["mode"] = _LETTERS[columns["mode"].astype(int)]
         values["t"] = times
@@ -164,7 +165,7 @@ class Trajectory:
     @cached_property
     def ledger(self) -> Ledger:
         """Energies at the end, all that was lost on the way, and what does not add up."""
-        unit = self._units
+        unit = self.units
         first, last = self._events[0], self._events[-1]
         begin_kinetic, begin_potential = (float(energy) for energy in self._energies(_columns(first)))
         kinetic, potential = (float(energy) for energy in self._energies(_columns(last)))
@@ -181,6 +182,16 @@ class Trajectory:
         return Ledger(
             kinetic, potential, friction, normal, tangential, end.spring, end.damping, residual, size
         )
+
+    @property
+    def tables(self) -> dict[str, np.ndarray]:
+        """What the simulation wrote: structured arrays of events and segments, in the units of `units` [1]."""
+        return {"events": self._events, "segments": self._segments}
+
+    @cached_property
+    def units(self) -> Units:
+        """SI values of the units in which the kernels compute."""
+        return Units.of_scenario(self.scenario)
 
     # --- other forms ---------------------------------------------------------------------------
 
@@ -233,8 +244,7 @@ class Trajectory:
         ImportError
             If xarray is missing.
         """
-        dataset: xarray.Dataset = _io().to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
-        return dataset
+        return export.to_xarray(self, self.times(n) if t is None else np.asarray(t, dtype=float))
 
     def save(self, path: str | Path) -> None:
         """Write the motion to a file that `hophoop.load` reads back, sampling alike to the last bit.
@@ -251,11 +261,10 @@ class Trajectory:
         ImportError
             If the library that writes it is missing.
         """
-        _io().save(self, path)
+        export.save(self, path)
 
     def _repr_html_(self) -> str:
-        html: str = importlib.import_module("hophoop.plots").notebook(self)
-        return html
+        return portrait.html(self)
 
     def __repr__(self) -> str:
         return (
@@ -266,11 +275,14 @@ class Trajectory:
 
     @cached_property
     def _model(self) -> Any:
-        return importlib.import_module(f"hophoop.{self.scenario.contact.model}.sampling")
+        if self.scenario.contact.model == "rigid":
+            from hophoop.rigid import sampling as rigid
 
-    @cached_property
-    def _units(self) -> Units:
-        return Units.of_scenario(self.scenario)
+            return rigid
+        from hophoop.compliant import sampling as compliant
+
+        return compliant
+
 
     def _sample(self, times: Floats, left: bool) -> Floats:
         result: Floats = self._model.sampled(self.scenario, self._segments, times, left)
@@ -278,7 +290,7 @@ class Trajectory:
 
     def _kernel_times(self, times: Floats) -> Floats:
         # the time of an event, there and back between the units, can be off by its rounding: on its other side
-        unit = self._units.time
+        unit = self.units.time
         begins = self._segments["t"]
         result: Floats = np.minimum(times / unit, self._segments["t_end"][-1])
         place = np.searchsorted(begins, result)
@@ -289,31 +301,20 @@ class Trajectory:
 
     def _seconds(self, t: float) -> float:
         # the end of the motion is the duration asked for, not its rounding through kernel units
-        if t == self.scenario.duration / self._units.time:
+        if t == self.scenario.duration / self.units.time:
             return self.scenario.duration
-        return t * self._units.time
+        return t * self.units.time
 
     def _energies(self, columns: dict[str, Any]) -> tuple[Any, Any]:
-        hoop, plane = self.scenario.hoop, self.scenario.plane
-        eps, kap = hoop.eccentricity, hoop.inertia_ratio
-        weight = 1.0 if plane.gravity > 0.0 else 0.0
+        body = self.scenario.to_body()
         theta = columns.get("theta", columns["angle"])  # within the turn, where there is such a column
-        sine = np.sin(theta)
-        omega = columns["omega"]
         with np.errstate(invalid="ignore"):
-            # from v_t, which keeps its digits: ẋ_G = v_t + θ̇ (1 + ε cos θ)
-            height = 2.0 * np.cos(0.5 * theta) ** 2  # 1 + cos θ, exact also near θ = π
-            along = columns["slip"] + omega * ((1.0 - eps) + eps * height)
-            up = columns["vy"] - eps * omega * sine
-            kinetic = 0.5 * (along**2 + up**2 + kap * omega**2)
-        drop = columns["height"] - 2.0 * eps * np.sin(0.5 * theta) ** 2
-        potential = weight * (
-            math.cos(plane.slope) * drop - math.sin(plane.slope) * (columns["x"] + eps * sine)
-        )
-        return kinetic * self._units.energy, potential * self._units.energy
+            kinetic = kinetic_energy(body, theta, columns["omega"], columns["slip"], columns["vy"])
+        potential = potential_energy(body, columns["x"], columns["height"], theta)
+        return kinetic * self.units.energy, potential * self.units.energy
 
     def _event_record(self, row: np.void) -> EventRecord:
-        unit = self._units
+        unit = self.units
         value = {name: float(row[name]) * unit.of(name) for name in _EVENT_NUMBERS}
         before = Velocity(
             *(float(row[f"before_{name}"]) * unit.of(name) for name in ("vx", "vy", "omega", "slip"))
@@ -370,8 +371,3 @@ def _event_dict(event: EventRecord) -> dict[str, Any]:
     if event.stable is not None:
         result["stable"] = event.stable
     return result
-
-
-def _io() -> Any:
-    # files stand above results in the layers; these methods only hand over
-    return importlib.import_module("hophoop.io")

@@ -269,7 +269,7 @@ export class MotionMap {
         if (value < low) low = value;
         if (value > high) high = value;
       }
-      if (["hop_height", "flight_time", "energy_lost", "greatest_utilisation"].includes(header.what))
+      if (["hop_height", "flight_time", "energy_lost", "greatest_utilization"].includes(header.what))
         low = Math.min(low, 0);
     }
     const palette = classes?.map(({ color }) => parsed(color));

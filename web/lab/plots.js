@@ -1,4 +1,4 @@
-// Which diagrams there are: velocities, energies and losses, forces, utilisation of friction.
+// Which diagrams there are: velocities, energies and losses, forces, friction utilization.
 
 import { h } from "./dom.js";
 import { Plot } from "./plot.js";

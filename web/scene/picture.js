@@ -104,7 +104,7 @@ export class Picture {
       angle: turned,
       velocity: [between(hoop.velocity, now, 2), between(hoop.velocity, now, 2, 1)],
       omega: between(hoop.omega, now),
-      airborne: hoop.mode[Math.floor(now)] === "H",
+      airborne: hoop.mode[Math.floor(now)] === this.data.flight,
       at: (/** @type {number} */ distance) => center.map((value, i) => value + distance * way[i]),
     };
   }

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 from hophoop.animate.films import film, film_3d
+from hophoop.animate.frames import Timing
+from hophoop.animate.look import Look, Look3D
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 from hophoop.simulation import simulate
 
 SIZE: Final = (960, 540)
-FPS_2D, FPS_3D = 60.0, 30.0
+USUAL: Final = Timing()
 
 
 @dataclass(frozen=True)
@@ -31,8 +33,7 @@ class ArticleFilm:
         Of the motion [s].
     three_d : bool
         Whether in 3D.
-    options : dict
-        More for `film` or `film_3d`.
+    timing : Timing
     """
 
     name: str
@@ -40,7 +41,7 @@ class ArticleFilm:
     mu: float
     duration: float
     three_d: bool
-    options: dict[str, Any]
+    timing: Timing = USUAL
 
     @property
     def scenario(self) -> Scenario:
@@ -53,16 +54,16 @@ class ArticleFilm:
         )
 
 
-_HOP: Final[dict[str, Any]] = {"slow_at": ("takeoff", "impact"), "slow_factor": 4.0, "slow_width": 0.12}
+_HOP: Final = Timing(slow_at=("takeoff", "impact"), slow_factor=4.0, slow_width=0.12)
 
 ARTICLE_FILMS: Final = (
     # so slow a start hardly stirs for two seconds; one revolution takes some six
-    ArticleFilm("v0.1", 0.1, 1.0, 6.0, False, {}),
-    ArticleFilm("v2", 2.0, 1.0, 3.0, False, {}),
-    ArticleFilm("v2.8", 2.8, 1.0, 3.0, False, {}),
+    ArticleFilm("v0.1", 0.1, 1.0, 6.0, False),
+    ArticleFilm("v2", 2.0, 1.0, 3.0, False),
+    ArticleFilm("v2.8", 2.8, 1.0, 3.0, False),
     ArticleFilm("v3.1", 3.1, 1.0, 2.5, False, _HOP),
-    ArticleFilm("v0.1-mu0.3", 0.1, 0.3, 9.0, False, {}),
-    ArticleFilm("v3.1-3d", 3.1, 1.0, 2.5, True, {}),
+    ArticleFilm("v0.1-mu0.3", 0.1, 0.3, 9.0, False),
+    ArticleFilm("v3.1-3d", 3.1, 1.0, 2.5, True),
 )
 
 
@@ -102,9 +103,11 @@ def article_films(
     paths = []
     for done, each in enumerate(ARTICLE_FILMS):
         motion = simulate(given.get(each.name, each.scenario))
-        make = film_3d if each.three_d else film
-        rate = FPS_3D if each.three_d else FPS_2D
-        path = make(motion, Path(out_dir) / f"{each.name}.mp4", size=SIZE, fps=rate, **each.options)
+        path = Path(out_dir) / f"{each.name}.mp4"
+        if each.three_d:
+            film_3d(motion, path, each.timing, Look3D(size=SIZE))
+        else:
+            film(motion, path, each.timing, Look(size=SIZE))
         paths.append(path)
         if progress is not None:
             progress(done + 1, len(ARTICLE_FILMS))

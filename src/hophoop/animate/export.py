@@ -18,6 +18,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from hophoop._extras import need
+from hophoop._files import replacing
 from hophoop.animate.canvas import Bytes
 
 Progress = Callable[[int, int], None]
@@ -111,15 +112,13 @@ def write(pictures: Pictures, path: str | Path, progress: Progress | None = None
         return _write_png(pictures, target, progress)
     check_film(kind, pictures.size, pictures.fps)
     target.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=f".{target.stem}-", dir=target.parent) as folder:
-        part = Path(folder) / f"film.{kind}"
+    with tempfile.TemporaryDirectory() as folder, replacing(target) as part:
         inputs: list[str] = []
         if kind == "gif":
             palette = Path(folder) / "palette.png"
             _encode(_sampled(pictures), _command(pictures, _PALETTE, palette))
             inputs = ["-i", str(palette)]
         _encode(_all(pictures, progress), _command(pictures, _OPTIONS[kind], part, inputs))
-        os.replace(part, target)
     return target
 
 

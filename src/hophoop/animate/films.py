@@ -6,20 +6,21 @@ import base64
 import html
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from hophoop.animate.canvas import Bytes
-from hophoop.animate.export import Pictures, Progress, check_film, format_of, write
+from hophoop.animate.export import Progress, check_film, format_of, write
 from hophoop.animate.frames import Timing
-from hophoop.animate.look import Look
+from hophoop.animate.look import Look, Look3D
 from hophoop.animate.mpl import Film2D
-from hophoop.animate.scene3d import Film3D, Look3D
+from hophoop.animate.scene3d import Film3D
 from hophoop.trajectory import Trajectory
 
 # 4 hundredths of a second a picture: a gif cannot say 1/30 s
 GIF_FPS = 25.0
 FPS_2D, FPS_3D = 60.0, 30.0
+PLAYER_SIZE = (960, 540)
 
 Motions = Trajectory | Sequence[Trajectory]
 
@@ -27,23 +28,8 @@ Motions = Trajectory | Sequence[Trajectory]
 def film(
     motions: Motions,
     path: str | Path,
-    *,
-    fps: float | None = None,
-    speed: float = 1.0,
-    slow_at: Sequence[str | float] | str | float = (),
-    slow_factor: float = 8.0,
-    slow_width: float | None = None,
-    start: float = 0.0,
-    end: float | None = None,
-    step: str = "time",
-    size: tuple[int, int] = (1280, 720),
-    theme: str = "light",
-    camera: str = "follow",
-    panels: Sequence[str] | str = (),
-    layout: str = "side",
-    labels: Sequence[str] | None = None,
-    traces: bool = True,
-    forces: bool = True,
+    timing: Timing = Timing(),
+    look: Look = Look(),
     progress: Progress | None = None,
 ) -> Path:
     """A film in 2D of one or several motions.
@@ -56,33 +42,10 @@ def film(
     motions : Trajectory or sequence of Trajectory
     path : str or Path
         Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures.
-    fps : float, optional
-        Pictures a second of film; 60, and 25 in a gif [1/s].
-    speed : float, default 1
-        Seconds of motion a second of film: real time by default [1].
-    slow_at : sequence of str or float, optional
-        Kinds of events, such as 'takeoff', or times [s], around which the film is slow.
-    slow_factor : float, default 8
-        How many times slower [1].
-    slow_width : float, optional
-        How long before and after it is slow, in the motion's time; √(R/g)/2 by default [s].
-    start, end : float, optional
-        Part of the motion to show [s].
-    step : {'time', 'angle'}
-        What several motions have in common at each picture.
-    size : (int, int), default (1280, 720)
-        Width and height [pixels].
-    theme : {'light', 'dark', 'print'}
-    camera : {'follow', 'hold'}
-        Goes along with the hoop, or shows the whole way at once.
-    panels : sequence of str, optional
-        Plots of the first motion that run along: velocity, energy, forces, utilization, phase.
-    layout : {'side', 'overlay'}
-        Several motions in a view each, or all in one, the first on top.
-    labels : sequence of str, optional
-        A line for each motion; its parameters by default.
-    traces, forces : bool, default True
-        Whether to draw the traces and the contact forces.
+    timing : Timing
+        Which part of the motion, how fast, where slow; 60 pictures a second, and 25 in a gif, by default.
+    look : Look
+        Size, theme, camera, panels, and how several motions lie in the picture.
     progress : callable, optional
         Called with the number of pictures done and of all.
 
@@ -94,7 +57,7 @@ def film(
     Raises
     ------
     ValueError
-        If an argument is not among those allowed.
+        If what is asked for does not fit the motions or the format.
     ImportError
         If the extra 'films' is not installed.
 
@@ -103,37 +66,15 @@ def film(
     >>> import hophoop as hh, tempfile
     >>> motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(3.1), duration=0.2)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     film(motion, f"{folder}/hop.mp4", fps=30, size=(320, 180)).name
+    ...     film(motion, f"{folder}/hop.mp4", Timing(fps=30), Look(size=(320, 180))).name
     'hop.mp4'
     """
-    timing = _timing(path, fps, FPS_2D, speed, slow_at, slow_factor, slow_width, start, end, step)
-    look = Look(
-        _pair(size),
-        theme,
-        camera,
-        _words(panels),
-        layout,
-        None if labels is None else tuple(labels),
-        traces,
-        forces,
-    )
-    check_film(format_of(path), look.size, timing.fps)
+    timing = _paced(timing, path, FPS_2D)
+    check_film(format_of(path), look.size, timing.frame_rate)
     return write(Film2D(_several(motions), timing, look), path, progress)
 
 
-def picture(
-    motions: Motions,
-    t: float,
-    *,
-    size: tuple[int, int] = (1280, 720),
-    theme: str = "light",
-    camera: str = "follow",
-    panels: Sequence[str] | str = (),
-    layout: str = "side",
-    labels: Sequence[str] | None = None,
-    traces: bool = True,
-    forces: bool = True,
-) -> Bytes:
+def picture(motions: Motions, t: float, look: Look = Look()) -> Bytes:
     """One picture of a film in 2D.
 
     Parameters
@@ -141,9 +82,7 @@ def picture(
     motions : Trajectory or sequence of Trajectory
     t : float
         Time [s].
-    size : (int, int), default (1280, 720)
-        Width and height [pixels].
-    theme, camera, panels, layout, labels, traces, forces
+    look : Look
         As in `film`.
 
     Returns
@@ -154,20 +93,10 @@ def picture(
     Raises
     ------
     ValueError
-        If an argument is not among those allowed.
+        If the time is not within the motions, or the look does not fit them.
     ImportError
         If Matplotlib is not installed.
     """
-    look = Look(
-        _pair(size),
-        theme,
-        camera,
-        _words(panels),
-        layout,
-        None if labels is None else tuple(labels),
-        traces,
-        forces,
-    )
     several = _several(motions)
     longest = max((motion.duration for motion in several), default=0.0)
     if not 0.0 <= t <= longest:
@@ -181,22 +110,8 @@ def picture(
 def film_3d(
     motions: Motions,
     path: str | Path,
-    *,
-    fps: float | None = None,
-    speed: float = 1.0,
-    slow_at: Sequence[str | float] | str | float = (),
-    slow_factor: float = 8.0,
-    slow_width: float | None = None,
-    start: float = 0.0,
-    end: float | None = None,
-    step: str = "time",
-    size: tuple[int, int] = (1280, 720),
-    theme: str = "light",
-    camera: str = "chase",
-    labels: Sequence[str] | None = None,
-    traces: bool = True,
-    forces: bool = True,
-    shadows: bool = True,
+    timing: Timing = Timing(),
+    look: Look3D = Look3D(),
     progress: Progress | None = None,
 ) -> Path:
     """A film in 3D of one or several motions, rendered without a display.
@@ -208,29 +123,10 @@ def film_3d(
     motions : Trajectory or sequence of Trajectory
     path : str or Path
         Ends in .mp4, .webm, .gif or .png, or is a folder for PNG pictures.
-    fps : float, optional
-        Pictures a second of film; 30, and 25 in a gif [1/s].
-    speed : float, default 1
-        Seconds of motion a second of film [1].
-    slow_at : sequence of str or float, optional
-        Kinds of events, or times [s], around which the film is slow.
-    slow_factor : float, default 8
-        How many times slower [1].
-    slow_width : float, optional
-        How long before and after it is slow, in the motion's time [s].
-    start, end : float, optional
-        Part of the motion to show [s].
-    step : {'time', 'angle'}
-        What several motions have in common at each picture.
-    size : (int, int), default (1280, 720)
-        Width and height [pixels].
-    theme : {'light', 'dark', 'print'}
-    camera : {'chase', 'side', 'orbit', 'hold'}
-        Beside and a little behind the hoop, square to it, going round it, or at rest, seeing the whole way.
-    labels : sequence of str, optional
-        A line for each motion; its parameters by default.
-    traces, forces, shadows : bool, default True
-        Whether to draw them.
+    timing : Timing
+        As in `film`, with 30 pictures a second by default.
+    look : Look3D
+        Size, theme, camera and what is drawn.
     progress : callable, optional
         Called with the number of pictures done and of all.
 
@@ -242,15 +138,12 @@ def film_3d(
     Raises
     ------
     ValueError
-        If an argument is not among those allowed.
+        If what is asked for does not fit the motions or the format.
     ImportError
         If the extra 'films' is not installed.
     """
-    timing = _timing(path, fps, FPS_3D, speed, slow_at, slow_factor, slow_width, start, end, step)
-    look = Look3D(
-        _pair(size), theme, camera, None if labels is None else tuple(labels), traces, forces, shadows
-    )
-    check_film(format_of(path), look.size, timing.fps)
+    timing = _paced(timing, path, FPS_3D)
+    check_film(format_of(path), look.size, timing.frame_rate)
     with Film3D(_several(motions), timing, look) as pictures:
         return write(pictures, path, progress)
 
@@ -293,18 +186,16 @@ class Player:
         )
 
 
-def player(
-    motions: Motions, *, three_d: bool = False, size: tuple[int, int] = (960, 540), **options: object
-) -> Player:
-    """A film that plays in place in a notebook; it takes all else that `film` or `film_3d` takes.
+def player(motions: Motions, timing: Timing = Timing(), look: Look | Look3D = Look(size=PLAYER_SIZE)) -> Player:
+    """A film that plays in place in a notebook.
 
     Parameters
     ----------
     motions : Trajectory or sequence of Trajectory
-    three_d : bool, default False
-        Whether in 3D.
-    size : (int, int), default (960, 540)
-        Width and height [pixels].
+    timing : Timing
+        As in `film`.
+    look : Look or Look3D
+        In 2D by default, 960 by 540 pixels; a `Look3D` makes the film in 3D.
 
     Returns
     -------
@@ -313,47 +204,24 @@ def player(
     Raises
     ------
     ValueError
-        If an option is not among those allowed.
+        If what is asked for does not fit the motions.
     ImportError
         If the extra 'films' is not installed.
     """
-    make = film_3d if three_d else film
     with tempfile.TemporaryDirectory() as folder:
-        path = make(motions, Path(folder) / "film.mp4", size=size, **options)  # type: ignore[arg-type]
-        return Player(path.read_bytes(), _pair(size))
+        path = Path(folder) / "film.mp4"
+        if isinstance(look, Look3D):
+            film_3d(motions, path, timing, look)
+        else:
+            film(motions, path, timing, look)
+        return Player(path.read_bytes(), look.size)
 
 
-def _timing(
-    path: str | Path,
-    fps: float | None,
-    usual: float,
-    speed: float,
-    slow_at: Sequence[str | float] | str | float,
-    slow_factor: float,
-    slow_width: float | None,
-    start: float,
-    end: float | None,
-    step: str,
-) -> Timing:
-    if fps is None:
-        fps = GIF_FPS if format_of(path) == "gif" else usual
-    marks = (slow_at,) if isinstance(slow_at, str | float | int) else tuple(slow_at)
-    return Timing(float(fps), speed, marks, slow_factor, slow_width, start, end, step)
-
-
-def _pair(size: Sequence[int]) -> tuple[int, int]:
-    pair = tuple(size)
-    if len(pair) != 2:
-        raise ValueError(f"size = {pair!r} must be a width and a height in pixels.")
-    return pair[0], pair[1]
-
-
-def _words(panels: Sequence[str] | str) -> tuple[str, ...]:
-    return (panels,) if isinstance(panels, str) else tuple(panels)
+def _paced(timing: Timing, path: str | Path, usual: float) -> Timing:
+    if timing.fps is not None:
+        return timing
+    return replace(timing, fps=GIF_FPS if format_of(path) == "gif" else usual)
 
 
 def _several(motions: Motions) -> tuple[Trajectory, ...]:
     return (motions,) if isinstance(motions, Trajectory) else tuple(motions)
-
-
-__all__ = ["FPS_2D", "FPS_3D", "Pictures", "Player", "film", "film_3d", "picture", "player"]

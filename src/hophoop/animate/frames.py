@@ -10,11 +10,12 @@ from itertools import pairwise
 import numpy as np
 
 from hophoop.physics.body import EVENT_NAMES
-from hophoop.plots.pose import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.poses import Floats, event_times, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario.scenario import time_unit
 from hophoop.trajectory import Trajectory
 
 STEPS = ("time", "angle")
+USUAL_RATE = 60.0
 # Points of a trace a unit of time √(R/g); at the reference hoop some 310 a second.
 TRACE_DENSITY = 100
 MAX_TRACE_POINTS = 200_000
@@ -26,11 +27,11 @@ class Timing:
 
     Attributes
     ----------
-    fps : float
-        Frames a second of film [1/s].
+    fps : float or None
+        Frames a second of film; None is what the format usually has [1/s].
     speed : float
         Seconds of motion a second of film, away from slow motion [1].
-    slow_at : tuple of str or float
+    slow_at : str, float or sequence of them
         Kinds of events, or times [s], around which the film is slow.
     slow_factor : float
         How many times slower there [1].
@@ -42,9 +43,9 @@ class Timing:
         What several motions have in common at each frame.
     """
 
-    fps: float = 60.0
+    fps: float | None = None
     speed: float = 1.0
-    slow_at: tuple[str | float, ...] = ()
+    slow_at: Sequence[str | float] | str | float = ()
     slow_factor: float = 8.0
     slow_width: float | None = None
     start: float = 0.0
@@ -52,8 +53,11 @@ class Timing:
     step: str = "time"
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "slow_at", self.marks)
         for name, most in (("fps", 1000.0), ("speed", math.inf), ("slow_factor", math.inf)):
             value = getattr(self, name)
+            if value is None:
+                continue
             if not (0.0 < value <= most and math.isfinite(value)):
                 limit = f" and at most {most:g}" if math.isfinite(most) else ""
                 raise ValueError(f"{name} = {value!r} must be a positive number{limit}.")
@@ -61,9 +65,21 @@ class Timing:
             raise ValueError(f"slow_width = {self.slow_width!r} must be positive (s).")
         if self.step not in STEPS:
             raise ValueError(f"step = {self.step!r} must be one of {', '.join(STEPS)}.")
-        for mark in self.slow_at:
+        for mark in self.marks:
             if isinstance(mark, str) and mark not in EVENT_NAMES:
                 raise ValueError(f"slow_at = {mark!r} is not a time or one of {', '.join(EVENT_NAMES)}.")
+
+
+    @property
+    def marks(self) -> tuple[str | float, ...]:
+        """Where the film is slow, as a tuple: kinds of events, or times [s]."""
+        marks = self.slow_at
+        return (marks,) if isinstance(marks, str | float | int) else tuple(marks)
+
+    @property
+    def frame_rate(self) -> float:
+        """Frames a second of film, 60 where none is given [1/s]."""
+        return USUAL_RATE if self.fps is None else self.fps
 
 
 @dataclass(frozen=True)
@@ -130,26 +146,26 @@ def _film_times(motions: Sequence[Trajectory], timing: Timing, end: float) -> tu
     first = timing.start
     marks = _slow_marks(motions, timing)
     if not marks.size:
-        count = math.floor((end - first) / timing.speed * timing.fps + 1e-9) + 1
-        times = np.minimum(first + np.arange(count) * (timing.speed / timing.fps), end)
+        count = math.floor((end - first) / timing.speed * timing.frame_rate + 1e-9) + 1
+        times = np.minimum(first + np.arange(count) * (timing.speed / timing.frame_rate), end)
         return times, np.full(count, timing.speed)
     width = timing.slow_width or 0.5 * _second(motions[0])
     # The film's own time is the integral of 1/rate; a grid far finer than a frame and a bump holds it.
-    step = min(0.1 * timing.speed / timing.fps, width / 50.0)
+    step = min(0.1 * timing.speed / timing.frame_rate, width / 50.0)
     grid = np.linspace(first, end, max(2, math.ceil((end - first) / step) + 1))
     nearest = _distance(grid, marks) / width
     # 1 within half the width, then a cosine down to 0: the change of pace does not jerk
     bump = 0.5 + 0.5 * np.cos(math.pi * np.clip(2.0 * nearest - 1.0, 0.0, 1.0))
     pace = timing.speed * timing.slow_factor**-bump
     film = np.concatenate([[0.0], np.cumsum(np.diff(grid) * 0.5 * (1.0 / pace[1:] + 1.0 / pace[:-1]))])
-    count = math.floor(film[-1] * timing.fps + 1e-9) + 1
-    moments = np.arange(count) / timing.fps
+    count = math.floor(film[-1] * timing.frame_rate + 1e-9) + 1
+    moments = np.arange(count) / timing.frame_rate
     return np.interp(moments, film, grid), np.interp(moments, film, pace)
 
 
 def _slow_marks(motions: Sequence[Trajectory], timing: Timing) -> Floats:
     marks: list[float] = []
-    for mark in timing.slow_at:
+    for mark in timing.marks:
         if isinstance(mark, str):
             marks += [event.t for motion in motions for event in motion.find(mark)]
         else:

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hophoop.animate.themes import theme_of
-from hophoop.scenario import Scenario
+from hophoop.scenario import describe
 from hophoop.trajectory import Trajectory
 
 CAMERAS = ("follow", "hold")
+CAMERAS_3D = ("chase", "side", "orbit", "hold")
 LAYOUTS = ("side", "overlay")
 PANELS = ("velocity", "energy", "forces", "utilization", "phase")
 MAX_SIDE = 16384
@@ -27,11 +28,11 @@ class Look:
     theme : {'light', 'dark', 'print'}
     camera : {'follow', 'hold'}
         Goes along with the hoop, or shows the whole way at once.
-    panels : tuple of str
-        Plots that run along: velocity, energy, forces, utilization, phase.
+    panels : str or sequence of str
+        Plots of the first motion that run along: velocity, energy, forces, utilization, phase.
     layout : {'side', 'overlay'}
-        Several motions in a view each, or all in one.
-    labels : tuple of str or None
+        Several motions in a view each, to one scale, or all in one, the first on top.
+    labels : sequence of str or None
         A line for each motion; None says its parameters.
     traces, forces : bool
         Whether to draw the traces and the contact forces.
@@ -40,19 +41,63 @@ class Look:
     size: tuple[int, int] = (1280, 720)
     theme: str = "light"
     camera: str = "follow"
-    panels: tuple[str, ...] = ()
+    panels: Sequence[str] | str = ()
     layout: str = "side"
-    labels: tuple[str, ...] | None = None
+    labels: Sequence[str] | None = None
     traces: bool = True
     forces: bool = True
 
     def __post_init__(self) -> None:
+        _keep_tuples(self)
+        object.__setattr__(self, "panels", _words(self.panels))
         check_size(self.size)
         theme_of(self.theme)
         one_of("camera", self.camera, CAMERAS)
         one_of("layout", self.layout, LAYOUTS)
         for panel in self.panels:
             one_of("panels", panel, PANELS)
+
+
+@dataclass(frozen=True)
+class Look3D:
+    """How a film in 3D, or a scene that turns, looks.
+
+    Attributes
+    ----------
+    size : (int, int)
+        Width and height in pixels; a scene takes the room that it has [1].
+    theme : {'light', 'dark', 'print'}
+    camera : {'chase', 'side', 'orbit', 'hold'}
+        Beside and a little behind the hoop, square to it, going round it, or at rest, seeing the whole way.
+    labels : sequence of str or None
+        A line for each motion; None says its parameters.
+    traces, forces, shadows : bool
+        Whether to draw them.
+    """
+
+    size: tuple[int, int] = (1280, 720)
+    theme: str = "light"
+    camera: str = "chase"
+    labels: Sequence[str] | None = None
+    traces: bool = True
+    forces: bool = True
+    shadows: bool = True
+
+    def __post_init__(self) -> None:
+        _keep_tuples(self)
+        check_size(self.size)
+        theme_of(self.theme)
+        one_of("camera", self.camera, CAMERAS_3D)
+
+
+def _keep_tuples(look: Look | Look3D) -> None:
+    object.__setattr__(look, "size", tuple(look.size))
+    if look.labels is not None:
+        object.__setattr__(look, "labels", _words(look.labels))
+
+
+def _words(words: Sequence[str] | str) -> tuple[str, ...]:
+    return (words,) if isinstance(words, str) else tuple(words)
 
 
 def check_size(size: tuple[int, int]) -> None:
@@ -91,41 +136,6 @@ def labels_of(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> tu
     if len(labels) != len(motions):
         raise ValueError(f"labels holds {len(labels)} texts; the film shows {len(motions)} motions.")
     return tuple(labels)
-
-
-def describe(scenario: Scenario) -> str:
-    """The parameters of a scenario that matter most, in a line.
-
-    Parameters
-    ----------
-    scenario : Scenario
-
-    Returns
-    -------
-    line : str
-        Such as 'v₀ = 3.1 m/s, μ = 1, γ = 0.75'.
-    """
-    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
-    words = []
-    if start.speed is not None:
-        words.append(f"v₀ = {start.speed:g} m/s")
-        if start.angle:
-            words.append(f"θ₀ = {math.degrees(start.angle):.4g}°")
-    if plane.mu_static == plane.mu_kinetic:
-        words.append(f"μ = {plane.mu_static:g}".replace("inf", "∞"))
-    else:
-        words.append(f"μs = {plane.mu_static:g}, μk = {plane.mu_kinetic:g}".replace("inf", "∞"))
-    if hoop.load_fraction is not None:
-        words.append(f"γ = {hoop.load_fraction:g}")
-    else:
-        words.append(f"ε = {hoop.eccentricity:.4g}, κ = {hoop.inertia_ratio:.4g}")
-    if plane.slope:
-        words.append(f"β = {math.degrees(plane.slope):.3g}°")
-    if plane.restitution:
-        words.append(f"e = {plane.restitution:g}")
-    if scenario.contact.model != "rigid":
-        words.append(f"{scenario.contact.model} contact")
-    return ", ".join(words)
 
 
 def nice(value: float) -> float:

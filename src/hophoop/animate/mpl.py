@@ -13,12 +13,12 @@ from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, extent, 
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.themes import Theme, theme_of
-from hophoop.animate.views import BELOW, View, followed, grid, held, project
+from hophoop.animate.views import BELOW, View, followed, followed_scale, grid, held, held_scale, project
 from hophoop.animate.words import draw_keys, draw_pace, draw_state, minus, shades_of, speed_words, wide
-from hophoop.plots import colors
-from hophoop.plots.pose import Floats, Poses, part_side, poses_of, rim_speeds, to_world
+from hophoop.poses import Floats, Poses, part_side, poses_of, rim_speeds, to_world
 from hophoop.scenario import Disk, PointMass, Ring, Rod
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
 
 PIECES = 96  # of the ring, a colour each
 BLOCK = 256  # frames whose poses are computed together
@@ -64,7 +64,7 @@ class Film2D:
 
     def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look) -> None:
         self.clock: Clock = clock(motions, timing)
-        self.fps = timing.fps
+        self.fps = timing.frame_rate
         self.look = look
         self.theme: Theme = theme_of(look.theme)
         self.canvas = Canvas(look.size, self.theme.background)
@@ -184,10 +184,10 @@ class Film2D:
                 self._force,
             )
             left, bottom, width, height = stage
+            inner = (left, bottom, width, height - self._view_head)
             places = np.mean([self._places(motion, i) for i, motion in enumerate(motions)], axis=0)
-            return [
-                self._view((left, bottom, width, height - self._view_head), whole, radius, motions[0], places)
-            ] * len(motions)
+            scale = self._scale(inner, whole, radius, motions[0])
+            return [self._view(inner, whole, radius, motions[0], scale, places)] * len(motions)
         if look.camera == "hold":
             wanted = max(
                 (size.along[1] - size.along[0] + 2.7 * m.scenario.hoop.radius)
@@ -196,23 +196,27 @@ class Film2D:
             )
         else:
             wanted = 1.5
-        rectangles = grid(stage, len(motions), wanted, gap)
-        views = []
-        for i, (motion, size) in enumerate(zip(motions, extents, strict=True)):
-            left, bottom, width, height = rectangles[i]
-            inner = (left, bottom, width, height - self._view_head)
-            views.append(
-                self._view(inner, size, motion.scenario.hoop.radius, motion, self._places(motion, i))
-            )
-        return views
+        rectangles = [
+            (left, bottom, width, height - self._view_head)
+            for left, bottom, width, height in grid(stage, len(motions), wanted, gap)
+        ]
+        cases = list(zip(rectangles, extents, (motion.scenario.hoop.radius for motion in motions), motions, strict=True))
+        # one scale for all: a metre is as long in each view
+        scale = min(self._scale(*case) for case in cases)
+        return [self._view(*case, scale, self._places(case[-1], i)) for i, case in enumerate(cases)]
+
+    def _scale(self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory) -> float:
+        if self.look.camera == "hold":
+            return held_scale(rectangle, size, radius, motion.scenario.plane.slope)
+        return followed_scale(rectangle, size, radius)
 
     def _view(
-        self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory, places: Floats
+        self, rectangle: Rectangle, size: Extent, radius: float, motion: Trajectory, scale: float, places: Floats
     ) -> View:
         slope = motion.scenario.plane.slope
         if self.look.camera == "hold":
-            return held(rectangle, size, radius, slope)
-        return followed(rectangle, size, radius, slope, places, self.fps)
+            return held(rectangle, size, radius, slope, scale)
+        return followed(rectangle, size, radius, slope, scale, places, self.fps)
 
     def _places(self, motion: Trajectory, i: int) -> Floats:
         return np.asarray(motion.at(self.clock.times[i]).x)

@@ -10,11 +10,11 @@ import numpy as np
 
 from hophoop.animate.canvas import Bytes, Canvas, Rectangle
 from hophoop.animate.themes import Theme
-from hophoop.plots import colors
-from hophoop.plots._curves import curve
-from hophoop.plots.pose import Floats, Poses
+from hophoop.plots.curves import curve
+from hophoop.poses import Floats, Poses
 from hophoop.results import Sample
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors, labels
 
 # How much of a curve shows where the film has not yet been
 AHEAD = 0.28
@@ -170,7 +170,7 @@ def _legend(axes: Any) -> None:
         loc="upper left",
         frameon=True,
         framealpha=0.75,
-        ncols=4,
+        ncols=5,
         borderpad=0.2,
         handlelength=1.4,
         columnspacing=1.0,
@@ -186,7 +186,7 @@ def _velocity(axes: Any, motion: Trajectory, sample: Sample) -> None:
         linewidth=1.8,
         label="Rθ̇",
     )
-    axes.set_ylabel("velocity, m/s")
+    axes.set_ylabel(labels.VELOCITY)
     _over_time(axes, sample.t)
 
 
@@ -195,41 +195,41 @@ def _energy(axes: Any, motion: Trajectory, sample: Sample) -> None:
         (sample.kinetic, colors.KINETIC, "kinetic"),
         (sample.potential, colors.POTENTIAL, "potential"),
         (sample.total, colors.TOTAL, "sum"),
-        (sample.friction, colors.FRICTION_LOSS, "friction"),
+        (sample.friction_loss, colors.FRICTION_LOSS, "friction"),
+        (sample.normal_loss, colors.IMPACT_LOSS, "impacts"),
     ):
         axes.plot(sample.t, values, color=color, linewidth=1.8, label=label)
-    axes.set_ylabel("energy, J")
+    axes.set_ylabel(labels.ENERGY)
     _over_time(axes, sample.t)
 
 
 def _forces(axes: Any, motion: Trajectory, sample: Sample) -> None:
     axes.plot(sample.t, sample.normal_force, color=colors.NORMAL_FORCE, linewidth=1.8, label="normal")
     axes.plot(sample.t, sample.friction_force, color=colors.FRICTION_FORCE, linewidth=1.8, label="friction")
-    axes.set_ylabel("force, N")
+    axes.set_ylabel(labels.FORCE)
     _over_time(axes, sample.t)
 
 
 def _utilization(axes: Any, motion: Trajectory, sample: Sample) -> None:
-    share = sample.utilization(motion.scenario.plane.mu_static)
+    share = sample.utilization(motion.scenario.plane)
     axes.plot(sample.t, share, color=colors.FRICTION_FORCE, linewidth=1.8, label="|F| / μN")
-    axes.set_ylim(0.0, 1.12)
-    axes.set_ylabel("friction in use")
+    axes.set_ylabel(labels.UTILIZATION)
     _over_time(axes, sample.t)
+    axes.set_ylim(0.0, 1.35)  # the key above what 1 means
 
 
 def _phase(axes: Any, motion: Trajectory, sample: Sample) -> None:
     (line,) = axes.plot(np.degrees(sample.angle), sample.omega, color=colors.BLACK, linewidth=1.6)
     line.hophoop_times = sample.t
-    axes.set_xlabel("θ, °")
-    axes.set_ylabel("θ̇, rad/s")
+    axes.set_xlabel(labels.ANGLE)
+    axes.set_ylabel("θ̇ (rad/s)")
 
 
 def _over_time(axes: Any, times: Floats) -> None:
     axes.set_xlim(times[0], times[-1] if times[-1] > times[0] else times[0] + 1.0)
-    axes.set_xlabel("t, s")
+    axes.set_xlabel(labels.TIME)
     low, high = axes.get_ylim()
-    if axes.get_ylabel() != "friction in use":
-        axes.set_ylim(low, high + 0.18 * (high - low))
+    axes.set_ylim(low, high + 0.18 * (high - low))
     _legend(axes)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from hophoop._extras import need
 from hophoop.animate.canvas import Bytes, Canvas
 from hophoop.animate.frames import Extent, Timing, Trace, clock, extent, follow, trace
-from hophoop.animate.look import check_size, labels_of, nice, one_of
+from hophoop.animate.look import Look3D, labels_of, nice
 from hophoop.animate.shapes3d import (
     FORCE_LENGTH,
     HEAVY,
@@ -33,43 +33,12 @@ from hophoop.animate.shapes3d import (
 )
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.words import draw_keys, draw_pace, draw_state, shades_of, speed_words
-from hophoop.plots import colors
-from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, to_world
+from hophoop.poses import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
 
-CAMERAS = ("chase", "side", "orbit", "hold")
 SMOOTH = 4  # samples a pixel
 CALM = 0.6  # of the camera [s of film]
-
-
-@dataclass(frozen=True)
-class Look3D:
-    """How a film in 3D looks.
-
-    Attributes
-    ----------
-    size : (int, int)
-        Width and height in pixels [1].
-    theme : {'light', 'dark', 'print'}
-    camera : {'chase', 'side', 'orbit', 'hold'}
-    labels : tuple of str or None
-        A line for each motion; None says its parameters.
-    traces, forces, shadows : bool
-        Whether to draw them.
-    """
-
-    size: tuple[int, int] = (1280, 720)
-    theme: str = "light"
-    camera: str = "chase"
-    labels: tuple[str, ...] | None = None
-    traces: bool = True
-    forces: bool = True
-    shadows: bool = True
-
-    def __post_init__(self) -> None:
-        check_size(self.size)
-        theme_of(self.theme)
-        one_of("camera", self.camera, CAMERAS)
 
 
 @dataclass
@@ -107,7 +76,7 @@ class Film3D:
 
     def __init__(self, motions: Sequence[Trajectory], timing: Timing, look: Look3D) -> None:
         self.clock = clock(motions, timing)
-        self.fps, self.look = timing.fps, look
+        self.fps, self.look = timing.frame_rate, look
         self.theme: Theme = theme_of(look.theme)
         slopes = {motion.scenario.plane.slope for motion in motions}
         if len(slopes) > 1:

@@ -1,11 +1,11 @@
-"""Backgrounds and inks of films. What a colour means is said in `hophoop.plots.colors` alone."""
+"""Backgrounds and inks of films. What a colour means is said in `hophoop.vocabulary.colors` alone."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Final
 
-from hophoop.plots import colors
+from hophoop.vocabulary import colors
 
 
 @dataclass(frozen=True)

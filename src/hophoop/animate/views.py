@@ -9,7 +9,7 @@ import numpy as np
 
 from hophoop.animate.canvas import Points, Rectangle
 from hophoop.animate.frames import Extent, follow
-from hophoop.plots.pose import Floats, to_world
+from hophoop.poses import Floats, to_world
 
 # In radii: what a view shows under the plane, above a hoop on it, and before and behind it.
 BELOW, ABOVE, BESIDE = 0.55, 0.4, 1.35
@@ -54,14 +54,17 @@ def project(matrix: Points, points: Floats) -> Points:
     return np.asarray(points * matrix[0, 0] + matrix[:2, 2])
 
 
-def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> View:
+def held_scale(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> float:
+    """The largest scale at which a view holds the whole way [pixels/m]."""
+    _, _, width, height = rectangle
+    least, most = _corners(extent, radius, slope)
+    return float(min(width / (most[0] - least[0]), height / (most[1] - least[1])))
+
+
+def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float, scale: float) -> View:
     """A view of the whole way."""
     left, bottom, width, height = rectangle
-    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
-    top = extent.height + (2.0 + ABOVE) * radius
-    corners = to_world([low, high, low, high], [-BELOW * radius, -BELOW * radius, top, top], slope)
-    least, most = corners.min(axis=0), corners.max(axis=0)
-    scale = min(width / (most[0] - least[0]), height / (most[1] - least[1]))
+    least, most = _corners(extent, radius, slope)
     middle = 0.5 * (least + most)
     # room to spare is more of use above than under the plane
     spare = height - scale * (most[1] - least[1])
@@ -70,12 +73,24 @@ def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float) -> V
     )
 
 
+def _corners(extent: Extent, radius: float, slope: float) -> tuple[Floats, Floats]:
+    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    top = extent.height + (2.0 + ABOVE) * radius
+    corners = to_world([low, high, low, high], [-BELOW * radius, -BELOW * radius, top, top], slope)
+    return corners.min(axis=0), corners.max(axis=0)
+
+
+def followed_scale(rectangle: Rectangle, extent: Extent, radius: float) -> float:
+    """The largest scale at which a view that goes along holds the hoop at its highest [pixels/m]."""
+    _, _, width, height = rectangle
+    return min(height / (extent.height + (2.0 + BELOW + ABOVE) * radius), width / (LEAST_WIDTH * radius))
+
+
 def followed(
-    rectangle: Rectangle, extent: Extent, radius: float, slope: float, places: Floats, fps: float
+    rectangle: Rectangle, extent: Extent, radius: float, slope: float, scale: float, places: Floats, fps: float
 ) -> View:
     """A view that goes along with the hoop; `places` are its centre's, along the plane, at each frame."""
     left, bottom, width, height = rectangle
-    scale = min(height / (extent.height + (2.0 + BELOW + ABOVE) * radius), width / (LEAST_WIDTH * radius))
     half = 0.5 * width / scale / math.cos(slope)
     low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
     if high - low <= 2.0 * half:

@@ -5,8 +5,6 @@ from __future__ import annotations
 import base64
 import html
 import json
-import os
-import tempfile
 from collections.abc import Sequence
 from importlib.resources import files
 from pathlib import Path
@@ -14,17 +12,18 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.animate.frames import Clock, Extent, Timing, clock, extent, trace
+from hophoop._files import replacing
+from hophoop.animate.frames import Clock, Timing, clock, extent, trace
 from hophoop.animate.gltf import glb
-from hophoop.animate.look import labels_of, nice
+from hophoop.animate.look import Look3D, labels_of, nice
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
-from hophoop.animate.words import MODE_WORDS, shades_of
-from hophoop.plots import colors
-from hophoop.plots.pose import Floats, load_distance, poses_of
+from hophoop.animate.words import shades_of
+from hophoop.poses import Floats, load_distance, poses_of
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import FLIGHT, MODES, PARTICIPLES
 
-FPS = 60.0
 TRACE_POINTS = 4000
 SUFFIXES = (".html", ".glb")
 
@@ -32,18 +31,8 @@ SUFFIXES = (".html", ".glb")
 def scene(
     motions: Trajectory | Sequence[Trajectory],
     path: str | Path,
-    *,
-    speed: float = 1.0,
-    slow_at: Sequence[str | float] | str | float = (),
-    slow_factor: float = 8.0,
-    slow_width: float | None = None,
-    start: float = 0.0,
-    end: float | None = None,
-    step: str = "time",
-    theme: str = "light",
-    labels: Sequence[str] | None = None,
-    traces: bool = True,
-    forces: bool = True,
+    timing: Timing = Timing(),
+    look: Look3D = Look3D(),
 ) -> Path:
     """A scene in 3D that plays and turns: a page for any browser, or glTF.
 
@@ -56,23 +45,10 @@ def scene(
         Several run in lanes.
     path : str or Path
         Ends in .html or .glb.
-    speed : float, default 1
-        Seconds of motion a second [1].
-    slow_at : sequence of str or float, optional
-        Kinds of events, or times [s], around which it is slow.
-    slow_factor : float, default 8
-        How many times slower [1].
-    slow_width : float, optional
-        How long before and after it is slow, in the motion's time [s].
-    start, end : float, optional
-        Part of the motion to show [s].
-    step : {'time', 'angle'}
-        What several motions have in common at each instant.
-    theme : {'light', 'dark', 'print'}
-    labels : sequence of str, optional
-        A line for each motion; its parameters by default.
-    traces, forces : bool, default True
-        Whether to draw the traces and the contact forces.
+    timing : Timing
+        As in `film`.
+    look : Look3D
+        Its theme, labels, traces and forces; where the camera is and how large the picture, whoever looks decides.
 
     Returns
     -------
@@ -81,7 +57,7 @@ def scene(
     Raises
     ------
     ValueError
-        If an argument is not among those allowed, or the slopes of the motions differ.
+        If what is asked for does not fit the motions, or their slopes differ.
     ImportError
         If Matplotlib, whose colour map the ring takes, is missing.
     """
@@ -90,25 +66,18 @@ def scene(
     if kind not in SUFFIXES:
         raise ValueError(f"out = {str(path)!r} must end in {' or '.join(SUFFIXES)}.")
     several = (motions,) if isinstance(motions, Trajectory) else tuple(motions)
-    marks = (slow_at,) if isinstance(slow_at, str | float | int) else tuple(slow_at)
-    timing = Timing(FPS, speed, marks, slow_factor, slow_width, start, end, step)
-    data = scene_data(several, timing, theme, labels, traces, forces)
+    data = scene_data(several, timing, look)
     content = glb(data) if kind == ".glb" else page(data).encode("utf-8")
     target.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=f".{target.stem}-", dir=target.parent) as folder:
-        part = Path(folder) / target.name
+    with replacing(target) as part:
         part.write_bytes(content)
-        os.replace(part, target)
     return target
 
 
 def scene_data(
     motions: Sequence[Trajectory],
     timing: Timing,
-    theme: str,
-    labels: Sequence[str] | None,
-    traces: bool,
-    forces: bool,
+    look: Look3D,
 ) -> dict[str, Any]:
     """All that a scene shows, as numbers and arrays.
 
@@ -116,9 +85,7 @@ def scene_data(
     ----------
     motions : sequence of Trajectory
     timing : Timing
-    theme : str
-    labels : sequence of str or None
-    traces, forces : bool
+    look : Look3D
 
     Returns
     -------
@@ -134,8 +101,8 @@ def scene_data(
     slopes = {motion.scenario.plane.slope for motion in motions}
     if len(slopes) > 1:
         raise ValueError(f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene.")
-    look = theme_of(theme)
-    names = labels_of(motions, labels)
+    theme = theme_of(look.theme)
+    names = labels_of(motions, look.labels)
     ends = [min(float(t[-1]), motion.duration) for t, motion in zip(shown.times, motions, strict=True)]
     extents = [extent(motion, timing.start, last) for motion, last in zip(motions, ends, strict=True)]
     radius = max(motion.scenario.hoop.radius for motion in motions)
@@ -144,9 +111,9 @@ def scene_data(
     hoops = []
     for i, motion in enumerate(motions):
         hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1))))
-        hoops[-1]["traces"] = _traces(motion, timing.start, ends[i], extents[i]) if traces else None
+        hoops[-1]["traces"] = _traces(motion, timing.start, ends[i]) if look.traces else None
     return {
-        "fps": timing.fps,
+        "fps": timing.frame_rate,
         "count": shown.count,
         "rate": shown.rate,
         "slope": slopes.pop(),
@@ -155,23 +122,24 @@ def scene_data(
         "height": max(size.height for size in extents),
         "grid": nice(1.01 * radius),
         "topSpeed": top,
-        "newton": FORCE_LENGTH * radius / force if forces else 0.0,
+        "newton": FORCE_LENGTH * radius / force if look.forces else 0.0,
         "map": np.rint(255.0 * shades_of(np.linspace(0.0, 1.0, 64), 1.0)[:, :3]).astype(int),
         "theme": {
-            "background": look.background,
-            "ground": look.ground if theme != "print" else "#F1F1F1",
-            "ink": look.ink,
-            "muted": look.muted,
-            "load": look.load,
-            "dark": look.dark,
+            "background": theme.background,
+            "ground": theme.ground if look.theme != "print" else "#F1F1F1",
+            "ink": theme.ink,
+            "muted": theme.muted,
+            "load": theme.load,
+            "dark": theme.dark,
         },
         "colors": {
-            "center": look.shown(colors.GRAVITY_CENTER),
-            "airborne": look.shown(colors.GRAVITY_CENTER_AIRBORNE),
-            "normal": look.shown(colors.NORMAL_FORCE),
-            "friction": look.shown(colors.FRICTION_FORCE),
+            "center": theme.shown(colors.GRAVITY_CENTER),
+            "airborne": theme.shown(colors.GRAVITY_CENTER_AIRBORNE),
+            "normal": theme.shown(colors.NORMAL_FORCE),
+            "friction": theme.shown(colors.FRICTION_FORCE),
         },
-        "modes": {letter: [MODE_WORDS[letter], colors.mode_color(letter)] for letter in colors.MODES},
+        "flight": MODES.index(FLIGHT),
+        "modes": [[PARTICIPLES[word], colors.mode_color(word)] for word in MODES],
         "hoops": hoops,
     }
 
@@ -185,7 +153,7 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[st
         "radius": hoop.radius,
         "load": load_distance(hoop),
         "heavy": hoop.eccentricity * hoop.radius,
-        "mode": "".join(poses.mode),
+        "mode": [MODES.index(str(word)) for word in poses.words],
         "t": poses.t,
         "center": poses.center,
         "contact": poses.contact,
@@ -197,7 +165,7 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[st
     }
 
 
-def _traces(motion: Trajectory, start: float, end: float, size: Extent) -> dict[str, Any]:
+def _traces(motion: Trajectory, start: float, end: float) -> dict[str, Any]:
     track = trace(motion, start, end)
     airborne = np.zeros(len(track.t), dtype=np.uint8)
     for a, b, flies in track.runs:

@@ -10,10 +10,9 @@ from hophoop._extras import need
 from hophoop.animate.canvas import Canvas
 from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
-from hophoop.plots import colors
-from hophoop.plots.pose import Floats, Poses
-
-MODE_WORDS = {"R": "rolling", "S": "spinning", "K": "skidding", "H": "in flight", "M": "skimming"}
+from hophoop.poses import Floats, Poses
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import PARTICIPLES
 
 
 def shades_of(speeds: Floats, top: float) -> Floats:
@@ -49,9 +48,9 @@ def draw_state(
     """The mode in words, time and angle, and one thing more, in a line from a place on [pixels]."""
     u = canvas.unit
     x, y = place
-    mode = str(poses.mode[i])
-    canvas.disc(np.array([x + 7.0 * u, y + 6.0 * u]), 7.0 * u, colors.mode_color(mode), theme.ink, 0.8)
-    canvas.text(x + 22.0 * u, y, "ended" if ended else MODE_WORDS[mode], theme.ink, 18.0, weight="bold")
+    word = str(poses.words[i])
+    canvas.disc(np.array([x + 7.0 * u, y + 6.0 * u]), 7.0 * u, colors.mode_color(word), theme.ink, 0.8)
+    canvas.text(x + 22.0 * u, y, "ended" if ended else PARTICIPLES[word], theme.ink, 18.0, weight="bold")
     turned = f"θ = {math.degrees(poses.angle[i]):.1f}°"
     for offset, words in ((140.0, f"t = {poses.t[i]:.3f} s"), (268.0, turned), (396.0, extra)):
         canvas.text(x + offset * u, y, minus(words), theme.ink, 15.0)

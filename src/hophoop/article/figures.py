@@ -13,9 +13,10 @@ from hophoop import plots, theory
 from hophoop._extras import need
 from hophoop.article.runs import LONG, Runs
 from hophoop.article.scenarios import title
-from hophoop.plots import colors, compliant
-from hophoop.plots._style import finish
+from hophoop.plots import compliant
+from hophoop.plots.style import finish
 from hophoop.simulation import simulate
+from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -112,7 +113,7 @@ def _slow_end(runs: Runs, ax: Axes) -> None:
     late = t[t > 10.0]
     ax.loglog(late, law / late, color=colors.FRICTION_LOSS, lw=1.4, ls=(0, (5, 2)), label=f"{law:.0f} J s / t")
     ax.set_xlim(0.5, LONG * 1.2)
-    finish(ax, "Time (s)", "Energy above rolling at the critical speed (J)")
+    finish(ax, labels.TIME, "Energy above rolling at the critical speed (J)")
 
 
 PART1, PART2, PART3, PART4 = (
@@ -216,12 +217,17 @@ FIGURES: tuple[ArticleFigure, ...] = (
         "v₀ = 3.1 m/s: in flight the rotation is constant, the velocity of the centre is not.",
         _velocity("hop", "angle"),
     ),
-    ArticleFigure("energy_hop", PART3, "v₀ = 3.1 m/s: energy balance.", _energy("hop", "angle")),
+    ArticleFigure(
+        "energy_hop",
+        PART3,
+        "v₀ = 3.1 m/s: energy balance. What the landing loses along the plane is booked to friction.",
+        _energy("hop", "angle"),
+    ),
     ArticleFigure(
         "energy_hop_compliant",
         PART3,
         "v₀ = 3.1 m/s: the energy balance in both contact models. The landing costs the same in each: what the article "
-        "calls significantly larger than friction's share is real, not an artefact of its contact.",
+        "calls significantly larger than friction's share is real, not an artefact of its contact. Booked as above.",
         _both_models,
         (9.5, 4.2),
         ours=True,

@@ -14,8 +14,11 @@ import hophoop
 from hophoop.article.figures import FIGURES, ArticleFigure
 from hophoop.article.scenarios import scenarios
 from hophoop.article.statement import VERDICTS, Statement
-from hophoop.plots import colors
+from hophoop.plots.curves import phases
 from hophoop.simulation import simulate
+from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import FLIGHT, ROLL, SKID, SPIN
 
 SECTIONS = {
     "The Problem": "A thin ring of radius 1 m carries three quarters of its mass, 1 kg in all, in one point. "
@@ -124,13 +127,12 @@ def _plural(verdict: str) -> str:
 
 def _legend() -> str:
     chips = "".join(
-        f"<li><i style='background:{colors.MODES[letter]}'></i><b>{escape(colors.MODE_NAMES[letter])}</b> "
-        f"{escape(meaning)}</li>"
-        for letter, meaning in (
-            ("R", "the contact point is at rest"),
-            ("S", "slips, over-rotating"),
-            ("K", "slides ahead"),
-            ("H", "in the air"),
+        f"<li><i style='background:{colors.MODES[word]}'></i><b>{escape(word)}</b> {escape(meaning)}</li>"
+        for word, meaning in (
+            (ROLL, "the contact point is at rest"),
+            (SPIN, "slips, the rim turning too fast for the way it goes"),
+            (SKID, "slides ahead"),
+            (FLIGHT, "in the air"),
         )
     )
     return f"<ul class='legend' aria-label='Colours of the modes'>{chips}</ul>"
@@ -147,7 +149,7 @@ def _runs() -> str:
         numbers = "".join(f"<td>{cell}</td>" for cell in cells)
         rows.append(
             f"<tr><td>{scenario.start.speed:g}</td><td>{scenario.plane.mu:g}</td>"
-            f"<td class='l'>{_ribbon(motion.sequence)}</td>{numbers}</tr>"
+            f"<td class='l'>{_ribbon(motion)}</td>{numbers}</tr>"
         )
     return (
         "<h2 id='motions'>The five motions</h2><div class='scroll'><table class='runs'><thead><tr>"
@@ -162,12 +164,12 @@ def _degrees(angle: float) -> str:
     return f"{math.degrees(angle):.3f}°"
 
 
-def _ribbon(sequence: str, most: int = 16) -> str:
-    shown = sequence[:most]
+def _ribbon(motion: Trajectory, most: int = 16) -> str:
+    pieces = phases(motion)
     marks = "".join(
-        f"<i style='background:{colors.MODES[letter]}' title='{colors.MODE_NAMES[letter]}'>{letter}</i>" for letter in shown
+        f"<i style='background:{colors.MODES[piece.word]}' title='{piece.word}'>{piece.mode}</i>" for piece in pieces[:most]
     )
-    return f"<span class='ribbon'>{marks}{'…' if len(sequence) > most else ''}</span>"
+    return f"<span class='ribbon'>{marks}{'…' if len(pieces) > most else ''}</span>"
 
 
 def _table(statements: Sequence[Statement]) -> str:

@@ -13,12 +13,12 @@ from typing import Any
 
 import hophoop
 from hophoop._extras import need
+from hophoop._files import replacing
 from hophoop.article import report
 from hophoop.article.figures import FIGURES, drawn
 from hophoop.article.runs import Runs
 from hophoop.article.statement import FAILS, Statement
 from hophoop.article.statements import count, statements
-from hophoop.io import _replacing
 
 DPI = 160
 
@@ -86,7 +86,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
         with _style():
             sheet = drawn(figure, runs)
             for ending in ("png", "svg"):
-                with _replacing(folder / "figures" / f"{figure.name}.{ending}") as path:
+                with replacing(folder / "figures" / f"{figure.name}.{ending}") as path:
                     sheet.savefig(path, dpi=DPI, metadata={"Date": None} if ending == "svg" else None)
         say("figures", k + 1, len(FIGURES))
     made: list[Path] = []
@@ -96,7 +96,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
             made, reason = films(folder / "films", say), ""
         except ImportError as error:
             reason = str(error)
-    with _replacing(folder / "index.html") as path:
+    with replacing(folder / "index.html") as path:
         path.write_text(report.page(checked, folder, made), encoding="utf-8")
     return Reproduction(folder, checked, tuple(made), reason)
 
@@ -154,7 +154,7 @@ def _write_json(folder: Path, checked: tuple[Statement, ...]) -> None:
         "version": hophoop.__version__,
         "statements": [one.to_dict() for one in checked],
     }
-    with _replacing(folder / "statements.json") as path:
+    with replacing(folder / "statements.json") as path:
         path.write_text(json.dumps(data, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
 
 

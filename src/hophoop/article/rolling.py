@@ -103,7 +103,7 @@ def slow_rolls(runs: Runs) -> Statement:
 
 def utilization(runs: Runs) -> Statement:
     sample = runs.sample("slow")
-    ours = float(np.nanmax(sample.utilization(1.0)))
+    ours = float(np.nanmax(sample.utilization(runs.plane)))
     needed = theory.needed_friction(runs.hoop, 0.1, runs.plane)
     rest = theory.needed_friction(runs.hoop, 0.0, runs.plane)
     return Statement(

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from hophoop.article.scenarios import scenarios
-from hophoop.plots._curves import curve
+from hophoop.plots.curves import curve
 from hophoop.results import Sample
 from hophoop.scenario import Hoop, Plane, Start
 from hophoop.simulation import simulate

@@ -19,7 +19,7 @@ from hophoop.trajectory import Trajectory
 def slips(runs: Runs) -> Statement:
     motion, sample = runs.motion("slipping"), runs.sample("slipping")
     sliding = np.isin(sample.mode, ["S", "K"])
-    used = sample.utilization(1.0)[sliding]
+    used = sample.utilization(runs.plane)[sliding]
     apart = float(np.max(np.abs(sample.vx - sample.omega)))
     begin = motion.find("slip_start")[0]
     return Statement(

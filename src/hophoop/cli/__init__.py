@@ -16,7 +16,7 @@ import typer
 from typer.core import TyperGroup
 
 # In the order in which --help shows them.
-COMMANDS = ("run", "theory", "reproduce", "animate", "map", "lab", "fit", "compare")
+COMMANDS = ("run", "theory", "reproduce", "animate", "map", "lab")
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
 
@@ -51,6 +51,8 @@ class Commands(TyperGroup):
             from hophoop.scenario.sentences import sentence
 
             raise Failed(sentence(error)) from error
+        except MemoryError as error:
+            raise Failed(f"There is not enough memory: {str(error) or 'ask for less'}.".replace("..", ".")) from error
 
     def main(
         self,
@@ -99,7 +101,6 @@ def say(text: str) -> None:
 app = typer.Typer(
     name="hophoop",
     cls=Commands,
-    add_completion=False,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},

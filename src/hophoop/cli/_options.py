@@ -52,8 +52,6 @@ OPTIONS = (
     ScenarioOption("--duration", "duration", "Duration of the motion, s.", START),
 )
 
-SECTIONS = ("hoop", "plane", "start", "contact")
-
 
 def with_scenario(command: Callable[..., None]) -> Callable[..., None]:
     """Give a command FILE and the options above; it is called with `scenario` in their place."""
@@ -135,49 +133,47 @@ def scenario_of(file: str | None, given: dict[ScenarioOption, Any], settings: li
     from hophoop.scenario import InputError, Scenario
 
     base = Scenario() if file is None else Scenario.load(file)
-    changes: list[tuple[str, Any]] = []
-    flags: dict[str, str] = {}
+    values: dict[str, Any] = {}
+    names: dict[str, str] = {}  # what the person called each path
     for option, value in given.items():
         if value is None:
             continue
-        if option.path in flags:
-            raise InputError(f"{option.flag} cannot be given together with {flags[option.path]}.")
-        flags[option.path] = option.flag
-        changes.append((option.path, value if option.to_si is None else option.to_si(value)))
+        if option.path in names:
+            raise InputError(f"{option.flag} cannot be given together with {names[option.path]}.")
+        names[option.path] = option.flag
+        values[option.path] = value if option.to_si is None else option.to_si(value)
     for text in settings:
         path, sign, word = text.partition("=")
+        path = path.strip()
         if not sign or not path:
             raise InputError(f"--set {text} must be a path and a value, such as plane.mu=0.5.")
-        changes.append((path.strip(), _value(word.strip())))
-    return changed(base, changes)
+        if path in names:
+            raise InputError(f"--set {path} cannot be given together with {names[path]}.")
+        names[path] = f"--set {path}"
+        values[path] = value_of(word.strip())
+    _check_ways(base, names)
+    return base.with_values(values)
 
 
-def changed(base: Any, changes: list[tuple[str, Any]]) -> Any:
-    """The scenario with new values; only the whole result must hold together, not each step."""
-    from hophoop.scenario import Scenario
+def _check_ways(base: Any, names: dict[str, str]) -> None:
+    """Refuse options that say one thing in two ways, or turn a rolling start into half of a free one."""
+    from hophoop.scenario import InputError
+    from hophoop.scenario.paths import contradiction
 
-    named = dict(changes)
-    order = {path: k for k, path in enumerate(named)}
-    if "plane.mu_static" in named and "plane.mu_kinetic" in named:
-        changes = [("plane.mu", named["plane.mu_static"]), *changes]
-    if named.get("hoop.inertia_ratio") == 0.0 and "hoop.eccentricity" in named:
-        # ε = 1 first: no other body has no moment of inertia
-        changes.sort(key=lambda change: order.get(change[0], -1) + 100 * (change[0] == "hoop.inertia_ratio"))
-    data = base.to_dict()
-    for section in SECTIONS:
-        part = Scenario.from_dict({section: data[section]} if section in data else {})
-        for path, value in changes:
-            if path.partition(".")[0] == section:
-                part = part.replace(path, value)
-        data[section] = part.to_dict()[section]
-    for path, value in changes:
-        if path.partition(".")[0] not in SECTIONS:
-            part = Scenario().replace(path, value)  # an unknown path says so
-            data[path] = value
-    return Scenario.from_dict(data)
+    pair = contradiction(names)
+    if pair is not None:
+        raise InputError(f"{names[pair[0]]} cannot be given together with {names[pair[1]]}.")
+    free = [path for path in ("start.vx", "start.vy", "start.omega", "start.height") if path in names]
+    missing = [option for path, option in (("start.vx", "--vx"), ("start.omega", "--omega")) if path not in names]
+    if free and missing and base.start.speed is not None:
+        raise InputError(
+            f"{names[free[0]]} cannot be given without {' and '.join(missing)}: the start is a rolling one "
+            f"(start.speed = {base.start.speed:g} m/s), which does not say how a free one moves."
+        )
 
 
-def _value(word: str) -> Any:
+def value_of(word: str) -> Any:
+    """A value as it is written: a number where it reads as one, else a word."""
     for kind in (int, float):
         try:
             return kind(word)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from contextlib import nullcontext
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -137,31 +138,23 @@ def animate(
 
     from hophoop import animate as films
 
-    common: dict[str, Any] = {
-        "speed": speed,
-        "slow_at": [_mark(text) for text in slow_at or ()],
-        "slow_factor": slow_factor,
-        "slow_width": slow_width,
-        "start": begin,
-        "end": end,
-        "step": step,
-        "theme": theme,
-        "labels": label or None,
-        "traces": traces,
-        "forces": forces,
-    }
-    if three_d and out.suffix.lower() in SCENES:
-        films.scene(motions, out, **common)
-    else:
-        with nullcontext(None) if quiet else films.bar(out.name) as progress:
-            common |= {"fps": fps, "size": (int(match[1]), int(match[2])), "progress": progress}
-            if three_d:
-                films.film_3d(motions, out, camera=camera or "chase", shadows=shadows, **common)
-            else:
-                layout = "overlay" if overlay else "side"
-                films.film(
-                    motions, out, camera=camera or "follow", panels=panel or (), layout=layout, **common
-                )
+    with _named_options():
+        slow = tuple(_mark(text) for text in slow_at or ())
+        timing = films.Timing(fps, speed, slow, slow_factor, slow_width, begin, end, step)
+        pixels, labels = (int(match[1]), int(match[2])), label or None
+        if three_d:
+            space = films.Look3D(pixels, theme, camera or "chase", labels, traces, forces, shadows)
+        else:
+            layout = "overlay" if overlay else "side"
+            flat = films.Look(pixels, theme, camera or "follow", panel or (), layout, labels, traces, forces)
+        if three_d and out.suffix.lower() in SCENES:
+            films.scene(motions, out, timing, space)
+        else:
+            with nullcontext(None) if quiet else films.bar(out.name) as progress:
+                if three_d:
+                    films.film_3d(motions, out, timing, space, progress)
+                else:
+                    films.film(motions, out, timing, flat, progress)
     if not quiet:
         say(f"Wrote {out}.")
     for motion in motions:
@@ -170,8 +163,30 @@ def animate(
             raise typer.Exit(NO_ANSWER)
 
 
+# What the functions of films call their arguments, and the options that give them.
+NAMED = {
+    "fps": "--fps", "speed": "--speed", "slow_at": "--slow-at", "slow_factor": "--slow-factor",
+    "slow_width": "--slow-width", "start": "--from", "end": "--to", "step": "--step", "size": "--size",
+    "theme": "--theme", "camera": "--camera", "panels": "--panel", "labels": "--label", "out": "--out",
+}  # fmt: skip
+
+
+@contextmanager
+def _named_options() -> Iterator[None]:
+    """A refusal names the option, not the argument of the function that refuses."""
+    from hophoop.scenario import InputError
+
+    try:
+        yield
+    except ValueError as error:
+        words = str(error)
+        for name, option in NAMED.items():
+            words = re.sub(rf"^{name}(?= (=|holds))|\b{name}(?= = )", option, words)
+        raise InputError(words) from None
+
+
 def _varied(scenario: Any, vary: str | None) -> list[Any]:
-    from hophoop.cli._options import _value, changed
+    from hophoop.cli._options import value_of
     from hophoop.scenario import InputError
 
     if vary is None:
@@ -179,7 +194,7 @@ def _varied(scenario: Any, vary: str | None) -> list[Any]:
     path, sign, values = vary.partition("=")
     if not sign or not path or not values:
         raise InputError(f"--vary {vary} must be a path and values, such as plane.mu=0.3,1.")
-    return [changed(scenario, [(path.strip(), _value(word.strip()))]) for word in values.split(",")]
+    return [scenario.replace(path.strip(), value_of(word.strip())) for word in values.split(",")]
 
 
 def _mark(text: str) -> str | float:

@@ -6,6 +6,37 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand
+
+
+def _quantity_names() -> list[str]:
+    from hophoop.maps.quantities import QUANTITIES
+
+    return list(QUANTITIES)
+
+
+class MapCommand(TyperCommand):
+    """Its help ends with the list of quantities."""
+
+    def get_help(self, ctx: Any) -> str:
+        """The help, with the quantities that a map can hold, their meaning and unit."""
+        text = super().get_help(ctx)  # Typer prints it itself
+        typer.echo(_listed())
+        return text
+
+
+def _listed() -> str:
+    from hophoop.maps.quantities import QUANTITIES
+
+    wide = max(len(name) for name in QUANTITIES) + 2
+    lines = [
+        f"  {name:{wide}}{quantity.meaning}" + ("" if quantity.unit in ("", "1") else f" ({quantity.unit})")
+        for name, quantity in QUANTITIES.items()
+    ]
+    return "\n".join(["Quantities", "", *lines, ""])
+
+
+COMMAND_CLASS = MapCommand
 
 
 def map(
@@ -18,7 +49,10 @@ def map(
     ] = None,
     quantity: Annotated[
         list[str] | None,
-        typer.Option(help="What the map holds, such as sequence or hop_height; may be repeated."),
+        typer.Option(
+            help="What the map holds, by default sequence; may be repeated. See the list below.",
+            autocompletion=_quantity_names,
+        ),
     ] = None,
     span: Annotated[
         str,
@@ -42,6 +76,7 @@ def map(
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder
     from hophoop.maps.axes import parse_axis
+    from hophoop.maps.memory import check_memory
     from hophoop.maps.sweeping import sweep
     from hophoop.scenario import InputError, Scenario
 
@@ -65,6 +100,10 @@ def map(
     if plot is not None and len(axes) != 2:
         raise InputError(f"--plot needs a map of two axes, not {len(axes)}.")
     quantities = quantity or ["sequence"]
+    if plot is not None or out is None:
+        # a picture takes its values, their colours and its mesh at once
+        shape = [len(values) for values in axes.values()]
+        check_memory(shape, ["f8"] * 6, "draw fewer values, or leave --plot out and name a file with --out")
     try:
         dataset = sweep(
             base,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json as json_text
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -15,18 +16,13 @@ from hophoop.cli._options import with_scenario
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from hophoop.results import EventRecord
     from hophoop.trajectory import Trajectory
 
 OUTPUT = "Output"
 STORES = (".nc", ".zarr", ".zarr.zip")
+FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
 CHECK_DIGITS = 25
-
-# Why a motion can end without an answer.
-ENDS = {
-    "jammed": "the normal force grows without bound (dynamic jam), and the model has no motion beyond",
-    "undetermined": "the model does not determine the motion beyond",
-    "event_limit": "the limit of events was reached before the end (contact.max_events)",
-}
 
 
 class RunCommand(TyperCommand):
@@ -142,6 +138,12 @@ def run(
     samples: Annotated[
         int, typer.Option("--samples", help="Number of lines in --csv.", rich_help_panel=OUTPUT)
     ] = 1001,
+    everything: Annotated[
+        bool,
+        typer.Option(
+            "--all", help=f"Print all events, not the first {FIRST_ROWS} and the last {LAST_ROWS}.", rich_help_panel=OUTPUT
+        ),
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
     digits: Annotated[
         int | None,
@@ -205,7 +207,7 @@ def run(
 
         save_overview(motion, plot)
     if json != "-" and not quiet:
-        _print(motion)
+        _print(motion, everything)
     if not motion.ok:
         say(unanswered(motion.duration, motion.status))
         raise typer.Exit(NO_ANSWER)
@@ -213,23 +215,31 @@ def run(
 
 def unanswered(duration: float, status: str) -> str:
     """The sentence that tells why a motion ended without an answer."""
-    return f"The motion ends at t = {duration:.9g} s, {status}: {ENDS[status]}."
+    from hophoop.vocabulary.words import STATUSES
+
+    return f"The motion ends at t = {duration:.9g} s, {status}. {STATUSES[status]}"
 
 
-def _print(motion: Trajectory) -> None:
+def _print(motion: Trajectory, everything: bool) -> None:
     from rich.console import Console
 
     # a pipe has no width of its own; a table that is cut is worth little
     console = Console(highlight=False)
     if not console.is_terminal:
         console = Console(highlight=False, width=120)
-    console.print(_events(motion))
+    events = motion.events
+    left_out = 0 if everything else max(0, len(events) - FIRST_ROWS - LAST_ROWS)
+    console.print(_events(events, left_out))
+    if left_out:
+        console.print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
     console.print(_summary(motion))
 
 
-def _events(motion: Trajectory) -> Table:
+def _events(events: Sequence[EventRecord], left_out: int) -> Table:
     from rich import box
     from rich.table import Table
+
+    from hophoop.vocabulary.words import plain
 
     table = Table(box=box.SIMPLE_HEAD, title=None, pad_edge=False)
     for title in (
@@ -244,7 +254,11 @@ def _events(motion: Trajectory) -> Table:
         "slip (m/s)",
     ):
         table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
-    for event in motion.events:
+    shown = [*events[:FIRST_ROWS], None, *events[FIRST_ROWS + left_out :]] if left_out else events
+    for event in shown:
+        if event is None:
+            table.add_row(*["…"] * len(table.columns))
+            continue
         change = (
             event.to_mode
             if event.from_mode in (None, event.to_mode)
@@ -253,7 +267,7 @@ def _events(motion: Trajectory) -> Table:
         numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
         table.add_row(
             f"{event.t:.6f}",
-            event.kind.replace("_", " "),
+            plain(event.kind),
             change,
             *(f"{_clean(number):.4f}" for number in numbers),
         )
@@ -267,12 +281,14 @@ def _clean(number: float) -> float:
 def _summary(motion: Trajectory) -> Table:
     from rich.table import Table
 
+    from hophoop.vocabulary.words import LETTERS_SENTENCE, plain
+
     ledger = motion.ledger
     impacts = ledger.impact_normal + ledger.impact_tangential
     table = Table.grid(padding=(0, 2))
     phases = motion.sequence if len(motion.sequence) <= 60 else motion.sequence[:59] + "…"
-    table.add_row("phases", f"{phases}   (R roll, S spin, K skid, H flight, M skim)")
-    table.add_row("status", motion.status.replace("_", " "))
+    table.add_row("phases", f"{phases}   ({LETTERS_SENTENCE})")
+    table.add_row("status", plain(motion.status))
     table.add_row(
         "energy",
         f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: friction "

@@ -1,4 +1,4 @@
-"""Equation of motion in compliant contact, and its Jacobian (physics.md, 'Equations of motion')."""
+"""Equation of motion in compliant contact, and its Jacobian (docs/model.md#contact-space)."""
 
 from __future__ import annotations
 

@@ -140,7 +140,7 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
         return start, opening < 0.0
     start[Y] = -normal / comp.k
     if start[VT] == 0.0:
-        _load_friction(comp, start, normal, friction)
+        _load_friction(comp, start, friction)
     return start, True
 
 
@@ -163,6 +163,6 @@ def _rigid_force(body: Body, start: np.ndarray) -> tuple[float, float]:
     return 0.0, 0.0
 
 
-def _load_friction(comp: Compliance, start: np.ndarray, normal: float, friction: float) -> None:
+def _load_friction(comp: Compliance, start: np.ndarray, friction: float) -> None:
     if comp.friction == FrictionLaw.BRISTLE:
         start[Z] = -friction / comp.k_t

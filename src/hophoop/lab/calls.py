@@ -20,11 +20,12 @@ from hophoop.lab.packing import pack
 from hophoop.lab.presets import presets
 from hophoop.lab.python_code import python_code
 from hophoop.lab.regions import regions
-from hophoop.plots import colors
+from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Frozen
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
 
 
 @dataclass(frozen=True)
@@ -114,8 +115,9 @@ def _setup(request: Request, limits: Limits) -> Reply:
                 for p in presets()
             ],
             "colors": {
-                "modes": dict(colors.MODES),
-                "mode_names": dict(colors.MODE_NAMES),
+                # by the letters of a hoop that rolls ahead; what is shown has the letter of its word
+                "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
+                "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
                 "gravity_center": colors.GRAVITY_CENTER,
                 "airborne": colors.GRAVITY_CENTER_AIRBORNE,
                 "center_speed": colors.CENTER_SPEED,

@@ -62,10 +62,10 @@ def _film(scenario: Scenario, limits: Limits, name: str) -> bytes:
         raise TooMuch(
             f"duration = {scenario.duration:g} must be at most {limits.film:g} s for a film from the lab."
         )
-    from hophoop.animate import film
+    from hophoop.animate import Look, Timing, film
 
     motion = simulate(within(scenario, limits))
-    return _through_file(lambda path: film(motion, path, size=FILM_SIZE, fps=FILM_RATE), name)
+    return _through_file(lambda path: film(motion, path, Timing(fps=FILM_RATE), Look(size=FILM_SIZE)), name)
 
 
 def _through_file(write: Callable[[Path], object], name: str) -> bytes:

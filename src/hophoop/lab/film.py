@@ -9,9 +9,9 @@ import numpy as np
 
 from hophoop.lab import words
 from hophoop.lab.packing import PRECISE
-from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import Compliant, Scenario, time_unit
 from hophoop.trajectory import Floats, Trajectory
+from hophoop.vocabulary.words import MODES, STATUSES, coming_rotation, mode_words
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
@@ -33,7 +33,7 @@ def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[s
     Returns
     -------
     columns : dict of ndarray
-        Equal lengths; `mode` is the index of the mode's letter in 'RSKHM'.
+        Equal lengths; `mode` is the code of the mode's word, see `codes_of`: words and colours follow it.
     """
     duration = motion.duration
     count = min(max(math.ceil(duration * rate), 240), most)
@@ -47,27 +47,33 @@ def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[s
     joined: dict[str, Floats] = {}
     plane = motion.scenario.plane
     for name in (*PRECISE, *DRAWN):
-        if name == "utilization":
-            continue
-        pair = [getattr(before, name), getattr(after, name)]
         if name == "mode":
-            pair = [_codes(letters) for letters in pair]
+            continue
+        if name == "utilization":
+            pair = [before.utilization(plane), after.utilization(plane)]
+        else:
+            pair = [getattr(before, name), getattr(after, name)]
         joined[name] = np.concatenate(pair)[order]
-    slip = np.isin(joined["mode"], (1, 2))
-    limit = np.where(slip, plane.mu_kinetic, plane.mu_static) * joined["normal_force"]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        share = np.abs(joined["friction_force"]) / limit
-    joined["utilization"] = np.where(limit > 0.0, share, np.nan)
-    if plane.mu_kinetic > 0.0:
-        # also at the instant of lift-off, where both forces are zero
-        joined["utilization"][slip] = 1.0
+    letters = np.concatenate([before.mode, after.mode])[order]
+    joined["mode"] = codes_of(mode_words(letters, coming_rotation(joined["omega"])))
     return joined
 
 
-def _codes(letters: np.ndarray) -> np.ndarray:
-    codes = np.zeros(letters.shape)
-    for code, letter in enumerate(MODE_LETTERS):
-        codes[letters == letter] = code
+def codes_of(words: np.ndarray) -> Floats:
+    """The code of each mode's word: its place in `vocabulary.words.MODES`, or their number for another word.
+
+    Parameters
+    ----------
+    words : ndarray of str
+
+    Returns
+    -------
+    codes : ndarray
+        [1].
+    """
+    codes = np.full(words.shape, float(len(MODES)))
+    for code, word in enumerate(MODES):
+        codes[words == word] = code
     return codes
 
 
@@ -119,7 +125,7 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
         "massless": hoop.massless,
         "summary": words.summary(motion),
         "story": words.story(motion),
-        "ending": words.ENDINGS[motion.status],
+        "ending": STATUSES[motion.status],
         "shortened": many,
     }
 

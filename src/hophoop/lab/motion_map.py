@@ -13,9 +13,9 @@ from pydantic_core import PydanticCustomError
 from hophoop import maps
 from hophoop.lab.limits import Limits, TooMuch, within
 from hophoop.maps.evaluate import CHUNK_CELLS
-from hophoop.plots import colors
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse
+from hophoop.vocabulary.classes import class_color, class_text
 
 # name, words, span; what a map in the lab can show
 MAP_QUANTITIES: dict[str, tuple[str, str]] = {
@@ -23,7 +23,7 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
     "hop_height": ("height of the first hop", "takeoff"),
     "takeoff_angle": ("angle of take-off", "takeoff"),
     "flight_time": ("duration of the first hop", "takeoff"),
-    "greatest_utilisation": ("greatest use of friction", "first_revolution"),
+    "greatest_utilization": ("greatest friction utilization", "first_revolution"),
     "energy_lost": ("energy lost", "duration"),
     "end_angle": ("angle at the end", "duration"),
     "painleve": ("Painlevé’s paradox or jam met", "duration"),
@@ -105,41 +105,8 @@ def motion_map(
     if quantity.is_code:
         names = maps.words_of(array)
         header["classes"] = [
-            {"name": name, "text": _class_text(what, name), "color": _class_color(what, name)}
+            {"name": name, "text": class_text(name, what), "color": class_color(name, what)}
             for name in names
         ]
         numbers[numbers < 0] = math.nan
     return header, numbers
-
-
-_PHASES = {"R": "roll", "S": "spin", "K": "skid", "H": "hop", "M": "skim", "+": "…"}
-
-
-def _class_text(what: str, name: str) -> str:
-    if what == "sequence":
-        return " → ".join(_PHASES[letter] for letter in name)
-    return name.replace("_", " ")
-
-
-def _class_color(what: str, name: str) -> str:
-    """A sequence's colour: its last new mode decides the hue, its length how light it is."""
-    if what != "sequence":
-        return _ENDING_COLORS.get(name, colors.GRAY)
-    shade = 0.0
-    if name == "R":
-        return colors.MODES["R"]
-    base = "H" if "H" in name else "M" if "M" in name else "K" if "K" in name else "S" if "S" in name else "R"
-    shade = min(0.12 * max(len(name) - 2, 0), 0.72)
-    return _lightened(colors.MODES[base], shade)
-
-
-_ENDING_COLORS = {
-    "no": colors.LIGHT_GRAY, "yes": colors.VERMILION, "duration": colors.BLUE, "revolutions": colors.BLUE,
-    "reversal": colors.SKY, "takeoff": colors.VERMILION, "rest": colors.GREEN, "jam": colors.BLACK,
-    "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
-}  # fmt: skip
-
-
-def _lightened(color: str, share: float) -> str:
-    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-    return "#" + "".join(f"{round(part + (255 - part) * share):02x}" for part in parts)

@@ -56,7 +56,7 @@ def presets() -> tuple[Preset, ...]:
         ),
         Preset(
             "slip", ARTICLE, "It slips: 2.8 m/s",
-            "Friction is used up twice a turn; each slip costs energy, until all is rolling again.",
+            "Friction is used up twice a turn; each slip is weaker than the one before, and none is the last.",
             article["slipping"],
         ),
         Preset(

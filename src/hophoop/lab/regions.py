@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from hophoop import theory
-from hophoop.physics.body import MODE_LETTERS
+from hophoop.lab.film import codes_of
 from hophoop.scenario import Scenario
+from hophoop.vocabulary.words import mode_words
 
 
 def regions(
@@ -29,16 +30,14 @@ def regions(
     Returns
     -------
     regions : dict of ndarray
-        `modes` (rows upwards): index in 'RSKHM', 5 where the model has no answer; `paradox`: for
+        `modes` (rows upwards): code of the mode's word, 5 where the model has no answer; `paradox`: for
         each column −1 (spin), 1 (skid) or 0, the slip that meets Painlevé's paradox there.
     """
     left, right, bottom, top = window
     angles = left + (np.arange(columns) + 0.5) * ((right - left) / columns)
     rates = bottom + (np.arange(rows) + 0.5) * ((top - bottom) / rows)
     letters = theory.mode_of(angles[None, :], rates[:, None], scenario.hoop, scenario.plane)
-    codes = np.full(letters.shape, len(MODE_LETTERS), np.uint8)
-    for code, letter in enumerate(MODE_LETTERS):
-        codes[letters == letter] = code
+    codes = codes_of(mode_words(letters, rates[:, None])).astype(np.uint8)
     paradox = np.zeros(columns)
     if not scenario.hoop.massless and math.isfinite(scenario.plane.mu_kinetic):
         paradox = np.asarray(theory.painleve_region(angles, scenario.plane.mu_kinetic, scenario.hoop), float)

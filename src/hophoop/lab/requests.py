@@ -17,6 +17,7 @@ from hophoop.lab.limits import Limits, TooMuch
 from hophoop.lab.motion_map import MAP_QUANTITIES, Axis
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Count, Frozen, Number, refuse
+from hophoop.scenario.paths import contradiction
 from hophoop.scenario.sentences import findings_sentence
 
 
@@ -83,10 +84,10 @@ class ScenarioRequest(Frozen):
 
     scenario: Scenario = Field(default_factory=Scenario, description="The scenario; unknown keys are errors")
     query: str | None = Field(None, description="A scenario's link, such as plane.mu=0.5, instead of its keys")
-    changes: tuple[Change, ...] = Field((), description="Pairs of path and value, in their order")
+    changes: tuple[Change, ...] = Field((), description="Pairs of path and value; of two that say one thing the later counts")
 
     def asked(self) -> Scenario:
-        """The scenario that is meant.
+        """The scenario that is meant; where two changes say one thing, the later one counts.
 
         Raises
         ------
@@ -94,9 +95,12 @@ class ScenarioRequest(Frozen):
             If a path is unknown or a value not allowed.
         """
         scenario = self.scenario if self.query is None else Scenario.from_query(self.query)
+        values: dict[str, Any] = {}
         for path, value in self.changes:
-            scenario = scenario.replace(path, value)
-        return scenario
+            if contradiction([*values, path]):
+                scenario, values = scenario.with_values(values), {}
+            values[path] = value
+        return scenario.with_values(values)
 
     def options(self) -> dict[str, Any]:
         """All that is asked for apart from the scenario, ready for JSON."""

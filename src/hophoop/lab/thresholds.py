@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from hophoop import theory
 from hophoop.lab.words import degrees
-from hophoop.scenario import Scenario
+from hophoop.scenario import Plane, Scenario
 
 
 def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
@@ -23,60 +24,41 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
         `key`, `label`, `value` (None where there is none), `unit` and `text`.
     """
     hoop, plane = scenario.hoop, scenario.plane
+    known = {quantity.key: quantity for quantity in theory.summary(scenario)}
     found: list[dict[str, Any]] = []
 
-    def add(key: str, label: str, value: float, unit: str, text: str) -> None:
-        finite = float(value) if math.isfinite(value) else None
-        found.append({"key": key, "label": label, "value": finite, "unit": unit, "text": text})
+    def add(key: str, label: str, quantity: str, say: Callable[[float], str]) -> None:
+        there = known.get(quantity)
+        if there is None or there.value is None:
+            return
+        value = there.value if math.isfinite(there.value) else None
+        found.append({"key": key, "label": label, "value": value, "unit": there.unit, "text": say(there.value)})
 
-    speed = scenario.start.speed
-    if hoop.massless:
-        if plane.gravity > 0.0:
-            loss = theory.massless_loss(speed or 0.0, hoop.radius, plane)
-            why = "friction is used up" if loss.by_friction else "the contact force is gone"
-            add("loss", "End of rolling", loss.angle, "rad", f"at {degrees(float(loss.angle))} {why}")
+    if plane.gravity <= 0.0:
+        add("painleve", PARADOX_LABEL, "painleve_friction", lambda mu: _painleve(mu, known, plane))
         return found
-    if plane.gravity > 0.0 and plane.slope >= 0.0:
-        _add_speeds(scenario, add)
-    if speed is not None and plane.gravity > 0.0:
-        need = theory.needed_friction(hoop, speed, plane)
-        mu = float(need[0])
-        whether = "enough here" if mu <= plane.mu_static else "more than there is"
-        said = (
-            f"μ = {mu:.3g} would keep it rolling ({whether})"
-            if math.isfinite(mu)
-            else "no friction keeps it rolling"
-        )
-        add("needed_friction", "Friction for pure rolling", mu, "1", said)
-    least, angle = theory.painleve_minimum(hoop)
-    if math.isfinite(least):
-        beyond = float(least) <= plane.mu_kinetic
-        add(
-            "painleve", "Painlevé’s paradox", float(least), "1",
-            f"from μ = {float(least):.3g} on, at {degrees(float(angle))}: "
-            + ("possible here" if beyond else "not here"),
-        )  # fmt: skip
-    states = theory.jam_states(hoop, plane) if plane.gravity > 0.0 else ()
-    if states:
-        places = ", ".join(f"{degrees(state.angle)} ({state.mode})" for state in states)
-        add("jam", "Dynamic jam", float(states[0].angle), "rad", f"can end a slip at {places}")
-    _add_rest(scenario, add)
+    if hoop.massless:
+        loss = theory.massless_loss(scenario.start.speed or 0.0, hoop.radius, plane)
+        why = "friction is used up" if loss.by_friction else "the contact force is gone"
+        add("loss", "End of rolling", "massless_loss_angle", lambda angle: f"at {degrees(angle)} {why}")
+        return found
+    if plane.slope >= 0.0:
+        push = "any push is enough"
+        add("first_slip", "Slips", "first_slip_speed", lambda speed: _above(speed, "would slip", push))
+        add("first_hop", "Hops", "first_hop_speed", lambda speed: _above(speed, "would hop in its first turn", push))
+        at_once = "would hop at once"
+        add("immediate_hop", "Hops at once", "immediate_hop_speed", lambda speed: _above(speed, at_once, "at any speed"))
+    add("needed_friction", "Friction for pure rolling", "needed_friction", lambda mu: _needed(mu, plane))
+    add("painleve", PARADOX_LABEL, "painleve_friction", lambda mu: _painleve(mu, known, plane))
+    jams = [quantity for key, quantity in known.items() if key.startswith("jam_angle")]
+    places = ", ".join(degrees(jam.value) for jam in jams if jam.value is not None)
+    add("jam", "Dynamic jam", "jam_angle", lambda angle: f"can end a slip at {places}")
+    if hoop.eccentricity > 0.0:
+        add("rest", "Rests stably", "stable_angle", lambda angle: f"with the load at {degrees(angle)}")
     return found
 
 
-def _add_speeds(scenario: Scenario, add: Any) -> None:
-    hoop, plane = scenario.hoop, scenario.plane
-    critical = theory.critical_speeds(hoop, plane)
-    slip, hop, immediate = (float(value) for value in critical)
-    add("first_slip", "Slips", slip, "m/s", _above(slip, "would slip", "any push is enough"))
-    add("first_hop", "Hops", hop, "m/s", _above(hop, "would hop in its first turn", "any push is enough"))
-    add(
-        "immediate_hop",
-        "Hops at once",
-        immediate,
-        "m/s",
-        _above(immediate, "would hop at once", "at any speed"),
-    )
+PARADOX_LABEL = "Painlevé’s paradox"
 
 
 def _above(speed: float, would: str, always: str) -> str:
@@ -87,10 +69,13 @@ def _above(speed: float, would: str, always: str) -> str:
     return f"{would} above {speed:.4g} m/s"
 
 
-def _add_rest(scenario: Scenario, add: Any) -> None:
-    if scenario.plane.gravity <= 0.0 or scenario.hoop.eccentricity == 0.0:
-        return
-    stable = [place for place in theory.equilibria(scenario.hoop, scenario.plane) if place.stable]
-    if stable:
-        angle = float(stable[0].angle)
-        add("rest", "Rests stably", angle, "rad", f"with the load at {degrees(angle)}")
+def _needed(mu: float, plane: Plane) -> str:
+    if not math.isfinite(mu):
+        return "no friction keeps it rolling"
+    return f"μ = {mu:.3g} would keep it rolling ({'enough here' if mu <= plane.mu_static else 'more than there is'})"
+
+
+def _painleve(mu: float, known: Mapping[str, theory.Quantity], plane: Plane) -> str:
+    angle = known["painleve_angle"].value
+    whether = "possible here" if mu <= plane.mu_kinetic else "not here"
+    return "never" if angle is None else f"from μ = {mu:.3g} on, at {degrees(angle)}: {whether}"

@@ -5,19 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from hophoop.physics.body import MODE_LETTERS
 from hophoop.results import EventRecord
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, SKIM, SPIN, STATUSES, VERBS, mode_word
 
-VERBS = {"R": "rolls", "S": "spins", "K": "skids", "H": "flies", "M": "skims the plane"}
-
-ENDINGS = {
-    "completed": "",
-    "at_rest": "It has come to rest.",
-    "jammed": "Here the contact force grows without bound (dynamic jam): rigid-body mechanics has no answer.",
-    "undetermined": "From here on the model does not determine the motion.",
-    "event_limit": "The computation stopped at its limit of events.",
-}
-
+UNTOLD = ("turn", "apex", "end")  # events that a summary leaves out
 
 def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
     """The motion as a list of sentences.
@@ -31,7 +24,8 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
     Returns
     -------
     sentences : list of dict
-        `t` [s], `event` (its number in `motion.events`), `mode` (letter of the mode that follows) and `text`.
+        `t` [s], `event` (its number in `motion.events`), `mode` (what follows: the letter in 'RSKHM' that a hoop
+        that rolls ahead would have for the same word) and `text`.
     """
     told: list[dict[str, Any]] = []
     left_out = 0
@@ -45,7 +39,8 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
         if len(told) >= most:
             left_out += 1
             continue
-        told.append({"t": event.t, "event": number, "mode": event.to_mode, "text": text})
+        letter = MODE_LETTERS[MODES.index(_word(motion, number))]
+        told.append({"t": event.t, "event": number, "mode": letter, "text": text})
     if left_out:
         told.append({**told[-1], "text": f"… and {left_out} more."})
     return told
@@ -93,11 +88,11 @@ def summary(motion: Trajectory, most: int = 6) -> str:
                 phrases.append(f"and {many[number]} more times")
             continue
         if event.kind == "start" or not phrases:
-            phrases.append(VERBS[event.to_mode])
+            phrases.append(VERBS[_word(motion, number)])
             continue
-        phrase = _SHORT.get(event.kind, "")
-        if event.kind == "slip_start" or event.kind == "slip_reversal":
-            phrase = VERBS[event.to_mode]
+        phrase = "" if event.kind in UNTOLD else EVENTS[event.kind].verb
+        if event.kind in ("slip_start", "slip_reversal") or _turns_in_slip(event):
+            phrase = VERBS[_word(motion, number)]
         if _bounces(event):
             phrase = "bounces"
         if event.collision is False:
@@ -109,21 +104,7 @@ def summary(motion: Trajectory, most: int = 6) -> str:
             phrases.append(f"{phrase} at {degrees(event.angle)}")
     more = f", … ({changes - most} more)" if changes > most else ""
     text = ", ".join(phrases).replace(", and ", " and ") + more
-    return f"{text[:1].upper()}{text[1:]}. {ENDINGS[motion.status]}".strip()
-
-
-_SHORT = {
-    "stick": "rolls",
-    "takeoff": "hops",
-    "impact": "lands",
-    "painleve_inconsistent": "meets Painlevé's paradox",
-    "painleve_indeterminate": "meets Painlevé's indeterminacy",
-    "jam": "jams",
-    "kane_gain": "gains energy (Kane)",
-    "skim": "skims",
-    "bounce_limit": "has bounced out",
-    "rest": "rests",
-}
+    return f"{text[:1].upper()}{text[1:]}. {STATUSES[motion.status]}".strip()
 
 
 def degrees(angle: float) -> str:
@@ -144,13 +125,13 @@ def degrees(angle: float) -> str:
 
 def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
     where = degrees(event.angle)
-    verb = VERBS[event.to_mode]
-    kind = event.kind
+    word = _word(motion, number)
+    verb, kind = VERBS[word], event.kind
     if kind == "start":
-        return f"It {_started(event)} with the load at {where} and the centre at {_number(event.vx)} m/s."
+        return f"It {_started(word)} with the load at {where} and the centre at {_number(event.vx)} m/s."
     if kind == "slip_start":
         why = "friction is used up: the rim"
-        turn = "turns faster than it rolls" if event.to_mode == "S" else "slides ahead"
+        turn = "turns too fast for the way it goes" if word == SPIN else "slides ahead"
         return f"It {verb} at {where}; {why} {turn}."
     if kind == "stick":
         return f"It rolls again at {where}; the slip has stopped."
@@ -168,15 +149,15 @@ def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
     if kind == "impact":
         if event.collision is False:
             return f"An impact without collision at {where} stops the slip; then it {verb}."
-        lost = math.hypot(event.before.vy, 0.0)
+        downwards = abs(event.before.vy)
         after = "bounces" if event.to_mode == "H" else verb
-        return f"It lands at {where} with {_number(lost)} m/s downwards and {after}."
-    return _say_the_rest(event, where)
+        return f"It lands at {where} with {_number(downwards)} m/s downwards and {after}."
+    return _say_the_rest(event, where, word)
 
 
-def _say_the_rest(event: EventRecord, where: str) -> str:
+def _say_the_rest(event: EventRecord, where: str, word: str) -> str:
     texts = {
-        "turn": f"It turns back at {where}.",
+        "turn": f"It turns back at {where}" + (f", and {VERBS[word]} now." if _turns_in_slip(event) else "."),
         "apex": f"The centre is highest at {where}: the gap is {_length(event.height)}.",
         "bounce_limit": f"Bounces without number end here, at {where}.",
         "painleve_inconsistent": f"Painlevé's paradox at {where}: no contact force agrees with this slip.",
@@ -190,10 +171,22 @@ def _say_the_rest(event: EventRecord, where: str) -> str:
     return texts.get(event.kind, f"{event.kind.replace('_', ' ')} at {where}.")
 
 
-def _started(event: EventRecord) -> str:
-    return {"H": "starts in the air", "M": "starts skimming"}.get(
-        event.to_mode, f"starts and {VERBS[event.to_mode]}"
-    )
+def _word(motion: Trajectory, number: int) -> str:
+    """The word for the mode that follows an event."""
+    event = motion.events[number]
+    if event.omega == 0.0 and number + 1 < len(motion.events):
+        # the direction in which it begins to turn
+        return mode_word(event.to_mode, motion.at(0.5 * (event.t + motion.events[number + 1].t)).omega)
+    return mode_word(event.to_mode, event.omega)
+
+
+def _turns_in_slip(event: EventRecord) -> bool:
+    # what was a spin is then a skid, or the reverse
+    return event.kind == "turn" and event.to_mode in ("S", "K")
+
+
+def _started(word: str) -> str:
+    return {FLIGHT: "starts in the air", SKIM: "starts skimming"}.get(word, f"starts and {VERBS[word]}")
 
 
 def _length(value: float) -> str:

@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.scenario.models import Rigid
+from hophoop.scenario.paths import contradiction
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
-_PLANE_FIRST = ("duration", "plane", "hoop", "start", "contact")
 # Chunks are about square over the last two axes, so that a map is read as fast by rows as by columns.
 SIDE = 256
 
@@ -196,26 +196,24 @@ def make_axes(base: Scenario, axes: Mapping[str, ArrayLike]) -> tuple[Axis, ...]
             raise InputError(f"axis {path} must not hold a value twice.")
         made.append(Axis(path, array, info.unit, info.description))
     result = tuple(made)
-    _check_pairs(base, result)
+    _check_pairs(result)
     for axis in result:
         _check_values(base, axis, [other for other in result if other is not axis])
     return result
 
 
-def ordered(paths: Sequence[str], sections: Sequence[str] = SECTIONS) -> list[str]:
+def ordered(paths: Sequence[str]) -> list[str]:
     """Paths in the order in which a map puts values in: by section, within one as given.
 
     Parameters
     ----------
     paths : sequence of str
-    sections : sequence of str
-        In their order.
 
     Returns
     -------
     paths : list of str
     """
-    return sorted(paths, key=lambda path: sections.index(path.partition(".")[0]))
+    return sorted(paths, key=lambda path: SECTIONS.index(path.partition(".")[0]))
 
 
 def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
@@ -242,26 +240,7 @@ def scenario_at(base: Scenario, values: Mapping[str, Any]) -> Scenario:
     >>> scenario_at(Scenario(), {"start.speed": 2.5, "plane.mu": 0.5}).to_query()
     'plane.mu=0.5&start.speed=2.5'
     """
-    paths = ordered(list(values))
-    refused = None
-    for order in _orders(paths):
-        scenario = base
-        try:
-            for path in order:
-                value = values[path]
-                scenario = scenario.replace(path, value.item() if isinstance(value, np.generic) else value)
-            return scenario
-        except ValueError as error:
-            refused = refused or error
-    assert refused is not None
-    raise refused
-
-
-def _orders(paths: list[str]) -> Iterator[list[str]]:
-    """Orders that end alike; what is allowed in the end may not be so on the way."""
-    for sections in (SECTIONS, _PLANE_FIRST):
-        yield ordered(paths, sections)
-        yield ordered(paths[::-1], sections)
+    return base.with_values({path: values[path] for path in ordered(list(values))})
 
 
 def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
@@ -295,18 +274,10 @@ def _extremes(axis: Axis) -> tuple[Any, ...]:
     return () if axis.unit == "" else (axis.values.min(), axis.values.max())
 
 
-def _check_pairs(base: Scenario, axes: Sequence[Axis]) -> None:
-    for a, b in itertools.combinations(axes, 2):
-        if a.path.partition(".")[0] != b.path.partition(".")[0]:
-            continue
-        for value_a, value_b in itertools.product((a.values[0], a.values[-1]), (b.values[0], b.values[-1])):
-            try:
-                one = scenario_at(base, {a.path: value_a, b.path: value_b})
-                other = scenario_at(base, {b.path: value_b, a.path: value_a})
-            except ValueError:
-                continue
-            if one != other:
-                raise InputError(f"{a.path} and {b.path} cannot both be axes: one overrides the other.")
+def _check_pairs(axes: Sequence[Axis]) -> None:
+    pair = contradiction(axis.path for axis in axes)
+    if pair is not None:
+        raise InputError(f"{pair[0]} and {pair[1]} cannot both be axes: they say the same thing in two ways.")
 
 
 class Chunk(NamedTuple):

@@ -10,6 +10,7 @@ from numba import prange
 from hophoop._jit import jit, parallel_jit
 from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.physics.contact import free_acceleration, rolling_forces
+from hophoop.physics.friction import utilization
 from hophoop.physics.roll import rolling_u
 from hophoop.rigid.contact_phase import STOP, limits_of
 from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, run
@@ -32,12 +33,12 @@ CELL = (
 # Columns of the results, in SI units.
 NUMBERS = (
     "time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost",
-    "greatest_utilisation", "takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance",
+    "greatest_utilization", "takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance",
     "landing_angle", "landing_loss",
 )  # fmt: skip
 (
     TIME, END_ANGLE, END_SPEED, DISTANCE, DISTANCE_ROLLED, REVOLUTIONS_TO_ROLLING, ENERGY_LOST,
-    GREATEST_UTILISATION, TAKEOFF_TIME, TAKEOFF_ANGLE, HOP_HEIGHT, FLIGHT_TIME, FLIGHT_DISTANCE,
+    GREATEST_UTILIZATION, TAKEOFF_TIME, TAKEOFF_ANGLE, HOP_HEIGHT, FLIGHT_TIME, FLIGHT_DISTANCE,
     LANDING_ANGLE, LANDING_LOSS,
 ) = range(len(NUMBERS))  # fmt: skip
 WORDS = ("status", "ending", "first_event", "hop", "painleve")
@@ -53,7 +54,7 @@ LETTERS_A_KEY, KEYS = 21, 4
 LONGEST = LETTERS_A_KEY * KEYS - 1
 MORE = 7  # the letter that says that the sequence was longer
 
-FLIGHT_WANTED, UTILISATION_WANTED = 1, 2
+FLIGHT_WANTED, UTILIZATION_WANTED = 1, 2
 
 BLOCK = 64  # cells that share one set of scratch arrays
 FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and of the next beside it
@@ -173,13 +174,14 @@ def greatest_need(body, th0, u0, turned):
 
 
 @jit
-def greatest_utilisation(body, events, last):
-    """Greatest abs(F)/(μs N) in contact, from the events up to `last`; nan without contact."""
+def greatest_utilization(body, events, last):
+    """Greatest `utilization` in contact, from the events up to `last`; nan where there was none."""
     result = math.nan
     for i in range(last + 1):
         row = events[i]
         if row.kind == SLIP_START or (row.kind == TAKEOFF and row.before_mode == ROLL):
-            return 0.0 if math.isinf(body.mu_s) else 1.0
+            # rolling reaches the friction cone at its end
+            return utilization(False, body.mu_s, 1.0, body.mu_s, body.mu_k) if body.mu_s < math.inf else 0.0
     for i in range(last):
         row = events[i]
         if not events[i + 1].t > row.t:
@@ -189,9 +191,10 @@ def greatest_utilisation(body, events, last):
             used = 0.0
             if 0.0 < body.mu_s < math.inf:
                 turned = events[i + 1].angle - row.angle
-                used = greatest_need(body, row.angle, row.omega * row.omega, turned) / body.mu_s
+                need = greatest_need(body, row.angle, row.omega * row.omega, turned)
+                used = utilization(False, need, 1.0, body.mu_s, body.mu_k)
         elif row.after_mode == SPIN or row.after_mode == SKID:
-            used = body.mu_k / body.mu_s if body.mu_s > 0.0 else 1.0
+            used = utilization(True, body.mu_k, 1.0, body.mu_s, body.mu_k)
         if not used <= result and not math.isnan(used):
             result = min(used, 1.0)
     return result
@@ -322,8 +325,8 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
         numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin.angle) / (2.0 * math.pi)
     lost = end.friction + end.impact_normal + end.impact_tangential
     numbers[k, ENERGY_LOST] = lost * energy
-    if wanted & UTILISATION_WANTED:
-        numbers[k, GREATEST_UTILISATION] = greatest_utilisation(body, events, last)
+    if wanted & UTILIZATION_WANTED:
+        numbers[k, GREATEST_UTILIZATION] = greatest_utilization(body, events, last)
     if hop >= 0 and wanted & FLIGHT_WANTED:
         reduce_flight(body, events[hop], unit, second, energy, passing, segments, scratch, numbers, k)
 

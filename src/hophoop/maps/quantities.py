@@ -86,7 +86,7 @@ QUANTITIES: Mapping[str, Quantity] = {
         _number("revolutions_to_rolling", "Revolutions to the span's last phase, where that is rolling", "1"),
         _number("energy_lost", "Energy lost in slip and impacts", "J"),
         _number(
-            "greatest_utilisation", "Greatest share of static friction in use, abs(F)/(mu_static N)", "1"
+            "greatest_utilization", "Greatest friction utilization, abs(F)/(mu N) with mu_kinetic in slip, else mu_static", "1"
         ),
         _number("takeoff_time", "Time of the first take-off", "s"),
         _number("takeoff_angle", "Angle at the first take-off", "rad"),
@@ -97,6 +97,8 @@ QUANTITIES: Mapping[str, Quantity] = {
         _number("landing_loss", "Energy lost in the landing of the first hop", "J"),
     )
 }
+# Former names of quantities, which scripts may still ask for; the map then has them.
+FORMER = {"greatest_utilisation": "greatest_utilization"}
 _OF_FLIGHT = {"hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss", "takeoff_time",
               "takeoff_angle"}  # fmt: skip
 
@@ -121,20 +123,21 @@ def choose_quantities(names: Sequence[str]) -> tuple[Quantity, ...]:
         names = [names]
     if not names:
         raise InputError(f"quantities must name at least one of {', '.join(QUANTITIES)}.")
-    for name in names:
-        if name not in QUANTITIES:
+    present = [FORMER.get(name, name) for name in names]
+    for name, known in zip(names, present, strict=True):
+        if known not in QUANTITIES:
             raise InputError(f"quantity = {name!r} must be one of {', '.join(QUANTITIES)}.")
-    if len(set(names)) != len(names):
+    if len(set(present)) != len(names):
         raise InputError(f"quantities = {list(names)!r} must not name one twice.")
-    return tuple(QUANTITIES[name] for name in names)
+    return tuple(QUANTITIES[known]._replace(name=name) for name, known in zip(names, present, strict=True))
 
 
 def wanted_of(quantities: Sequence[Quantity]) -> int:
     """What the kernel has to compute beyond the motion itself, as a sum of its flags."""
-    names = {quantity.name for quantity in quantities}
+    names = {FORMER.get(quantity.name, quantity.name) for quantity in quantities}
     wanted = kernel.FLIGHT_WANTED if names & _OF_FLIGHT else 0
-    if "greatest_utilisation" in names:
-        wanted |= kernel.UTILISATION_WANTED
+    if "greatest_utilization" in names:
+        wanted |= kernel.UTILIZATION_WANTED
     return wanted
 
 

@@ -144,7 +144,7 @@ def refine(
         codes = lattice.corners(i, j, size)
         split = (codes != codes[:, :1]).any(axis=1) if level < levels else np.zeros(i.size, bool)
         if level < levels:
-            split |= lattice.beside(i, j, size, codes, split)
+            split |= lattice.beside(i, j, size, split)
         whole = ~split
         kept.append((i[whole], j[whole], np.full(int(whole.sum()), level), codes[whole]))
         half = size >> 1
@@ -191,7 +191,7 @@ class _Lattice:
             [self.at(i, j), self.at(i + size, j), self.at(i, j + size), self.at(i + size, j + size)], axis=1
         )
 
-    def beside(self, i: Ints, j: Ints, size: int, codes: Ints, split: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    def beside(self, i: Ints, j: Ints, size: int, split: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Squares of one class beside one that is split: a border may cut their side between two corners."""
         step = self.total + 1
         places = np.sort((i // size)[split] * step + (j // size)[split])

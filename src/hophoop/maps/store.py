@@ -8,9 +8,7 @@ which is written last. When all are there the sequences get the codes of the who
 from __future__ import annotations
 
 import json
-import os
 import shutil
-import uuid
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._extras import need
+from hophoop._files import replacing
 from hophoop.maps.axes import Axis
 from hophoop.maps.evaluate import Plan, Results, run_chunk
 from hophoop.maps.quantities import attributes, distinct, encode, table_of
@@ -61,7 +60,8 @@ def begin(path: Path, plan: Plan, resume: bool) -> tuple[Plan, set[int]]:
     if not working.exists():
         return plan, set()
     plan = read_plan(path)
-    done = {int(file.stem) for file in working.glob("*.done")}
+    # one with a dot in front is not whole yet
+    done = {int(file.stem) for file in working.glob("*.done") if not file.name.startswith(".")}
     return plan, set(range(plan.parts)) - done
 
 
@@ -96,8 +96,7 @@ def _compare(path: Path, known: str, wanted: str) -> None:
 
 def _create(path: Path, plan: Plan) -> None:
     zarr = need("zarr", "maps")
-    fresh = path.with_name(f"{path.name}.{uuid.uuid4().hex}.new")
-    try:
+    with replacing(path) as fresh:
         group = zarr.open_group(str(fresh), mode="w", zarr_format=3)
         for axis in plan.axes:
             write_axis(group, axis)
@@ -114,10 +113,6 @@ def _create(path: Path, plan: Plan) -> None:
         group.attrs.update(provenance(plan))
         (fresh / UNFINISHED).mkdir()
         (fresh / UNFINISHED / PLAN).write_text(plan.to_text(), encoding="utf-8")
-        fresh.rename(path)
-    except BaseException:
-        shutil.rmtree(fresh, ignore_errors=True)
-        raise
 
 
 def write_axis(group: Any, axis: Axis) -> None:
@@ -202,32 +197,13 @@ def write_chunk(
         if quantity.name == "sequence":
             keys = sorted(distinct(results.keys))
             codes = encode(results.keys, {key: i for i, key in enumerate(keys)})
-            with _replacing(path / UNFINISHED / f"{index}.npy") as file:
+            with replacing(path / UNFINISHED / f"{index}.npy") as file:
                 np.save(file, codes.astype(np.int32).reshape(shape))
             mark = [[str(word) for word in key] for key in keys]
         else:
             group[quantity.name][region] = results.of(quantity).reshape(shape)
-    with _replacing(path / UNFINISHED / f"{index}.done") as file:
-        file.write(json.dumps(mark).encode())
-
-
-class _replacing:
-    """A file that appears whole or not at all."""
-
-    def __init__(self, path: Path) -> None:
-        self.path = path
-        self.fresh = path.with_name(f"{path.name}.{uuid.uuid4().hex}.partial")
-
-    def __enter__(self) -> Any:
-        self.file = self.fresh.open("wb")
-        return self.file
-
-    def __exit__(self, kind: Any, value: Any, trace: Any) -> None:
-        self.file.close()
-        if kind is None:
-            os.replace(self.fresh, self.path)
-        else:
-            self.fresh.unlink(missing_ok=True)
+    with replacing(path / UNFINISHED / f"{index}.done") as file:
+        file.write_text(json.dumps(mark), encoding="utf-8")
 
 
 def finish(path: Path, plan: Plan) -> None:

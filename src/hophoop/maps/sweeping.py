@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop._extras import need
+from hophoop._files import replacing
 from hophoop.maps import store
 from hophoop.maps.evaluate import CHUNK_CELLS, Plan, make_plan, run_chunk, thread_limit
+from hophoop.maps.memory import check_memory
 from hophoop.maps.quantities import attributes, distinct, encode, table_of
 from hophoop.scenario import InputError, Scenario
 
@@ -118,6 +120,8 @@ def sweep(
     plan = make_plan(base, axes, quantities, span, chunk_cells, device)
     dataset: xarray.Dataset
     if out is None:
+        kinds = ["int32" if quantity.name == "sequence" else quantity.dtype for quantity in plan.quantities]
+        check_memory(plan.shape, kinds, "name a file that ends in .zarr with out, or take fewer values")
         with thread_limit(threads), _reporter(progress, plan) as report:
             dataset = _in_memory(plan, device, report)
             return dataset
@@ -196,11 +200,9 @@ def _in_memory(plan: Plan, device: str, report: Callable[[int], None]) -> Any:
 
 def _to_netcdf(place: Path, file: Path) -> None:
     need("netCDF4", "maps")
-    fresh = file.with_name(f"{file.name}.part")
-    need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False).to_netcdf(
-        fresh, engine="netcdf4"
-    )
-    fresh.replace(file)
+    dataset = need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False)
+    with replacing(file) as fresh:
+        dataset.to_netcdf(fresh, engine="netcdf4")
     store.remove(place)
 
 

@@ -1,4 +1,4 @@
-"""Contact-space quantities: W, f, p_σ, and the forces in roll and slip (physics.md, 'Equations of motion')."""
+"""Contact-space quantities: W, f, p_σ, and the forces in roll and slip (docs/model.md#contact-space)."""
 
 from __future__ import annotations
 

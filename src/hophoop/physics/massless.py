@@ -1,4 +1,4 @@
-"""The massless hoop, γ = 1 (physics.md, 'Massless hoop').
+"""The massless hoop, γ = 1 (docs/model.md#no-mass-in-the-ring).
 
 While it rolls, the formulas of `roll` hold with κ = 0. When the contact force is lost the load falls freely
 and the rim skims the plane, so that θ follows from the height of the load alone.

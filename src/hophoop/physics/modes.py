@@ -1,4 +1,4 @@
-"""The one rule that picks the next mode (physics.md, 'Modes'), used at the start and after every event."""
+"""The one rule that picks the next mode (docs/model.md#which-mode-follows), used at the start and after every event."""
 
 from __future__ import annotations
 

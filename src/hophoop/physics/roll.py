@@ -1,4 +1,4 @@
-"""Rolling: θ̇²(θ) in closed form, time by quadrature (physics.md, 'Rolling in closed form')."""
+"""Rolling: θ̇²(θ) in closed form, time by quadrature (docs/model.md#rolling-in-closed-form)."""
 
 from __future__ import annotations
 

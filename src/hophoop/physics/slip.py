@@ -1,4 +1,4 @@
-"""Slip: θ̇²(θ) from one linear ODE, the rest by quadrature (physics.md, 'Slip in quadrature')."""
+"""Slip: θ̇²(θ) from one linear ODE, the rest by quadrature (docs/model.md#slip-as-one-quadrature)."""
 
 from __future__ import annotations
 

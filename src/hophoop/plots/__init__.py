@@ -3,13 +3,14 @@
 Matplotlib is in the extra ``plots`` and loaded when a figure is drawn.
 """
 
-from hophoop.plots import colors
-from hophoop.plots.maps import class_color, motion_map
+from hophoop.plots.maps import motion_map
 from hophoop.plots.motion import contact_forces, energies, friction_utilization, gap, velocities
-from hophoop.plots.overview import notebook, overview
+from hophoop.plots.overview import overview
 from hophoop.plots.path import geometry, path
 from hophoop.plots.plane import phase_plane
 from hophoop.plots.strobe import strobe
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.classes import class_color
 
 __all__ = [
     "velocities",
@@ -24,6 +25,5 @@ __all__ = [
     "motion_map",
     "class_color",
     "overview",
-    "notebook",
     "colors",
 ]

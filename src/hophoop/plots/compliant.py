@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop._extras import need
-from hophoop.plots import colors
-from hophoop.plots.compliant_study import (
+from hophoop.convergence import (
     Landing,
     landing,
     landing_scenario,
@@ -18,6 +17,7 @@ from hophoop.plots.compliant_study import (
     with_contact,
 )
 from hophoop.simulation import simulate
+from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -180,20 +180,19 @@ def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, st
             t = np.sort(np.append(t, [event.t * (1 - 1e-13), event.t]))
         s = motion.at(t)
         angle = np.degrees(s.angle)
-        friction = s.friction + s.impact_tangential
         ax.plot(angle, s.kinetic, color=colors.KINETIC, label="kinetic $W_k$")
         ax.plot(angle, s.potential, "--", color=colors.POTENTIAL, label="potential $W_p$")
         ax.plot(angle, s.total, color=colors.TOTAL, lw=2, label="$W_k + W_p$")
-        ax.plot(angle, friction, "-.", color=colors.FRICTION_LOSS, label="lost in friction")
-        label = "lost in the normal impact" if one.contact.model == "rigid" else "lost in the damper"
-        ax.plot(angle, s.impact_normal + s.damping, ":", color=colors.IMPACT_LOSS, lw=2, label=label)
+        ax.plot(angle, s.friction_loss, "-.", color=colors.FRICTION_LOSS, label="lost to friction")
+        label = "lost in impacts, normal part" if one.contact.model == "rigid" else "lost in the damper"
+        ax.plot(angle, s.normal_loss, ":", color=colors.IMPACT_LOSS, lw=2, label=label)
         ax.set_title(title, fontsize="medium")
-        ax.set_xlabel("rotation angle θ (°)")
+        ax.set_xlabel(labels.ANGLE)
         ax.set_xticks(np.arange(0, 541, 90))
         ax.grid(True, alpha=0.3)
         ax.set_ylim(-18.0, 49.0)
         ax.legend(fontsize="small", loc="upper left", ncols=2)
-    ax_rigid.set_ylabel("energy (J)")
+    ax_rigid.set_ylabel(labels.ENERGY)
     return ax_rigid, ax_soft
 
 
@@ -205,7 +204,12 @@ def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: s
             at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face
         )
     ax.set_ylabel("energy lost in the landing (J)")
-    ax.set_ylim(0.0, 1.12 * max(np.max(np.asarray(each.get_ydata()), initial=0.1) for each in ax.lines))
+    values = np.concatenate([np.asarray(each.get_ydata(), dtype=float) for each in ax.lines])
+    low, high = min(0.0, float(np.nanmin(values))), max(0.1, float(np.nanmax(values)))
+    # Newton's law can give energy: what is below zero must show
+    ax.set_ylim(low - (0.06 * (high - low) if low < 0.0 else 0.0), high + 0.12 * (high - low))
+    if low < 0.0:
+        ax.axhline(0.0, color=colors.GRAY, lw=0.7, zorder=0)
     ax.grid(True, alpha=0.3)
     ax.legend(fontsize="small")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import zlib
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -16,9 +15,11 @@ from hophoop.maps import Border, words_of
 from hophoop.maps.axes import ordered
 from hophoop.maps.cells import make_cells
 from hophoop.maps.kernel import CELL
-from hophoop.plots import colors
-from hophoop.plots._style import SMALL, new_axes
+from hophoop.plots.style import SMALL, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.classes import class_color
+from hophoop.vocabulary.labels import PARAMETERS, with_unit
 
 if TYPE_CHECKING:
     import xarray
@@ -26,78 +27,9 @@ if TYPE_CHECKING:
 else:
     Axes = Any
 
-SYMBOLS = {
-    "plane.mu": "Friction μ",
-    "plane.mu_static": r"Static friction $\mu_s$",
-    "plane.mu_kinetic": r"Kinetic friction $\mu_k$",
-    "plane.slope": "Slope β",
-    "plane.restitution": "Restitution e",
-    "hoop.load_fraction": "Load fraction γ",
-    "hoop.eccentricity": "Eccentricity ε",
-    "hoop.inertia_ratio": "Inertia ratio κ",
-    "start.speed": r"Speed at the start $v_0$",
-    "start.angle": "Angle at the start θ",
-    "start.omega": r"Angular velocity at the start $\dot\theta$",
-}
 SIZE = (8.2, 5.4)
 LABELLED = 0.012  # share of the map from which on a region gets its name written into it
-CODES = {
-    "hop": {"no": colors.LIGHT_GRAY, "yes": colors.MODES["H"]},
-    "painleve": {"no": colors.LIGHT_GRAY, "yes": colors.BLACK},
-    "ending": {
-        "duration": colors.GRAY, "revolutions": colors.MODES["R"], "reversal": colors.GREEN,
-        "takeoff": colors.MODES["H"], "rest": colors.SKY, "jam": colors.BLACK,
-        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
-    },
-    "status": {
-        "completed": colors.MODES["R"], "at_rest": colors.SKY, "jammed": colors.BLACK,
-        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
-    },
-    "first_event": {
-        "slip_start": colors.MODES["S"], "takeoff": colors.MODES["H"], "stick": colors.MODES["R"],
-        "turn": colors.GREEN, "end": colors.SKY, "impact": colors.YELLOW, "slip_reversal": colors.MODES["K"],
-        "rest": colors.LIGHT_GRAY, "jam": colors.BLACK,
-    },
-}  # fmt: skip
-# Colours of motions that do not hop, by their first slip and their last phase.
-FAMILIES = {
-    "SR": colors.GREEN, "SS": colors.YELLOW, "SK": colors.ORANGE,
-    "KR": colors.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4", "MM": colors.MODES["M"],
-}  # fmt: skip
 NOT_ALLOWED_COLOR = "#FFFFFF"
-
-
-def class_color(name: str) -> str:
-    """The colour of a class of motion, the same in every map.
-
-    Parameters
-    ----------
-    name : str
-        A sequence such as ``"RKRSH"``.
-
-    Returns
-    -------
-    color : str
-        As ``#RRGGBB``. Motions that hop are vermilion and those that only roll blue; the others differ by
-        their first slip and by how they end, and the more phases, the darker they are.
-
-    Examples
-    --------
-    >>> class_color("R"), class_color("RKRSH") == class_color("RKRSR")
-    ('#9fc9e1', False)
-    """
-    to_rgb = need("matplotlib.colors", "plots").to_rgb
-    to_hex = need("matplotlib.colors", "plots").to_hex
-    first = next((letter for letter in name if letter in "SKM"), "R")
-    base = np.array(to_rgb(FAMILIES.get(first + name[-1:], colors.MODES["R"])))
-    if name.endswith("H"):
-        base = np.array(to_rgb(colors.MODES["H"]))
-    depth = min(len(name) - 1, 9) / 9.0
-    # classes of one length and family still differ a little, by their names
-    drift = (zlib.crc32(name.encode()) % 1000) / 1000.0
-    mixed = (1.0 - 0.2 * drift) * base + 0.2 * drift * base.mean()
-    light, dark = 0.62 - 0.62 * min(2.0 * depth, 1.0), max(2.0 * depth - 1.0, 0.0) * 0.5
-    return str(to_hex(np.clip((mixed + (1.0 - mixed) * light) * (1.0 - dark), 0.0, 1.0)))
 
 
 def motion_map(
@@ -172,9 +104,8 @@ def motion_map(
 
 
 def _label(dataset: Any, name: str) -> str:
-    text = SYMBOLS.get(name, dataset[name].attrs.get("long_name", name))
-    unit = dataset[name].attrs.get("units", "1")
-    return str(text) if unit in ("1", "") else f"{text} ({unit})"
+    text = PARAMETERS.get(name, dataset[name].attrs.get("long_name", name))
+    return with_unit(str(text), dataset[name].attrs.get("units", "1"))
 
 
 def _by_ratio(values: NDArray[np.float64]) -> bool:
@@ -192,11 +123,7 @@ def _classes(
     ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int, names: bool
 ) -> None:
     matplotlib_colors = need("matplotlib.colors", "plots")
-    table = CODES.get(quantity)
-    if table is None:
-        paint = [class_color(word) for word in words]
-    else:
-        paint = [table.get(word, colors.GRAY) for word in words]
+    paint = [class_color(word, quantity) for word in words]
     scale = matplotlib_colors.ListedColormap([NOT_ALLOWED_COLOR, *paint])
     _mesh(ax, x, y, codes, cmap=scale, vmin=-1.5, vmax=len(words) - 0.5)
     counts = np.bincount(codes[codes >= 0].astype(int).reshape(-1), minlength=len(words))
@@ -269,7 +196,7 @@ def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
     unit = array.attrs.get("units", "1")
     label = array.attrs.get("long_name", array.name)
     bar = ax.figure.colorbar(mesh, ax=ax, pad=0.02)
-    bar.set_label(label if unit == "1" else f"{label} ({unit})")
+    bar.set_label(with_unit(str(label), unit))
     bar.outline.set_visible(False)
     if np.isnan(values).any():
         patch = need("matplotlib.patches", "plots").Patch(facecolor=colors.LIGHT_GRAY, label="none")

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hophoop.plots import colors
-from hophoop.plots._curves import curve
-from hophoop.plots._style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
+from hophoop.plots.curves import curve
+from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
 from hophoop.results import Sample
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary import labels as axis_labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -61,7 +62,7 @@ def velocities(
         across, radius * sample.omega, color=colors.ROTATION_SPEED, lw=LINE, ls=(0, (4, 1.6)),
         label=r"rotation, $R\dot\theta$",
     )  # fmt: skip
-    _frame(ax, motion, against, "Velocity (m/s)", modes)
+    _frame(ax, motion, against, axis_labels.VELOCITY, modes)
     return ax
 
 
@@ -69,6 +70,8 @@ def energies(
     motion: Trajectory, against: Against = "angle", ax: Axes | None = None, modes: bool = True
 ) -> Axes:
     """Kinetic and potential energy, their sum, and what friction and impacts have taken.
+
+    Friction's share of an impact is booked with friction, so that rigid and compliant contact show the same.
 
     Parameters
     ----------
@@ -105,28 +108,27 @@ def energies(
         ls=(0, (7, 1.5, 1.2, 1.5)),
         label="kinetic + potential",
     )
-    impacts = sample.impact_normal + sample.impact_tangential + sample.damping
-    if np.any(sample.friction > 0.0):
+    if np.any(sample.friction_loss > 0.0):
         ax.plot(
             across,
-            sample.friction,
+            sample.friction_loss,
             color=colors.FRICTION_LOSS,
             lw=LINE,
             ls=(0, (1.2, 1.2)),
             label="lost to friction",
         )
-    if np.any(impacts != 0.0):
+    if np.any(sample.normal_loss != 0.0):
         ax.plot(
             across,
-            impacts,
+            sample.normal_loss,
             color=colors.IMPACT_LOSS,
             lw=LINE,
             ls=(0, (3, 1.2, 1, 1.2, 1, 1.2)),
-            label="lost in impacts",
+            label="lost in impacts, normal part",
         )
     if np.any(sample.spring > 0.0):
         ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")
-    _frame(ax, motion, against, "Energy (J)", modes)
+    _frame(ax, motion, against, axis_labels.ENERGY, modes)
     return ax
 
 
@@ -187,7 +189,7 @@ def contact_forces(
             ls=dash,
             label=f"friction{name}",
         )
-    _frame(ax, _widest(many, against), against, "Force (N)", modes and len(many) == 1)
+    _frame(ax, _widest(many, against), against, axis_labels.FORCE, modes and len(many) == 1)
     return ax
 
 
@@ -198,7 +200,7 @@ def friction_utilization(
     labels: Sequence[str] | None = None,
     modes: bool = True,
 ) -> Axes:
-    """Friction over what the normal force allows, F/(μ N): it slips at ±1.
+    """Friction utilization with the sign of the friction, F/(μ N): it slips at ±1.
 
     Parameters
     ----------
@@ -242,14 +244,14 @@ def friction_utilization(
         label = name.removeprefix(", ") or None
         ax.plot(
             _across(sample, against),
-            _used(motion, sample),
+            sample.utilization(motion.scenario.plane, signed=True),
             color=inks[k % len(inks)],
             lw=width,
             ls=dash,
             label=label,
         )
     ax.set_ylim(-1.15, 1.15)
-    _frame(ax, _widest(many, against), against, r"Friction used, $F/(\mu N)$", modes and len(many) == 1)
+    _frame(ax, _widest(many, against), against, rf"{axis_labels.UTILIZATION}, $F/(\mu N)$", modes and len(many) == 1)
     return ax
 
 
@@ -281,7 +283,7 @@ def gap(motion: Trajectory, against: Against = "time", ax: Axes | None = None, m
     sample = curve(motion)
     ax.plot(_across(sample, against), sample.height, color=colors.BLACK, lw=LINE)
     ax.set_ylim(bottom=min(0.0, float(np.min(sample.height))))
-    _frame(ax, motion, against, "Gap under the rim (m)", modes)
+    _frame(ax, motion, against, axis_labels.GAP, modes)
     return ax
 
 
@@ -294,14 +296,6 @@ def _frame(ax: Axes, motion: Trajectory, against: Against, up: str, modes: bool)
 
 def _across(sample: Sample, against: Against) -> Any:
     return sample.t if against == "time" else np.degrees(sample.angle)
-
-
-def _used(motion: Trajectory, sample: Sample) -> Any:
-    plane = motion.scenario.plane
-    mu = np.where(np.isin(sample.mode, ["S", "K"]), plane.mu_kinetic, plane.mu_static)
-    allowed = mu * sample.normal_force
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.where(allowed > 0.0, sample.friction_force / allowed, np.nan)
 
 
 def _names(motions: Sequence[Trajectory], labels: Sequence[str] | None) -> list[str]:

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hophoop._extras import need
-from hophoop.plots import colors
-from hophoop.plots._curves import curve
-from hophoop.plots._style import new_axes
-from hophoop.plots.pose import Floats, load_distance, poses_of, to_world
+from hophoop.plots.curves import curve
+from hophoop.plots.style import new_axes
+from hophoop.poses import Floats, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors, labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -92,8 +92,8 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
     ax.set_aspect("equal")
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
-    ax.set_xlabel("Place along the plane (m)" if slope == 0.0 else "Level distance (m)")
-    ax.set_ylabel("Height (m)")
+    ax.set_xlabel(labels.PLACE if slope == 0.0 else labels.DISTANCE)
+    ax.set_ylabel(labels.HEIGHT)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     _legend(ax, motion, moments)
@@ -102,26 +102,30 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
 
 def _legend(ax: Axes, motion: Trajectory, moments: Sequence[float]) -> None:
     handles, _ = ax.get_legend_handles_labels()
-    modes = dict.fromkeys(str(motion.at(t).mode) for t in moments)
+    words = dict.fromkeys(_word(motion, t) for t in moments)
     line = need("matplotlib.lines", "plots").Line2D
     handles += [
         line(
             [],
             [],
-            color=colors.mode_color(mode),
+            color=colors.mode_color(word),
             lw=0,
             marker="o",
             ms=9,
             mfc="none",
             mew=2,
-            label=colors.MODE_NAMES[mode],
+            label=word,
         )
-        for mode in modes
+        for word in words
     ]
     ax.legend(
         handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,
         fontsize=9, handlelength=1.8, columnspacing=1.4,
     )  # fmt: skip
+
+
+def _word(motion: Trajectory, t: float) -> str:
+    return str(poses_of(motion, t).words[0])
 
 
 def _pose_times(motion: Trajectory, radius: float) -> list[float]:
@@ -145,7 +149,7 @@ def _pose_times(motion: Trajectory, radius: float) -> list[float]:
 def _hoop(ax: Axes, motion: Trajectory, t: float, radius: float) -> None:
     circle = need("matplotlib.patches", "plots").Circle
     pose = poses_of(motion, t)
-    color = colors.mode_color(str(pose.mode[0]))
+    color = colors.mode_color(_word(motion, t))
     ax.add_patch(circle(tuple(pose.center[0]), radius, fill=False, ec=color, lw=1.6, alpha=0.9, zorder=2))
     ax.plot(*zip(pose.center[0], pose.load[0], strict=True), color=color, lw=0.8, alpha=0.7, zorder=2)
     ax.plot(*pose.load[0], "o", color=colors.LOAD, ms=6, zorder=6)

@@ -10,11 +10,13 @@ import numpy as np
 
 from hophoop import theory
 from hophoop._extras import need
-from hophoop.plots import colors
-from hophoop.plots._curves import curve
-from hophoop.plots._style import SMALL, degrees, new_axes
+from hophoop.plots.curves import curve, shown_words
+from hophoop.plots.style import SMALL, degrees, new_axes
 from hophoop.scenario import Hoop, Plane
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+from hophoop.vocabulary import labels as labels_of
+from hophoop.vocabulary.words import FLIGHT, MODES, ROLL, SKID, SKIM, SPIN, mode_words
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,7 +24,8 @@ else:
     Axes = Any
 
 GRID = (900, 560)
-LETTERS = "RSKHM?"
+NO_ANSWER = "?"
+SHOWN = (*MODES, NO_ANSWER)
 
 
 def phase_plane(
@@ -88,8 +91,8 @@ def phase_plane(
     ax.set_xlim(*np.degrees(angles))
     ax.set_ylim(low, high)
     degrees(ax, math.degrees(angles[1] - angles[0]))
-    ax.set_xlabel("Rotation angle θ (°)")
-    ax.set_ylabel(r"Angular velocity $\dot\theta$ (rad/s)")
+    ax.set_xlabel(labels_of.ANGLE)
+    ax.set_ylabel(labels_of.ROTATION)
     _legend(ax, shown)
     return ax
 
@@ -104,26 +107,26 @@ def _speeds(hoop: Hoop, plane: Plane, motions: Sequence[Trajectory]) -> tuple[fl
 def _regions(
     ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]
 ) -> list[str]:
-    """Every pixel's mode, exactly, at its middle; returns the letters in the picture."""
+    """Every pixel's mode, exactly, at its middle; returns the words in the picture."""
     columns, rows = GRID
     theta = angles[0] + (np.arange(columns) + 0.5) * (angles[1] - angles[0]) / columns
     omega = speeds[0] + (np.arange(rows) + 0.5) * (speeds[1] - speeds[0]) / rows
-    modes = theory.mode_of(theta[None, :], omega[:, None], hoop, plane)
+    modes = mode_words(theory.mode_of(theta[None, :], omega[:, None], hoop, plane), omega[:, None])
     to_rgb = need("matplotlib.colors", "plots").to_rgb
-    paint = np.array([to_rgb(_tint(letter)) for letter in LETTERS])
+    paint = np.array([to_rgb(_tint(word)) for word in SHOWN])
     codes = np.zeros(modes.shape, dtype=int)
-    for k, letter in enumerate(LETTERS):
-        codes[modes == letter] = k
+    for k, word in enumerate(SHOWN):
+        codes[modes == word] = k
     ax.imshow(
         paint[codes], origin="lower", aspect="auto", interpolation="nearest", zorder=0,
         extent=(*np.degrees(angles), *speeds),
     )  # fmt: skip
-    return [letter for k, letter in enumerate(LETTERS) if (codes == k).any()]
+    return [word for k, word in enumerate(SHOWN) if (codes == k).any()]
 
 
-def _tint(letter: str) -> str:
+def _tint(word: str) -> str:
     """The mode's colour, mixed with white: motions are drawn over it in the full colour."""
-    color = colors.LIGHT_GRAY if letter == "?" else colors.mode_color(letter)
+    color = colors.LIGHT_GRAY if word == NO_ANSWER else colors.mode_color(word)
     share = 0.30
     parts = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
     return "#" + "".join(f"{round(255 - share * (255 - part)):02X}" for part in parts)
@@ -150,13 +153,14 @@ def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]
     inside = (sample.angle >= angles[0] - 0.2) & (sample.angle <= angles[1] + 0.2)
     across = np.where(inside, np.degrees(sample.angle), np.nan)
     ax.plot(across, sample.omega, color="white", lw=3.6, zorder=3, alpha=0.85, solid_capstyle="round")
-    changes = np.flatnonzero(sample.mode[1:] != sample.mode[:-1]) + 1
+    words = shown_words(sample)
+    changes = np.flatnonzero(words[1:] != words[:-1]) + 1
     for a, b in zip([0, *changes], [*changes, len(across)], strict=True):
         piece = slice(max(a - 1, 0), b)  # from the last point of the phase before
         ax.plot(
             across[piece],
             sample.omega[piece],
-            color=colors.mode_color(str(sample.mode[a])),
+            color=colors.mode_color(str(words[a])),
             lw=2.2,
             ls=dashes,
             zorder=4,
@@ -190,20 +194,20 @@ def _name(
         )  # fmt: skip
 
 
-WORDS = {
-    "R": "rolls on",
-    "S": "slips: spin",
-    "K": "slips: skid",
-    "H": "lifts off",
-    "M": "skims",
-    "?": "no answer",
+FOLLOWS = {
+    ROLL: "rolls on",
+    SPIN: "slips: spin",
+    SKID: "slips: skid",
+    FLIGHT: "lifts off",
+    SKIM: "skims",
+    NO_ANSWER: "no answer",
 }
 
 
 def _legend(ax: Axes, shown: Sequence[str]) -> None:
     patch = need("matplotlib.patches", "plots").Patch
     line = need("matplotlib.lines", "plots").Line2D
-    handles = [patch(fc=_tint(letter), ec=colors.GRAY, lw=0.5, label=WORDS[letter]) for letter in shown]
+    handles = [patch(fc=_tint(word), ec=colors.GRAY, lw=0.5, label=FOLLOWS[word]) for word in shown]
     handles += [
         line([], [], color="black", lw=1.1, label=r"$|F| = \mu N$ in rolling"),
         line(

@@ -8,12 +8,13 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from hophoop._extras import need
-from hophoop.plots import colors
-from hophoop.plots._curves import curve
-from hophoop.plots._style import new_axes
+from hophoop.plots.curves import curve
 from hophoop.plots.path import _ground
-from hophoop.plots.pose import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
+from hophoop.plots.style import new_axes
+from hophoop.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary.words import FLIGHT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -86,8 +87,8 @@ def strobe(
     ax.set_aspect("equal")
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
-    ax.set_xlabel("Place along the plane (m)" if slope == 0.0 else "Level distance (m)")
-    ax.set_ylabel("Height (m)")
+    ax.set_xlabel(labels.PLACE if slope == 0.0 else labels.DISTANCE)
+    ax.set_ylabel(labels.HEIGHT)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
     _draw_hoops(ax, motion, flashes, color)
@@ -149,8 +150,8 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
         if color == "speed":
             paint = _over_white(shades(speeds[i] / top)[:, :3], alpha)
         else:
-            mode = colors.mode_color(str(flashes.mode[i]))
-            paint = _over_white(np.array([[int(mode[j : j + 2], 16) / 255.0 for j in (1, 3, 5)]]), alpha)
+            ink = colors.mode_color(str(flashes.words[i]))
+            paint = _over_white(np.array([[int(ink[j : j + 2], 16) / 255.0 for j in (1, 3, 5)]]), alpha)
         ax.add_collection(
             collections.LineCollection(
                 pieces, colors=paint, linewidths=2.6, capstyle="butt", zorder=2.0 + 0.01 * i
@@ -171,7 +172,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
         )
         ax.figure.colorbar(
             scale, ax=ax, orientation="horizontal", shrink=0.4, aspect=40, pad=0.02,
-            label="Speed of the ring's points (m/s)",
+            label=labels.POINT_SPEED,
         )  # fmt: skip
 
 
@@ -238,15 +239,14 @@ def _legend(ax: Axes, flashes: Poses, color: str) -> None:
         line([], [], color=colors.LOAD, lw=1.1, marker="o", ms=5, label="load"),
         line([], [], color=colors.GRAVITY_CENTER, lw=2.0, label="centre of gravity"),
     ]
-    modes = dict.fromkeys(str(mode) for mode in flashes.mode)
-    if "H" in modes:
+    words = dict.fromkeys(str(word) for word in flashes.words)
+    if FLIGHT in words:
         ink = colors.GRAVITY_CENTER_AIRBORNE
         handles.append(line([], [], color=ink, lw=2.4, ls=(0, (5, 1)), label="airborne"))
     if color == "mode":
         handles += [
-            line([], [], color=colors.mode_color(mode), lw=0, marker="o", ms=9, mfc="none", mew=2,
-                 label=colors.MODE_NAMES[mode])
-            for mode in modes
+            line([], [], color=colors.mode_color(word), lw=0, marker="o", ms=9, mfc="none", mew=2, label=word)
+            for word in words
         ]  # fmt: skip
     ax.legend(
         handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,

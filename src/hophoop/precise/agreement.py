@@ -94,6 +94,8 @@ def compare(motion: Motion, precise: PreciseMotion) -> Agreement:
             )
         digits = {name: _digits(getattr(mine, name), getattr(right, name), units[name]) for name in NUMBERS}
         rows.append(Row(right.kind, float(right.t), digits))
+    if "event_limit" in (motion.status, precise.status):
+        return Agreement(tuple(rows), "")  # endless bounces fill the two lists differently
     if len(ours) != len(theirs):
         return Agreement(
             tuple(rows), f"The kernel has {len(ours)} events and {precise.digits} digits have {len(theirs)}."

@@ -121,10 +121,7 @@ def first_event(
     scale = max(body.integer(body.gn + abs(body.gt) + state.om * state.om), 1)
     watched: list[tuple[Advance, list[int], int, int]] = []  # (what, series, sign just after 0, zeros divided out)
     if sigma == 0:
-        if body.massless or body.fixed.mu_s is None:
-            margins = [list(step.normal)]
-        else:
-            margins = cone_margins(body, step.normal, step.friction)
+        margins = cone_margins(body, step.normal, step.friction)
         for what, margin in zip((Advance.CONE_AHEAD, Advance.CONE_BACK), margins, strict=False):
             known, sign = judge.leading(margin, scale) if fresh else (0, 1)
             if sign > 0:  # a margin that stays zero (rest without friction) is no event
@@ -156,6 +153,8 @@ def first_event(
         return None
     events.sort()
     first = events[0]
+    if body.massless:  # F/N = tan(θ/2): both margins vanish where N does, and both mean the same
+        return first[2], first[0]
     for other in events[1:]:
         if judge.sign(other[0] - first[0], 1 << bits) == 0 and other[1] < first[1]:
             first = other

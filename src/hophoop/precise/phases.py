@@ -42,6 +42,13 @@ def _last(a: Sequence[int], b: Sequence[int]) -> int:
     return sum(map(mul, a, reversed(b)))
 
 
+def _square(a: Sequence[int]) -> int:
+    """Last coefficient of a square, each product once."""
+    half = len(a) // 2
+    twice = sum(map(mul, a[:half], a[:-half - 1:-1])) << 1 if half else 0
+    return twice + a[half] * a[half] if len(a) & 1 else twice
+
+
 def scaled(values: Sequence[int], exponent: int) -> list[int]:
     """Integers times 2^exponent."""
     if exponent >= 0:
@@ -84,7 +91,7 @@ def _roll(
     limit = 4 * bits
     for k in range(order):
         turning.append(omega[k] << exponent if exponent >= 0 else omega[k] >> -exponent)
-        squares.append(_last(omega, omega) >> bits)
+        squares.append(_square(omega) >> bits)
         pull_s = _last(sines, squares) >> bits
         pull_c = _last(cosines, squares) >> bits
         torque = eps * (pull_s + (gn * sines[k] >> bits)) + gt * (eps * cosines[k] >> bits)
@@ -129,7 +136,7 @@ def _slip(
     limit = 4 * bits
     for k in range(order):
         turning.append(omega[k] << exponent if exponent >= 0 else omega[k] >> -exponent)
-        squares.append(_last(omega, omega) >> bits)
+        squares.append(_square(omega) >> bits)
         load = -(eps * (_last(cosines, squares) >> bits))
         arms.append(eps * (sines[k] + (drag * cosines[k] >> bits)) >> bits)
         if k == 0:

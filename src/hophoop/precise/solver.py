@@ -16,7 +16,7 @@ from hophoop.scenario import InputError, Scenario
 LEAST_DIGITS, MOST_DIGITS = 15, 1000
 BITS_A_DIGIT = 3.3219280948873626
 GUARD = 12  # digits beyond those asked for
-SECOND = 32  # bits that the second solution has more than the first
+SECOND = 11  # bits that the second solution has more than the first: other roundings, other orders, other steps
 CLOSING_GUARD = 3  # digits: bounces are closed when what is left of them is this far below what is asked for
 MOST_TRIES = 8
 
@@ -47,6 +47,17 @@ class Solution:
     def digits(self) -> int:
         """How many digits every event has."""
         return min(self.digits_right, default=0)
+
+    def pair(self, value: Number) -> tuple[float, float]:
+        """A number as the sum of two doubles."""
+        high = float(value)
+        return high, float(value - high) if self.body.ctx.isfinite(value) else 0.0
+
+    def turns(self, angle: Number) -> tuple[int, Number]:
+        """(whole turns, what remains in (−π, π]) of an angle."""
+        ctx = self.body.ctx
+        count = int(ctx.ceil(angle / (2 * ctx.pi) - ctx.mpf(0.5)))
+        return count, angle - 2 * ctx.pi * count
 
 
 def solve(

@@ -1,7 +1,8 @@
 """What a motion is made of: hoop, plane, start and contact, frozen and validated, with files and links."""
 
 from hophoop.scenario.base import InputError
-from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start, State
+from hophoop.scenario.describing import describe
+from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start, StartState
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
 from hophoop.scenario.paths import ParameterInfo, parameter, paths
 from hophoop.scenario.scenario import Scenario, time_unit, to_body
@@ -11,7 +12,7 @@ __all__ = [
     "Hoop",
     "Plane",
     "Start",
-    "State",
+    "StartState",
     "Ring",
     "Disk",
     "PointMass",
@@ -23,6 +24,7 @@ __all__ = [
     "ParameterInfo",
     "parameter",
     "paths",
+    "describe",
     "sentence",
     "time_unit",
     "to_body",

@@ -243,7 +243,7 @@ class Plane(Frozen):
 _FRICTIONS = ("mu_static", "mu_kinetic")
 
 
-class State(NamedTuple):
+class StartState(NamedTuple):
     """Position and velocities of a hoop at one instant.
 
     Attributes
@@ -345,7 +345,7 @@ class Start(Frozen):
         """
         return cls(speed=speed, angle=angle, x=x)
 
-    def state(self, hoop: Hoop) -> State:
+    def state(self, hoop: Hoop) -> StartState:
         """The start as numbers, for a given hoop.
 
         Parameters
@@ -355,7 +355,7 @@ class Start(Frozen):
 
         Returns
         -------
-        state : State
+        state : StartState
             x, height [m], angle [rad], vx, vy [m/s], omega [rad/s], slip [m/s]; the slip velocity of a
             rolling start is exactly 0.
         """
@@ -364,7 +364,7 @@ class Start(Frozen):
         else:
             omega = self.omega if self.omega is not None else 0.0
             slip = self.vx - hoop.radius * omega
-        return State(self.x, self.height, self.angle, self.vx, self.vy, omega, slip)
+        return StartState(self.x, self.height, self.angle, self.vx, self.vy, omega, slip)
 
 
 _FREE = ("height", "vx", "vy", "omega")

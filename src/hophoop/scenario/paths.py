@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from hophoop.scenario.base import Frozen, InputError
@@ -117,30 +117,76 @@ def _candidates(path: str) -> Iterator[ParameterInfo]:
             yield ParameterInfo(path, field.description or "", unit)
 
 
-def replaced(scenario: Scenario, path: str, value: Any) -> dict[str, Any]:
-    """Keys of the scenario with another value at a path, ready to be validated."""
+def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
+    """Two of some paths that say the same thing in two ways, as a scenario file must not.
+
+    Parameters
+    ----------
+    given : iterable of str
+        Paths of parameters that are given together.
+
+    Returns
+    -------
+    pair : tuple of str, or None
+
+    Examples
+    --------
+    >>> contradiction(["start.speed", "plane.mu", "start.vx"])
+    ('start.speed', 'start.vx')
+    """
+    known = list(given)
+    for path in known:
+        section = path.partition(".")[0]
+        ended = {f"{section}.{key}" for key in _ENDS.get(path, ())}
+        for other in known:
+            # a whole is named together with its parts
+            if any(other == end or other.startswith(f"{end}.") for end in ended):
+                return path, other
+    return None
+
+
+def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Keys of the scenario with other values at some paths, in whatever order, ready to be validated.
+
+    Whole sections come first, then what stands in them. Where a value is given in another way than before, what the
+    new way does not name keeps its value.
+    """
+    pair = contradiction(values)
+    if pair is not None:
+        one, other = pair
+        raise InputError(f"{one} = {values[one]!r} and {other} = {values[other]!r} cannot be given together.")
     data = scenario.to_dict()
-    section, _, rest = path.partition(".")
-    if not rest:
-        data[section] = value
-        return data
-    if path == "contact.model":
-        # The two models share hardly a key.
-        data["contact"] = {"model": value}
-        return data
-    table = data.setdefault(section, {})
-    if not isinstance(table, dict):
-        raise InputError(f"{path} is not a parameter of a scenario: {section} has no parts.")
-    ended = [key for key in _ENDS.get(path, ()) if key in table]
-    if ended:
-        table.update(_spelt_out(scenario, path))
-        for key in _ENDS[path]:
+    spelt_out: set[str] = set()
+    for path in sorted(values, key=_rank):
+        value = values[path]
+        section, _, rest = path.partition(".")
+        if not rest:
+            data[section] = value.to_dict() if isinstance(value, Frozen) else value
+            continue
+        if path == "contact.model":
+            # The two models share hardly a key.
+            data["contact"] = {"model": value}
+            continue
+        table = data.setdefault(section, {})
+        if not isinstance(table, dict):
+            raise InputError(f"{path} is not a parameter of a scenario: {section} has no parts.")
+        if section not in spelt_out and any(key in table for key in _ENDS.get(path, ())):
+            spelt_out.add(section)
+            spelt = _spelt_out(scenario, data, path)
+            table.update({key: value for key, value in spelt.items() if f"{section}.{key}" not in values})
+        for key in _ENDS.get(path, ()):
             table.pop(key, None)
-    _put(table, rest.split("."), value, path)
+        _put(table, rest.split("."), value, path)
     return data
 
 
-def _spelt_out(scenario: Scenario, path: str) -> dict[str, Any]:
+def _rank(path: str) -> tuple[int, int]:
+    # a start that is spelt out needs the new hoop; wholes come before their parts
+    section, _, rest = path.partition(".")
+    return (section == "start", 0 if not rest else 1 if path in ("contact.model", "hoop.parts") else 2)
+
+
+def _spelt_out(scenario: Scenario, data: Mapping[str, Any], path: str) -> dict[str, Any]:
     """The same section given the other way, where that keeps what the path does not name."""
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
     if path in ("hoop.eccentricity", "hoop.inertia_ratio"):
@@ -150,7 +196,8 @@ def _spelt_out(scenario: Scenario, path: str) -> dict[str, Any]:
     if path in ("plane.mu_static", "plane.mu_kinetic"):
         return {"mu_static": plane.mu_static, "mu_kinetic": plane.mu_kinetic}
     if path in ("start.height", "start.vx", "start.vy", "start.omega"):
-        state = start.state(hoop)
+        # a rolling start, as the free one of the hoop as it will be
+        state = start.state(Hoop.model_validate(data["hoop"]))
         return {"height": state.height, "vx": state.vx, "vy": state.vy, "omega": state.omega}
     return {}
 

@@ -5,16 +5,18 @@ from __future__ import annotations
 import json
 import math
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from pydantic import Field, ValidationError, model_validator
 
+from hophoop._files import replacing
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_query, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
-from hophoop.scenario.paths import parameter, paths, replaced
+from hophoop.scenario.paths import parameter, paths, with_replaced
 
 
 class Scenario(Frozen):
@@ -168,7 +170,8 @@ class Scenario(Frozen):
             text = json.dumps(self.to_dict(), indent=2, ensure_ascii=False) + "\n"
         else:
             raise InputError(f"{file} must end in .toml or .json.")
-        file.write_text(text, encoding="utf-8")
+        with replacing(file) as fresh:
+            fresh.write_text(text, encoding="utf-8")
 
     def to_toml(self) -> str:
         """The scenario as a TOML text, with units as comments.
@@ -245,7 +248,33 @@ class Scenario(Frozen):
         ValueError
             If there is no such parameter, or the value is not allowed.
         """
-        return type(self).from_dict(replaced(self, path, value))
+        return self.with_values({path: value})
+
+    def with_values(self, values: Mapping[str, Any]) -> Scenario:
+        """The same scenario but for some parameters, which only together must be allowed.
+
+        Parameters
+        ----------
+        values : mapping of str to float, int, str or model
+            New values by path, in SI units; paths as in `replace`. Their order does not count.
+
+        Returns
+        -------
+        scenario : Scenario
+
+        Raises
+        ------
+        ValueError
+            If there is no such parameter, two paths say the same thing in two ways, such as ``"start.speed"`` and
+            ``"start.vx"``, or the values are not allowed.
+
+        Examples
+        --------
+        >>> Scenario().with_values({"plane.mu": 0.3, "start.speed": 2.0}).to_query()
+        'plane.mu=0.3&start.speed=2'
+        """
+        plain = {path: value.item() if hasattr(value, "item") else value for path, value in values.items()}
+        return type(self).from_dict(with_replaced(self, plain))
 
     def to_body(self) -> Body:
         """Hoop and plane as the kernels take them, see `to_body`.

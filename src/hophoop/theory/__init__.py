@@ -38,8 +38,10 @@ from hophoop.theory.rolling import (
     rolling_speed,
     rolling_time,
 )
+from hophoop.theory.summary import Quantity, summary
 
 __all__ = [
+    "summary",
     "rolling_speed",
     "max_rolling_speed",
     "rolling_forces",
@@ -64,6 +66,7 @@ __all__ = [
     "jam_states",
     "equilibria",
     "massless_loss",
+    "Quantity",
     "Forces",
     "Energies",
     "NeededFriction",

@@ -43,7 +43,7 @@ def mode_of(theta: ArrayLike, omega: ArrayLike, hoop: Hoops, plane: Planes = Pla
     Returns
     -------
     mode : str or ndarray of str
-        R roll, S spin, K skid, H flight; M skim (massless hoop); ? where the model has no answer.
+        R roll, S slip with v_t < 0, K with v_t > 0, H flight; M skim (massless hoop); ? where the model has no answer.
 
     Raises
     ------

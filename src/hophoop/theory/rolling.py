@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop.results import utilization_of
 from hophoop.scenario import Plane
 from hophoop.theory._columns import Columns, Floats, Hoops, Planes
 from hophoop.theory.kernels import rolling as kernels
@@ -226,11 +227,8 @@ def friction_utilization(
     """
     cases = Columns(hoop, plane, theta=theta, v0=v0)
     friction, normal = _force_columns(cases)
-    limit = cases.body[:, 2] * normal
-    with np.errstate(divide="ignore", invalid="ignore"):
-        share = np.where(normal > 0.0, np.abs(friction) / limit, np.where(np.isnan(normal), np.nan, np.inf))
-    # no friction needed where there is none to have
-    return cases.shaped(np.where((friction == 0.0) & (normal > 0.0), 0.0, share))
+    share = utilization_of(False, friction, normal, cases.body[:, 2], cases.body[:, 3])
+    return cases.shaped(np.where(normal <= 0.0, np.inf, share))
 
 
 def rolling_energies(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Energies:

@@ -1,4 +1,4 @@
-/* Built from web/scene/main.js by esbuild 0.28.2; sources 381753708a0c76130d9b0939aaebdc24 */
+/* Built from web/scene/main.js by esbuild 0.28.2; sources fb3a3007c481e4c7c7daea82f47b2959 */
 "use strict";(()=>{var k=r=>{if(Array.isArray(r))return r.map(k);if(r===null||typeof r!="object")return r;if(r.f32!==void 0){let e=Uint8Array.from(atob(r.f32),t=>t.charCodeAt(0));
 return new Float32Array(e.buffer)}return Object.fromEntries(Object.entries(r).map(([e,t])=>[e,k(t)]))};function z(r,e){let[t,s]=[Math.cos(e),Math.sin(e)],n=new Float32Array(
 r.length);for(let i=0;i<r.length;i+=2)n[i]=r[i]*t-r[i+1]*s,n[i+1]=r[i]*s+r[i+1]*t;return n}function H(r){let e=k(JSON.parse(r));for(let t of e.hoops){for(let s of[
@@ -120,17 +120,18 @@ Math.round(s.clientWidth*a),Math.round(s.clientHeight*a)];for(let u of[s,n])(u.w
 view(c>h);o.begin({background:m(i.theme.background),...d}),o.ground(()=>this.drawFloor(l));let p=i.hoops.map(u=>this.pose(u,e,l));o.shadows(()=>{for(let u of p)
 this.drawHoop(u,!0)});let tt=h/(2*t.away*Math.tan(.5*d.angle));for(let[u,et]of p.entries())this.drawHoop(et,!1),this.drawTraces(i.hoops[u],this.traces[u],e,l,tt,
 t.away),i.newton>0&&this.drawForces(i.hoops[u],e,l);this.drawNumbers(l,a)}pose(e,t,s){let n=f(e.angle,t),i=[Math.sin(n),Math.cos(n),0],o=[f(e.center,t,2)-s,f(e.
-center,t,2,1),-e.lane];return{hoop:e,center:o,angle:n,velocity:[f(e.velocity,t,2),f(e.velocity,t,2,1)],omega:f(e.omega,t),airborne:e.mode[Math.floor(t)]==="H",at:a=>o.
-map((c,h)=>c+a*i[h])}}drawFloor(e){let{theme:t}=this.data,[s,n]=[m(t.ground),m(t.ink)],i=$([-e,0,0]);this.space.solid(this.floor.plane,i,s,{lit:!1}),this.space.
-solid(this.floor.track,i,Z(s,n,.06),{lit:!1}),this.space.solid(this.floor.bars,i,Z(s,n,.25),{lit:!1})}drawHoop({hoop:e,center:t,angle:s,velocity:n,omega:i,airborne:o,
-at:a},c){let{space:h,data:l}=this,{radius:d}=e;h.ring({center:t,radius:d,tube:C*d,broad:C*d,angle:s,velocity:n,omega:i},c),h.ball(a(e.load),st*d,m(l.theme.load),
-c);let p=o?l.colors.airborne:l.colors.center;c||h.ball(a(e.heavy),ot*d,m(p),c)}drawTraces(e,t,s,n,i,o){if(t===null||e.traces===null)return;let a=f(e.t,s),c=e.traces.
-t.findIndex(p=>p>a),h=c<0?e.traces.t.length:c,l=this.data.radius,d={distance:o,shift:n,depth:-e.lane};this.space.drawTrace(t.load,h,{width:.011*l*i,...d}),this.
-space.drawTrace(t.heavy,h,{width:.016*l*i,...d})}drawForces(e,t,s){let{data:n,space:i}=this,o=Math.floor(t),a=-e.lane+(C+.04)*e.radius,c=[f(e.contact,t,2)-s,f(e.
-contact,t,2,1),a],[h,l]=[e.normalForce[o],e.frictionForce[o]].map(d=>n.newton*d);i.arrow(c,[0,Math.sign(h),0],Math.abs(h),n.radius,m(n.colors.normal)),i.arrow(c,
-[Math.sign(l),0,0],Math.abs(l),n.radius,m(n.colors.friction))}drawNumbers(e,t){let{labels:s,data:n,half:i}=this,o=s.getContext("2d");o.clearRect(0,0,s.width,s.height),
-o.fillStyle=n.theme.muted,o.textAlign="center",o.font=`${13*t}px ${rt}`;let a=-1e9;for(let c of this.marks){let h=this.space.onScreen([c-e,0,i+.15*n.radius]);if(!h)
-continue;let[l,d]=h;!(l>=0&&l<=s.width&&d>=0&&d<=s.height-50*t)||Math.abs(l-a)<55*t||(o.fillText(`${+c.toPrecision(6)} m`.replace("-","−"),l,d+12*t),a=l)}}};var F=r=>document.getElementById(r),b=(r,e,...t)=>{let s=document.createElement(r);return s.className=e,s.append(...t),s},I=class{constructor(e){this.data=e,document.
+center,t,2,1),-e.lane];return{hoop:e,center:o,angle:n,velocity:[f(e.velocity,t,2),f(e.velocity,t,2,1)],omega:f(e.omega,t),airborne:e.mode[Math.floor(t)]===this.
+data.flight,at:a=>o.map((c,h)=>c+a*i[h])}}drawFloor(e){let{theme:t}=this.data,[s,n]=[m(t.ground),m(t.ink)],i=$([-e,0,0]);this.space.solid(this.floor.plane,i,s,{
+lit:!1}),this.space.solid(this.floor.track,i,Z(s,n,.06),{lit:!1}),this.space.solid(this.floor.bars,i,Z(s,n,.25),{lit:!1})}drawHoop({hoop:e,center:t,angle:s,velocity:n,
+omega:i,airborne:o,at:a},c){let{space:h,data:l}=this,{radius:d}=e;h.ring({center:t,radius:d,tube:C*d,broad:C*d,angle:s,velocity:n,omega:i},c),h.ball(a(e.load),st*
+d,m(l.theme.load),c);let p=o?l.colors.airborne:l.colors.center;c||h.ball(a(e.heavy),ot*d,m(p),c)}drawTraces(e,t,s,n,i,o){if(t===null||e.traces===null)return;let a=f(
+e.t,s),c=e.traces.t.findIndex(p=>p>a),h=c<0?e.traces.t.length:c,l=this.data.radius,d={distance:o,shift:n,depth:-e.lane};this.space.drawTrace(t.load,h,{width:.011*
+l*i,...d}),this.space.drawTrace(t.heavy,h,{width:.016*l*i,...d})}drawForces(e,t,s){let{data:n,space:i}=this,o=Math.floor(t),a=-e.lane+(C+.04)*e.radius,c=[f(e.contact,
+t,2)-s,f(e.contact,t,2,1),a],[h,l]=[e.normalForce[o],e.frictionForce[o]].map(d=>n.newton*d);i.arrow(c,[0,Math.sign(h),0],Math.abs(h),n.radius,m(n.colors.normal)),
+i.arrow(c,[Math.sign(l),0,0],Math.abs(l),n.radius,m(n.colors.friction))}drawNumbers(e,t){let{labels:s,data:n,half:i}=this,o=s.getContext("2d");o.clearRect(0,0,s.
+width,s.height),o.fillStyle=n.theme.muted,o.textAlign="center",o.font=`${13*t}px ${rt}`;let a=-1e9;for(let c of this.marks){let h=this.space.onScreen([c-e,0,i+.15*
+n.radius]);if(!h)continue;let[l,d]=h;!(l>=0&&l<=s.width&&d>=0&&d<=s.height-50*t)||Math.abs(l-a)<55*t||(o.fillText(`${+c.toPrecision(6)} m`.replace("-","−"),l,
+d+12*t),a=l)}}};var F=r=>document.getElementById(r),b=(r,e,...t)=>{let s=document.createElement(r);return s.className=e,s.append(...t),s},I=class{constructor(e){this.data=e,document.
 body.style.background=e.theme.background,document.body.style.color=e.theme.ink,this.rows=e.hoops.map(t=>this.row(t)),this.scale(),this.key()}row(e){let[t,s,n,i]=[
 "dot","word","t","angle"].map(a=>b("span",a)),o=b("span","label",e.label);return F("words").append(b("div","row",b("span","mode",t,s),n,i,o)),{dot:t,word:s,time:n,
 angle:i}}scale(){let{map:e,topSpeed:t}=this.data,s=e.map(o=>`rgb(${o.join(",")})`).join(",");F("bar").style.background=`linear-gradient(to right, ${s})`;let n=10**

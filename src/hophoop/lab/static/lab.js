@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 381753708a0c76130d9b0939aaebdc24 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources fb3a3007c481e4c7c7daea82f47b2959 */
 var Se={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function q(a){let t=a instanceof DataView||ArrayBuffer.isView(a)?a:new DataView(a),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
 4,4+s))),o={};for(let{name:n,type:h,shape:r,place:c}of i.arrays){let d=r.reduce((p,u)=>p*u,1);o[n]=new Se[h](e.buffer,e.byteOffset+4+s+c,d)}return{header:i,arrays:o}}var it=class{constructor(t){this.base=t,this.shares=!0}async call(t,e,s){let i=await fetch(new URL(`lab/${t}`,this.base),{method:"POST",headers:{"Content-Type":"\
@@ -139,7 +139,7 @@ this.state.textContent=`computing ${o*n} motions …`;let h={scenario:e,changes:
 "map",h,t);this.add(r),this.state.textContent=`${o*n} motions${s.length?", with rigid contact":""}`,this.redraw()}this.level=ae.length}catch(o){let{name:n,message:h}=o;
 if(n==="AbortError")return;this.state.textContent=h}this.computing=!1}axis(t,e){let[s,i]=this.windows[t];return{path:this.paths[t],from:s,to:i,cells:e}}add({header:t,
 arrays:e}){let{values:s}=e,{x:i,y:o,classes:n}=t,h=new ImageData(i.cells,o.cells),[r,c]=[1/0,-1/0];if(!n){for(let m of s)m<r&&(r=m),m>c&&(c=m);["hop_height","fl\
-ight_time","energy_lost","greatest_utilisation"].includes(t.what)&&(r=Math.min(r,0))}let d=n?.map(({color:m})=>F(m));for(let m=0;m<o.cells;m++)for(let y=0;y<i.cells;y++){
+ight_time","energy_lost","greatest_utilization"].includes(t.what)&&(r=Math.min(r,0))}let d=n?.map(({color:m})=>F(m));for(let m=0;m<o.cells;m++)for(let y=0;y<i.cells;y++){
 let f=s[m*i.cells+y],w=4*((o.cells-1-m)*i.cells+y);if(!Number.isFinite(f))continue;let x=d&&(y+1<i.cells&&s[m*i.cells+y+1]!==f||m+1<o.cells&&s[(m+1)*i.cells+y]!==
 f),k=d?d[f].map(M=>x?.72*M:M):G[b(Math.round(255*(f-r)/(c-r||1)),0,255)];h.data.set([...k,255],w)}let p=l("canvas",{width:i.cells,height:o.cells});C(p).putImageData(
 h,0,0);let u={picture:p,header:t,values:s,x:[i.from,i.to],y:[o.from,o.to],low:r,high:c},g=(m,y)=>m[0]>=y[0]-1e-300&&m[1]<=y[1]+1e-300;this.layers=this.layers.filter(

@@ -22,8 +22,8 @@ def slip_speeds(bodies, out):
         end = math.pi if body.gt == 0.0 else TURN  # on the level both halves of a turn are alike
         best = math.inf
         for side in (1.0, -1.0):
-            pull, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
-            if pull >= math.atan(body.mu_s):
+            angle, _ = highest(FORCE_ANGLE, body, 0.0, 0.0, end, side, scratch)
+            if angle >= math.atan(body.mu_s):
                 best = 0.0  # even the smallest push
                 break
             # For each θ the margin to the cone is a line in v0², not negative at 0: slip from its zero on.

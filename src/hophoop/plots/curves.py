@@ -1,0 +1,91 @@
+"""A motion as curves: dense samples with both sides of every event, and its phases."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.results import Sample
+from hophoop.scenario.scenario import time_unit
+from hophoop.trajectory import Trajectory
+from hophoop.vocabulary.words import coming_rotation, mode_word, mode_words
+
+# Samples a unit of time √(R/g); at the reference hoop some 470 a second.
+DENSITY = 150
+FEWEST, MOST = 600, 40_000
+
+
+@dataclass(frozen=True)
+class Phase:
+    """A stretch of the motion in one mode, by letter and word: times [s] and angles [degrees] at its ends."""
+
+    mode: str
+    word: str
+    t: float
+    end_t: float
+    angle: float
+    end_angle: float
+
+
+def phases(motion: Trajectory) -> list[Phase]:
+    """The motion's phases in order; an event that leaves mode and word as they are does not part them.
+
+    A slip in which the hoop turns back is two of them, since what was a spin is then a skid, or the reverse.
+    """
+    found: list[Phase] = []
+    for event, following in pairwise(motion.events):
+        if not following.t > event.t:
+            continue
+        # halfway θ̇ is not zero, which it may be at either end
+        word = mode_word(event.to_mode, motion.at(0.5 * (event.t + following.t)).omega)
+        angle, end_angle = math.degrees(event.angle), math.degrees(following.angle)
+        if found and (found[-1].mode, found[-1].word) == (event.to_mode, word):
+            last = found.pop()
+            found.append(Phase(last.mode, last.word, last.t, following.t, last.angle, end_angle))
+        else:
+            found.append(Phase(event.to_mode, word, event.t, following.t, angle, end_angle))
+    return found
+
+
+def shown_words(sample: Sample) -> NDArray[np.str_]:
+    """The words for the modes of a sample in order of time."""
+    return mode_words(sample.mode, coming_rotation(sample.omega))
+
+
+def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Sample:
+    """The motion sampled densely, each event's instant from the left and from the right."""
+    end = motion.duration if end is None else min(end, motion.duration)
+    unit = time_unit(motion.scenario.hoop, motion.scenario.plane)
+    count = int(min(MOST, max(FEWEST, DENSITY * (end - start) / unit)))
+    marks = np.unique([event.t for event in motion.events if start <= event.t <= end])
+    grid = np.setdiff1d(np.linspace(start, end, count), marks)
+    before = motion.at(marks[marks > start], side="left")
+    after = motion.at(np.concatenate([grid, marks]))
+    order = np.argsort(np.concatenate([before.t, after.t]), kind="stable")
+    columns = {
+        field.name: np.concatenate([getattr(before, field.name), getattr(after, field.name)])[order]
+        for field in fields(Sample)
+    }
+    return Sample(**columns)
+
+
+def turning(motion: Trajectory) -> bool:
+    """Whether the hoop turns both ways, so that its angle does not order the motion."""
+    turns = [event.omega for event in motion.events] + [event.before.omega for event in motion.events]
+    rates = np.concatenate([motion.at(motion.times(200)).omega, turns])
+    rates = rates[np.isfinite(rates)]
+    size = float(np.max(np.abs(rates), initial=0.0))
+    return bool((rates > 1e-9 * size).any() and (rates < -1e-9 * size).any())
+
+
+def broken(values: NDArray[np.float64], sample: Sample, modes: str) -> NDArray[np.float64]:
+    """The values where the mode is one of `modes`, nan elsewhere: a line that breaks.
+
+    A phase's last point is taken from the left of the event that ends it, so that it belongs to the phase.
+    """
+    inside = np.isin(sample.mode, list(modes))
+    return np.where(inside, values, np.nan)

@@ -1,0 +1,188 @@
+"""What all figures share: fresh axes, labels, modes as a ribbon and a tint, marks at events."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Literal, cast
+
+from hophoop._extras import need
+from hophoop.plots.curves import Phase, phases, turning
+from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary.words import EVENTS
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+Against = Literal["time", "angle"]
+
+SIZE = (7.2, 4.0)
+LINE = 1.8
+SMALL = 8.5
+
+# Events worth a mark: what the eye looks for in a curve. The others are where the ribbon changes.
+MARKED = {
+    "takeoff": "^", "apex": "d", "impact": "v", "turn": "<", "jam": "X", "skim": "s",
+    "painleve_inconsistent": "X", "painleve_indeterminate": "X",
+}  # fmt: skip
+MOST_WORDS = 6
+
+
+def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:
+    """The axes given, or those of a new figure."""
+    if ax is not None:
+        return ax
+    _, fresh = need("matplotlib.pyplot", "plots").subplots(figsize=size, layout="constrained")
+    return cast("Axes", fresh)
+
+
+def check_against(against: str) -> None:
+    """Refuse what is neither time nor angle."""
+    if against not in ("time", "angle"):
+        raise ValueError(f"against = {against!r} must be 'time' or 'angle'.")
+
+
+def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
+    """Labels, a light grid, no frame where there is no scale, a legend outside of the curves' way."""
+    ax.set_xlabel(across)
+    ax.set_ylabel(_scaled(ax, up))
+    ax.grid(True, color="#000000", alpha=0.10, linewidth=0.6)
+    ax.set_axisbelow(True)
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    handles, _ = ax.get_legend_handles_labels()
+    if not legend or not handles:
+        return
+    if len(handles) <= 2:
+        ax.legend(frameon=True, framealpha=0.85, edgecolor="none", fontsize=9, loc="best", handlelength=2.8)
+        return
+    # more would lie on the curves
+    columns = len(handles) if len(handles) <= 3 else math.ceil(len(handles) / 2)
+    ax.legend(
+        frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.155), ncol=columns,
+        handlelength=3.2,
+    )  # fmt: skip
+
+
+def _scaled(ax: Axes, label: str) -> str:
+    """The label, with the power of ten by which the numbers at the ticks are smaller than the quantity.
+
+    Matplotlib writes it over the axes, where the ribbon of modes hides it.
+    """
+    ticker = need("matplotlib.ticker", "plots")
+    if ax.get_yscale() != "linear":
+        return label
+    size = max(abs(end) for end in ax.get_ylim())
+    power = 3 * math.floor(math.log10(size) / 3.0) if 0.0 < size < math.inf else 0
+    plain = ticker.ScalarFormatter(useOffset=False)
+    plain.set_scientific(False)
+    if -3 < power < 6:
+        ax.yaxis.set_major_formatter(plain)
+        return label
+    ax.yaxis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value / 10.0**power:g}".replace("-", "−")))
+    words, bracket, unit = label.rpartition("(")
+    if bracket:
+        return rf"{words}($10^{{{power}}}$ {unit}"
+    return rf"{label} ($10^{{{power}}}$)"
+
+
+def abscissa(ax: Axes, motion: Trajectory, against: Against) -> str:
+    """Set the scale of time or angle to the motion, and return its label."""
+    if against == "time":
+        ax.set_xlim(0.0, motion.duration or 1.0)
+        return labels.TIME
+    marks = [phase.angle for phase in phases(motion)] + [phase.end_angle for phase in phases(motion)]
+    turns = [math.degrees(event.angle) for event in motion.events]
+    low, high = min(*marks, *turns), max(*marks, *turns)
+    if high > low:
+        ax.set_xlim(low, high)
+        degrees(ax, high - low)
+    return labels.ANGLE
+
+
+def degrees(ax: Axes, span: float) -> None:
+    """Ticks at parts or multiples of a right angle."""
+    step = next((step for step in (15, 30, 45, 90, 180, 360, 720, 1800, 3600) if span / step <= 9), 7200)
+    ax.xaxis.set_major_locator(need("matplotlib.ticker", "plots").MultipleLocator(step))
+
+
+def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
+    """Modes as a tint behind the curves and a ribbon with their names above; events marked on the ribbon."""
+    if against == "angle" and turning(motion):
+        return  # the angle does not order the phases
+    pieces = phases(motion)
+    low, high = ax.get_xlim()
+    transform = ax.get_xaxis_transform()
+    for piece in pieces:
+        begin, end = (piece.t, piece.end_t) if against == "time" else (piece.angle, piece.end_angle)
+        if not end > begin:
+            begin, end = end, begin
+        color = colors.mode_color(piece.word)
+        ax.axvspan(begin, end, color=color, alpha=colors.SHADE, linewidth=0, zorder=0)
+        ax.axvspan(begin, end, ymin=1.0, ymax=1.055, color=color, linewidth=0, clip_on=False, zorder=3)
+        if begin > low:
+            ax.plot(
+                [begin, begin],
+                [1.0, 1.055],
+                color="white",
+                lw=0.8,
+                transform=transform,
+                clip_on=False,
+                zorder=4,
+            )
+        word = _word(piece, (end - begin) / (high - low), ax)
+        if word:
+            ax.text(
+                0.5 * (begin + end), 1.026, word, transform=transform, ha="center", va="center_baseline",
+                fontsize=SMALL - 1, color=_ink(piece.word), zorder=5,
+            )  # fmt: skip
+    _mark_events(ax, motion, against)
+
+
+def _word(piece: Phase, share: float, ax: Axes) -> str:
+    # a letter takes some 5.5 points of the axes' width
+    inches = cast("Any", ax.figure).get_figure(root=True).get_size_inches()[0]
+    room = share * ax.get_position().width * inches * 72.0 / 5.0
+    if room >= len(piece.word) + 1:
+        return piece.word
+    return ""  # a letter would not do: the colour follows the word
+
+
+def _ink(word: str) -> str:
+    return "white" if word in ("roll", "flight") else "black"
+
+
+def _mark_events(ax: Axes, motion: Trajectory, against: Against) -> None:
+    marked = [event for event in motion.events if event.kind in MARKED]
+    marked.sort(key=lambda event: event.kind == "apex")  # its word gives way to others'
+    low, high = ax.get_xlim()
+    transform = ax.get_xaxis_transform()
+    places: list[float] = []
+    for event in marked:
+        place = event.t if against == "time" else math.degrees(event.angle)
+        if not low <= place <= high:
+            continue
+        word, sign = EVENTS[event.kind].noun, MARKED[event.kind]
+        if event.kind in ("takeoff", "impact"):
+            ax.axvline(place, color=colors.GRAY, lw=0.8, ls=(0, (2, 2)), zorder=1)
+        ax.plot([place], [1.085], sign, color="black", ms=4.5, transform=transform, clip_on=False, zorder=5)
+        apart = all(abs(place - other) > 0.12 * (high - low) for other in places)
+        if apart and len(marked) <= MOST_WORDS:
+            ax.text(place, 1.11, word, transform=transform, ha="center", va="bottom", fontsize=SMALL - 0.5)
+            places.append(place)
+
+
+def set_title(ax: Axes, title: str) -> None:
+    """A title that leaves room for the ribbon and its marks."""
+    ax.set_title(title, fontsize=11, loc="left", pad=30)
+
+
+def as_list(motions: Trajectory | Sequence[Trajectory]) -> list[Trajectory]:
+    """One motion or several, as a list that is not empty."""
+    many = [motions] if isinstance(motions, Trajectory) else list(motions)
+    if not many:
+        raise ValueError("motions must hold at least one motion.")
+    return many

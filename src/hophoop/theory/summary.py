@@ -1,0 +1,163 @@
+"""All that theory says about one hoop on its plane, in words: for the command line and the lab."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+from hophoop.scenario import Hoop, Plane, Scenario
+from hophoop.theory.critical import first_hop_speed, first_slip_speed, hop_angle, immediate_hop_speed, slip_angle
+from hophoop.theory.massless import massless_loss
+from hophoop.theory.painleve import jam_states, painleve_minimum
+from hophoop.theory.rest import equilibria
+from hophoop.theory.rolling import max_rolling_speed, needed_friction, rolling_period
+
+
+class Quantity(NamedTuple):
+    """One quantity of theory.
+
+    Attributes
+    ----------
+    key : str
+        Its name in JSON.
+    words : str
+        Its name for people.
+    unit : str
+        "1" for a pure number.
+    value : float or None
+        In SI units, None where there is none [SI].
+    note : str
+        What more there is to say.
+    """
+
+    key: str
+    words: str
+    unit: str
+    value: float | None
+    note: str = ""
+
+
+def summary(scenario: Scenario) -> tuple[Quantity, ...]:
+    """What theory says about a hoop on its plane: thresholds and closed forms.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    quantities : tuple of Quantity
+        One that the hoop or the plane does not have says why.
+
+    Examples
+    --------
+    >>> found = {quantity.key: quantity for quantity in summary(Scenario())}
+    >>> round(found["first_slip_speed"].value, 6), found["first_slip_speed"].unit
+    (2.043174, 'm/s')
+    """
+    return tuple(_quantities(scenario))
+
+
+def _quantities(scenario: Scenario) -> Iterator[Quantity]:
+    hoop, plane = scenario.hoop, scenario.plane
+    yield Quantity("eccentricity", "eccentricity ε", "1", hoop.eccentricity)
+    yield Quantity("inertia_ratio", "moment of inertia κ", "1", hoop.inertia_ratio)
+    yield _row(
+        "first_slip_speed",
+        "slips in the first turn from v₀ =",
+        "m/s",
+        lambda: first_slip_speed(hoop, plane),
+    )
+    yield _row(
+        "first_hop_speed",
+        "hops in the first turn from v₀ =",
+        "m/s",
+        lambda: first_hop_speed(hoop, plane),
+    )
+    yield _row(
+        "immediate_hop_speed",
+        "hops at once from v₀ =",
+        "m/s",
+        lambda: immediate_hop_speed(hoop, plane),
+    )
+    yield from _painleve(hoop)
+    yield from _jams(hoop, plane)
+    yield from _start(scenario)
+    yield from _rest(hoop, plane)
+    if hoop.massless and plane.slope == 0.0:
+        speed = scenario.start.speed or 0.0
+        yield _row(
+            "massless_loss_angle", "the massless hoop loses its contact force at θ =", "rad",
+            lambda: massless_loss(speed, hoop.radius, plane).angle,
+        )  # fmt: skip
+
+
+def _painleve(hoop: Hoop) -> Iterator[Quantity]:
+    if hoop.massless:
+        return
+    least = painleve_minimum(hoop)
+    yield _row("painleve_friction", "Painlevé's paradox from μ =", "1", lambda: least.mu)
+    yield _row("painleve_angle", "    there at θ =", "rad", lambda: least.angle)
+
+
+def _jams(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
+    if plane.gravity <= 0.0 or hoop.massless:
+        return
+    for k, state in enumerate(jam_states(hoop, plane)):
+        note = f"in slip {state.mode}, at θ̇ = {state.omega:.6g} rad/s"
+        yield Quantity("jam_angle" if k == 0 else f"jam_angle_{k + 1}", "dynamic jam at θ =", "rad", float(state.angle), note)
+
+
+def _start(scenario: Scenario) -> Iterator[Quantity]:
+    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
+    if start.speed is None or start.angle != 0.0:
+        note = "for a rolling start with the load at the top: --v0, --angle 0"
+        yield Quantity("start_speed", "rolling from v₀", "m/s", None, note)
+        return
+    speed = start.speed
+    yield Quantity("start_speed", "rolling from v₀ =", "m/s", speed)
+    yield _row("needed_friction", "    needs μ =", "1", lambda: needed_friction(hoop, speed, plane).mu)
+    yield _row(
+        "needed_friction_angle",
+        "    there at θ =",
+        "rad",
+        lambda: needed_friction(hoop, speed, plane).angle,
+    )
+    yield _row("slip_angle", "    slips first at θ =", "rad", lambda: slip_angle(hoop, speed, plane))
+    yield _row("hop_angle", "    hops first at θ =", "rad", lambda: hop_angle(hoop, speed, plane))
+    yield _row(
+        "max_rolling_speed",
+        "    largest θ̇ if it rolled",
+        "rad/s",
+        lambda: max_rolling_speed(hoop, speed, plane),
+    )
+    yield _row(
+        "rolling_period",
+        "    a whole turn if it rolled",
+        "s",
+        lambda: rolling_period(hoop, speed, plane),
+    )
+
+
+def _rest(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
+    for rest in equilibria(hoop, plane):
+        kind = "stable" if rest.stable else "unstable"
+        note = "" if rest.holds else "more than friction holds"
+        yield Quantity(f"{kind}_angle", f"{kind} equilibrium at θ =", "rad", rest.angle, note)
+        if rest.stable:
+            yield Quantity("rocking_period", "    small rocking", "s", rest.period)
+
+
+def _row(key: str, words: str, unit: str, quantity: Callable[[], Any]) -> Quantity:
+    try:
+        value = float(quantity())
+    except ValueError as error:
+        return Quantity(key, words, unit, None, str(error))
+    note = ""
+    if math.isnan(value):
+        note = "not within the first turn" if key in ("slip_angle", "hop_angle") else "does not get that far"
+        return Quantity(key, words, unit, None, note)
+    if math.isinf(value):
+        note = "never" if key.endswith("speed") else ""
+    return Quantity(key, words, unit, value, note)

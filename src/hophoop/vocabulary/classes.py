@@ -1,0 +1,103 @@
+"""Colours and names of the classes of motions in maps, the same in figures and in the lab."""
+
+from __future__ import annotations
+
+import zlib
+from typing import Final
+
+from hophoop.vocabulary import colors, words
+
+SEQUENCE: Final = "sequence"
+
+# Colours of words of coded quantities, by quantity.
+CODES: Final[dict[str, dict[str, str]]] = {
+    "hop": {"no": colors.LIGHT_GRAY, "yes": colors.VERMILION},
+    "painleve": {"no": colors.LIGHT_GRAY, "yes": colors.BLACK},
+    "ending": {
+        "duration": colors.GRAY, "revolutions": colors.BLUE, "reversal": colors.GREEN,
+        "takeoff": colors.VERMILION, "rest": colors.SKY, "jam": colors.BLACK,
+        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
+    },
+    "status": {
+        "completed": colors.BLUE, "at_rest": colors.SKY, "jammed": colors.BLACK,
+        "undetermined": colors.YELLOW, "event_limit": colors.PURPLE,
+    },
+    "first_event": {
+        "slip_start": colors.ORANGE, "takeoff": colors.VERMILION, "stick": colors.BLUE,
+        "turn": colors.GREEN, "end": colors.SKY, "impact": colors.YELLOW, "slip_reversal": colors.PURPLE,
+        "rest": colors.LIGHT_GRAY, "jam": colors.BLACK,
+    },
+}  # fmt: skip
+# Colours of motions that do not hop, by their first slip and their last phase.
+FAMILIES: Final = {
+    "SR": colors.GREEN, "SS": colors.YELLOW, "SK": colors.ORANGE,
+    "KR": colors.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4", "MM": colors.YELLOW,
+}  # fmt: skip
+HOPS: Final = colors.VERMILION
+ROLLS: Final = colors.BLUE
+
+
+def class_color(name: str, quantity: str = SEQUENCE) -> str:
+    """The colour of a class of motion, the same in every map.
+
+    A class is known by letters alone, so that its colour follows them; it is no mode's colour.
+
+    Parameters
+    ----------
+    name : str
+        A sequence such as ``"RKRSH"``, or a word of another quantity.
+    quantity : str, default 'sequence'
+        The map's quantity that the name is one of.
+
+    Returns
+    -------
+    color : str
+        As ``#RRGGBB``. Sequences that hop are vermilion and those that only roll blue; the others differ by
+        their first slip and by how they end, and the more phases, the darker they are.
+
+    Examples
+    --------
+    >>> class_color("R"), class_color("RKRSH") == class_color("RKRSR")
+    ('#9fc9e1', False)
+    >>> class_color("yes", "hop")
+    '#D55E00'
+    """
+    if quantity != SEQUENCE:
+        return CODES.get(quantity, {}).get(name, colors.GRAY)
+    first = next((letter for letter in name if letter in "SKM"), "R")
+    ink = HOPS if name.endswith("H") else FAMILIES.get(first + name[-1:], ROLLS)
+    base = [int(ink[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
+    middle = sum(base) / 3.0
+    depth = min(len(name) - 1, 9) / 9.0
+    # classes of one length and family still differ a little, by their names
+    drift = (zlib.crc32(name.encode()) % 1000) / 1000.0
+    light, dark = 0.62 - 0.62 * min(2.0 * depth, 1.0), max(2.0 * depth - 1.0, 0.0) * 0.5
+    shades = []
+    for part in base:
+        mixed = (1.0 - 0.2 * drift) * part + 0.2 * drift * middle
+        shades.append(min(max((mixed + (1.0 - mixed) * light) * (1.0 - dark), 0.0), 1.0))
+    return "#" + "".join(f"{round(255 * shade):02x}" for shade in shades)
+
+
+def class_text(name: str, quantity: str = SEQUENCE) -> str:
+    """A class in words.
+
+    Parameters
+    ----------
+    name : str
+        As in `class_color`.
+    quantity : str, default 'sequence'
+
+    Returns
+    -------
+    text : str
+        Slip in a sequence is named by the sign of v_t, since its letters do not tell which way the hoop rolls.
+
+    Examples
+    --------
+    >>> class_text("RKH"), class_text("event_limit", "ending")
+    ('roll → slip + → hop', 'event limit')
+    """
+    if quantity != SEQUENCE:
+        return words.plain(name)
+    return " → ".join(words.LETTERS[letter] for letter in name)

@@ -1,0 +1,75 @@
+"""Names of quantities with their units: for axes, files and tables."""
+
+from __future__ import annotations
+
+from typing import Final
+
+TIME: Final = "Time (s)"
+ANGLE: Final = "Rotation angle θ (°)"
+ROTATION: Final = r"Angular velocity $\dot\theta$ (rad/s)"
+VELOCITY: Final = "Velocity (m/s)"
+ENERGY: Final = "Energy (J)"
+FORCE: Final = "Force (N)"
+UTILIZATION: Final = "Friction utilization"
+GAP: Final = "Gap under the rim (m)"
+PLACE: Final = "Place along the plane (m)"
+DISTANCE: Final = "Level distance (m)"  # where a slope is drawn as a slope
+HEIGHT: Final = "Height (m)"
+POINT_SPEED: Final = "Speed of the ring's points (m/s)"
+
+VARIABLES: Final[dict[str, tuple[str, str]]] = {
+    "mode": ("1", "Mode"),
+    "x": ("m", "Position of the centre along the plane"),
+    "height": ("m", "Gap between rim and plane"),
+    "angle": ("rad", "Angle from the plane's normal to the centre of gravity"),
+    "vx": ("m/s", "Velocity of the centre along the plane"),
+    "vy": ("m/s", "Velocity of the centre away from the plane"),
+    "omega": ("rad/s", "Angular velocity"),
+    "slip": ("m/s", "Slip velocity of the lowest point"),
+    "friction_force": ("N", "Friction force along the plane"),
+    "normal_force": ("N", "Normal force"),
+    "kinetic": ("J", "Kinetic energy"),
+    "potential": ("J", "Potential energy"),
+    "total": ("J", "Kinetic and potential energy"),
+    "friction": ("J", "Energy lost in slip so far"),
+    "impact_normal": ("J", "Energy lost in the normal part of impacts so far"),
+    "impact_tangential": ("J", "Energy lost in the tangential part of impacts so far"),
+    "spring": ("J", "Energy stored in the compliant contact"),
+    "damping": ("J", "Energy lost in the damper of the compliant contact so far"),
+}
+"""Columns of a sample: unit and meaning."""
+
+PARAMETERS: Final = {
+    "plane.mu": "Friction μ",
+    "plane.mu_static": r"Static friction $\mu_s$",
+    "plane.mu_kinetic": r"Kinetic friction $\mu_k$",
+    "plane.slope": "Slope β",
+    "plane.restitution": "Restitution e",
+    "hoop.load_fraction": "Load fraction γ",
+    "hoop.eccentricity": "Eccentricity ε",
+    "hoop.inertia_ratio": "Inertia ratio κ",
+    "start.speed": r"Speed at the start $v_0$",
+    "start.angle": "Angle at the start θ",
+    "start.omega": r"Angular velocity at the start $\dot\theta$",
+}
+"""Short names of parameters, by path, as axes of maps show them."""
+
+
+def with_unit(text: str, unit: str) -> str:
+    """A name with its unit, as axes and tables show it.
+
+    Parameters
+    ----------
+    text, unit : str
+        A pure number has the unit "1", a word none.
+
+    Returns
+    -------
+    label : str
+
+    Examples
+    --------
+    >>> with_unit("Duration", "s"), with_unit("Friction μ", "1")
+    ('Duration (s)', 'Friction μ')
+    """
+    return text if unit in ("1", "") else f"{text} ({unit})"

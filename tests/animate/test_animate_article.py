@@ -1,0 +1,42 @@
+"""The films of the article: all of them, of its runs, small here."""
+
+import pytest
+
+import hophoop as hh
+from animate_tools import decoded
+from hophoop.animate import article, article_films, films
+from hophoop.animate.article import ARTICLE_FILMS
+
+
+@pytest.fixture
+def small(monkeypatch):
+    monkeypatch.setattr(article, "SIZE", (128, 72))
+    for name, value in (("FPS_2D", 4.0), ("FPS_3D", 2.0)):
+        monkeypatch.setattr(films, name, value)
+
+
+def test_all_films_are_made(tmp_path, small):
+    told = []
+    paths = article_films(tmp_path / "films", lambda *pair: told.append(pair))
+    assert [path.name for path in paths] == [f"{film.name}.mp4" for film in ARTICLE_FILMS]
+    assert told == [(k + 1, 6) for k in range(6)]
+    for path, film in zip(paths, ARTICLE_FILMS, strict=True):
+        pictures, _ = decoded(path)
+        assert len(pictures) >= film.duration * (2 if film.three_d else 4)
+        assert pictures.shape[1:] == (72, 128, 3)
+
+
+def test_the_runs_are_the_articles():
+    runs = [(film.speed, film.mu) for film in ARTICLE_FILMS if not film.three_d]
+    assert runs == [(0.1, 1.0), (2.0, 1.0), (2.8, 1.0), (3.1, 1.0), (0.1, 0.3)]
+    assert [film.name for film in ARTICLE_FILMS if film.three_d] == ["v3.1-3d"]
+    for film in ARTICLE_FILMS:
+        assert film.scenario.hoop == hh.Hoop.ideal(0.75)
+        assert film.scenario.start == hh.Start.rolling(film.speed)
+        assert film.scenario.plane.mu == film.mu
+
+
+def test_other_runs_need_the_name_of_a_film(tmp_path):
+    with pytest.raises(ValueError, match="scenarios names 'v4'"):
+        article_films(tmp_path, scenarios={"v4": hh.Scenario()})
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,322 @@
+"""`hophoop run` and `hophoop theory`: what they print and write, and their exit status."""
+
+import csv
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import time
+
+import pytest
+from typer.testing import CliRunner
+
+import hophoop as hh
+from hophoop.cli import app
+
+HOP = ["--v0", "3.1", "--duration", "2"]
+
+
+def run(*arguments, text=None):
+    return CliRunner().invoke(app, [str(one) for one in arguments], input=text)
+
+
+def hop():
+    return hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=1.0), hh.Start.rolling(3.1), duration=2.0)
+
+
+@pytest.fixture
+def scenario(tmp_path):
+    path = tmp_path / "hop.toml"
+    path.write_text("duration = 2.0\n[start]\nspeed = 3.1\n", encoding="utf-8")
+    return path
+
+
+# JSON to the letter
+
+EVENT_KEYS = ["t", "kind", "from", "to", "x", "height", "angle", "vx", "vy", "omega", "before", "impulse"]
+
+
+def test_json_is_the_result_and_nothing_else():
+    done = run("run", *HOP, "--json")
+    assert done.exit_code == 0
+    data = json.loads(done.stdout)
+    assert data == hop().to_dict()
+    assert list(data) == ["schema", "version", "scenario", "status", "sequence", "events", "final", "energy"]
+    assert data["schema"] == "hophoop/1"
+    assert data["version"] == hh.__version__
+    assert (data["status"], data["sequence"]) == ("completed", "RKRSHR")
+    assert all(list(event)[: len(EVENT_KEYS)] == EVENT_KEYS for event in data["events"])
+    impact = next(event for event in data["events"] if event["kind"] == "impact")
+    assert list(impact["before"]) == ["vx", "vy", "omega"]
+    assert list(impact["impulse"]) == ["normal", "tangential"]
+    assert (impact["from"], impact["to"]) == ("H", "R")
+    assert list(data["final"]) == ["t", "mode", "x", "height", "angle", "vx", "vy", "omega"]
+    assert list(data["energy"]) == [
+        "kinetic", "potential", "friction", "impact_normal", "impact_tangential", "residual",
+    ]  # fmt: skip
+
+
+def test_numbers_keep_every_bit():
+    events = json.loads(run("run", *HOP, "--json").stdout)["events"]
+    assert [event["t"] for event in events] == [event.t for event in hop().events]
+    assert [event["angle"] for event in events] == [event.angle for event in hop().events]
+
+
+def test_json_into_a_file_leaves_the_table(tmp_path):
+    path = tmp_path / "result.json"
+    done = run("run", *HOP, "--json", path)
+    assert done.exit_code == 0
+    assert json.loads(path.read_text(encoding="utf-8")) == hop().to_dict()
+    assert "takeoff" in done.stdout
+    assert "RKRSHR" in done.stdout
+
+
+def test_json_never_writes_over_the_scenario(scenario, tmp_path):
+    before = scenario.read_text(encoding="utf-8")
+    # what follows --json would be its file, were it not the only scenario around
+    done = run("run", "--json", scenario)
+    assert json.loads(done.stdout)["sequence"] == "RKRSHR"
+    same = tmp_path / "same.json"
+    same.write_text(json.dumps(hh.Scenario.load(scenario).to_dict()), encoding="utf-8")
+    assert json.loads(run("run", "--json", same).stdout)["sequence"] == "RKRSHR"
+    refused = run("run", scenario, "--json", scenario)
+    assert refused.exit_code == 2
+    assert "is the scenario itself" in refused.stderr
+    assert scenario.read_text(encoding="utf-8") == before
+
+
+def test_scenario_from_standard_input():
+    done = run("run", "-", "--json", text='{"hoop": {"load_fraction": 0.5}, "duration": 1.0}')
+    assert json.loads(done.stdout)["scenario"]["hoop"]["load_fraction"] == 0.5
+
+
+# Options
+
+
+def of(*arguments):
+    return json.loads(run("run", *arguments, "--json").stdout)["scenario"]
+
+
+def test_options_change_a_file(scenario):
+    data = of(scenario, "--mu", "0.4", "--v0", "1", "--radius", "0.5")
+    assert (data["plane"]["mu"], data["start"]["speed"], data["hoop"]["radius"]) == (0.4, 1.0, 0.5)
+    assert data["duration"] == 2.0
+
+
+def test_two_frictions_at_once():
+    # each alone would contradict the other's default
+    data = of("--mu-kinetic", "0.3", "--mu-static", "0.5", "--duration", "0.1")
+    assert (data["plane"]["mu_static"], data["plane"]["mu_kinetic"]) == (0.5, 0.3)
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_the_massless_hoop_by_its_numbers(order):
+    pairs = [("--eccentricity", "1"), ("--inertia-ratio", "0")][::order]
+    data = of(*(word for pair in pairs for word in pair), "--duration", "0.1")
+    assert (data["hoop"]["eccentricity"], data["hoop"]["inertia_ratio"]) == (1.0, 0.0)
+
+
+def test_free_start_and_degrees():
+    data = of("--angle-deg", "90", "--omega", "-2", "--vx", "1", "--height", "0.1", "--slope-deg", "5")
+    assert data["start"]["angle"] == math.pi / 2
+    assert (data["start"]["omega"], data["start"]["vx"], data["start"]["height"]) == (-2.0, 1.0, 0.1)
+    assert data["plane"]["slope"] == math.radians(5.0)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--gamma", "0.5", "--eccentricity", "0.2"), "--gamma cannot be given together with --eccentricity."),
+        (("--v0", "1", "--vx", "2"), "--v0 cannot be given together with --vx."),
+        (("--mu", "1", "--mu-static", "2"), "--mu cannot be given together with --mu-static."),
+        (("--mu", "1", "--set", "plane.mu=0.5"), "--set plane.mu cannot be given together with --mu."),
+        (("--v0", "1", "--set", "start.omega=2"), "--v0 cannot be given together with --set start.omega."),
+        (("--vx", "2"), "--vx cannot be given without --omega: the start is a rolling one (start.speed = 3.1 m/s)"),
+        (("--omega", "2"), "--omega cannot be given without --vx"),
+        (("--height", "0.2"), "--height cannot be given without --vx and --omega"),
+    ],
+)
+def test_contradictions_that_a_file_refuses_are_refused(words, said):
+    done = run("run", *words, "--duration", "0.1")
+    assert done.exit_code == 2
+    assert said in " ".join(done.stderr.split())
+
+
+def test_a_free_start_is_changed_one_number_at_a_time(tmp_path):
+    path = tmp_path / "thrown.toml"
+    path.write_text("[start]\nvx = 1.0\nheight = 0.1\n", encoding="utf-8")
+    start = of(path, "--vx", "2", "--duration", "0.1")["start"]
+    assert (start["vx"], start["height"], start["omega"]) == (2.0, 0.1, 0.0)
+
+
+def test_a_long_table_says_what_it_leaves_out():
+    words = ("run", "--v0", "2.8", "--duration", "60")
+    count = len(hh.simulate(hh.Scenario(start=hh.Start.rolling(2.8), duration=60.0)).events)
+    brief, whole = run(*words).stdout, run(*words, "--all").stdout
+    assert f"… {count - 80} events are left out where the dots are; --all prints them." in brief
+    times = re.compile(r"^ *\d+\.\d{6} ", re.MULTILINE)
+    assert (len(times.findall(brief)), len(times.findall(whole))) == (80, count)
+    assert "left out" not in whole
+    assert times.findall(brief)[-20:] == times.findall(whole)[-20:]
+    # JSON is the whole result in any case
+    assert len(json.loads(run(*words, "--json").stdout)["events"]) == count
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [
+        (["hophoop", "th"], "theory"),
+        (["hophoop", "run", "--mu-s"], "--mu-static"),
+        (["hophoop", "map", "--quantity", "hop_h"], "hop_height"),
+    ],
+)
+def test_a_shell_completes_commands_options_and_values(typed, offered):
+    code = "from hophoop.cli import app; app(prog_name='hophoop')"
+    wanted = {"_HOPHOOP_COMPLETE": "complete_bash", "COMP_WORDS": " ".join(typed), "COMP_CWORD": str(len(typed) - 1)}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=os.environ | wanted, capture_output=True, text=True, check=False
+    )
+    assert offered in done.stdout.split()
+
+
+def test_any_parameter():
+    data = of("--set", "contact.max_events=7", "--set", "plane.impact_law=newton", "--v0", "1")
+    assert data["contact"] == {"model": "rigid", "max_events": 7}
+    assert data["plane"]["impact_law"] == "newton"
+
+
+# Files
+
+
+def test_csv_and_picture_and_saved_motion(tmp_path):
+    table, picture, store = tmp_path / "a.csv", tmp_path / "a.svg", tmp_path / "a.nc"
+    done = run("run", *HOP, "--csv", table, "--samples", 11, "--plot", picture, "--save", store, "--quiet")
+    assert done.exit_code == 0, done.stderr
+    assert done.stdout == ""
+    rows = list(csv.reader(table.open(encoding="utf-8")))
+    assert len(rows) == 12
+    assert "<svg" in picture.read_text(encoding="utf-8")
+    assert hh.load(store).at(1.3) == hop().at(1.3)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.csv", "a.nc", "a.svg"]
+
+
+def test_a_folder_is_not_replaced(tmp_path):
+    kept = tmp_path / "results" / "precious"
+    kept.parent.mkdir()
+    kept.write_text("kept", encoding="utf-8")
+    done = run("run", *HOP, "--csv", kept.parent)
+    assert done.exit_code == 2
+    assert kept.read_text(encoding="utf-8") == "kept"
+
+
+# Exit status
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (["--mu", "-1"], "plane.mu = -1.0 must be at least 0"),
+        (["--gamma", "1.5"], "hoop.load_fraction = 1.5 must be at most 1"),
+        (["--duration", "0"], "duration = 0.0 must be greater than 0"),
+        (["--mu", "nan"], "plane.mu = nan"),
+        (["--slope", "0.1", "--slope-deg", "3"], "--slope-deg cannot be given together with --slope"),
+        (["--set", "plane.colour=1"], "colour"),
+        (["--set", "plane.mu"], "--set plane.mu must be a path and a value"),
+        (["nowhere.toml"], "nowhere.toml: No such file or directory"),
+        (["--plot", "picture.xyz"], "--plot = picture.xyz must end in"),
+        (["--save", "motion.txt"], "--save = motion.txt must end in"),
+        (["--samples", "1"], "--samples = 1 must be at least 2"),
+        (["--csv", "a", "--json", "a"], "a is named for two outputs"),
+        (["--mu", "much"], "--mu"),
+        (["--colour", "red"], "--colour"),
+    ],
+)
+def test_bad_input_is_one_sentence(arguments, sentence):
+    done = run("run", *arguments)
+    assert done.exit_code == 2
+    assert done.stdout == ""
+    assert sentence in done.stderr
+    assert done.stderr.startswith("Error: ")
+    assert done.stderr.count("\n") == 1
+
+
+def test_no_answer_is_written_and_told(tmp_path):
+    path = tmp_path / "result.json"
+    done = run("run", *HOP, "--set", "contact.max_events=3", "--json", path)
+    assert done.exit_code == 1
+    assert "event_limit" in done.stderr
+    data = json.loads(path.read_text(encoding="utf-8"))
+    assert data["status"] == "event_limit"
+    assert len(data["events"]) >= 3
+
+
+def test_no_command_and_unknown_command():
+    assert run().exit_code == 2
+    unknown = run("rum")
+    assert unknown.exit_code == 2
+    assert "rum" in unknown.stderr
+
+
+# Theory
+
+
+def test_theory_as_json():
+    done = run("theory", "--json")
+    assert done.exit_code == 0
+    data = json.loads(done.stdout)
+    assert data["schema"] == "hophoop-theory/1"
+    values = data["theory"]
+    assert values["first_slip_speed"] == hh.theory.first_slip_speed(hh.Hoop.ideal(0.75), hh.Plane())
+    assert values["painleve_friction"] == pytest.approx(math.sqrt(1 - 0.75**2) / 0.75, rel=1e-14)
+    assert values["immediate_hop_speed"] == pytest.approx(math.sqrt(9.81 / 0.75), rel=1e-14)
+    assert values["hop_angle"] == pytest.approx(hop().find("takeoff")[0].angle, rel=1e-12)
+
+
+def test_theory_says_what_a_hoop_does_not_have():
+    data = json.loads(run("theory", "--json", "--gamma", "1", "--v0", "1").stdout)
+    assert data["theory"]["first_slip_speed"] is None
+    assert "massless" in data["notes"]["first_slip_speed"]
+    assert data["theory"]["massless_loss_angle"] == pytest.approx(math.acos(1 / 9.81), rel=1e-14)
+    assert data["theory"]["max_rolling_speed"] == "inf"
+
+
+def test_theory_as_a_table():
+    done = run("theory", "--v0", "2")
+    assert done.exit_code == 0
+    assert "2.04317391" in done.stdout
+    assert "not within the first turn" in done.stdout
+
+
+# As a program of its own
+
+
+def program(*arguments, text=None):
+    command = [sys.executable, "-c", "from hophoop.cli import app; app()", *arguments]
+    return subprocess.run(command, input=text, capture_output=True, text=True, check=False, encoding="utf-8")
+
+
+def test_program_exit_status_and_streams():
+    done = program("run", "-", "--json", text="duration = 0.5\n")
+    assert done.returncode == 0
+    assert json.loads(done.stdout)["status"] == "completed"
+    bad = program("run", "--gravity", "-9.81")
+    assert (bad.returncode, bad.stdout) == (2, "")
+    assert bad.stderr == "Error: plane.gravity = -9.81 must be at least 0.\n"
+    assert program("--version").stdout == f"{hh.__version__}\n"
+
+
+def test_help_loads_no_numbers():
+    code = (
+        "import sys\nfrom hophoop.cli import app\n"
+        "try:\n    app(['--help'])\nexcept SystemExit:\n    pass\n"
+        "heavy = {'numpy', 'numba', 'pydantic', 'matplotlib', 'xarray'} & set(sys.modules)\n"
+        "print(sorted(heavy), file=sys.stderr)"
+    )
+    begin = time.perf_counter()
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    seconds = time.perf_counter() - begin
+    assert done.stderr.strip() == "[]"
+    assert all(name in done.stdout for name in ("run", "theory", "reproduce"))
+    assert seconds < 5.0  # half a second on a machine of its own; this only catches a heavy import

@@ -1,0 +1,101 @@
+"""`hophoop map`, as a person or a script calls it."""
+
+import re
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import hophoop as hh
+from hophoop import maps
+from hophoop.cli import app
+from hophoop.maps import memory
+
+AXES = ["--axis", "plane.mu=0.2:1.8:9", "--axis", "start.speed=0.1,2,3.1,5"]
+
+
+def call(*arguments, **options):
+    return CliRunner().invoke(app, ["map", *map(str, arguments)], **options)
+
+
+def test_a_map_into_a_file_and_a_picture(tmp_path):
+    out, picture = tmp_path / "map.zarr", tmp_path / "map.png"
+    quantities = ["--quantity", "sequence", "--quantity", "hop_height"]
+    done = call(*AXES, *quantities, "--out", out, "--plot", picture, "--quiet")
+    assert done.exit_code == 0, done.output
+    assert "36 motions" in done.output
+    expected = maps.sweep(
+        None,
+        {"plane.mu": np.linspace(0.2, 1.8, 9), "start.speed": [0.1, 2.0, 3.1, 5.0]},
+        ["sequence", "hop_height"],
+    )
+    assert maps.open_map(out).load().identical(expected)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert call(*AXES, *quantities, "--out", out, "--resume", "--quiet").exit_code == 0
+
+
+def test_a_scenario_as_the_base(tmp_path):
+    file = tmp_path / "hop.toml"
+    hh.Scenario(hoop=hh.Hoop.ideal(0.5)).save(file)
+    done = call(file, *AXES, "--out", tmp_path / "map.nc", "--quiet", "--span", "takeoff")
+    assert done.exit_code == 0, done.output
+    dataset = maps.open_map(tmp_path / "map.nc")
+    assert '"load_fraction": 0.5' in dataset.attrs["scenario"]
+    assert dataset.attrs["span"] == "takeoff"
+
+
+def test_progress_says_rate_and_time_left(tmp_path):
+    done = call(*AXES, "--out", tmp_path / "map.zarr")
+    assert "36/36" in done.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (AXES, "--out or --plot"),
+        ([*AXES, "--resume", "--plot", "a.png"], "--out must name the map"),
+        ([*AXES, "--axis", "plane.mu=1:2:3", "--out", "a.zarr"], "names plane.mu twice"),
+        ([*AXES[:2], "--out", "a.zarr"], "at least two"),
+        ([*AXES, "--out", "a.zarr", "--span", "ever"], "span = 'ever'"),
+        ([*AXES, "--out", "a.zarr", "--quantity", "size"], "quantity = 'size'"),
+        ([*AXES, "--axis", "hoop.mass=1,2", "--out", "a.zarr", "--plot", "a.png"], "two axes, not 3"),
+        ([*AXES, "--out", "a.zarr", "--gpu"], "device = 'gpu'"),
+        ([*AXES, "--out", "a.zarr", "--plot", "a.xyz"], "--plot = a.xyz must end in .png"),
+        ([*AXES, "--plot", "gone/a.png"], "--plot = gone/a.png must be in a folder that is there; gone is not"),
+        (
+            ["--axis", "plane.mu=0:1:300000", "--axis", "start.speed=1:2:300000", "--plot", "a.png"],
+            "axes make 90,000,000,000 motions, which need",
+        ),
+        ([*AXES, "--out", "a.map"], "out = 'a.map' must end in .zarr or .nc"),
+    ],
+)
+def test_bad_input_is_one_sentence(tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    done = call(*arguments)
+    assert done.exit_code == 2
+    assert message in " ".join(done.output.split())
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_help_lists_the_quantities():
+    text = call("--help").output
+    for name, quantity in maps.QUANTITIES.items():
+        assert re.search(rf"^  {name} +{re.escape(quantity.meaning)}", text, re.MULTILINE), name
+
+
+def test_a_map_that_does_not_fit_into_memory_is_refused_before_it_starts(monkeypatch):
+    values = {"plane.mu": np.linspace(0.1, 1.0, 20000), "start.speed": np.linspace(0.1, 3.0, 20000)}
+    monkeypatch.setattr(memory, "free_memory", lambda: 1e9)
+    with pytest.raises(ValueError, match=r"400,000,000 motions, which need 1\.8 GB of memory where 1\.0 GB are free"):
+        maps.sweep(None, values)
+    assert memory.check_memory([1000, 1000], ["f8"], "no") is None
+
+
+def test_no_memory_is_one_sentence(monkeypatch):
+    def fail(*args):
+        raise MemoryError("Unable to allocate 745. GiB")
+
+    monkeypatch.setattr("hophoop.maps.axes.parse_axis", fail)
+    done = call(*AXES, "--plot", "a.png")
+    assert done.exit_code == 2
+    assert "There is not enough memory: Unable to allocate 745. GiB." in done.output

@@ -1,0 +1,409 @@
+"""The lab without a browser: frames, words, presets, code, limits, maps, the notebook widget."""
+
+import json
+import math
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.lab import calls, controls, files, film, limits, packing, page, presets, regions, thresholds, words
+from hophoop.scenario import InputError, paths
+
+HOP = hh.Scenario()
+
+
+@pytest.fixture(scope="module")
+def motion():
+    return hh.simulate(HOP)
+
+
+def answered(call, body, bounds=limits.USUAL):
+    return calls.answer(calls.read(call, body, bounds), bounds)
+
+
+# Frames
+
+
+def test_packed_arrays_come_back():
+    arrays = {
+        "t": np.array([0.0, 1e-17, 3.0]),
+        "vx": np.array([1.5, np.inf]),
+        "modes": np.eye(3, dtype=np.uint8),
+    }
+    header, back = packing.unpack(packing.pack({"words": "θ̇ → ∞"}, arrays))
+    assert header == {"words": "θ̇ → ∞"}
+    assert back["t"].dtype == np.float64
+    for name, array in arrays.items():
+        np.testing.assert_array_equal(back[name], array)
+
+
+def test_every_array_starts_where_a_browser_can_read_it():
+    block = packing.pack({}, {"modes": np.zeros(3, np.uint8), "t": np.zeros(2), "vx": np.zeros(1)})
+    length = int.from_bytes(block[:4], "little")
+    assert (length + 4) % 8 == 0
+    listed = json.loads(block[4 : 4 + length])["arrays"]
+    assert [entry["place"] % 8 for entry in listed] == [0, 0, 0]
+
+
+def test_the_film_holds_both_sides_of_each_event(motion):
+    columns = film.columns(motion)
+    landing = motion.find("impact")[0]
+    before, after = np.flatnonzero(columns["t"] == landing.t)
+    assert columns["vy"][before] == pytest.approx(landing.before.vy)
+    assert columns["vy"][after] == 0.0
+    assert columns["mode"][before] == 3
+    assert columns["mode"][after] == 0
+    assert (np.diff(columns["t"]) >= 0.0).all()
+    assert columns["t"][0] == 0.0
+    assert columns["t"][-1] == motion.duration
+    for event in motion.events[1:-1]:
+        assert np.count_nonzero(columns["t"] == event.t) == 2, event.kind
+
+
+def test_frames_are_the_motion(motion):
+    columns = film.columns(motion)
+    places = np.flatnonzero(np.diff(columns["t"], append=np.inf) > 0.0)[::50]
+    sample = motion.at(columns["t"][places])
+    for name in ("x", "height", "angle", "omega", "normal_force", "kinetic"):
+        np.testing.assert_array_equal(columns[name][places], getattr(sample, name), name)
+
+
+def test_utilization_is_one_in_slip_and_nowhere_above(motion):
+    columns = film.columns(motion)
+    slip = np.isin(columns["mode"], (1, 2))
+    np.testing.assert_allclose(columns["utilization"][slip], 1.0, rtol=1e-12)
+    assert np.isnan(columns["utilization"][columns["mode"] == 3]).all()
+    assert np.nanmax(columns["utilization"]) <= 1.0 + 1e-12
+
+
+def test_a_motion_without_length_has_a_frame():
+    jammed = hh.simulate(hh.Scenario(start=hh.Start(angle=0.0, vx=1.0, omega=1.0), duration=1e-9))
+    assert len(film.columns(jammed)["t"]) >= 2
+
+
+# Words
+
+
+def test_the_hop_is_told(motion):
+    assert words.summary(motion).startswith(
+        "Rolls, skids at 49.8°, rolls at 152.7°, spins at 234.3°, hops at 315.6°, lands at 501.7°"
+    )
+    story = words.story(motion)
+    assert [told["event"] for told in story] == sorted({told["event"] for told in story})
+    hop = next(told for told in story if "hops" in told["text"])
+    assert hop["t"] == motion.find("takeoff")[0].t
+    assert "29.2 cm" in hop["text"]
+    assert "0.759 s" in hop["text"]
+
+
+def test_every_kind_of_event_has_words():
+    seen = set()
+    for preset in presets.presets():
+        computed = calls.computed(preset.scenario)
+        for told, event in ((told, computed.events[told["event"]]) for told in words.story(computed)):
+            seen.add(event.kind)
+            assert re.fullmatch(r"[A-Z][^_]+\.", told["text"]), event.kind
+        assert "_" not in words.summary(computed)
+    assert {"takeoff", "impact", "jam", "skim", "rest", "kane_gain", "painleve_inconsistent"} <= seen
+
+
+def test_bounces_without_number_are_counted_not_listed():
+    computed = calls.computed(next(p for p in presets.presets() if p.key == "bounces").scenario)
+    bounces = [e for e in computed.find("impact") if e.to_mode == "H"]
+    assert len(bounces) > 20
+    said = [told["text"] for told in words.story(computed)]
+    assert sum("and bounces" in text for text in said) == 3
+    assert f"It bounces {len(bounces) - 3} more times." in said
+    assert f"bounces at 64.9° and {len(bounces) - 1} more times, has bounced out" in words.summary(computed)
+    # two bounces are told one by one
+    few = calls.computed(hh.Scenario(plane=hh.Plane(restitution=0.9), start=hh.Start(height=1.0), duration=2.0))
+    assert 1 < len([e for e in few.find("impact") if e.to_mode == "H"]) < 6
+    assert not any("more times" in told["text"] for told in words.story(few))
+
+
+def test_numbers_in_words_have_a_minus_sign_and_powers():
+    assert words.degrees(-1.0) == "−57.3°"
+    fast = calls.computed(hh.Scenario(start=hh.Start(height=1.0, vx=-1.5e4), duration=0.1))
+    assert "the centre at −1.5·10⁴ m/s" in words.story(fast)[0]["text"]
+
+
+def test_a_long_story_says_what_it_leaves_out():
+    bounces = next(preset for preset in presets.presets() if preset.key == "bounces")
+    story = words.story(calls.computed(bounces.scenario), most=5)
+    assert len(story) == 6
+    assert re.fullmatch(r"… and \d+ more\.", story[-1]["text"])
+
+
+# Requests
+
+
+def test_changes_follow_the_rules_of_a_scenario():
+    request = calls.read("film", {"changes": [["start.omega", 2.0], ["plane.mu", 0.5]]})
+    assert request.scenario.start.vx == 3.1
+    assert request.scenario.start.omega == 2.0
+    assert request.scenario.plane.mu == 0.5
+
+
+def test_equal_requests_have_equal_tags():
+    spelt_out = {"scenario": {"plane": {"mu": 1}, "start": {"speed": 3.1}, "duration": 6}}
+    assert calls.read("simulate", {}).tag == calls.read("simulate", spelt_out).tag
+    others = [
+        calls.read("simulate", {"samples": 2}),
+        calls.read("theory", {}),
+        calls.read("simulate", {"query": "start.speed=3"}),
+    ]
+    assert len({request.tag for request in [*others, calls.read("simulate", {})]}) == 4
+
+
+@pytest.mark.parametrize(
+    ("call", "body", "said"),
+    [
+        ("fly", {}, "call = 'fly' must be one of setup, film"),
+        ("film", [], r"The body must be a JSON object, not \[\]\."),
+        ("film", {"scenario": 3}, "scenario = 3 must be a table of keys."),
+        ("film", {"scenario": {"hop": {}}}, "hop is not a known key; did you mean hoop?"),
+        ("film", {"changes": {}}, "changes = {} must be a list"),
+        ("film", {"changes": [["plane.mu"]]}, "not a pair of path and value"),
+        ("film", {"changes": [["plane.mu", -1]]}, "plane.mu = -1 must be at least 0"),
+        ("film", {"query": "plane.mu=x"}, "plane.mu = 'x' must be a number"),
+        ("simulate", {"samples": 1}, "samples = 1 must be a whole number from 0 and not 1."),
+        ("simulate", {"samples": True}, "samples = True must be a number"),
+        ("regions", {"window": [0, 1, 2]}, "window = [0, 1, 2] must be four numbers"),
+        ("regions", {"window": [0, 1, 3, 2]}, "window = [0, 1, 3, 2] must be four numbers"),
+        ("regions", {"window": [0, True, 2, 3]}, "window.1 = True must be a number."),
+        ("file", {"name": "../../etc/passwd"}, "must be one of motion.toml"),
+        ("map", {}, "x is missing (and 1 more problem)."),
+        ("map", {"x": 3, "y": {}}, "x = 3 must be a table of keys"),
+        ("map", {"x": {"pat": 3}, "y": {}}, "pat is not a known key; did you mean path?"),
+        ("map", {"x": {"path": "plane.law"}, "y": {}}, "plane.law is not a parameter"),
+        ("map", {"x": {"path": "plane.impact_law", "from": 0, "to": 1}, "y": {}}, "not that of a word"),
+        (
+            "map",
+            {"x": {"path": "plane.mu", "from": 0, "to": "1"}, "y": {}},
+            "x.to = '1' must be a number (and 3 more problems).",
+        ),
+    ],
+)
+def test_bad_requests_are_refused_in_one_sentence(call, body, said):
+    with pytest.raises(InputError, match=said if "\\" in said else re.escape(said)) as error:
+        calls.read(call, body)
+    assert str(error.value).endswith((".", "?"))
+    assert "\n" not in str(error.value)
+
+
+def test_map_options_are_checked():
+    axis = {"path": "plane.mu", "from": 0, "to": 1}
+    other = {"path": "start.speed", "from": 0, "to": 1}
+    with pytest.raises(InputError, match="must differ"):
+        calls.read("map", {"x": axis, "y": axis})
+    with pytest.raises(InputError, match=r"what = .* must be one of sequence"):
+        calls.read("map", {"x": axis, "y": other, "what": "luck"})
+    with pytest.raises(InputError, match="z is not a known key"):
+        calls.read("map", {"x": axis, "y": other, "z": 1})
+    with pytest.raises(limits.TooMuch, match=r"x\.cells times y.cells = 90000 must be at most 65536"):
+        calls.read("map", {"x": {**axis, "cells": 300}, "y": {**other, "cells": 300}})
+    with pytest.raises(limits.TooMuch, match=r"s of motion and must be"):
+        answered(
+            "map",
+            {
+                "x": {**axis, "cells": 200},
+                "y": {**other, "cells": 200},
+                "what": "ending",
+                "scenario": {"duration": 500},
+            },
+        )
+    with pytest.raises(InputError, match="must be 'rigid' for a map"):
+        answered("map", {"x": axis, "y": other, "scenario": {"contact": {"model": "compliant"}}})
+
+
+# Limits
+
+
+def test_limits_bound_a_motion():
+    with pytest.raises(limits.TooMuch, match="duration = 601 must be at most 600 s"):
+        limits.within(hh.Scenario(duration=601))
+    with pytest.raises(limits.TooMuch, match="65 parts"):
+        limits.within(
+            hh.Scenario(hoop=hh.Hoop.from_parts(1, [hh.PointMass(1, at=1)] + 64 * [hh.Ring(1, 0.9, 1)]))
+        )
+    stiff = hh.Scenario(contact=hh.Compliant(stiffness=1e14))
+    with pytest.raises(limits.TooMuch, match="steps of integration"):
+        limits.within(stiff)
+    assert limits.within(HOP).contact.max_events == limits.USUAL.events
+    own = hh.Scenario(contact=hh.Rigid(max_events=7))
+    assert limits.within(own) is own
+
+
+def test_too_many_events_are_said():
+    few = replace(limits.USUAL, events=5)
+    with pytest.raises(limits.TooMuch, match="5 events within"):
+        answered("simulate", {}, few)
+    # the page shows what there is
+    assert answered("film", {}, few).header["status"] == "event_limit"
+    # and who asks for few gets few
+    own = {"scenario": {"contact": {"max_events": 3}}}
+    assert answered("simulate", own, few).header["status"] == "event_limit"
+
+
+def test_what_a_compliant_contact_chooses_is_shown():
+    assert answered("film", {}).header["automatic"] == {}
+    own = hh.Scenario(contact=hh.Compliant(), duration=0.2)
+    chosen = calls.film_of(calls.computed(own)).header["automatic"]
+    # given as numbers, the same motion
+    given = own.replace("contact.stiffness", chosen["contact.stiffness"])
+    given = given.replace("contact.slip_speed", chosen["contact.slip_speed"])
+    assert calls.computed(given).at(0.2).x == pytest.approx(calls.computed(own).at(0.2).x, rel=1e-12)
+    for slider in controls.controls()["groups"]["contact"]:
+        assert slider["least"] <= chosen[slider["path"]] <= slider["most"], slider["path"]
+
+
+# What surrounds a motion
+
+
+def test_theory_names_the_thresholds():
+    found = {entry["key"]: entry for entry in thresholds.thresholds(HOP)}
+    critical = hh.theory.critical_speeds(HOP.hoop, HOP.plane)
+    assert found["first_hop"]["value"] == critical.first_hop
+    assert "would hop in its first turn above 2.908 m/s" in found["first_hop"]["text"]
+    assert "possible here" in found["painleve"]["text"]
+    low = {entry["key"]: entry for entry in thresholds.thresholds(HOP.replace("plane.mu", 0.5))}
+    assert "not here" in low["painleve"]["text"]
+    (littlewood,) = (preset.scenario for preset in presets.presets() if preset.key == "littlewood")
+    massless = thresholds.thresholds(littlewood)
+    assert [entry["key"] for entry in massless] == ["loss"]
+
+
+@pytest.mark.parametrize(
+    "query",
+    ["plane.gravity=0", "plane.slope=-0.2", "plane.slope=1.2", "hoop.load_fraction=0", "plane.mu=inf",
+     "plane.mu=0", "hoop.load_fraction=1&plane.gravity=0", "contact.model=compliant", "start.height=0.3"],
+)  # fmt: skip
+def test_theory_and_film_answer_at_the_edges(query):
+    body = {"query": query}
+    for entry in answered("theory", body).header["thresholds"]:
+        assert entry["text"]
+        assert "nan" not in entry["text"]
+    answered("regions", body).packed()
+    packing.unpack(answered("film", body).packed())
+    json.loads(answered("simulate", {**body, "samples": 5}).json())
+
+
+def test_regions_are_the_modes_of_theory():
+    got = regions.regions(HOP, (0.0, 2 * np.pi, -12.0, 12.0), columns=40, rows=30)
+    angles = (np.arange(40) + 0.5) * (2 * np.pi / 40)
+    rates = (np.arange(30) + 0.5) * 0.8 - 12.0
+    for row, column in [(20, 3), (29, 20), (25, 5), (18, 35), (0, 0)]:
+        letter = hh.theory.mode_of(angles[column], rates[row], HOP.hoop, HOP.plane)
+        assert "RSKHM?"[got["modes"][row, column]] == letter
+    assert set(np.unique(got["paradox"])) == {-1.0, 0.0, 1.0}
+
+
+def test_a_map_holds_the_motions_of_its_cells():
+    body = {
+        "x": {"path": "start.speed", "from": 2.0, "to": 3.4, "cells": 6},
+        "y": {"path": "plane.mu", "from": 0.3, "to": 1.2, "cells": 4},
+        "what": "hop_height",
+    }
+    reply = answered("map", body)
+    assert reply.arrays["values"].shape == (4, 6)
+    for row, column in [(3, 5), (2, 0), (0, 5)]:
+        speed = 2.0 + (column + 0.5) * 1.4 / 6
+        mu = 0.3 + (row + 0.5) * 0.9 / 4
+        single = hh.simulate(HOP.replace("start.speed", speed).replace("plane.mu", mu))
+        hop = next((e for e in single.events if e.kind == "takeoff"), None)
+        value = reply.arrays["values"][row, column]
+        if hop is None:
+            assert math.isnan(value)
+        else:
+            landing = next(e.t for e in single.events if e.kind == "impact" and e.t > hop.t)
+            heights = single.at(np.linspace(hop.t, landing, 2001)).height
+            assert value == pytest.approx(heights.max(), rel=1e-5)
+
+
+def test_classes_of_a_map_have_words_and_colours():
+    axes = {
+        "x": {"path": "start.speed", "from": 0.1, "to": 5.0},
+        "y": {"path": "plane.mu", "from": 0.05, "to": 1.5},
+    }
+    reply = answered("map", axes)
+    classes = reply.header["classes"]
+    values = reply.arrays["values"]
+    assert values.shape == (48, 48)
+    assert set(np.unique(values)) == set(range(len(classes)))
+    named = {entry["name"]: entry for entry in classes}
+    assert named["RKRSH"]["text"] == "roll → slip + → roll → slip − → hop"
+    assert all(re.fullmatch(r"#[0-9a-fA-F]{6}", entry["color"]) for entry in classes)
+
+
+# Controls
+
+
+def test_controls_are_parameters_with_valid_ends():
+    offered = controls.controls()
+    known = set(paths())
+    for group in offered["groups"].values():
+        for slider in group:
+            assert slider["path"] in known
+            for end in (slider["least"], slider["most"]):
+                value = math.radians(end) if slider["degrees"] else end
+                base = HOP
+                if slider["path"].startswith("contact."):
+                    base = HOP.replace("contact.model", "compliant")
+                if slider["path"] == "plane.mu_static":
+                    base = HOP.replace("plane.mu_kinetic", 0.0)
+                if slider["path"] == "plane.mu_kinetic":
+                    base = HOP.replace("plane.mu", 2.0)
+                base.replace(slider["path"], value)
+    for choice in offered["choices"]:
+        for option, _ in choice["options"]:
+            base = HOP
+            if choice["path"] in ("contact.law", "contact.friction"):
+                base = HOP.replace("contact.model", "compliant")
+            base.replace(choice["path"], option)
+    for axis in offered["map_axes"]:
+        assert axis["path"] in known
+
+
+# Files
+
+
+def test_files_hold_the_motion(tmp_path, motion):
+    made = {name: kind.make(HOP, limits.USUAL) for name, kind in files.KINDS.items() if not kind.slow}
+    assert hh.Scenario.loads(made["motion.toml"].decode()) == HOP
+    assert json.loads(made["motion.json"])["sequence"] == motion.sequence
+    rows = made["motion.csv"].decode().splitlines()
+    assert rows[0].startswith("t [s],mode,x [m]")
+    assert len(rows) == 1202
+    (tmp_path / "motion.nc").write_bytes(made["motion.nc"])
+    loaded = hh.load(tmp_path / "motion.nc")
+    assert loaded.at(1.3).x == motion.at(1.3).x
+
+
+def test_a_film_is_made_and_has_its_limit():
+    pytest.importorskip("imageio_ffmpeg")
+    short = hh.Scenario(duration=0.2)
+    assert files.KINDS["motion.gif"].make(short, limits.USUAL)[:4] == b"GIF8"
+    with pytest.raises(limits.TooMuch, match="at most 20 s for a film"):
+        files.KINDS["motion.mp4"].make(hh.Scenario(duration=21), limits.USUAL)
+
+
+# The script
+
+
+def test_the_script_is_one_module_without_imports():
+    script = page.script()
+    assert not re.search(r"(^|[;}])import\b", script, re.MULTILINE)
+    assert re.findall(r"\bexport\{[^}]*\}", script) == [re.search(r"export\{\w+ as default\}", script)[0]]
+
+
+def test_the_page_asks_for_nothing_from_elsewhere():
+    for text in (page.script(), page.style(), page.html()):
+        assert not re.findall(r"https?://(?!www\.w3\.org/2000/svg)[^\s\"'`]+", text)
+
+
+def test_every_file_of_the_page_is_used():
+    folder = files.Path(page.__file__).parent / "static"
+    assert {path.name for path in folder.iterdir()} == {"index.html", "style.css", "icon.svg", "lab.js"}

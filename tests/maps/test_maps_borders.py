@@ -1,0 +1,238 @@
+"""Borders against thresholds that theory knows, refinement against areas, and the pictures of maps."""
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop import maps
+from hophoop.maps.border import follow
+from hophoop.maps.classes import Classifier, make_window
+from hophoop.plots.maps import motion_map
+from hophoop.vocabulary.classes import CODES, class_color
+
+WINDOW = {"plane.mu": (0.05, 2.0), "start.speed": (0.05, 5.0)}
+
+
+def rolling_limit(speed, gamma=0.75, gravity=9.81):
+    """Friction that rolling once round needs, by samples of the closed form."""
+    theta = np.linspace(0, math.pi, 400001)
+    s, c = np.sin(theta), np.cos(theta)
+    kappa = 1 - gamma**2
+    inertia = 1 + kappa + gamma**2 + 2 * gamma * c
+    u = ((1 + kappa + gamma**2 + 2 * gamma) * speed**2 / gravity + 2 * gamma * (1 - c)) / inertia
+    alpha = gamma * s * (u + 1) / inertia
+    friction = alpha * (1 + gamma * c) - gamma * s * u
+    normal = 1 - gamma * s * alpha - gamma * c * u
+    return np.abs(friction / normal).max()
+
+
+def test_the_border_of_rolling_is_where_theory_has_it():
+    border = maps.boundary(None, WINDOW, one=(1.5, 0.5), other=(0.45, 1.6), step=0.05)
+    assert set(border.classes) & {"R"}
+    assert border.x.size > 12
+    for mu, speed in list(zip(border.x, border.y, strict=True))[::3]:
+        assert mu == pytest.approx(rolling_limit(speed), abs=2e-9)
+
+
+def test_points_of_a_border_are_there_to_rounding():
+    border = maps.boundary(None, WINDOW, one=(1.0, 3.1), other=(1.0, 3.8), step=0.05)
+    # the hop at once begins where gravity no longer holds the rim down
+    assert set(border.classes) == {"H", "RKRSH"}
+    np.testing.assert_allclose(border.y, math.sqrt(9.81 / 0.75), rtol=1e-12)
+    # up to the window's edge one way, to the motions that skid right up to the spin the other
+    assert set(border.ends) == {"edge", "junction"}
+    assert max(border.x) == 2.0
+    assert 0.25 < min(border.x) < 0.35
+
+
+def test_the_classes_of_a_border_lie_on_their_sides():
+    border = maps.boundary(None, WINDOW, one=(1.0, 2.7), other=(1.0, 3.1), step=0.04)
+    window = border.window
+    u, v = window.places(border.x, border.y)
+    classify = Classifier(hh.Scenario(), window, ["sequence"], "first_revolution")
+    for k in range(3, len(u) - 3, 4):
+        way = np.array([u[k + 1] - u[k - 1], v[k + 1] - v[k - 1]])
+        left = np.array([-way[1], way[0]]) / np.hypot(*way) * 1e-7
+        sides = [classify.names[int(classify(u[k] + f * left[0], v[k] + f * left[1]))] for f in (-1, 1)]
+        assert tuple(sides) == border.classes
+
+
+def test_a_border_ends_where_a_third_class_begins():
+    border = maps.boundary(None, WINDOW, one=(1.0, 2.7), other=(1.0, 3.0), step=0.04)
+    assert "junction" in border.ends
+    end = 0 if border.ends[0] == "junction" else -1
+    classify = Classifier(hh.Scenario(), border.window, ["sequence"], "first_revolution")
+    u, v = border.window.places(border.x[end], border.y[end])
+    phi = np.linspace(0, 2 * math.pi, 97)
+    around = classify(u + 1e-6 * np.cos(phi), v + 1e-6 * np.sin(phi))
+    assert np.unique(around).size >= 3
+
+
+def test_a_closed_border():
+    class Disc(Classifier):
+        """A class of its own inside a circle, another outside."""
+
+        def __call__(self, u, v):
+            self.names = ["out", "in"]
+            return (np.hypot(np.asarray(u) - 0.5, np.asarray(v) - 0.4) < 0.3).astype(int)
+
+    window = make_window(hh.Scenario(), WINDOW)
+    classify = Disc(hh.Scenario(), window, ["sequence"], "first_revolution")
+    border = follow(classify, np.array([0.5, 0.4]), np.array([0.95, 0.5]), 0.05, 500)
+    assert border.ends == ("closed", "closed")
+    u, v = window.places(border.x, border.y)
+    np.testing.assert_allclose(np.hypot(u - 0.5, v - 0.4), 0.3, rtol=1e-14)
+    around = np.unwrap(np.arctan2(v - 0.4, u - 0.5))
+    assert abs(around[-1] - around[0]) == pytest.approx(2 * math.pi, abs=1e-9)
+    # once the one class was to the left, it stays there
+    assert border.classes == (("out", "in") if around[-1] > around[0] else ("in", "out"))
+
+
+def test_all_borders_of_a_map_part_its_classes():
+    axes = {"plane.mu": np.linspace(0.4, 2.0, 9), "start.speed": np.linspace(1.0, 4.5, 9)}
+    dataset = maps.sweep(None, axes)
+    found = maps.borders(dataset, step=0.05)
+    words = maps.words_of(dataset["sequence"])
+    pairs = {frozenset(border.classes) for border in found}
+    assert frozenset({"R", "RKRSR"}) in pairs
+    assert any("H" in pair for pair in pairs)
+    # the first border that a side of the grid crosses is among those found
+    codes = dataset["sequence"].values
+    for i, j in np.argwhere(codes[:, 1:] != codes[:, :-1]):
+        a = words[codes[i, j]]
+        assert any(a in pair for pair in pairs)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"one": (1.0, 0.1), "other": (1.0, 0.2)}, "of one class, R"),
+        ({"one": (9.0, 0.1), "other": (1.0, 0.2)}, "must lie in the window"),
+        ({"step": 0.0}, "step = 0.0"),
+        ({"most": 0}, "most = 0"),
+        ({"quantity": "time"}, "'time' must be one with classes"),
+        ({"ranges": {"plane.mu": (1.0, 0.5), "start.speed": (0.1, 5.0)}}, "a smaller and a greater"),
+        ({"ranges": {"plane.mu": (1.0, 1.5)}}, "two parameters"),
+        ({"logarithmic": ["hoop.mass"]}, "must be one of plane.mu, start.speed"),
+    ],
+)
+def test_bad_borders(options, message):
+    arguments = {"ranges": WINDOW, "one": (1.0, 0.5), "other": (1.0, 4.0)} | options
+    with pytest.raises(ValueError, match=message):
+        maps.boundary(None, **arguments)
+
+
+# Refinement
+
+
+def test_refinement_finds_what_a_full_grid_finds_with_few_motions():
+    levels, cells = 4, 16
+    refined = maps.refine(None, WINDOW, levels=levels, cells=cells)
+    n = cells << levels
+    assert refined.evaluated < 0.25 * (n + 1) ** 2
+    x = np.linspace(*WINDOW["plane.mu"], n + 1)
+    y = np.linspace(*WINDOW["start.speed"], n + 1)
+    dataset = maps.sweep(None, {"plane.mu": (x[1:] + x[:-1]) / 2, "start.speed": (y[1:] + y[:-1]) / 2})
+    words, counts = maps.words_of(dataset["sequence"]), np.bincount(dataset["sequence"].values.ravel())
+    shares = refined.shares()
+    for word, count in zip(words, counts, strict=True):
+        if count > 30:
+            share, doubt = shares[word]
+            assert abs(share - count / n**2) <= doubt + 1e-3
+    assert sum(share for share, _ in shares.values()) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_squares_of_a_refinement_fill_the_window_once():
+    refined = maps.refine(None, WINDOW, levels=3, cells=8)
+    assert (refined.width * refined.height).sum() == pytest.approx(1.95 * 4.95, rel=1e-12)
+    # those that are not as small as can be are of one class
+    assert not refined.mixed[refined.level < 3].any()
+    assert refined.mixed.any()
+
+
+def test_the_share_of_rolling_is_the_area_under_its_border():
+    refined = maps.refine(None, {"plane.mu": (0.5, 2.0), "start.speed": (0.1, 2.0)}, levels=6, cells=16)
+    share, doubt = refined.shares()["R"]
+    speeds = np.linspace(0.1, 2.0, 41)
+    limits = np.array([rolling_limit(speed) for speed in speeds])
+    expected = np.trapezoid((2.0 - np.clip(limits, 0.5, 2.0)) / 1.5, speeds) / 1.9
+    assert share == pytest.approx(expected, abs=2e-3)
+    assert doubt < 5e-3
+
+
+@pytest.mark.parametrize(
+    ("options", "message"), [({"levels": 25}, "levels = 25"), ({"cells": 0}, "cells = 0")]
+)
+def test_bad_refinements(options, message):
+    with pytest.raises(ValueError, match=message):
+        maps.refine(None, WINDOW, **options)
+
+
+# Pictures
+
+
+@pytest.fixture(scope="module")
+def dataset():
+    axes = {"plane.mu": np.linspace(0.02, 2.0, 60), "start.speed": np.linspace(0.05, 5.0, 60)}
+    return maps.sweep(None, axes, ["sequence", "hop_height", "painleve", "ending"])
+
+
+@pytest.fixture(autouse=True)
+def _closed():
+    yield
+    import matplotlib.pyplot as plt
+
+    plt.close("all")
+
+
+def test_a_picture_of_classes(dataset):
+    ax = motion_map(dataset, most=5)
+    texts = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert len(texts) == 6
+    assert texts[0].startswith("R ")
+    assert "more, together" in texts[-1]
+    shown = {float(text.split()[-2]) for text in texts}
+    assert max(shown) > 20
+    assert ax.get_xlabel() == r"Speed at the start $v_0$ (m/s)"
+    assert ax.get_ylabel() == "Friction μ"
+
+
+def test_the_line_of_painleve_is_the_threshold(dataset):
+    ax = motion_map(dataset)
+    lines = [c for c in ax.collections if hasattr(c, "levels") and list(c.levels) == [0.0]]
+    heights = np.concatenate([path.vertices[:, 1] for path in lines[0].get_paths()])
+    np.testing.assert_allclose(heights, math.sqrt(1 - 0.75**2) / 0.75, rtol=1e-12)
+
+
+def test_a_picture_of_a_number(dataset):
+    ax = motion_map(dataset, "hop_height")
+    assert ax.figure.axes[1].get_ylabel() == "Greatest gap in the first hop (m)"
+
+
+def test_axes_of_equal_ratios_are_logarithmic():
+    axes = {"plane.mu": maps.logarithmic(0.1, 2.0, 6), "start.speed": np.linspace(1.0, 4.0, 5)}
+    ax = motion_map(maps.sweep(None, axes))
+    assert ax.get_yscale() == "log"
+    assert ax.get_xscale() == "linear"
+
+
+def test_colours_of_classes_are_stable_and_apart():
+    names = ["R", "H", "RKRSR", "RKRSH", "RKSH", "RSKRSK", "RSKS", "RKRS", "RSK", "RSKSK"]
+    paint = [class_color(name) for name in names]
+    assert len(set(paint)) == len(names)
+    assert paint == [class_color(name) for name in names]
+    rgb = np.array([[int(color[i : i + 2], 16) for i in (1, 3, 5)] for color in paint])
+    apart = np.abs(rgb[:, None] - rgb[None]).sum(axis=2) + 1000 * np.eye(len(names))
+    assert apart.min() > 12
+    for quantity, table in CODES.items():
+        assert set(table) <= set(maps.QUANTITIES[quantity].words)
+
+
+def test_bad_pictures(dataset):
+    with pytest.raises(ValueError, match="must be one of sequence"):
+        motion_map(dataset, "time")
+    axes = {"plane.impact_law": ["newton", "stronge"], "start.speed": [1.0, 2.0]}
+    with pytest.raises(ValueError, match="must be numbers"):
+        motion_map(maps.sweep(None, axes))

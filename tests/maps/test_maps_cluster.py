@@ -1,0 +1,108 @@
+"""A sweep over a real Dask scheduler and worker processes on loopback, one of which dies on the way."""
+
+import contextlib
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+from hophoop import maps
+from map_tools import contents
+
+pytest.importorskip("distributed")
+
+AXES = {"plane.mu": np.linspace(0.05, 1.95, 150), "start.speed": np.linspace(0.05, 5.0, 150)}
+QUANTITIES = ["sequence", "hop_height"]
+CHUNK = 500
+
+
+def start(*arguments):
+    environment = os.environ | {"DASK_DISTRIBUTED__DASHBOARD__LINK": ""}
+    return subprocess.Popen(
+        [sys.executable, "-m", "distributed.cli." + arguments[0], *arguments[1:]],
+        stderr=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        text=True,
+        env=environment,
+    )
+
+
+def said(process, pattern):
+    """What a process says on standard error that matches; the rest is read and dropped."""
+    for line in process.stderr:
+        found = re.search(pattern, line)
+        if found:
+            threading.Thread(target=process.stderr.read, daemon=True).start()
+            return found.group(1)
+    raise AssertionError("the process ended")
+
+
+@contextlib.contextmanager
+def cluster(tmp_path):
+    processes = [start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")]
+    try:
+        address = said(processes[0], r"Scheduler at:\s+(tcp://\S+)")
+        for number in (1, 2):
+            folder = tmp_path / f"worker{number}"
+            worker = start(
+                "dask_worker", address, "--nthreads", "1", "--no-nanny", "--no-dashboard",
+                "--host", "127.0.0.1", "--local-directory", str(folder),
+            )  # fmt: skip
+            processes.append(worker)
+            said(worker, r"Registered to:\s+(tcp://\S+)")
+        yield address, processes[1:]
+    finally:
+        for process in processes:
+            if process.poll() is None:
+                process.kill()
+            process.wait()
+            process.stderr.close()
+
+
+def test_a_cluster_that_loses_a_worker_makes_the_same_bytes(tmp_path):
+    local = tmp_path / "local.zarr"
+    maps.sweep(None, AXES, QUANTITIES, out=local, chunk_cells=CHUNK)
+    path = tmp_path / "cluster.zarr"
+    deaths = []
+    with cluster(tmp_path) as (address, workers):
+
+        def watch(done, total):
+            if done > 0.2 * total and not deaths:
+                workers[0].send_signal(signal.SIGKILL if sys.platform != "win32" else signal.SIGTERM)
+                deaths.append(done)
+
+        maps.sweep(None, AXES, QUANTITIES, out=path, chunk_cells=CHUNK, scheduler=address, progress=watch)
+        assert workers[0].wait(10) != 0
+        assert workers[1].poll() is None
+    assert len(deaths) == 1
+    assert deaths[0] < 150 * 150
+    assert contents(path) == contents(local)
+
+
+def test_a_cluster_of_this_machine_takes_up_a_stopped_map(tmp_path):
+    local = tmp_path / "local.zarr"
+    axes = {name: values[::5] for name, values in AXES.items()}
+    maps.sweep(None, axes, QUANTITIES, out=local, chunk_cells=100)
+    path = tmp_path / "cluster.zarr"
+
+    def stop(done, total):
+        if done > total / 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=100, progress=stop)
+    maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=100, resume=True, workers=2)
+    assert contents(path) == contents(local)
+
+
+def test_a_scheduler_that_is_not_there(tmp_path):
+    began = time.monotonic()
+    with pytest.raises(OSError, match=r"127.0.0.1:9"):
+        maps.sweep(None, AXES, QUANTITIES, out=tmp_path / "map.zarr", scheduler="tcp://127.0.0.1:9")
+    assert time.monotonic() - began < 60

@@ -1,0 +1,214 @@
+"""Maps in files: equal to those in memory, and equal bytes after any stop."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop import maps
+from hophoop.maps import store
+from map_tools import contents
+
+AXES = {"plane.mu": np.linspace(0.05, 1.95, 60), "start.speed": np.linspace(0.05, 5.0, 50)}
+QUANTITIES = ["sequence", "hop_height", "status"]
+CHUNK = 200
+
+
+def make(out, **options):
+    return maps.sweep(None, AXES, QUANTITIES, out=out, chunk_cells=CHUNK, **options)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    path = tmp_path_factory.mktemp("maps") / "whole.zarr"
+    make(path)
+    return path
+
+
+def test_in_memory_and_in_files_are_identical(whole, tmp_path):
+    memory = maps.sweep(None, AXES, QUANTITIES)
+    assert maps.open_map(whole).load().identical(memory)
+    file = tmp_path / "map.nc"
+    written = maps.sweep(None, AXES, QUANTITIES, out=file, chunk_cells=CHUNK).load()
+    for name in QUANTITIES:
+        np.testing.assert_array_equal(written[name].values, memory[name].values)
+        assert written[name].attrs["long_name"] == memory[name].attrs["long_name"]
+    assert maps.words_of(written["sequence"]) == maps.words_of(memory["sequence"])
+    assert [path.name for path in tmp_path.iterdir()] == ["map.nc"]
+
+
+def test_every_variable_and_coordinate_says_what_it_is(whole):
+    dataset = maps.open_map(whole)
+    assert list(dataset) == QUANTITIES
+    for name in [*dataset.data_vars, *dataset.coords]:
+        assert dataset[name].attrs["long_name"]
+        assert dataset[name].attrs["units"]
+    assert dataset["start.speed"].attrs["units"] == "m/s"
+    assert dataset["hop_height"].attrs["units"] == "m"
+    assert json.loads(dataset.attrs["scenario"]) == hh.Scenario().to_dict()
+    assert dataset.attrs["source"] == f"hophoop {hh.__version__}"
+    assert dataset.attrs["tolerance"] > 0
+    table = maps.words_of(dataset["sequence"])
+    assert table == sorted(table, key=lambda text: (len(text), text))
+    assert set(np.unique(dataset["sequence"])) == set(range(len(table)))
+
+
+def test_it_opens_without_us(whole):
+    import xarray
+
+    with xarray.open_zarr(str(whole), consolidated=False, chunks=None) as dataset:
+        assert dataset["sequence"].dims == ("plane.mu", "start.speed")
+
+
+def test_words_along_an_axis(tmp_path):
+    axes = {"plane.impact_law": ["newton", "stronge"], "plane.restitution": [0.0, 0.5]}
+    dataset = maps.sweep(None, axes, ["landing_loss"], out=tmp_path / "map.zarr")
+    assert dataset["plane.impact_law"].values.tolist() == ["newton", "stronge"]
+    memory = maps.sweep(None, axes, ["landing_loss"])
+    np.testing.assert_array_equal(dataset["landing_loss"], memory["landing_loss"])
+
+
+class Stopped(BaseException):
+    pass
+
+
+@pytest.mark.parametrize("interrupt", [KeyboardInterrupt, Stopped])
+@pytest.mark.parametrize("after", [1, 7, 16])
+def test_a_stopped_map_goes_on_to_the_same_bytes(whole, tmp_path, interrupt, after):
+    path = tmp_path / "map.zarr"
+    shares = []
+
+    def stop(done, total):
+        shares.append(done / total)
+        if len(shares) == after + 1:  # the first call says what is there already
+            raise interrupt
+
+    with pytest.raises(interrupt):
+        make(path, progress=stop)
+    with pytest.raises(ValueError, match="not complete"):
+        maps.open_map(path)
+    with pytest.raises(ValueError, match="is there already"):
+        make(path)
+    again = []
+    make(path, resume=True, threads=1, progress=lambda done, total: again.append(done))
+    assert again[0] == round(shares[-1] * 3000)
+    assert contents(path) == contents(whole)
+
+
+KILLED = """
+import numpy as np, sys
+from hophoop import maps
+axes = {{"plane.mu": np.linspace(0.05, 1.95, 60), "start.speed": np.linspace(0.05, 5.0, 50)}}
+print("ready", flush=True)
+maps.sweep(None, axes, {quantities!r}, out=sys.argv[1], chunk_cells={chunk}, resume=True)
+"""
+
+
+def test_a_killed_process_leaves_a_map_that_goes_on_to_the_same_bytes(whole, tmp_path):
+    path = tmp_path / "map.zarr"
+    code = KILLED.format(quantities=QUANTITIES, chunk=CHUNK)
+    done = []
+    for most in (3, 9):
+        process = subprocess.Popen([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE)
+        assert process.stdout.readline().strip() == b"ready"
+        deadline = time.monotonic() + 120
+        while process.poll() is None and time.monotonic() < deadline:
+            if len(list(path.glob("unfinished/*.done"))) >= most:
+                process.kill()
+                break
+            time.sleep(0.002)
+        process.wait()
+        process.stdout.close()
+        done.append(len(list(path.glob("unfinished/*.done"))))
+    assert 3 <= done[0] <= done[1]
+    # leftovers of a writer that died in the middle
+    (path / "hop_height" / "c" / "0").mkdir(parents=True, exist_ok=True)
+    (path / "hop_height" / "c" / "0" / "0.1234.partial").write_bytes(b"half a chunk")
+    make(path, resume=True)
+    assert contents(path) == contents(whole)
+
+
+@pytest.mark.parametrize("step", ["_finish_sequences", "remove"])
+def test_a_stop_while_finishing_changes_nothing(whole, tmp_path, monkeypatch, step):
+    path = tmp_path / "map.zarr"
+    before = getattr(store, step)
+
+    def stop(*arguments):
+        if step == "remove" and not str(arguments[0]).endswith(store.GONE):
+            return
+        if step == "remove" and not arguments[0].exists():
+            return
+        if step != "remove":
+            before(*arguments)  # stopped after it, before the folder goes
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(store, step, stop)
+    with pytest.raises(KeyboardInterrupt):
+        make(path)
+    monkeypatch.undo()
+    make(path, resume=True)
+    assert contents(path) == contents(whole)
+
+
+def test_a_complete_map_is_not_computed_again(whole, tmp_path, monkeypatch):
+    path = tmp_path / "map.zarr"
+    shutil.copytree(whole, path)
+    monkeypatch.setattr(store, "compute_chunk", None)
+    assert make(path, resume=True).identical(maps.open_map(path))
+
+
+@pytest.mark.parametrize(
+    ("change", "word"),
+    [
+        ({"base": hh.Scenario(duration=9.0)}, "scenario"),
+        ({"axes": {"plane.mu": AXES["plane.mu"][:50], "start.speed": AXES["start.speed"]}}, "axes"),
+        ({"quantities": ["sequence"]}, "quantities"),
+        ({"span": "takeoff"}, "span"),
+    ],
+)
+def test_another_map_is_not_taken_up(whole, tmp_path, change, word):
+    path = tmp_path / "map.zarr"
+    shutil.copytree(whole, path)
+    arguments = {"base": None, "axes": AXES, "quantities": QUANTITIES} | change
+    with pytest.raises(ValueError, match=f"another {word}"):
+        maps.sweep(**arguments, out=path, resume=True)
+
+
+def test_a_strange_folder_is_left_alone(tmp_path):
+    path = tmp_path / "map.zarr"
+    path.mkdir()
+    (path / "letter.txt").write_text("mine")
+    with pytest.raises(ValueError, match="is not a map"):
+        make(path, resume=True)
+    assert (path / "letter.txt").read_text() == "mine"
+    with pytest.raises(ValueError, match="is not there"):
+        maps.open_map(tmp_path / "nothing.zarr")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no SIGINT to one process there")
+def test_control_c_keeps_what_is_done(whole, tmp_path):
+    path = tmp_path / "map.zarr"
+    code = KILLED.format(quantities=QUANTITIES, chunk=CHUNK)
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
+    assert process.stdout.readline().strip() == b"ready"
+    deadline = time.monotonic() + 120
+    while process.poll() is None and time.monotonic() < deadline:
+        if len(list(path.glob("unfinished/*.done"))) >= 2:
+            os.kill(process.pid, signal.SIGINT)
+            break
+        time.sleep(0.002)
+    _, said = process.communicate(timeout=60)
+    if process.returncode != 0:  # else it was faster than we
+        assert b"KeyboardInterrupt" in said
+        assert len(list(path.glob("unfinished/*.done"))) >= 2
+    make(path, resume=True)
+    assert contents(path) == contents(whole)

@@ -1,0 +1,233 @@
+r"""Painlevé's paradox: slip for which no contact force exists, or several; and the dynamic jam.
+
+In skid (σ = +1) the load on the rim is N = −f_n/p with m κ p = κ + ε sin θ (ε sin θ + μ (1 + ε cos θ)), all derived again here
+from the contact's answer to a unit force: an impulse (−μ, 1) changes θ̇ by (ε sin θ + μ (1 + ε cos θ))/(κ m R) and
+lifts the rim by 1/m minus the lever ε R sin θ times that, with the sign of docs/model.md#coordinates.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+
+HOOP = hh.Hoop.ideal(0.75)
+SKID = {"angle": -0.7, "vx": 3.0, "omega": 1.0}  # f_n < 0: pressed down
+FAST = {"angle": -0.7, "vx": 8.0, "omega": 5.0}  # f_n > 0: about to lift
+
+
+def lift_of_a_push(hoop, angle, mu, sigma):
+    """Acceleration of the rim's lowest point off the plane per unit normal force with friction −σ μ, times m."""
+    arm = hoop.eccentricity * math.sin(angle)
+    height = 1 + hoop.eccentricity * math.cos(angle)
+    spin = (arm + sigma * mu * height) / hoop.inertia_ratio
+    return 1 + arm * spin
+
+
+def free_lift(hoop, angle, omega, gravity=9.81):
+    """f_n: acceleration of the lowest point off the plane without any contact force."""
+    return -gravity + hoop.eccentricity * hoop.radius * omega**2 * math.cos(angle)
+
+
+def start_of(mu, painleve="flight", restitution=0.0, law="stronge", duration=0.5, **state):
+    plane = hh.Plane(mu=mu, painleve=painleve, restitution=restitution, impact_law=law)
+    return hh.simulate(HOOP, plane, hh.Start(**state), duration=duration)
+
+
+def mirror(state):
+    return {name: -value for name, value in state.items()}
+
+
+def test_threshold_is_where_a_push_no_longer_lifts():
+    """The theory's threshold against the rederived answer of the contact, over angles and hoops."""
+    for hoop in (HOOP, hh.Hoop(radius=2.0, mass=3.0, eccentricity=0.4, inertia_ratio=0.1)):
+        for angle in np.linspace(-3.0, -0.1, 30):
+            mu = hh.theory.painleve_threshold(angle, hoop)
+            assert lift_of_a_push(hoop, angle, mu, 1) == pytest.approx(0.0, abs=1e-12 * (1 + mu))
+            assert hh.theory.painleve_region(angle, 1.001 * mu, hoop) == 1
+            assert hh.theory.painleve_region(-angle, 1.001 * mu, hoop) == -1
+            assert hh.theory.painleve_region(angle, 0.999 * mu, hoop) == 0
+
+
+def test_the_articles_friction_is_inside():
+    """γ = 3/4 needs √7/3 = 0.8819: the reference plane, μ = 1, is beyond it."""
+    mu, angle = hh.theory.painleve_minimum(HOOP)
+    assert mu == pytest.approx(math.sqrt(7) / 3, rel=1e-14)
+    assert math.cos(angle) == pytest.approx(0.75, rel=1e-7)
+
+
+@pytest.mark.parametrize("state", [SKID, mirror(SKID)])
+@pytest.mark.parametrize("law", ["newton", "poisson", "stronge"])
+def test_inconsistent_slip_is_an_impact_without_collision(state, law):
+    """No force can carry this slip: it is recorded, and an impact at t = 0 stops the slip."""
+    sigma = 1 if state["vx"] > 0 else -1
+    assert lift_of_a_push(HOOP, state["angle"], 1.2, sigma) < 0 > free_lift(HOOP, state["angle"], state["omega"])
+    motion = start_of(1.2, restitution=0.5, law=law, **state)
+    kinds = [event.kind for event in motion.events[:3]]
+    assert kinds == ["start", "painleve_inconsistent", "impact"]
+    impact = motion.events[2]
+    assert impact.t == 0.0
+    assert impact.collision is False
+    assert impact.slip == 0.0
+    assert impact.impulse_normal > 0.0
+    assert impact.impact_tangential > 0.0
+    if law == "newton":
+        assert impact.vy == 0.0
+    else:
+        assert impact.vy > 0.0
+        assert impact.to_mode == "H"
+    assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
+
+
+@pytest.mark.parametrize("state", [FAST, mirror(FAST)])
+def test_indeterminate_slip_follows_the_planes_choice(state):
+    """Flight or impact are both solutions: the plane says which, and either is recorded."""
+    sigma = 1 if state["vx"] > 0 else -1
+    assert lift_of_a_push(HOOP, state["angle"], 1.2, sigma) < 0 < free_lift(HOOP, state["angle"], state["omega"])
+    flies = start_of(1.2, "flight", **state)
+    assert [event.kind for event in flies.events[:2]] == ["start", "painleve_indeterminate"]
+    assert flies.events[1].to_mode == "H"
+    assert flies.sequence.startswith("H")
+    strikes = start_of(1.2, "impact", **state)
+    assert [event.kind for event in strikes.events[:3]] == ["start", "painleve_indeterminate", "impact"]
+    impact = strikes.events[2]
+    assert impact.collision is False
+    assert impact.slip == 0.0
+    for motion in (flies, strikes):
+        assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
+
+
+def test_just_below_the_threshold_slip_goes_on():
+    """Below it: ordinary slip with a large force; above: impact."""
+    mu = float(hh.theory.painleve_threshold(-0.7, HOOP))
+    below = start_of(mu * (1 - 1e-6), duration=1e-7, **SKID)
+    assert below.sequence[0] == "K"
+    assert not below.find("painleve_inconsistent")
+    force = below.at(0.0).normal_force
+    expected = -free_lift(HOOP, -0.7, 1.0) / lift_of_a_push(HOOP, -0.7, mu * (1 - 1e-6), 1)
+    assert force == pytest.approx(expected, rel=1e-8)
+    assert force > 1e5
+    above = start_of(mu * (1 + 1e-6), duration=1e-7, **SKID)
+    assert above.find("painleve_inconsistent")
+
+
+def test_the_impact_is_the_limit_of_ordinary_slip():
+    """As μ comes up to the threshold the slip stops in less and less time, with the impact's impulse at last.
+
+    An impact at fixed position: κ θ̇ grows by the torque of (−μ, 1) per unit impulse until v_t = 0.
+    """
+    mu = float(hh.theory.painleve_threshold(-0.7, HOOP))
+    results = []
+    for step in (1e-3, 1e-5, 1e-7):
+        motion = start_of(mu * (1 - step), **SKID)
+        stick = motion.events[1]
+        results.append((stick.t, stick.omega))
+        assert stick.kind in ("stick", "slip_reversal", "takeoff")
+    impact = start_of(mu * (1 + 1e-9), **SKID).find("impact")[0]
+    errors = [abs(omega - impact.omega) for _, omega in results]
+    assert results[0][0] > results[1][0] > results[2][0]
+    assert errors[2] < 0.2 * errors[0] + 1e-9
+
+
+@pytest.mark.parametrize("omega", [20.0, 30.0, 37.0, 45.0])
+@pytest.mark.parametrize("speed", [10.0, 30.0, 39.0])
+def test_the_impact_closes_the_ledger_where_the_moment_of_inertia_is_small(omega, speed):
+    """The impulse has no normal work; from q/κ it would have, as the last panel ends 1e-14 rad before p = 0."""
+    hoop = hh.Hoop(eccentricity=0.9128464310036214, inertia_ratio=0.00013391426767761817)
+    start = hh.Start(angle=-3.32, vx=speed, omega=omega)
+    motion = hh.simulate(hoop, hh.Plane(mu=0.9864259833341639), start, duration=6.0)
+    assert motion.find("painleve_inconsistent")
+    assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range
+
+
+@pytest.mark.parametrize(
+    ("hoop", "plane", "start"),
+    [  # at the top the singular angle is 1e-11 rad away, and the arm of the normal force is zero
+        (hh.Hoop.ideal(1.0 - 4.1e-11), hh.Plane(mu=0.71), hh.Start(vx=-8.68, omega=-0.043)),
+        (hh.Hoop.ideal(1.0 - 1.4e-12), hh.Plane(mu=2.36), hh.Start(vx=-1.6, omega=-0.48)),
+        (
+            hh.Hoop.ideal(0.9999999999976574, radius=1.033069641828321, mass=4.611411676610286),
+            hh.Plane(mu=0.57791866516764, slope=-0.7396073216713517, impact_law="poisson", painleve="impact"),
+            hh.Start(vx=-2.434263341914896, omega=-1.846214099227036, vy=1.4017369727992153),
+        ),
+    ],
+)
+def test_hoops_of_almost_no_ring(hoop, plane, start):
+    motion = hh.simulate(hoop, plane, start, duration=6.0)
+    assert motion.find("jam") or motion.find("painleve_inconsistent")
+    assert abs(motion.ledger.residual) < 1e-9 * motion.ledger.range
+
+
+def test_jam():
+    """p and f_n go to zero together: recorded with the angle, and the run ends with a status that says so."""
+    plane = hh.Plane(mu=1.219)
+    motion = hh.simulate(HOOP, plane, hh.Start(angle=-2.312, vx=30.37, omega=5.654), duration=1.0)
+    assert motion.status == "jammed"
+    assert not motion.ok
+    (jam,) = motion.find("jam")
+    assert jam.t == motion.duration
+    assert lift_of_a_push(HOOP, jam.angle, 1.219, 1) == pytest.approx(0.0, abs=1e-5)
+    assert free_lift(HOOP, jam.angle, jam.omega) == pytest.approx(0.0, abs=1e-3)
+    states = [state for state in hh.theory.jam_states(HOOP, plane) if state.mode == "K"]
+    assert min(abs(math.remainder(jam.angle - state.angle, 2 * math.pi)) for state in states) < 1e-5
+    assert jam.slip > 0.0
+    # up to there the motion is as good as any
+    half = motion.at(0.5 * motion.duration)
+    begin = motion.at(0.0)
+    assert half.total + half.friction == pytest.approx(begin.total, abs=1e-12 * motion.ledger.range)
+    document = motion.to_dict()
+    assert document["status"] == "jammed"
+    assert document["events"][-2]["kind"] == "jam"
+
+
+def test_without_the_paradox_nothing_is_recorded():
+    """Below the hoop's least friction no start meets it."""
+    random = np.random.default_rng(8)
+    for _ in range(60):
+        motion = start_of(
+            0.88,
+            duration=1.0,
+            angle=float(random.uniform(-4, 4)),
+            vx=float(random.normal() * 8),
+            omega=float(random.normal() * 8),
+        )
+        for kind in ("painleve_inconsistent", "painleve_indeterminate", "jam"):
+            assert not motion.find(kind)
+
+
+def test_energy_keeps_rolling_hoops_from_the_jam():
+    """The bound by hand for γ = 3/4, μ = 1; above the speed of the immediate hop for all bodies; below every jam found."""
+    upper = max(state.angle for state in hh.theory.jam_states(HOOP) if state.mode == "S")
+    c = math.cos(upper)
+    by_hand = math.sqrt(9.81 * ((1 + 0.75 * c) / (0.75 * c) - 0.75 * (1 - c)) / 1.75)
+    assert hh.maps.least_jam_speed(HOOP) == pytest.approx(by_hand, rel=1e-12)
+    random = np.random.default_rng(2)
+    finite = 0
+    for _ in range(200):
+        eccentricity = float(random.uniform(0.2, 0.999))
+        share = float(random.uniform(0.01, 1.0))
+        hoop = hh.Hoop(radius=0.7, mass=1.0, eccentricity=eccentricity, inertia_ratio=share * (1 - eccentricity**2))
+        speed = hh.maps.least_jam_speed(hoop, hh.Plane(mu=float(random.uniform(0.05, 3.0))))
+        assert speed > hh.theory.immediate_hop_speed(hoop)
+        finite += math.isfinite(speed)
+    assert finite > 20
+    with pytest.raises(ValueError, match=r"plane\.slope"):
+        hh.maps.least_jam_speed(HOOP, hh.Plane(slope=0.1))
+
+
+def test_which_natural_starts_jam():
+    """Rolling on the level none; thrown, or rolling down 30°, some, and none slower than energy allows."""
+    gammas, frictions = [0.85, 0.95, 0.99], [0.3, 0.5, 0.8]
+    rolling = hh.maps.paradoxes(gammas, frictions, np.linspace(0.1, 3.1, 11))
+    assert not rolling["met"].values.any()
+    thrown = hh.maps.paradoxes(gammas, frictions, np.linspace(3.5, 12.0, 60), hops=True)
+    lowest = thrown["lowest_jam_speed"].values
+    assert (thrown["jammed"].values > 0).sum() >= 3
+    for (i, j), speed in np.ndenumerate(lowest):
+        if math.isfinite(speed):
+            assert speed >= hh.maps.least_jam_speed(hh.Hoop.ideal(gammas[i]), hh.Plane(mu=frictions[j]))
+    downhill = hh.Scenario(plane=hh.Plane(slope=math.radians(30)))
+    assert hh.maps.paradoxes(gammas, frictions, np.linspace(0.1, 3.1, 31), base=downhill)["jammed"].values.any()

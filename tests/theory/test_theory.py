@@ -1,0 +1,373 @@
+"""Closed forms and thresholds: against the simulation from both sides, the oracles, SciPy and mpmath."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from mpmath import mp, mpf
+from scipy import integrate, optimize
+
+import hophoop as hh
+from hophoop import theory
+from oracles import elliptic, mechanics
+from oracles.cases import case_of
+from strategies import hoops
+
+TURN = 2.0 * math.pi
+REFERENCE = hh.Hoop.ideal(0.75)
+GENERAL = hh.Hoop(radius=0.35, mass=2.2, eccentricity=0.6, inertia_ratio=0.3)
+LIGHT = hh.Hoop.ideal(0.2, radius=2.0, mass=0.5)
+DOWNHILL = hh.Plane(slope=0.15, mu=0.9, gravity=3.7)
+BESIDE = 1e-9
+
+
+def first_turn(hoop, plane, speed):
+    """Events of the simulated motion within the first turn."""
+    motion = hh.simulate(hoop, plane, hh.Start.rolling(speed), duration=20.0)
+    return [event for event in motion.events if event.angle <= TURN]
+
+
+def slips(hoop, plane, speed):
+    return any(event.to_mode in "SK" for event in first_turn(hoop, plane, speed))
+
+
+def hops(hoop, plane, speed):
+    return any(event.to_mode == "H" for event in first_turn(hoop, plane, speed))
+
+
+# --- rolling ---------------------------------------------------------------------------------------
+
+
+def test_the_articles_angular_velocity():
+    gamma, speed, g = 0.75, 2.0, 9.81
+    theta = np.linspace(-10.0, 10.0, 201)
+    expected = np.sqrt(
+        (gamma * g * (1 - np.cos(theta)) + speed**2 * (1 + gamma)) / (1 + gamma * np.cos(theta))
+    )
+    np.testing.assert_allclose(theory.rolling_speed(theta, REFERENCE, speed), expected, rtol=1e-14)
+    np.testing.assert_allclose(theory.rolling_speed(theta, REFERENCE, -speed), -expected, rtol=1e-14)
+    highest = math.sqrt((2 * gamma * g + speed**2 * (1 + gamma)) / (1 - gamma))
+    assert theory.max_rolling_speed(REFERENCE, speed) == pytest.approx(highest, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("hoop", "plane", "speed"),
+    [(REFERENCE, hh.Plane(mu=20.0), 2.0), (GENERAL, hh.Plane(mu=20.0), 0.9), (LIGHT, DOWNHILL, 1.0)],
+)
+def test_rolling_is_the_simulated_motion(hoop, plane, speed):
+    motion = hh.simulate(hoop, plane, hh.Start.rolling(speed), duration=1.5)
+    assert set(motion.sequence) == {"R"}
+    sample = motion.at(motion.times(40))
+    close = {"rtol": 1e-12, "atol": 1e-12}
+    np.testing.assert_allclose(theory.rolling_speed(sample.angle, hoop, speed, plane), sample.omega, **close)
+    np.testing.assert_allclose(theory.rolling_time(sample.angle, hoop, speed, plane), sample.t, **close)
+    forces = theory.rolling_forces(sample.angle, hoop, speed, plane)
+    np.testing.assert_allclose(forces.friction, sample.friction_force, rtol=1e-11, atol=1e-11)
+    np.testing.assert_allclose(forces.normal, sample.normal_force, rtol=1e-11, atol=1e-11)
+    energies = theory.rolling_energies(sample.angle, hoop, speed, plane)
+    np.testing.assert_allclose(energies.kinetic, sample.kinetic, rtol=1e-11)
+    np.testing.assert_allclose(energies.potential, sample.potential, rtol=1e-11, atol=1e-11)
+    utilization = theory.friction_utilization(sample.angle, hoop, speed, plane)
+    np.testing.assert_allclose(utilization, sample.utilization(plane), rtol=1e-9, atol=1e-12)
+
+
+@given(hoops, st.floats(-7.0, 7.0), st.floats(0.0, 5.0), st.floats(-1.0, 1.0))
+@settings(max_examples=60)
+def test_forces_are_those_of_the_lagrangian(hoop, theta, speed, slope):
+    plane = hh.Plane(slope=slope)
+    omega = theory.rolling_speed(theta, hoop, speed, plane)
+    forces = theory.rolling_forces(theta, hoop, speed, plane)
+    if math.isnan(omega):
+        assert math.isnan(forces.friction)
+        return
+    *_, friction, normal = mechanics.solve_mode(case_of(hoop, plane), mechanics.ROLL, theta, omega)
+    scale = hoop.mass * (plane.gravity + hoop.radius * omega**2)
+    assert forces.friction == pytest.approx(friction, abs=1e-11 * scale)
+    assert forces.normal == pytest.approx(normal, abs=1e-11 * scale)
+
+
+def test_energies_of_the_article():
+    theta = np.linspace(0.0, TURN, 50)
+    energies = theory.rolling_energies(theta, REFERENCE, 0.1)
+    omega = theory.rolling_speed(theta, REFERENCE, 0.1)
+    np.testing.assert_allclose(energies.potential, 0.75 * 9.81 * (np.cos(theta) - 1), rtol=1e-13, atol=1e-13)
+    np.testing.assert_allclose(energies.kinetic, (1 + 0.75 * np.cos(theta)) * omega**2, rtol=1e-14)
+    np.testing.assert_allclose(sum(energies), 1.75 * 0.01, rtol=1e-12)
+
+
+def test_uphill_the_hoop_turns_back():
+    plane = hh.Plane(slope=-0.2)
+    motion = hh.simulate(REFERENCE, hh.Plane(slope=-0.2, mu=50.0), hh.Start.rolling(1.0), duration=5.0)
+    farthest = motion.find("turn")[0]
+    beside = farthest.angle + np.array([-1e-9, 1e-9])
+    before, beyond = theory.rolling_speed(beside, REFERENCE, 1.0, plane)
+    assert before > 0
+    assert math.isnan(beyond)
+    assert math.isnan(theory.rolling_speed(farthest.angle + TURN, REFERENCE, 1.0, plane))
+    times = farthest.t - np.array([2.0, 1.0, 1e-2, 1e-4])
+    angles = motion.at(times).angle
+    np.testing.assert_allclose(theory.rolling_time(angles, REFERENCE, 1.0, plane), times, rtol=1e-10)
+    assert math.isnan(theory.rolling_time(beside[1], REFERENCE, 1.0, plane))
+    assert math.isnan(theory.rolling_period(REFERENCE, 1.0, plane))
+    # beyond a valley further downhill the same energy is enough again, but the hoop does not get there
+    steep = hh.Plane(slope=0.1)
+    assert math.isnan(theory.rolling_speed(-3.0 * TURN, REFERENCE, 0.5, steep))
+
+
+# --- friction that rolling needs -------------------------------------------------------------------
+
+
+def test_needed_friction_of_the_literature():
+    needed = theory.needed_friction(REFERENCE, 0.1)
+    assert needed.mu == pytest.approx(0.38, abs=0.005)  # the article: 38 %
+    assert theory.needed_friction(REFERENCE, 2.0).mu < 1.0 < theory.needed_friction(REFERENCE, 2.1).mu
+    assert theory.needed_friction(REFERENCE, 3.7).mu == math.inf
+    assert theory.needed_friction(hh.Hoop.ideal(1.0), 0.1).mu == math.inf
+    assert theory.needed_friction(hh.Hoop.ideal(0.0), 1.0).mu == 0.0
+
+
+@given(hoops, st.floats(0.0, 0.9), st.floats(-0.4, 0.4))
+@settings(max_examples=40)
+def test_needed_friction_is_the_largest_ratio(hoop, part, slope):
+    plane = hh.Plane(slope=slope)
+    speed = part * theory.immediate_hop_speed(hoop, plane)
+    mu, angle = theory.needed_friction(hoop, speed, plane)
+    theta = np.linspace(0.0, TURN, 4001)
+    friction, normal = theory.rolling_forces(theta, hoop, speed, plane)
+    reached = ~np.isnan(normal) & (np.cumsum(np.isnan(normal)) == 0)
+    if (normal[reached] <= 0.0).any():
+        assert mu == math.inf
+        return
+    on_grid = np.max(np.abs(friction[reached]) / normal[reached])
+    if mu == math.inf:  # N is negative between two points of the grid
+        assert np.min(normal[reached]) < 1e-4 * np.max(normal[reached])
+        return
+    assert mu >= on_grid * (1 - 1e-12)
+    at = theory.rolling_forces(angle, hoop, speed, plane)
+    assert abs(at.friction) / at.normal == pytest.approx(mu, rel=1e-12)
+
+    def ratio(angle):
+        forces = theory.rolling_forces(float(angle), hoop, speed, plane)
+        return -abs(forces.friction) / forces.normal if forces.normal > 0 else 0.0
+
+    place = theta[reached][np.argmax(np.abs(friction[reached]) / normal[reached])]
+    near = optimize.minimize_scalar(
+        ratio,
+        bounds=(max(place - 0.002, 0.0), min(place + 0.002, theta[reached][-1])),
+        options={"xatol": 1e-12},
+    )
+    assert mu >= -near.fun * (1 - 1e-12)
+
+
+# --- times -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("speed", [1e-12, 1e-6, 0.1, 2.0, 30.0])
+@pytest.mark.parametrize("hoop", [REFERENCE, GENERAL, hh.Hoop.ideal(0.999)])
+def test_times_are_elliptic_integrals(hoop, speed):
+    case = case_of(hoop, hh.Plane(), vx=speed)
+    angles = [1e-9, 0.3, 2.0, math.pi, 4.0, TURN - 1e-3, TURN, 20.0]
+    with mp.workdps(40):
+        expected = [float(elliptic.rolling_time(case, mpf(angle))) for angle in angles]
+    # near 2π an angle has only 1e-15 to say how far the top is
+    close = 1e-13 if speed > 1e-3 else 2e-13
+    np.testing.assert_allclose(theory.rolling_time(angles[:5], hoop, speed), expected[:5], rtol=1e-13)
+    if speed >= 1e-6:
+        np.testing.assert_allclose(theory.rolling_time(angles, hoop, speed), expected, rtol=1e-9)
+    with mp.workdps(40):
+        whole = float(elliptic.rolling_time(case, 2 * mp.pi))
+    assert theory.rolling_period(hoop, speed) == pytest.approx(whole, rel=close)
+    assert theory.rolling_period(hoop, -speed) == theory.rolling_period(hoop, speed)
+    assert theory.rolling_time(-0.3, hoop, speed) == -theory.rolling_time(0.3, hoop, speed)
+
+
+def test_time_on_a_slope_is_the_integral():
+    def rate(theta):
+        return 1.0 / theory.rolling_speed(theta, GENERAL, 0.4, DOWNHILL)
+
+    expected, _ = integrate.quad(rate, 0.0, 15.0, epsabs=0, epsrel=1e-13, limit=400)
+    assert theory.rolling_time(15.0, GENERAL, 0.4, DOWNHILL) == pytest.approx(expected, rel=1e-12)
+
+
+def test_rest_and_start_from_rest():
+    assert theory.rolling_time(1.0, REFERENCE, 0.0) == math.inf
+    assert theory.rolling_time(0.0, REFERENCE, 0.0) == 0.0
+    motion = hh.simulate(REFERENCE, hh.Plane(slope=0.3, mu=50.0), hh.Start(), duration=1.0)
+    sample = motion.at(1.0)
+    plane = hh.Plane(slope=0.3)
+    assert theory.rolling_time(sample.angle, REFERENCE, 0.0, plane) == pytest.approx(1.0, rel=1e-12)
+    assert math.isnan(theory.rolling_time(-0.5, REFERENCE, 0.0, plane))
+
+
+@pytest.mark.parametrize(
+    ("hoop", "plane", "angle"),
+    [
+        (REFERENCE, hh.Plane(mu=50.0), 1.0),
+        (REFERENCE, hh.Plane(mu=50.0), math.pi - 1e-3),
+        (GENERAL, hh.Plane(mu=50.0), 0.01),
+        (GENERAL, hh.Plane(mu=50.0, slope=0.2), 4.5),
+        (GENERAL, hh.Plane(mu=50.0, slope=0.2), 2.6),
+    ],
+)
+def test_rocking_takes_as_long_as_simulated(hoop, plane, angle):
+    period = theory.rocking_period(angle, hoop, plane)
+    motion = hh.simulate(hoop, plane, hh.Start.rolling(0.0, angle=angle), duration=1.2 * period)
+    assert motion.sequence == "R"
+    assert motion.find("turn")[1].t == pytest.approx(period, rel=1e-10)
+
+
+def test_rocking_at_its_limits():
+    stable = next(rest for rest in theory.equilibria(GENERAL, DOWNHILL) if rest.stable)
+    small = theory.rocking_period(stable.angle + 1e-5, GENERAL, DOWNHILL)
+    assert small == pytest.approx(stable.period, rel=1e-9)
+    assert theory.rocking_period(0.0, REFERENCE) == math.inf
+    # from beside the hilltop downhill the hoop rolls away
+    assert math.isnan(theory.rocking_period(0.5, REFERENCE, hh.Plane(slope=0.2)))
+    assert math.isnan(theory.rocking_period(1.0, hh.Hoop.ideal(0.1), hh.Plane(slope=0.5)))
+
+
+# --- critical speeds -------------------------------------------------------------------------------
+
+CASES = [
+    (REFERENCE, hh.Plane(mu=1.0)),
+    (REFERENCE, hh.Plane(mu=0.45)),
+    (REFERENCE, hh.Plane(mu_static=0.8, mu_kinetic=0.5)),
+    (GENERAL, hh.Plane(mu=0.7)),
+    (hh.Hoop.ideal(0.4, radius=0.1, mass=3.0), hh.Plane(mu=0.3, gravity=1.6)),
+    (LIGHT, hh.Plane(mu=0.9, slope=0.1)),
+]
+
+
+@pytest.mark.parametrize(("hoop", "plane"), CASES)
+def test_critical_speeds_from_both_sides(hoop, plane):
+    slip, hop, immediate = theory.critical_speeds(hoop, plane)
+    assert 0.0 < slip < hop <= immediate
+    assert not slips(hoop, plane, slip * (1 - BESIDE))
+    assert slips(hoop, plane, slip * (1 + BESIDE))
+    assert not hops(hoop, plane, hop * (1 - BESIDE))
+    assert hops(hoop, plane, hop * (1 + BESIDE))
+    early = hh.simulate(hoop, plane, hh.Start.rolling(immediate * (1 - BESIDE)), duration=0.01)
+    late = hh.simulate(hoop, plane, hh.Start.rolling(immediate * (1 + BESIDE)), duration=0.01)
+    assert early.sequence[0] != "H"
+    assert late.sequence[0] == "H"
+
+
+@pytest.mark.parametrize(("hoop", "plane"), CASES)
+def test_slip_begins_where_rolling_needs_all_friction(hoop, plane):
+    speed = theory.first_slip_speed(hoop, plane)
+    assert theory.needed_friction(hoop, speed, plane).mu == pytest.approx(plane.mu_static, rel=1e-11)
+
+
+def test_critical_speeds_of_the_literature():
+    slip, hop, immediate = theory.critical_speeds(REFERENCE)
+    # the article: pure rolling at 2, slip at a marginally higher speed, a hop at 3.1 and none at 2.8
+    assert 2.0 < slip < 2.1
+    assert 2.8 < hop < 3.1
+    assert immediate == pytest.approx(math.sqrt(9.81 / 0.75), rel=1e-15)
+
+
+def test_critical_speeds_at_their_limits():
+    assert theory.first_slip_speed(REFERENCE, hh.Plane(mu=0.37)) == 0.0  # any push: the article's μ ≥ 0.38
+    assert theory.first_slip_speed(REFERENCE, hh.Plane(mu=math.inf)) == math.inf
+    level = hh.Hoop.ideal(0.0)
+    assert theory.critical_speeds(level) == (math.inf, math.inf, math.inf)
+    smooth = hh.Plane(mu=0.0)
+    assert theory.first_slip_speed(REFERENCE, smooth) == 0.0
+    assert theory.first_hop_speed(REFERENCE, turns=4) <= theory.first_hop_speed(REFERENCE)
+
+
+@given(hoops, st.floats(0.05, 2.0), st.floats(0.3, 1.0))
+@settings(max_examples=25)
+def test_hops_begin_at_one_speed(hoop, mu, ratio):
+    """Below the critical speed there is no hop, above it always one, also at speeds not tried."""
+    plane = hh.Plane(mu_static=mu, mu_kinetic=mu * ratio)
+    slip, hop, immediate = theory.critical_speeds(hoop, plane)
+    speeds = immediate * np.linspace(0.0137, 0.9973, 23)
+    seen = ~np.isnan(theory.hop_angle(hoop, speeds, plane))
+    np.testing.assert_array_equal(seen, speeds >= hop)
+    slides = ~np.isnan(theory.slip_angle(hoop, speeds, plane))
+    if slip > 0.0:  # else the smallest push slips, but a faster hoop may not
+        np.testing.assert_array_equal(slides, speeds >= slip)
+    else:
+        assert not math.isnan(theory.slip_angle(hoop, 1e-9 * immediate, plane))
+
+
+def test_angles_are_where_the_forces_say():
+    speeds = np.array([2.0, 2.8, 3.1, 3.5])
+    angles = theory.slip_angle(REFERENCE, speeds)
+    assert math.isnan(angles[0])
+    used = theory.friction_utilization(angles[1:], REFERENCE, speeds[1:])
+    np.testing.assert_allclose(used, 1.0, rtol=1e-12)
+    angles = theory.hop_angle(REFERENCE, speeds)
+    assert np.isnan(angles[:2]).all()
+    assert math.degrees(angles[2]) == pytest.approx(315.6, abs=0.05)
+    motion = hh.simulate(REFERENCE, hh.Plane(), hh.Start.rolling(3.5), duration=2.0)
+    hop = motion.find("takeoff")[0]
+    assert angles[3] == pytest.approx(hop.angle, rel=1e-14)
+    assert theory.lift_off_speed(hop.angle, REFERENCE) == pytest.approx(hop.omega, rel=1e-12)
+
+
+# --- arrays and errors -----------------------------------------------------------------------------
+
+
+def test_everything_broadcasts():
+    hoops = [hh.Hoop.ideal(0.3), hh.Hoop.ideal(0.6), REFERENCE]
+    planes = np.array([[hh.Plane(mu=0.8)], [hh.Plane(mu=1.2)]], dtype=object)
+    speeds = theory.first_slip_speed(hoops, planes)
+    assert speeds.shape == (2, 3)
+    assert speeds[1, 2] == theory.first_slip_speed(REFERENCE, hh.Plane(mu=1.2))
+    table = theory.rolling_speed(np.linspace(0, 6, 4)[:, None, None], hoops, 1.0, planes)
+    assert table.shape == (4, 2, 3)
+    assert table[1, 0, 1] == theory.rolling_speed(2.0, hoops[1], 1.0)
+    assert isinstance(theory.rolling_speed(1.0, REFERENCE, 1.0), float)
+    assert theory.needed_friction(hoops, [[0.1], [1.0]]).mu.shape == (2, 3)
+    assert theory.mode_of(np.zeros((2, 1)), np.ones(3), REFERENCE).shape == (2, 3)
+    assert theory.rolling_speed([], REFERENCE, 1.0).shape == (0,)
+
+
+@given(st.floats(0.01, 100.0), st.floats(0.01, 100.0), st.floats(0.01, 100.0))
+@settings(max_examples=20)
+def test_units_scale(radius, mass, gravity):
+    plane = hh.Plane(gravity=gravity)
+    hoop = hh.Hoop.ideal(0.75, radius=radius, mass=mass)
+    speed = math.sqrt(gravity * radius / 9.81)
+    for ours, theirs in zip(
+        theory.critical_speeds(hoop, plane), theory.critical_speeds(REFERENCE), strict=True
+    ):
+        assert ours == pytest.approx(theirs * speed, rel=1e-14)
+    assert theory.rolling_period(hoop, 2.0 * speed, plane) == pytest.approx(
+        theory.rolling_period(REFERENCE, 2.0) * radius / speed, rel=1e-13
+    )
+    assert theory.rolling_forces(1.0, hoop, 2.0 * speed, plane).normal == pytest.approx(
+        theory.rolling_forces(1.0, REFERENCE, 2.0).normal * mass * gravity / 9.81, rel=1e-13
+    )
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: theory.rolling_speed(math.nan, REFERENCE, 1.0), "theta = nan must be a finite number."),
+        (lambda: theory.rolling_speed("a", REFERENCE, 1.0), "theta = 'a' must be a number"),
+        (lambda: theory.rolling_speed(1.0, 0.75, 1.0), "hoop = 0.75 must be a Hoop"),
+        (
+            lambda: theory.rolling_speed([1.0, 2.0], REFERENCE, [1.0, 2.0, 3.0]),
+            "do not go together: hoop (), plane (), theta (2,), v0 (3,).",
+        ),
+        (lambda: theory.max_rolling_speed(REFERENCE, 1.0, DOWNHILL), "plane.slope must be 0"),
+        (lambda: theory.first_slip_speed(hh.Hoop.ideal(1.0)), "hoop.inertia_ratio = 0.0 must be above 0"),
+        (lambda: theory.first_hop_speed(REFERENCE, hh.Plane(slope=-0.1)), "plane.slope must be at least 0"),
+        (lambda: theory.first_hop_speed(REFERENCE, turns=0), "turns = 0 must be a whole number"),
+        (lambda: theory.painleve_region(1.0, -0.5, REFERENCE), "mu = -0.5 must be at least 0."),
+        (lambda: theory.jam_states(hh.Hoop.ideal(1.0)), "hoop.inertia_ratio = 0 must be above 0"),
+        (lambda: theory.massless_loss(1.0, plane=DOWNHILL), "plane.slope must be 0"),
+        (lambda: theory.massless_loss(1.0, radius=-1.0), "hoop.radius = -1.0 must be greater than 0."),
+    ],
+)
+def test_bad_arguments_get_a_sentence(call, sentence):
+    with pytest.raises(ValueError) as refusal:
+        call()
+    assert sentence in str(refusal.value)

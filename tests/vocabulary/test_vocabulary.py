@@ -1,0 +1,203 @@
+"""Words, colours and the share of friction used: one meaning each, in every room that shows them."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+import hophoop as hh
+from hophoop import plots, theory
+from hophoop.lab import explore, frames
+from hophoop.lab import words as told
+from hophoop.lab.limits import USUAL
+from hophoop.plots.curves import curve, phases, shown_words
+from hophoop.poses import poses_of
+from hophoop.vocabulary import classes, colors, words
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def rocking():
+    """The article's hoop on μ = 0.3, which turns back and rolls the other way."""
+    return hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=0.3), hh.Start.rolling(0.1), duration=9.0)
+
+
+@pytest.fixture(scope="module")
+def hop():
+    return hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=1.0), hh.Start.rolling(3.1), duration=2.0)
+
+
+# Words follow the rotation
+
+
+def expected_word(state):
+    """From the definition: 'spins' where v_t θ̇ < 0, 'skids' where v_t θ̇ > 0."""
+    product = (state.vx - state.omega) * state.omega  # R = 1 m
+    return {True: "spin", False: "skid"}[product < 0.0]
+
+
+def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
+    state = rocking.at(7.5)
+    assert state.vx == pytest.approx(-1.283, abs=1e-3)
+    assert state.omega == pytest.approx(-0.791, abs=1e-3)
+    assert state.mode == "S"  # v_t < 0: the letter is its sign
+    assert expected_word(state) == "skid"
+    assert words.mode_word(state.mode, state.omega) == "skid"
+    assert poses_of(rocking, [7.5]).words[0] == "skid"
+    assert next(piece.word for piece in phases(rocking) if piece.t < 7.5 < piece.end_t) == "skid"
+    columns = frames.columns(rocking)
+    assert words.MODES[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
+    slip = [one for one in told.story(rocking) if one["t"] < 7.5][-1]
+    assert "skids" in slip["text"]
+    assert slip["mode"] == "K"  # the letter by which the page colours it
+
+
+@pytest.mark.parametrize("t", [1.0, 2.5, 3.3, 4.2, 5.9, 7.5, 8.6])
+def test_each_word_shown_is_that_of_v_t_and_rotation(rocking, t):
+    state = rocking.at(t)
+    if state.mode in ("S", "K"):
+        assert words.mode_word(state.mode, state.omega) == expected_word(state)
+
+
+def test_many_words_are_the_single_ones(rocking):
+    sample = rocking.at(rocking.times(500))
+    many = words.mode_words(sample.mode, sample.omega)
+    assert list(many) == [words.mode_word(str(m), w) for m, w in zip(sample.mode, sample.omega, strict=True)]
+    assert {"roll", "spin", "skid"} <= set(many)
+
+
+def test_a_slip_in_which_the_hoop_turns_back_changes_its_word():
+    start = hh.Start(vx=4.0, omega=-0.8)  # thrown ahead with backspin
+    motion = hh.simulate(hh.Hoop.ideal(0.3), hh.Plane(mu=0.3), start, duration=4.0)
+    pieces = phases(motion)
+    turns = [event for event in motion.find("turn") if event.to_mode in ("S", "K")]
+    assert turns
+    for turn in turns:
+        before = next(piece for piece in pieces if piece.end_t == turn.t)
+        after = next(piece for piece in pieces if piece.t == turn.t)
+        assert before.mode == after.mode
+        assert {before.word, after.word} == {"spin", "skid"}
+        number = motion.events.index(turn)
+        assert f"and {words.VERBS[after.word]} now" in next(
+            one["text"] for one in told.story(motion) if one["event"] == number
+        )
+
+
+def test_a_direction_is_that_of_the_coming_rotation():
+    np.testing.assert_array_equal(words.coming_rotation([0.0, 2.0, 0.0, -1.0, 0.0]), [1, 1, -1, -1, -1])
+    np.testing.assert_array_equal(words.coming_rotation([0.0, 0.0]), [0, 0])
+
+
+def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
+    scenario = hh.Scenario(plane=hh.Plane(mu=0.3))
+    codes = explore.regions(scenario, (-3.0, 3.0, -8.0, 8.0), 60, 40)["modes"]
+    np.testing.assert_array_equal(codes, codes[::-1, ::-1])
+    letters = theory.mode_of(1.0, np.array([2.0, -2.0]), scenario.hoop, scenario.plane)
+    assert set(words.mode_words(letters, [2.0, -2.0])) <= set(words.MODES)
+
+
+def test_an_unknown_letter_is_refused():
+    with pytest.raises(ValueError, match=r"letter = 'X' must be one of R, S, K, H, M\."):
+        words.mode_word("X", 1.0)
+    with pytest.raises(ValueError, match="word = 'S' must be one of roll, spin"):
+        colors.mode_color("S")
+
+
+def test_every_kind_of_event_and_status_has_its_words():
+    from hophoop.physics.body import EVENT_NAMES, Status
+
+    assert tuple(words.EVENTS) == EVENT_NAMES
+    assert tuple(words.STATUSES) == tuple(status.name.lower() for status in Status if status != Status.BUFFER)
+
+
+# Colours
+
+
+def test_a_class_has_one_colour_in_figures_and_in_the_lab():
+    options = {
+        "x": {"path": "start.speed", "from": 0.5, "to": 4.0, "cells": 12},
+        "y": {"path": "plane.mu", "from": 0.2, "to": 1.2, "cells": 10},
+    }
+    for what in ("sequence", "painleve", "ending"):
+        header, _ = explore.motion_map(hh.Scenario(duration=1.0), options | {"what": what}, USUAL)
+        assert len(header["classes"]) > 1
+        for one in header["classes"]:
+            assert one["color"] == classes.class_color(one["name"], what)
+    assert plots.class_color is classes.class_color
+
+
+# The share of friction in use
+
+
+def test_one_utilization_everywhere(hop):
+    slippery = hh.simulate(
+        hh.Hoop.ideal(0.75), hh.Plane(mu_static=1.0, mu_kinetic=0.6), hh.Start.rolling(3.1), duration=2.0
+    )
+    for motion in (hop, slippery):
+        plane = motion.scenario.plane
+        sample = curve(motion)
+        slip = np.isin(sample.mode, ["S", "K"])
+        used = sample.utilization(plane)
+        # Coulomb's law, from the forces themselves
+        pressed = sample.normal_force > 1e-6
+        mu = np.where(slip, plane.mu_kinetic, plane.mu_static)
+        np.testing.assert_allclose(
+            used[pressed], np.abs(sample.friction_force[pressed]) / (mu * sample.normal_force)[pressed], rtol=1e-12
+        )
+        np.testing.assert_allclose(used[slip], 1.0, rtol=1e-9)
+        assert np.isnan(used[sample.mode == "H"]).all()
+        ax = Figure().subplots()
+        plots.friction_utilization(motion, "time", ax=ax)
+        drawn = max(ax.get_lines(), key=lambda one: len(one.get_xdata())).get_ydata()
+        np.testing.assert_array_equal(np.abs(drawn), used)
+        assert np.nanmin(drawn) < -0.99
+        columns = frames.columns(motion)
+        some = motion.at(columns["t"][np.r_[False, np.diff(columns["t"]) > 0.0]][::40])
+        np.testing.assert_allclose(np.nanmax(columns["utilization"]), 1.0, rtol=1e-9)
+        assert np.nanmax(some.utilization(plane)) <= 1.0 + 1e-9
+
+
+def test_no_friction_cannot_be_used():
+    motion = hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(mu=0.0), hh.Start.rolling(1.0), duration=1.0)
+    assert np.isnan(motion.at(0.5).utilization(motion.scenario.plane))
+    found = hh.maps.points(None, {"plane.mu": [0.0, 0.5], "start.speed": [3.0, 3.0]}, ["greatest_utilization"])
+    assert np.isnan(found["greatest_utilization"][0])
+    assert found["greatest_utilization"][1] == 1.0
+
+
+def test_slip_uses_all_of_the_kinetic_friction_in_a_map_too():
+    values = {"plane.mu_static": [0.8], "plane.mu_kinetic": [0.4], "start.vx": [3.0], "start.omega": [0.5]}
+    found = hh.maps.points(None, values, ["greatest_utilization"])
+    assert found["greatest_utilization"][0] == 1.0  # μk/μs before
+
+
+def test_a_map_answers_to_the_former_name():
+    axes = {"plane.mu": [0.3, 0.6], "start.speed": [0.5, 3.0]}
+    old = hh.maps.sweep(None, axes, ["greatest_utilisation"])
+    new = hh.maps.sweep(None, axes, ["greatest_utilization"])
+    np.testing.assert_array_equal(old["greatest_utilisation"].values, new["greatest_utilization"].values)
+
+
+def test_one_spelling():
+    former = re.compile("utilisation", re.IGNORECASE)
+    allowed = {"src/hophoop/maps/quantities.py", "docs/maps.md", "tests/vocabulary/test_vocabulary.py", "CHANGELOG.md"}
+    found = {
+        path.relative_to(ROOT).as_posix()
+        for folder in ("src", "docs", "tests", "examples", "benchmarks")
+        for path in (ROOT / folder).rglob("*")
+        if path.suffix in (".py", ".md", ".js", ".html") and former.search(path.read_text(encoding="utf-8"))
+    }
+    assert found <= allowed
+
+
+def test_shown_words_change_where_the_mode_or_the_direction_does(rocking):
+    sample = curve(rocking)
+    shown = shown_words(sample)
+    slip = np.isin(sample.mode, ["S", "K"]) & (np.abs(sample.omega) > 1e-6)
+    product = sample.slip * sample.omega
+    clear = slip & (np.abs(product) > 1e-9)
+    assert clear.sum() > 100
+    np.testing.assert_array_equal(shown[clear] == "spin", product[clear] < 0.0)
