@@ -13,7 +13,7 @@ pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
 
 import hophoop as hh  # noqa: E402
-from hophoop.lab import api, app, frames, state  # noqa: E402
+from hophoop.lab import api, app, calls, packing  # noqa: E402
 from hophoop.lab.limits import USUAL, TooBusy  # noqa: E402
 from hophoop.scenario import InputError  # noqa: E402
 
@@ -47,13 +47,16 @@ def test_an_empty_body_is_the_reference_case(client):
     [
         ("/api/v1/simulate", {"hoop": {"mass": -1}}, 422, "hoop.mass = -1 must be greater than 0."),
         ("/api/v1/simulate", {"hop": 1}, 422, "hop is not a known key; did you mean hoop?"),
-        ("/api/v1/simulate", [], 422, "scenario = [] must be a table of keys."),
+        ("/api/v1/simulate", [], 422, "the scenario = [] must be a table of keys."),
         ("/api/v1/simulate", {"duration": 1e9}, 413, "duration = 1e+09 must be at most 600 s"),
-        ("/api/v1/simulate?samples=1", {}, 422, "samples = 1 must be a whole number"),
+        ("/api/v1/simulate?samples=1", {}, 422, "samples = '1' must be a whole number from 0 and not 1."),
         ("/api/v1/simulate?samples=x", {}, 422, "samples = 'x' must be a whole number."),
         ("/api/v1/simulate?samples=30000", {}, 413, "samples = 30000 must be at most 20001"),
         ("/api/v1/theory", {"plane": {"mu": "high"}}, 422, "plane.mu = 'high' must be a number."),
-        ("/api/v1/map", {}, 422, "x must be an object"),
+        ("/api/v1/map", {}, 422, "x is missing (and 1 more problem)."),
+        ("/api/v1/simulate?samples=-2", {}, 422, "samples = '-2' must be at least 0."),
+        ("/api/v1/theory", 3, 422, "the scenario = 3 must be a table of keys."),
+        ("/lab/film", 3, 422, "The body must be a JSON object, not 3."),
         ("/lab/film", {"changes": 1}, 422, "changes = 1 must be a list"),
         ("/lab/nothing", {}, 404, "There is no call 'nothing'."),
     ],
@@ -106,7 +109,7 @@ def test_theory_and_map_answer(client):
     got = client.post("/api/v1/map", json=body)
     assert [len(row) for row in got.json()["values"]] == [4, 4, 4]
     packed = client.post("/api/v1/map", json=body, headers={"Accept": "application/octet-stream"})
-    header, arrays = frames.unpack(packed.content)
+    header, arrays = packing.unpack(packed.content)
     assert arrays["values"].tolist() == got.json()["values"]
     assert header["classes"] == got.json()["classes"]
     assert packed.headers["etag"] != got.headers["etag"]
@@ -168,6 +171,30 @@ def test_openapi_describes_every_route(client):
         assert f"#/components/schemas/{name}" in text, name
 
 
+def test_every_default_and_word_in_the_document_is_accepted(client):
+    schemas = client.get("/openapi.json").json()["components"]["schemas"]
+    axes = {
+        "x": {"path": "start.speed", "from": 0.0, "to": 5.0},
+        "y": {"path": "plane.mu", "from": 0.2, "to": 1.0},
+    }
+
+    def resolved(schema):
+        return schemas[schema["$ref"].rpartition("/")[2]] if "$ref" in schema else schema
+
+    request = schemas["MapRequest"]["properties"]
+    offered = [request["what"]["default"], *request["what"].get("enum", [])]
+    for axis in ("x", "y"):
+        axes[axis]["cells"] = resolved(request[axis])["properties"]["cells"]["default"]
+    for what in offered:
+        reply = client.post("/api/v1/map", json={**axes, "what": what, "scenario": {"duration": 0.5}})
+        assert reply.status_code == 200, (what, reply.text)
+        axes["x"]["cells"] = axes["y"]["cells"] = 2
+    names = client.get("/openapi.json").json()["paths"]["/api/v1/files/{name}"]["get"]["parameters"]
+    for name in next(entry for entry in names if entry["name"] == "name")["schema"]["enum"]:
+        if not name.endswith(("mp4", "gif")):
+            assert client.get(f"/api/v1/files/{name}?duration=0.5").status_code == 200
+
+
 # Too much at once
 
 
@@ -215,8 +242,8 @@ def test_a_missing_extra_answers_501(monkeypatch, client):
     def missing(request, limits):
         raise ImportError("matplotlib is not installed; it comes with the extra 'plots'.")
 
-    call = state.CALLS["theory"]
-    monkeypatch.setitem(state.CALLS, "theory", call._replace(answer=missing))
+    call = calls.CALLS["theory"]
+    monkeypatch.setitem(calls.CALLS, "theory", call._replace(answer=missing))
     assert client.post("/api/v1/theory", json={"duration": 3}).status_code == 501
 
 

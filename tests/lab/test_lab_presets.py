@@ -7,14 +7,15 @@ import pytest
 from hypothesis import given, settings
 
 import hophoop as hh
-from hophoop.lab import limits, presets, state
+from hophoop.lab import calls, limits, presets
+from hophoop.lab.python_code import python_code
 from strategies import scenarios
 
 PRESETS = {preset.key: preset for preset in presets.presets()}
 
 
 def kinds(key):
-    return {event.kind for event in state.computed(PRESETS[key].scenario).events}
+    return {event.kind for event in calls.computed(PRESETS[key].scenario).events}
 
 
 def test_the_article_is_there():
@@ -44,19 +45,19 @@ def test_presets_show_what_they_promise(key, kind):
 
 
 def test_presets_say_true_numbers():
-    gain = next(e.gain for e in state.computed(PRESETS["kane"].scenario).events if e.kind == "kane_gain")
+    gain = next(e.gain for e in calls.computed(PRESETS["kane"].scenario).events if e.kind == "kane_gain")
     assert 1.5 < gain < 2.5  # 'creates two joules'
     stronge = PRESETS["kane"].scenario.replace("plane.impact_law", "stronge")
-    assert not state.computed(stronge).find("kane_gain")
-    earth, moon = (state.computed(PRESETS[key].scenario) for key in ("hop", "moon"))
+    assert not calls.computed(stronge).find("kane_gain")
+    earth, moon = (calls.computed(PRESETS[key].scenario) for key in ("hop", "moon"))
     assert moon.find("takeoff")[0].t / earth.find("takeoff")[0].t == pytest.approx(2.46, abs=0.005)
-    assert state.computed(PRESETS["jam"].scenario).status == "jammed"
+    assert calls.computed(PRESETS["jam"].scenario).status == "jammed"
     impact = PRESETS["indeterminate"].scenario.replace("plane.painleve", "impact")
-    assert state.computed(impact).sequence != state.computed(PRESETS["indeterminate"].scenario).sequence
+    assert calls.computed(impact).sequence != calls.computed(PRESETS["indeterminate"].scenario).sequence
 
 
 def test_presets_open_from_their_links():
-    setup = state.answer(state.read("setup", {}), limits.USUAL).header
+    setup = calls.answer(calls.read("setup", {}), limits.USUAL).header
     for preset, offered in zip(presets.presets(), setup["presets"], strict=True):
         assert hh.Scenario.from_query(offered["query"]) == preset.scenario
 
@@ -67,7 +68,7 @@ def test_presets_open_from_their_links():
 def ran(scenario):
     """What the code says, without the time it takes to compute it."""
     names = {"scenario": made}
-    exec(state.python_code(scenario).partition("print")[0].replace("hh.simulate(", "scenario("), names)
+    exec(python_code(scenario).partition("print")[0].replace("hh.simulate(", "scenario("), names)
     return names["motion"]
 
 
@@ -95,12 +96,12 @@ def test_python_makes_parts_friction_and_compliance():
         duration=0.1,
     )
     assert ran(scenario) == scenario
-    assert 'float("inf")' in state.python_code(hh.Scenario(plane=hh.Plane(mu=math.inf)))
+    assert 'float("inf")' in python_code(hh.Scenario(plane=hh.Plane(mu=math.inf)))
 
 
 def test_python_names_what_one_will_want_to_change():
-    assert "hh.Hoop(load_fraction=0.75)" in state.python_code(hh.Scenario())
-    assert "hh.Plane(mu=1.0)" in state.python_code(hh.Scenario())
+    assert "hh.Hoop(load_fraction=0.75)" in python_code(hh.Scenario())
+    assert "hh.Plane(mu=1.0)" in python_code(hh.Scenario())
 
 
 def test_the_hoop_at_2_8_never_has_a_last_slip():

@@ -3,7 +3,7 @@
 import pytest
 
 import hophoop as hh
-from hophoop.lab import frames
+from hophoop.lab import packing
 from hophoop.scenario import InputError
 
 HOP = hh.Scenario()
@@ -24,13 +24,13 @@ def widget(motion):
 
 
 def test_the_widget_carries_its_motion(widget, motion):
-    header, arrays = frames.unpack(widget.film)
+    header, arrays = packing.unpack(widget.film)
     assert header["sequence"] == motion.sequence
     assert len(arrays["t"]) > 800
     assert widget.motion is motion
     other = hh.simulate(HOP.replace("start.speed", 2.0))
     widget.motion = other
-    assert frames.unpack(widget.film)[0]["sequence"] == "R"
+    assert packing.unpack(widget.film)[0]["sequence"] == "R"
 
 
 def test_the_widget_answers_and_keeps_the_motion(widget):
@@ -38,7 +38,7 @@ def test_the_widget_answers_and_keeps_the_motion(widget):
     widget._answer(widget, {"view": "a", "number": 3, "call": "film", "body": body}, [])
     ((content, buffers),) = widget.sent
     assert content == {"view": "a", "number": 3}
-    assert frames.unpack(buffers[0])[0]["sequence"] == "R"
+    assert packing.unpack(buffers[0])[0]["sequence"] == "R"
     assert widget.motion.scenario.start.speed == 2.0
 
 

@@ -24,7 +24,7 @@ APPLICATION = "hophoop.lab.api:create_app"
 def warm_up() -> None:
     """Compile all that a visitor may ask for; other processes find the result on disk."""
     from hophoop import theory
-    from hophoop.lab import state
+    from hophoop.lab import calls
 
     scenario = Scenario()
     simulate(scenario).at(0.5)
@@ -36,7 +36,7 @@ def warm_up() -> None:
         "y": {"path": "plane.mu", "from": 0.0, "to": 1.5, "cells": 10},
     }
     for call, options in (("map", axes), ("regions", {}), ("theory", {})):
-        state.answer(state.read(call, options))
+        calls.answer(calls.read(call, options))
 
 
 def compile_beside() -> None:

@@ -1,23 +1,17 @@
 """The page: one HTML document, one style sheet and one script, read once and served from memory.
 
-The script is the same for the page and the notebook widget: the modules in static/, joined into one.
+The script is the same for the page and the notebook widget, which takes a single file. It is built from the modules
+in the repository's web/lab and web/space, see CONTRIBUTING.md.
 """
 
 from __future__ import annotations
 
 import hashlib
-import re
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
-
-# In the order in which they need each other.
-MODULES = (
-    "dom", "frames", "clock", "stage2d", "gl", "stage3d", "timeline", "plot", "plots", "phase", "map",
-    "parts", "controls", "story", "share", "backend", "layout", "app", "main",
-)  # fmt: skip
 
 # Nothing may come from, or go, anywhere else; a film recorded in the page is a blob.
 SECURITY_HEADERS = {
@@ -30,9 +24,6 @@ SECURITY_HEADERS = {
     "Referrer-Policy": "no-referrer",
 }
 
-_IMPORT = re.compile(r"^import\s*\{([^}]*)\}\s*from\s*\"\./(\w+)\.js\";\n", re.MULTILINE)
-_EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const|let)\b\W+(\w+))", re.MULTILINE)
-
 
 def static_text(name: str) -> str:
     """Text of a file of static/."""
@@ -41,27 +32,8 @@ def static_text(name: str) -> str:
 
 @cache
 def script() -> str:
-    """All modules as one, since a notebook takes a single file: imports become constants of each one's scope.
-
-    Returns
-    -------
-    script : str
-        A module whose default export is that of the last of `MODULES`.
-    """
-    joined = []
-    for name in MODULES:
-        text = static_text(f"{name}.js")
-        exported = [found.group(1) for found in _EXPORT.finditer(text)]
-        text = _EXPORT.sub("", _IMPORT.sub(_as_constants, text))
-        if name != MODULES[-1]:
-            text = f"const {name}_js = (() => {{\n{text}\nreturn {{ {', '.join(exported)} }};\n}})();"
-        joined.append(f"// {name}.js\n{text}")
-    return "\n".join(joined)
-
-
-def _as_constants(found: re.Match[str]) -> str:
-    names = found.group(1).replace(" as ", ": ").strip().rstrip(",")
-    return f"const {{ {' '.join(names.split())} }} = {found.group(2)}_js;\n"
+    """The page's script, whose default export is the widget's."""
+    return static_text("lab.js")
 
 
 @cache

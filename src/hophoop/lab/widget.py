@@ -57,7 +57,7 @@ def _widget_class() -> Any:
         return _made[0]
     anywidget = need("anywidget", "lab")
     traitlets = need("traitlets", "lab")
-    from hophoop.lab import page, state
+    from hophoop.lab import calls, page
 
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
         """One motion, its player and its sliders."""
@@ -72,8 +72,8 @@ def _widget_class() -> Any:
 
         def __init__(self, motion: Trajectory, panels: list[str]) -> None:
             super().__init__(
-                film=state.film_of(motion).packed(),
-                setup=state.answer(state.read("setup", {})).header,
+                film=calls.film_of(motion).packed(),
+                setup=calls.answer(calls.read("setup", {})).header,
                 panels=panels,
                 query=motion.scenario.to_query(),
             )
@@ -91,26 +91,26 @@ def _widget_class() -> Any:
         def motion(self, motion: Trajectory) -> None:
             self._motion = motion
             self._shown = motion.scenario.to_query()
-            self.film = state.film_of(motion).packed()
+            self.film = calls.film_of(motion).packed()
             self.query = self._shown
 
         def _follow(self, change: Any) -> None:
             """Undo, or the other one of two hoops: what is shown is not what was computed last."""
             if change["new"] != self._shown:
-                self._motion = state.computed(Scenario.from_query(change["new"]))
+                self._motion = calls.computed(Scenario.from_query(change["new"]))
                 self._shown = change["new"]
 
         def _answer(self, _: Any, message: Any, buffers: Any) -> None:
             reply = {"view": message.get("view"), "number": message.get("number")}
             try:
-                request = state.read(message.get("call"), message.get("body"))
+                request = calls.read(message.get("call"), message.get("body"))
                 if request.call == "film":
                     # the motion is kept for the notebook's next cell
-                    self._motion = state.computed(request.scenario)
+                    self._motion = calls.computed(request.scenario)
                     self._shown = request.scenario.to_query()
-                    answered = state.film_of(self._motion, request.scenario)
+                    answered = calls.film_of(self._motion, request.scenario)
                 else:
-                    answered = state.answer(request)
+                    answered = calls.answer(request)
             except (ValueError, ImportError) as error:
                 self.send({**reply, "error": sentence(error)})
                 return

@@ -72,10 +72,11 @@ class Frozen(BaseModel):
     @classmethod
     def _known_keys(cls, data: Any) -> Any:
         # Pydantic forbids extra keys too, but does not say which ones there are.
+        known = [field.alias or name for name, field in cls.model_fields.items()]
         for key in data if isinstance(data, Mapping) else ():
-            if key not in cls.model_fields:
-                close = difflib.get_close_matches(str(key), cls.model_fields, n=1)
-                hint = f"did you mean {close[0]}?" if close else f"known are {', '.join(cls.model_fields)}."
+            if key not in known:
+                close = difflib.get_close_matches(str(key), known, n=1)
+                hint = f"did you mean {close[0]}?" if close else f"known are {', '.join(known)}."
                 raise refuse(f"{cls.place}{key} is not a known key; {hint}")
         return data
 

@@ -17,6 +17,9 @@ _LIMITS = {
     "less_than_equal": ("at most", "le"),
 }
 
+# Kinds of our own validators, whose messages go on from the value.
+_OWN = {"number", "friction", "whole", "value"}
+
 _TAGS = {"rigid", "compliant", "ring", "disk", "point_mass", "rod"}
 
 
@@ -48,21 +51,37 @@ def sentence(error: BaseException) -> str:
     if not isinstance(error, ValidationError):
         # KeyError and the like show their argument only; a name says more than nothing.
         return str(error) or type(error).__name__
-    findings = error.errors(include_url=False)
-    first = _say(error.title, findings[0])
+    return findings_sentence(error.errors(include_url=False), _PLACES.get(error.title, error.title.lower()))
+
+
+def findings_sentence(findings: Sequence[Mapping[str, Any]], place: str = "") -> str:
+    """Put what pydantic found into one sentence.
+
+    Parameters
+    ----------
+    findings : sequence of dict
+        As ``ValidationError.errors()`` gives them; the first is said, the others are counted.
+    place : str, default ''
+        Path under which the validated model stands.
+
+    Returns
+    -------
+    sentence : str
+    """
+    first = _say(place, findings[0])
     others = len(findings) - 1
     if others == 0:
         return first
     return f"{first.removesuffix('.')} (and {others} more {'problem' if others == 1 else 'problems'})."
 
 
-def _say(title: str, finding: Mapping[str, Any]) -> str:
-    place = _path(title, finding["loc"])
+def _say(above: str, finding: Mapping[str, Any]) -> str:
+    place = _path(above, finding["loc"])
     kind, value, context = finding["type"], finding["input"], finding.get("ctx", {})
     given = f"{place} = {_show(value)}"
     if kind == "sentence":
         return str(context["sentence"])
-    if kind in ("number", "friction", "whole"):
+    if kind in _OWN:
         return f"{given} {finding['msg']}."
     if kind in _LIMITS:
         words, key = _LIMITS[kind]
@@ -81,12 +100,16 @@ def _say(title: str, finding: Mapping[str, Any]) -> str:
         return f"{given} must be a table of keys."
     if kind in ("tuple_type", "list_type"):
         return f"{given} must be a list."
+    if kind in ("int_parsing", "int_type", "int_from_float"):
+        return f"{given} must be a whole number."
+    if kind == "string_type":
+        return f"{given} must be a word."
     message = finding["msg"]
     return f"{given}: {message[:1].lower()}{message[1:]}."
 
 
-def _path(title: str, loc: Sequence[str | int]) -> str:
-    parts = [_PLACES.get(title, title.lower())]
+def _path(above: str, loc: Sequence[str | int]) -> str:
+    parts = [above]
     for step in loc:
         # The name of a union's branch is pydantic's, not the user's.
         if step in _TAGS:

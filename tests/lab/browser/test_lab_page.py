@@ -11,6 +11,7 @@ import pytest
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
 import hophoop as hh  # noqa: E402
+from hophoop.vocabulary.classes import class_text  # noqa: E402
 
 PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parents[2] / "results" / "lab"))
 
@@ -60,7 +61,7 @@ def test_a_slider_makes_it_hop_and_undo_takes_it_back(visit):
     wait_for(page, "!lab.surrounding")
     assert summary(page) == "Rolls."
     page.locator("input[data-path='start.speed']").fill("3.1")
-    wait_for(page, "lab.film().sequence.includes('H') && lab.past.length === 1")
+    wait_for(page, "lab.film().sequence.includes('H') && lab.motions.history.past.length === 1")
     wait_for(page, "document.querySelector('.summary').textContent.includes('hops')")
     assert urlsplit(page.url).query == ""  # the reference case
     page.keyboard.press("z")
@@ -89,7 +90,7 @@ def test_exact_entry_and_a_sentence_for_what_is_not_allowed(visit):
 
 def test_it_plays_and_is_scrubbed(visit):
     page = visit()
-    before = page.evaluate("hophoopLab.frames ?? 0")
+    before = page.evaluate("hophoopLab.frames")
     page.keyboard.press(" ")
     wait_for(page, "lab.clock.time > 0.3")
     page.keyboard.press(" ")
@@ -133,13 +134,13 @@ def test_a_click_on_the_map_takes_that_motion(visit):
     page.mouse.move(**place)
     told = page.locator(".map-body .tip").inner_text()
     page.mouse.click(**place)
-    wait_for(page, "lab.past.length === 1")
+    wait_for(page, "lab.motions.history.past.length === 1")
     speed, mu = page.evaluate(
         "[hophoopLab.film().values['start.speed'], hophoopLab.film().values['plane.mu']]"
     )
     assert speed == pytest.approx(0.55 * 5.0, abs=0.02)
     assert mu == pytest.approx(0.6 * 1.5, abs=0.02)
-    words = {"R": "roll", "S": "spin", "K": "skid", "H": "hop"}
+    words = {letter: class_text(letter, "sequence") for letter in "RSKH"}
     sequence = page.evaluate("hophoopLab.film().sequence")
     phases = told.rpartition(": ")[2].split(" → ")
     assert [words[letter] for letter in sequence][: len(phases)] == phases
@@ -154,7 +155,7 @@ def test_a_link_opens_the_same_motion(visit):
     page = visit("?start.speed=2.9&plane.restitution=0.4")
     page.get_by_role("button", name="Compare two hoops").click()
     page.locator("input[data-path='plane.mu']").fill("0.5")
-    wait_for(page, "lab.films().length === 2 && lab.past.length === 2")
+    wait_for(page, "lab.films().length === 2 && lab.motions.history.past.length === 2")
     sequences = page.evaluate("hophoopLab.films().map((film) => film.sequence)")
     assert sequences[0] != sequences[1]
     other = visit(page.url.split("/", 3)[3])
@@ -189,15 +190,15 @@ def test_in_space(visit):
     page = visit()
     page.keyboard.press("3")
     page.keyboard.press("h")
-    wait_for(page, "lab.options.three && !lab.requested")
+    wait_for(page, "lab.stage.options.three && !lab.requested")
     assert colors_on(page, ".stage canvas:not([hidden])") > 100
     picture(page, "space")
     # a machine that draws in software may lose sharpness while the film runs, not in a still picture
-    page.evaluate("hophoopLab.stage3.share = 0.5")
+    page.evaluate("hophoopLab.stage.deep.share = 0.5")
     page.keyboard.press(" ")
-    wait_for(page, "lab.canvas3.width < 0.9 * lab.canvas3.clientWidth")
+    wait_for(page, "lab.stage.space.width < 0.9 * lab.stage.space.clientWidth")
     page.keyboard.press(" ")
-    wait_for(page, "lab.canvas3.width === lab.canvas3.clientWidth")
+    wait_for(page, "lab.stage.space.width === lab.stage.space.clientWidth")
 
 
 def test_dark_and_on_a_phone(visit):
@@ -291,7 +292,7 @@ def test_two_hoops_are_told_apart(visit):
     page.get_by_role("button", name="Compare two hoops").click()
     wait_for(page, "lab.films().length === 2")
     page.locator("input[data-path='start.speed']").fill("3.1")
-    wait_for(page, "lab.past.length === 2 && !lab.surrounding")
+    wait_for(page, "lab.motions.history.past.length === 2 && !lab.surrounding")
     heading = page.locator(".story h2")
     assert heading.inner_text() == "What happens to hoop B"
     assert page.locator(".story-list li").count() > 10
@@ -329,7 +330,7 @@ def test_two_fingers_zoom_and_take_no_motion(visit, selector):
       map: hophoopLab.map.windows.x[1] - hophoopLab.map.windows.x[0],
       plot: hophoopLab.plots.shared.range ? hophoopLab.plots.shared.range[1] - hophoopLab.plots.shared.range[0] : 6,
       phase: hophoopLab.phase.range[1] - hophoopLab.phase.range[0],
-      stage: 1 / hophoopLab.stage2.zoom,
+      stage: 1 / hophoopLab.stage.flat.zoom,
     })"""
     name = {".m": "map", "[d": "plot", ".p": "phase", ".s": "stage"}[selector[:2]]
     before = page.evaluate(width)[name]
@@ -345,7 +346,7 @@ def test_two_fingers_zoom_and_take_no_motion(visit, selector):
     after = page.evaluate(width)[name]
     assert after == pytest.approx(before / 4, rel=0.15)
     page.wait_for_timeout(300)
-    assert page.evaluate("hophoopLab.past.length") == 0
+    assert page.evaluate("hophoopLab.motions.history.past.length") == 0
     assert page.evaluate("hophoopLab.film().query") == ""
 
 
@@ -355,11 +356,11 @@ def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
     page.mouse.move(box["x"] + 300, box["y"] + 200)
     page.mouse.wheel(0, 300)
     page.wait_for_function("() => scrollY > 100")
-    assert page.evaluate("hophoopLab.stage2.zoom") == 1
+    assert page.evaluate("hophoopLab.stage.flat.zoom") == 1
     page.evaluate("scrollTo(0, 0)")
     page.mouse.click(box["x"] + 300, box["y"] + 200)
     page.mouse.wheel(0, -300)
-    page.wait_for_function("() => hophoopLab.stage2.zoom > 1.2")
+    page.wait_for_function("() => hophoopLab.stage.flat.zoom > 1.2")
     assert page.evaluate("scrollY") == 0
 
 
@@ -411,7 +412,7 @@ def test_the_picture_follows_the_hand(visit):
           }
         }"""
     )
-    wait_for(page, "!lab.lanes[0].busy && lab.latencies.length > 5")
+    wait_for(page, "!lab.motions.lanes[0].busy && lab.latencies.length > 5")
     latencies = sorted(page.evaluate("hophoopLab.latencies"))
     # 50 ms on a machine that has nothing else to do (benchmarks/lab.py); here others may be at work
     assert latencies[len(latencies) // 2] < 400

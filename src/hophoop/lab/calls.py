@@ -1,0 +1,246 @@
+"""What the page and the widget ask for, without a browser: each call takes JSON and gives a reply."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+import hophoop
+from hophoop.lab import files, film, motion_map, requests, thresholds
+from hophoop.lab.controls import controls
+from hophoop.lab.limits import USUAL, Limits, TooMuch, within
+from hophoop.lab.packing import pack
+from hophoop.lab.presets import presets
+from hophoop.lab.python_code import python_code
+from hophoop.lab.regions import regions
+from hophoop.physics.body import MODE_LETTERS
+from hophoop.scenario import InputError, Scenario
+from hophoop.scenario.base import Frozen
+from hophoop.simulation import simulate
+from hophoop.trajectory import Trajectory
+from hophoop.vocabulary import colors
+
+
+@dataclass(frozen=True)
+class Reply:
+    """An answer: JSON, and for some calls arrays that are packed behind it."""
+
+    header: dict[str, Any]
+    arrays: dict[str, Any] | None = None
+
+    def packed(self) -> bytes:
+        """As one block of bytes."""
+        return pack(finite(self.header), self.arrays or {})
+
+    def json(self) -> bytes:
+        """As JSON; what is not finite becomes null."""
+        content = {**self.header, **{name: array.tolist() for name, array in (self.arrays or {}).items()}}
+        content = finite(content)
+        return json.dumps(content, allow_nan=False, ensure_ascii=False, separators=(",", ":")).encode()
+
+
+@dataclass(frozen=True)
+class Request:
+    """A checked request: which call, with what; its scenario is the default one where the call takes none."""
+
+    call: str
+    body: Any
+
+    @cached_property
+    def scenario(self) -> Scenario:
+        """The scenario that is asked about."""
+        asked = isinstance(self.body, requests.ScenarioRequest)
+        return self.body.asked() if asked else Scenario()
+
+    @property
+    def tag(self) -> str:
+        """Equal for equal requests to equal versions, whatever way their scenario was written."""
+        asked = isinstance(self.body, requests.ScenarioRequest)
+        return requests.tag_of(self.call, self.scenario, self.body.options() if asked else {})
+
+
+def finite(value: Any) -> Any:
+    """JSON has no infinity and no nan: both become null."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [finite(item) for item in value]
+    return value
+
+
+def computed(scenario: Scenario, limits: Limits = USUAL) -> Trajectory:
+    """The motion, within the limits of a request; too many events end it early with status 'event_limit'.
+
+    Raises
+    ------
+    TooMuch
+        If it is longer or stiffer than the limits allow.
+    """
+    return simulate(within(scenario, limits))
+
+
+def film_of(motion: Trajectory, scenario: Scenario | None = None) -> Reply:
+    """A motion that is there already, for the player; `scenario` is what it is shown as."""
+    return Reply(film.header(motion, scenario), film.columns(motion))
+
+
+def _film(request: Request, limits: Limits) -> Reply:
+    return film_of(computed(request.scenario, limits), request.scenario)
+
+
+def _setup(request: Request, limits: Limits) -> Reply:
+    """What the page needs once: controls, presets, colours, version."""
+    return Reply(
+        {
+            "version": hophoop.__version__,
+            "controls": controls(),
+            "map_quantities": [[name, words] for name, (words, _) in motion_map.MAP_QUANTITIES.items()],
+            "presets": [
+                {
+                    "key": p.key,
+                    "group": p.group,
+                    "title": p.title,
+                    "text": p.text,
+                    "query": p.scenario.to_query(),
+                }
+                for p in presets()
+            ],
+            "colors": {
+                # by the letters of a hoop that rolls ahead; what is shown has the letter of its word
+                "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
+                "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
+                "gravity_center": colors.GRAVITY_CENTER,
+                "airborne": colors.GRAVITY_CENTER_AIRBORNE,
+                "center_speed": colors.CENTER_SPEED,
+                "rotation_speed": colors.ROTATION_SPEED,
+                "kinetic": colors.KINETIC,
+                "potential": colors.POTENTIAL,
+                "friction_loss": colors.FRICTION_LOSS,
+                "impact_loss": colors.IMPACT_LOSS,
+                "normal_force": colors.NORMAL_FORCE,
+                "friction_force": colors.FRICTION_FORCE,
+                "limit": colors.LIMIT,
+            },
+        }
+    )
+
+
+def _code(request: Request, limits: Limits) -> Reply:
+    return Reply({"python": python_code(request.scenario), "toml": request.scenario.to_toml()})
+
+
+def _simulate(request: Request, limits: Limits) -> Reply:
+    """The motion in the format of result files, with `samples` equally spaced states."""
+    motion = computed(request.scenario, limits)
+    if motion.status == "event_limit" and request.scenario.contact.max_events > limits.events:
+        raise TooMuch(
+            f"The motion has {limits.events} events within {motion.duration:.4g} s, as many as the lab "
+            f"computes; ask for a duration below {request.scenario.duration:g} s."
+        )
+    header = {**motion.to_dict(), "scenario": request.scenario.to_dict()}
+    if request.body.samples:
+        sample = motion.at(motion.times(request.body.samples))
+        header["samples"] = {
+            field.name: getattr(sample, field.name).tolist() for field in dataclasses.fields(sample)
+        }
+    return Reply(header)
+
+
+def _theory(request: Request, limits: Limits) -> Reply:
+    return Reply({"thresholds": thresholds.thresholds(request.scenario)})
+
+
+def _regions(request: Request, limits: Limits) -> Reply:
+    window = request.body.window
+    return Reply({"window": list(window)}, regions(request.scenario, window))
+
+
+def _map(request: Request, limits: Limits) -> Reply:
+    body = request.body
+    header, values = motion_map.motion_map(request.scenario, body.x, body.y, body.what, limits)
+    return Reply(header, {"values": values})
+
+
+def _file(request: Request, limits: Limits) -> Reply:
+    """A file for download, for the widget; the page has an address for each."""
+    content = files.KINDS[request.body.name].make(request.scenario, limits)
+    return Reply({"name": request.body.name}, {"content": np.frombuffer(content, np.uint8)})
+
+
+class Call(NamedTuple):
+    """What a call takes, and how it is answered."""
+
+    takes: type[Frozen]
+    answer: Callable[[Request, Limits], Reply]
+
+
+CALLS: dict[str, Call] = {
+    "setup": Call(requests.SetupRequest, _setup),
+    "film": Call(requests.ScenarioRequest, _film),
+    "code": Call(requests.ScenarioRequest, _code),
+    "simulate": Call(requests.SimulateRequest, _simulate),
+    "theory": Call(requests.ScenarioRequest, _theory),
+    "regions": Call(requests.RegionsRequest, _regions),
+    "map": Call(requests.MapRequest, _map),
+    "file": Call(requests.FileRequest, _file),
+}
+
+
+def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
+    """Check a request.
+
+    Parameters
+    ----------
+    call : str
+        A key of `CALLS`.
+    body : dict or Frozen
+        JSON: `scenario` or `query`, optional `changes` to it (pairs of path and value), and its options; or a
+        request that has been checked already.
+    limits : Limits, optional
+
+    Returns
+    -------
+    request : Request
+
+    Raises
+    ------
+    ValueError
+        If there is no such call, or the body is not what it takes.
+    """
+    if call not in CALLS:
+        raise InputError(f"call = {call!r} must be one of {', '.join(CALLS)}.")
+    checked = body if isinstance(body, Frozen) else requests.validated(CALLS[call].takes, body)
+    if isinstance(checked, requests.ScenarioRequest):
+        checked.bounded(limits)
+    request = Request(call, checked)
+    request.scenario  # noqa: B018 - a link or a change that is not allowed is said now
+    return request
+
+
+def answer(request: Request, limits: Limits = USUAL) -> Reply:
+    """Answer a checked request.
+
+    Parameters
+    ----------
+    request : Request
+    limits : Limits, optional
+
+    Returns
+    -------
+    reply : Reply
+
+    Raises
+    ------
+    TooMuch
+        If it is more than the limits allow.
+    """
+    return CALLS[request.call].answer(request, limits)

@@ -1,0 +1,149 @@
+"""A motion as the player takes it: what it is told with, and states at enough times, both sides of every event."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from hophoop.lab import words
+from hophoop.lab.packing import PRECISE
+from hophoop.scenario import Compliant, Scenario, time_unit
+from hophoop.trajectory import Floats, Trajectory
+from hophoop.vocabulary.words import MODES, STATUSES, coming_rotation, mode_words
+
+DRAWN = (
+    "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
+    "friction", "impact_normal", "impact_tangential", "spring", "damping", "utilization", "mode",
+)  # fmt: skip
+
+
+def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[str, Floats]:
+    """The motion at a steady rate and at both sides of each event, in order of time.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    rate : float, default 150
+        Samples a second of motion [1/s].
+    most : int, default 6000
+        Most samples between events [1].
+
+    Returns
+    -------
+    columns : dict of ndarray
+        Equal lengths; `mode` is the code of the mode's word, see `codes_of`: words and colours follow it.
+    """
+    duration = motion.duration
+    count = min(max(math.ceil(duration * rate), 240), most)
+    steady = np.linspace(0.0, duration, count + 1) if duration > 0.0 else np.zeros(1)
+    # the end of the last piece can lie a rounding beyond the duration
+    marks = np.unique(np.minimum([event.t for event in motion.events], duration))
+    times = np.union1d(steady, marks)
+    after = motion.at(times)
+    before = motion.at(marks[marks > 0.0], side="left")
+    order = np.argsort(np.concatenate([before.t, times]), kind="stable")
+    joined: dict[str, Floats] = {}
+    plane = motion.scenario.plane
+    for name in (*PRECISE, *DRAWN):
+        if name == "mode":
+            continue
+        if name == "utilization":
+            pair = [before.utilization(plane), after.utilization(plane)]
+        else:
+            pair = [getattr(before, name), getattr(after, name)]
+        joined[name] = np.concatenate(pair)[order]
+    letters = np.concatenate([before.mode, after.mode])[order]
+    joined["mode"] = codes_of(mode_words(letters, coming_rotation(joined["omega"])))
+    return joined
+
+
+def codes_of(words: np.ndarray) -> Floats:
+    """The code of each mode's word: its place in `vocabulary.words.MODES`, or their number for another word.
+
+    Parameters
+    ----------
+    words : ndarray of str
+
+    Returns
+    -------
+    codes : ndarray
+        [1].
+    """
+    codes = np.full(words.shape, float(len(MODES)))
+    for code, word in enumerate(MODES):
+        codes[words == word] = code
+    return codes
+
+
+def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, Any]:
+    """What the player knows of a motion besides its frames.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    scenario : Scenario, optional
+        What it is shown as; the motion's own by default.
+
+    Returns
+    -------
+    header : dict
+        Its result, scenario, link, the values of the sliders, and the motion in words.
+    """
+    scenario = motion.scenario if scenario is None else scenario
+    hoop, plane = scenario.hoop, scenario.plane
+    result = motion.to_dict()
+    del result["scenario"]
+    many = len(result["events"]) > 2000
+    if many:
+        result["events"] = result["events"][:2000]
+    state = scenario.start.state(hoop)
+    return {
+        **result,
+        "scenario": scenario.to_dict(),
+        "query": scenario.to_query(),
+        "duration": motion.duration,
+        # as the sliders show them, whichever way the scenario is given
+        "values": {
+            "hoop.radius": hoop.radius,
+            "hoop.mass": hoop.mass,
+            "hoop.load_fraction": hoop.load_fraction,
+            "hoop.eccentricity": hoop.eccentricity,
+            "hoop.inertia_ratio": hoop.inertia_ratio,
+            "plane.mu": _finite(plane.mu),
+            "plane.mu_static": _finite(plane.mu_static),
+            "plane.mu_kinetic": _finite(plane.mu_kinetic),
+            "start.speed": scenario.start.speed,
+            "start.height": state.height,
+            "start.vx": state.vx,
+            "start.vy": state.vy,
+            "start.omega": state.omega,
+        },
+        # what is chosen by itself where the scenario leaves it open
+        "automatic": _automatic(scenario),
+        "massless": hoop.massless,
+        "summary": words.summary(motion),
+        "story": words.story(motion),
+        "ending": STATUSES[motion.status],
+        "shortened": many,
+    }
+
+
+def _automatic(scenario: Scenario) -> dict[str, float]:
+    contact = scenario.contact
+    if not isinstance(contact, Compliant):
+        return {}
+    from hophoop.compliant.parameters import to_compliance
+
+    _, chosen, _, _ = to_compliance(scenario)
+    second = time_unit(scenario.hoop, scenario.plane)
+    return {
+        "contact.stiffness": chosen.k * scenario.hoop.mass / second**2,
+        "contact.slip_speed": chosen.v_s * scenario.hoop.radius / second,
+        "contact.restitution": scenario.plane.restitution,
+    }
+
+
+def _finite(value: float | None) -> float | str | None:
+    return "inf" if value == float("inf") else value

@@ -1,0 +1,158 @@
+"""What the programming interface answers, as pydantic models: they make its OpenAPI document, and tests hold answers to them.
+
+The answers themselves are written by the calls, which the page and the widget share.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+
+class Body(BaseModel):
+    """State of a motion."""
+
+    model_config = ConfigDict(extra="forbid", populate_by_name=True)
+
+    t: float | None = Field(description="Time [s]")
+    x: float | None = Field(description="Centre along the plane [m]")
+    height: float | None = Field(description="Gap between rim and plane [m]")
+    angle: float | None = Field(description="Angle from the outward normal to the load [rad]")
+    vx: float | None = Field(description="Velocity of the centre along the plane [m/s]")
+    vy: float | None = Field(description="Velocity of the centre away from the plane [m/s]")
+    omega: float | None = Field(description="Angular velocity [rad/s]")
+
+
+class Final(Body):
+    """State at the end."""
+
+    mode: str = Field(description="Letter of the mode")
+
+
+class Velocities(BaseModel):
+    """Velocities just before an event."""
+
+    vx: float | None = Field(description="[m/s]")
+    vy: float | None = Field(description="[m/s]")
+    omega: float | None = Field(description="[rad/s]")
+
+
+class Impulse(BaseModel):
+    """Impulse of an impact, else zeros."""
+
+    normal: float | None = Field(description="[N s]")
+    tangential: float | None = Field(description="[N s]")
+
+
+class Event(Body):
+    """An event with the state just after it."""
+
+    kind: str = Field(description="Kind of event, such as slip_start or takeoff")
+    from_mode: str | None = Field(alias="from", description="Letter of the mode before")
+    to_mode: str = Field(alias="to", description="Letter of the mode after")
+    before: Velocities
+    impulse: Impulse
+    collision: bool = Field(True, description="False for an impact without collision")
+    gain: float | None = Field(None, description="Energy that Newton's law of impact has created [J]")
+    stable: bool | None = Field(None, description="Of a rest: whether the equilibrium is stable")
+
+
+class Result(BaseModel):
+    """A motion: events with the states just after them, final state, energies; SI, radians."""
+
+    schema_name: Literal["hophoop/1"] = Field(alias="schema")
+    version: str
+    scenario: dict[str, Any] = Field(description="As it was asked for")
+    status: Literal["completed", "at_rest", "jammed", "undetermined", "event_limit"]
+    sequence: str = Field(description="One letter a phase: R roll, S spin, K skid, H flight, M skim")
+    events: list[Event]
+    final: Final
+    energy: dict[str, float | None] = Field(description="Kinetic, potential and lost energies [J]")
+    samples: dict[str, Any] | None = Field(None, description="Name → values at equally spaced times")
+
+
+class Threshold(BaseModel):
+    """One thing that theory says about a hoop."""
+
+    key: str
+    label: str
+    value: float | None
+    unit: str
+    text: str
+
+
+class Theory(BaseModel):
+    """Thresholds of theory."""
+
+    thresholds: list[Threshold]
+
+
+class MapClass(BaseModel):
+    """One class of motions of a map."""
+
+    name: str
+    text: str
+    color: str
+
+
+class AxisReply(BaseModel):
+    """One axis of a map, as it was asked for."""
+
+    path: str
+    low: float = Field(alias="from")
+    high: float = Field(alias="to")
+    cells: int
+
+
+class Map(BaseModel):
+    """A map: a row of values for each cell of y; of a class, its number in `classes`."""
+
+    x: AxisReply
+    y: AxisReply
+    what: str
+    label: str
+    unit: str
+    classes: list[MapClass] | None
+    values: list[list[float | None]]
+
+
+class Error(BaseModel):
+    """What is wrong."""
+
+    detail: str = Field(description="One sentence: what is wrong and what is allowed")
+
+
+class Health(BaseModel):
+    """That the server answers."""
+
+    status: Literal["ok"]
+    version: str
+
+
+_MEANINGS = {
+    404: "There is no such file",
+    413: "More than the lab computes at a time",
+    422: "Bad input",
+    429: "Too many requests at once; try again",
+    501: "What makes this file is not installed on the server",
+}
+
+
+def responses(*codes: int) -> dict[int | str, dict[str, Any]]:
+    """The answers that are no result, as FastAPI documents them.
+
+    Parameters
+    ----------
+    codes : int
+        Their statuses [1].
+
+    Returns
+    -------
+    responses : dict
+    """
+    tagged = {"ETag": {"schema": {"type": "string"}, "description": "Equal for equal requests"}}
+    found: dict[int | str, dict[str, Any]] = {
+        code: {"model": Error, "description": _MEANINGS[code]} for code in codes
+    }
+    return {200: {"headers": tagged}, 304: {"description": "Not modified: the ETag is known"}, **found}

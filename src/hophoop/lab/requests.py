@@ -1,0 +1,218 @@
+"""What can be asked of the lab: one pydantic model a call, for the API and its document, for page and widget."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Annotated, Any, TypeVar
+
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, WithJsonSchema
+from pydantic_core import PydanticCustomError
+
+import hophoop
+from hophoop.lab import files
+from hophoop.lab.limits import Limits, TooMuch
+from hophoop.lab.motion_map import MAP_QUANTITIES, Axis
+from hophoop.scenario import InputError, Scenario
+from hophoop.scenario.base import Count, Frozen, Number, refuse
+from hophoop.scenario.paths import contradiction
+from hophoop.scenario.sentences import findings_sentence
+
+
+def _among(names: Iterable[str]) -> Callable[[str], str]:
+    known = tuple(names)
+
+    def check(name: str) -> str:
+        if name not in known:
+            raise PydanticCustomError("value", "must be one of {known}", {"known": ", ".join(known)})
+        return name
+
+    return check
+
+
+def not_one(samples: int) -> int:
+    """Refuse a single state: equally spaced ones have a first and a last."""
+    if samples == 1:
+        raise PydanticCustomError("value", "must be a whole number from 0 and not 1")
+    return samples
+
+
+def _pair(change: Any) -> Any:
+    if not (isinstance(change, list | tuple) and len(change) == 2 and isinstance(change[0], str)):
+        raise refuse(f"changes holds {json.dumps(change)[:60]}, which is not a pair of path and value.")
+    return change
+
+
+def _rising(window: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
+    left, right, bottom, top = window
+    if not (left < right and bottom < top and max(map(abs, window)) < 1e300):
+        raise PydanticCustomError(
+            "value", "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising"
+        )
+    return window
+
+
+def _four(window: Any) -> Any:
+    if not (isinstance(window, list | tuple) and len(window) == 4):
+        raise PydanticCustomError("value", "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s]")
+    return window
+
+
+Quantity = Annotated[
+    str,
+    AfterValidator(_among(MAP_QUANTITIES)),
+    WithJsonSchema({"type": "string", "enum": list(MAP_QUANTITIES)}),
+]
+FileName = Annotated[
+    str,
+    AfterValidator(_among(files.KINDS)),
+    WithJsonSchema({"type": "string", "enum": list(files.KINDS)}),
+]
+Samples = Annotated[Count, Field(ge=0), AfterValidator(not_one)]
+Change = Annotated[tuple[str, Any], BeforeValidator(_pair)]
+Window = Annotated[tuple[Number, Number, Number, Number], BeforeValidator(_four), AfterValidator(_rising)]
+
+
+class SetupRequest(Frozen):
+    """Asks for what the page needs once; takes nothing."""
+
+
+class ScenarioRequest(Frozen):
+    """A scenario: its keys or its link, with other values at some paths."""
+
+    scenario: Scenario = Field(default_factory=Scenario, description="The scenario; unknown keys are errors")
+    query: str | None = Field(None, description="A scenario's link, such as plane.mu=0.5, instead of its keys")
+    changes: tuple[Change, ...] = Field((), description="Pairs of path and value; of two that say one thing the later counts")
+
+    def asked(self) -> Scenario:
+        """The scenario that is meant; where two changes say one thing, the later one counts.
+
+        Raises
+        ------
+        ValueError
+            If a path is unknown or a value not allowed.
+        """
+        scenario = self.scenario if self.query is None else Scenario.from_query(self.query)
+        values: dict[str, Any] = {}
+        for path, value in self.changes:
+            if contradiction([*values, path]):
+                scenario, values = scenario.with_values(values), {}
+            values[path] = value
+        return scenario.with_values(values)
+
+    def options(self) -> dict[str, Any]:
+        """All that is asked for apart from the scenario, ready for JSON."""
+        return self.model_dump(mode="json", by_alias=True, exclude={"scenario", "query", "changes"})
+
+    def bounded(self, limits: Limits) -> None:
+        """Refuse what is more than the lab computes.
+
+        Raises
+        ------
+        TooMuch
+            If it is.
+        """
+
+
+class SimulateRequest(ScenarioRequest):
+    """Asks for a motion with equally spaced states."""
+
+    samples: Samples = Field(0, description="How many equally spaced states to add; 0 for none")
+
+    def bounded(self, limits: Limits) -> None:
+        """Refuse too many samples.
+
+        Raises
+        ------
+        TooMuch
+            If there are.
+        """
+        if self.samples > limits.samples:
+            raise TooMuch(f"samples = {self.samples} must be at most {limits.samples} in the lab.")
+
+
+class RegionsRequest(ScenarioRequest):
+    """Asks for the regions of the (θ, θ̇) plane."""
+
+    window: Window = Field(
+        (0.0, 2.0 * math.pi, -12.0, 12.0), description="θ from and to [rad], θ̇ from and to [rad/s]"
+    )
+
+
+class MapRequest(ScenarioRequest):
+    """Asks for a map over two parameters."""
+
+    x: Axis = Field(description="The axis across")
+    y: Axis = Field(description="The axis upwards")
+    what: Quantity = Field("sequence", description="The quantity that is mapped")
+
+    def bounded(self, limits: Limits) -> None:
+        """Refuse equal axes and too many cells.
+
+        Raises
+        ------
+        ValueError
+            If both axes are the same parameter.
+        TooMuch
+            If there are too many cells.
+        """
+        if self.x.path == self.y.path:
+            raise InputError(f"x.path and y.path are both {self.x.path!r} and must differ.")
+        cells = self.x.cells * self.y.cells
+        if cells > limits.cells:
+            raise TooMuch(f"x.cells times y.cells = {cells} must be at most {limits.cells} in the lab.")
+
+
+class FileRequest(ScenarioRequest):
+    """Asks for a file of a motion."""
+
+    name: FileName = Field(description="Which file")
+
+
+Model = TypeVar("Model", bound=Frozen)
+
+
+def validated(model: type[Model], body: Any) -> Model:
+    """A request out of JSON.
+
+    Parameters
+    ----------
+    model : type
+        One of this module's.
+    body : dict
+
+    Returns
+    -------
+    request : Frozen
+
+    Raises
+    ------
+    ValueError
+        If the body is not what the call takes, in one sentence.
+    """
+    if not isinstance(body, Mapping):
+        raise InputError(f"The body must be a JSON object, not {json.dumps(body)[:60]}.")
+    try:
+        return model.model_validate(body)
+    except ValidationError as error:
+        raise InputError(findings_sentence(error.errors(include_url=False))) from None
+
+
+def tag_of(call: str, scenario: Scenario | None, options: Mapping[str, Any]) -> str:
+    """Equal for equal requests to equal versions, whatever way their scenario was written.
+
+    Parameters
+    ----------
+    call : str
+    scenario : Scenario or None
+    options : dict
+
+    Returns
+    -------
+    tag : str
+    """
+    query = None if scenario is None else scenario.to_query()
+    text = json.dumps([hophoop.__version__, call, query, options], sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()[:32]

@@ -1,0 +1,70 @@
+"""The JavaScript: what the package carries is built from the sources beside it, which are linted and typed."""
+
+import hashlib
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+WEB = ROOT / "web"
+BUILT = {
+    "lab.js": ROOT / "src/hophoop/lab/static/lab.js",
+    "scene.js": ROOT / "src/hophoop/animate/static/scene.js",
+}
+
+
+def stamp():
+    """As web/build.mjs computes it."""
+    sources = [path.relative_to(WEB).as_posix() for folder in ("lab", "scene", "space") for path in (WEB / folder).glob("*.js")]
+    digest = hashlib.sha256()
+    for name in ["build.mjs", *sorted(sources)]:
+        digest.update(f"{name}\n".encode())
+        digest.update((WEB / name).read_bytes())
+    return digest.hexdigest()[:32]
+
+
+@pytest.mark.parametrize("name", BUILT)
+def test_what_is_built_is_as_new_as_its_sources(name):
+    first = BUILT[name].read_text(encoding="utf-8").split("\n", 1)[0]
+    said = re.fullmatch(r"/\* Built from web/\w+/main\.js by esbuild [\d.]+; sources (\w+) \*/", first)
+    assert said, first
+    assert said[1] == stamp(), f"{name} is older than its sources: run `npm install && npm run build` in web/"
+
+
+@pytest.fixture(scope="module")
+def node():
+    """What runs one of the tools that `npm install` puts into web/."""
+    if not (shutil.which("node") and (WEB / "node_modules").is_dir()):
+        pytest.skip("no Node with the tools of web/ (npm install --prefix web)")
+
+    def run(*command):
+        done = subprocess.run(
+            ["node", *map(str, command)], cwd=WEB, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+
+    return run
+
+
+def test_the_build_gives_the_same_bytes(node, tmp_path):
+    node("build.mjs", tmp_path)
+    for name, path in BUILT.items():
+        assert (tmp_path / name).read_bytes() == path.read_bytes(), name
+
+
+def test_the_linter_finds_nothing(node):
+    node("node_modules/@biomejs/biome/bin/biome", "check", "--error-on-warnings", ".")
+
+
+def test_types_hold(node):
+    node("node_modules/typescript/bin/tsc", "--project", ".")
+
+
+def test_no_lock_file_names_a_registry():
+    kept = subprocess.run(
+        ["git", "ls-files", "web"], cwd=ROOT, capture_output=True, text=True, check=False
+    ).stdout.split()
+    assert not [name for name in kept if re.search(r"[-./]lock\b", name)]

@@ -1,0 +1,41 @@
+// Joins the sources into the two files that the package carries: one module for the page and the notebook widget,
+// one program for the films that turn. Both are kept in git, so that installing the package needs no Node.
+
+import { createHash } from "node:crypto";
+import { readFileSync, readdirSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { build, version } from "esbuild";
+
+const here = dirname(fileURLToPath(import.meta.url));
+const SOURCES = ["lab", "scene", "space"];
+const TARGETS = [
+  { entry: "lab/main.js", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
+  { entry: "scene/main.js", file: "../src/hophoop/animate/static/scene.js", format: "iife" },
+];
+
+// tests/test_web.py computes the same, to tell when a built file is older than its sources.
+function stamp() {
+  const names = SOURCES.flatMap((folder) => readdirSync(join(here, folder)).map((name) => `${folder}/${name}`));
+  const hash = createHash("sha256");
+  for (const name of ["build.mjs", ...names.filter((name) => name.endsWith(".js")).sort()]) {
+    hash.update(`${name}\n`).update(readFileSync(join(here, name)));
+  }
+  return hash.digest("hex").slice(0, 32);
+}
+
+const folder = process.argv[2]; // where to write instead, to compare
+for (const { entry, file, format } of TARGETS) {
+  await build({
+    entryPoints: [join(here, entry)],
+    outfile: folder ? join(folder, file.split("/").at(-1)) : join(here, file),
+    format,
+    bundle: true,
+    minify: true,
+    lineLimit: 160,
+    target: "es2022",
+    charset: "utf8",
+    legalComments: "none",
+    banner: { js: `/* Built from web/${entry} by esbuild ${version}; sources ${stamp()} */` },
+  });
+}

@@ -1,0 +1,131 @@
+// Where answers come from: the server of the page, or the notebook's kernel. Both take the same calls.
+
+import { unpack } from "./packing.js";
+
+export class HttpBackend {
+  /** @param {URL} base */
+  constructor(base) {
+    this.base = base;
+    this.shares = true;
+  }
+
+  /**
+   * @param {string} name
+   * @param {object} body
+   * @param {AbortSignal} [signal]
+   */
+  async call(name, body, signal) {
+    const response = await fetch(new URL(`lab/${name}`, this.base), {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(body),
+      signal,
+    });
+    if (!response.ok) {
+      const said = await response.json().catch(() => ({}));
+      throw new Error(said.detail ?? `The server answered ${response.status}.`);
+    }
+    return unpack(await response.arrayBuffer());
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} query
+   */
+  async file(name, query) {
+    const response = await fetch(new URL(`api/v1/files/${name}?${query}`, this.base));
+    if (!response.ok) throw new Error((await response.json()).detail);
+    return response.blob();
+  }
+
+  /**
+   * @param {string} query
+   * @param {string} hash
+   */
+  link(query, hash) {
+    return `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
+  }
+}
+
+const PATIENCE = 20_000; // milliseconds; files take longer
+const FILE_PATIENCE = 300_000;
+
+// Messages to the kernel behind an anywidget model.
+/**
+ * The part of an anywidget model that is used.
+ * @typedef {{
+ *   get(name: string): any, set(name: string, value: unknown): void, save_changes(): void, send(message: object): void,
+ *   on(name: string, listener: (...values: any[]) => void): void,
+ *   off(name: string, listener: (...values: any[]) => void): void,
+ * }} Model
+ */
+
+export class KernelBackend {
+  /** @param {Model} model */
+  constructor(model) {
+    this.model = model;
+    this.shares = false;
+    this.waiting = new Map();
+    this.number = 0;
+    // several views of one widget share its messages; each answers to its own
+    this.view = Math.random().toString(36).slice(2);
+    this.listen = (/** @type {any} */ message, /** @type {any[]} */ buffers) => this.answered(message, buffers);
+    model.on("msg:custom", this.listen);
+  }
+
+  /**
+   * @param {any} message
+   * @param {any[]} buffers
+   */
+  answered(message, buffers) {
+    const waits = message?.view === this.view && this.waiting.get(message.number);
+    if (!waits) return;
+    clearTimeout(waits.timer);
+    this.waiting.delete(message.number);
+    if (message.error) waits.reject(new Error(message.error));
+    else waits.resolve(unpack(buffers[0]));
+  }
+
+  /**
+   * @param {string} name
+   * @param {object} body
+   * @param {AbortSignal} [signal]
+   */
+  call(name, body, signal) {
+    const number = ++this.number;
+    return new Promise((resolve, reject) => {
+      // a saved notebook plays without a kernel, but cannot compute
+      const timer = setTimeout(
+        () => {
+          this.waiting.delete(number);
+          reject(new Error("The notebook’s kernel does not answer; run the cell again."));
+        },
+        name === "file" ? FILE_PATIENCE : PATIENCE,
+      );
+      this.waiting.set(number, { resolve, reject, timer });
+      signal?.addEventListener("abort", () => {
+        clearTimeout(timer);
+        this.waiting.delete(number);
+        reject(new DOMException("superseded", "AbortError"));
+      });
+      this.model.send({ view: this.view, number, call: name, body });
+    });
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} query
+   */
+  async file(name, query) {
+    const { arrays } = await this.call("file", { query, name });
+    return new Blob([arrays.content]);
+  }
+
+  link() {
+    return null;
+  }
+
+  close() {
+    this.model.off("msg:custom", this.listen);
+  }
+}

@@ -1,0 +1,95 @@
+// Elements of the page.
+
+/**
+ * An element with attributes, listeners (`onclick`) and children; what is null or false is left out.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag
+ * @param {Record<string, any>} attributes
+ * @param {...any} children
+ * @returns {HTMLElementTagNameMap[Tag]}
+ */
+export function h(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  const properties = /** @type {Record<string, any>} */ (/** @type {unknown} */ (element));
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (name === "class") element.className = value;
+    else if (name in element && name !== "list" && typeof value !== "string") properties[name] = value;
+    else element.setAttribute(name, value === true ? "" : value);
+  }
+  for (const child of children.flat()) {
+    if (child === null || child === undefined || child === false) continue;
+    element.append(child.nodeType ? child : document.createTextNode(String(child)));
+  }
+  return element;
+}
+
+// Also inside a shadow tree, where notebooks put widgets.
+/** @param {HTMLElement | null} element */
+export const focused = (element) =>
+  element !== null && /** @type {Document | ShadowRoot} */ (element.getRootNode()).activeElement === element;
+
+/**
+ * The 2D context of a canvas, which every browser gives unless the canvas is used otherwise.
+ * @param {HTMLCanvasElement} canvas
+ */
+export const pen = (canvas) => /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+
+/**
+ * A canvas as large as its box, in device pixels; returns its 2D context scaled to CSS pixels.
+ * @param {HTMLCanvasElement} canvas
+ */
+export function fitted(canvas) {
+  const box = canvas.getBoundingClientRect();
+  const ratio = Math.min(globalThis.devicePixelRatio || 1, 2.5);
+  const width = Math.max(Math.round(box.width * ratio), 1);
+  const height = Math.max(Math.round(box.height * ratio), 1);
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  const context = pen(canvas);
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return { context, width: width / ratio, height: height / ratio };
+}
+
+/** @param {HTMLElement} element */
+export function theme(element) {
+  const style = getComputedStyle(element);
+  const read = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  return {
+    ink: read("--ink"),
+    soft: read("--soft"),
+    line: read("--line"),
+    paper: read("--paper"),
+    panel: read("--panel"),
+    ground: read("--ground"),
+    font: read("--font"),
+    dark: read("--dark") === "1",
+  };
+}
+
+/**
+ * @param {Blob} blob
+ * @param {string} name
+ */
+export function saveBlob(blob, name) {
+  const link = h("a", { href: URL.createObjectURL(blob), download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+/**
+ * @param {() => void} callback
+ * @param {number} wait
+ */
+export function once(callback, wait) {
+  let timer = 0;
+  return () => {
+    clearTimeout(timer);
+    timer = setTimeout(callback, wait);
+  };
+}

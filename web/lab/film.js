@@ -1,0 +1,153 @@
+// A computed motion: what Python has sent, and the state at any time in it.
+
+import { clamp } from "./numbers.js";
+
+export const MODE_LETTERS = "RSKHM";
+
+const STEADY = new Set(["x", "angle", "height"]);
+/** @type {Record<string, string>} */
+const RATES = { x: "vx", angle: "omega", height: "vy" };
+
+export class Film {
+  /** @param {Reply} reply */
+  constructor(reply) {
+    const { header } = reply;
+    /** @type {Scenario} */
+    this.scenario = header.scenario;
+    /** @type {string} */
+    this.query = header.query;
+    /** @type {number} */
+    this.duration = header.duration;
+    /** @type {string} */
+    this.status = header.status;
+    /** @type {string} */
+    this.sequence = header.sequence;
+    /** @type {MotionEvent[]} */
+    this.events = header.events;
+    /** @type {Record<string, any>} */
+    this.values = header.values;
+    /** @type {Record<string, number>} */
+    this.automatic = header.automatic;
+    /** @type {string} */
+    this.summary = header.summary;
+    /** @type {Sentence[]} */
+    this.story = header.story;
+    /** @type {boolean} */
+    this.shortened = header.shortened;
+    /** @type {Record<string, Column>} */
+    this.columns = reply.arrays;
+    /** @type {Float64Array} */
+    this.t = reply.arrays.t;
+    this.length = this.t.length;
+    /** @type {number} */
+    this.radius = this.values["hoop.radius"];
+    /** @type {number} */
+    this.mass = this.values["hoop.mass"];
+    /** @type {number} */
+    this.eccentricity = this.values["hoop.eccentricity"];
+    /** @type {number} */
+    this.slope = this.scenario.plane.slope ?? 0;
+    /** @type {number} */
+    this.gravity = this.scenario.plane.gravity ?? 9.81;
+    this.phases = this.findPhases();
+    this.extent = this.findExtent();
+    /** @type {Map<string, Column>} */
+    this.cache = new Map();
+  }
+
+  findPhases() {
+    const { mode } = this.columns;
+    /** @type {Phase[]} */
+    const phases = [];
+    for (let i = 0; i < this.length; i++) {
+      const last = phases.at(-1);
+      if (last && last.mode === MODE_LETTERS[mode[i]]) last.to = this.t[i];
+      else phases.push({ mode: MODE_LETTERS[mode[i]], from: this.t[i], to: this.t[i] });
+    }
+    for (let i = 0; i + 1 < phases.length; i++) phases[i].to = phases[i + 1].from;
+    return phases.filter((phase) => phase.to > phase.from || phases.length === 1);
+  }
+
+  findExtent() {
+    const { x, height, vx, vy, omega } = this.columns;
+    const extent = { left: Infinity, right: -Infinity, top: 0, speed: 0 };
+    /** @type {number[]} */
+    const speeds = [];
+    for (let i = 0; i < this.length; i++) {
+      if (Number.isFinite(x[i])) {
+        extent.left = Math.min(extent.left, x[i]);
+        extent.right = Math.max(extent.right, x[i]);
+      }
+      if (height[i] > extent.top) extent.top = height[i];
+      const speed = Math.hypot(vx[i], vy[i]) + this.radius * Math.abs(omega[i]);
+      if (Number.isFinite(speed)) speeds.push(speed);
+    }
+    // a spike that lasts an instant must not turn the rest of the ring into one colour
+    speeds.sort((a, b) => a - b);
+    extent.speed = speeds[Math.floor(0.95 * (speeds.length - 1))] || 1;
+    return extent;
+  }
+
+  /**
+   * Largest index with t[index] <= time: of two samples at an event, the one after it.
+   * @param {number} time
+   */
+  index(time) {
+    let low = 0;
+    let high = this.length;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.t[middle] <= time) low = middle;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /** @param {number} time */
+  at(time) {
+    const now = clamp(time, 0, this.duration);
+    const i = this.index(now);
+    const j = Math.min(i + 1, this.length - 1);
+    const span = this.t[j] - this.t[i];
+    const share = span > 0 ? (now - this.t[i]) / span : 0;
+    /** @type {Record<string, any>} */
+    const pose = { t: now, mode: MODE_LETTERS[this.columns.mode[i]] };
+    for (const [name, column] of Object.entries(this.columns)) {
+      if (name === "t" || name === "mode") continue;
+      const a = column[i];
+      const b = column[j];
+      if (share === 0 || !Number.isFinite(b)) pose[name] = a;
+      else if (STEADY.has(name)) {
+        const rate = this.columns[RATES[name]];
+        pose[name] = hermite(a, b, rate[i] * span, rate[j] * span, share);
+      } else pose[name] = a + (b - a) * share;
+    }
+    return /** @type {Pose} */ (pose);
+  }
+
+  /**
+   * A derived column, computed once.
+   * @param {string} name
+   * @param {(columns: Record<string, Column>) => Column} make
+   * @returns {Column}
+   */
+  derived(name, make) {
+    const found = this.cache.get(name) ?? make(this.columns);
+    this.cache.set(name, found);
+    return found;
+  }
+}
+
+/**
+ * Cubic through both values with both rates: exact to drawing also at a tenth of the speed.
+ * @param {number} a
+ * @param {number} b
+ * @param {number} da
+ * @param {number} db
+ * @param {number} s
+ */
+function hermite(a, b, da, db, s) {
+  if (!Number.isFinite(da) || !Number.isFinite(db)) return a + (b - a) * s;
+  const r = 1 - s;
+  return r * r * (1 + 2 * s) * a + s * s * (3 - 2 * s) * b + s * r * (r * da - s * db);
+}

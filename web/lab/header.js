@@ -1,0 +1,86 @@
+// The head of the page: motions to start from, steps back and forth, a second hoop, keeping, dark or light, help.
+
+import { h } from "./dom.js";
+import { icon } from "./icons.js";
+
+/**
+ * @param {Node | string} label
+ * @param {string} title
+ * @param {() => void} onclick
+ */
+const button = (label, title, onclick) => h("button", { type: "button", title, "aria-label": title, onclick }, label);
+
+/**
+ * @typedef {object} Actions
+ * @property {(preset: Preset) => void} take
+ * @property {() => void} undo
+ * @property {() => void} redo
+ * @property {() => void} compare
+ * @property {() => void} theme
+ * @property {() => void} help
+ */
+
+export class Header {
+  /**
+   * @param {Preset[]} presets
+   * @param {HTMLElement} keep the menu of what can be kept
+   * @param {Actions} actions
+   */
+  constructor(presets, keep, actions) {
+    /** @type {Map<string, Preset[]>} */
+    const groups = new Map();
+    for (const preset of presets) groups.set(preset.group, [...(groups.get(preset.group) ?? []), preset]);
+    this.presets = h(
+      "select",
+      {
+        class: "presets",
+        "aria-label": "Motions to start from",
+        onchange: () => {
+          const preset = presets.find(({ key }) => key === this.presets.value);
+          if (preset) actions.take(preset);
+        },
+      },
+      h("option", { value: "" }, "Motions to start from …"),
+      [...groups].map(([group, list]) =>
+        h(
+          "optgroup",
+          { label: group },
+          list.map(({ key, title }) => h("option", { value: key }, title)),
+        ),
+      ),
+    );
+    this.undo = button(icon("undo"), "Undo (z)", actions.undo);
+    this.redo = button(icon("redo"), "Redo (y)", actions.redo);
+    const words = h("span", {}, h("span", { class: "long" }, "Compare"), h("span", { class: "short" }, icon("two")));
+    this.compare = button(words, "Compare two hoops", actions.compare);
+    this.element = h(
+      "header",
+      { class: "top" },
+      h(
+        "h1",
+        {},
+        h("span", { class: "logo", "aria-hidden": "true" }),
+        h("span", {}, "hophoop", h("span", { class: "long" }, " lab")),
+      ),
+      this.presets,
+      h("div", { class: "buttons" }, this.undo, this.redo, this.compare),
+      h(
+        "div",
+        { class: "buttons right" },
+        keep,
+        button(icon("theme"), "Dark or light (d)", actions.theme),
+        button("?", "Keys and help (?)", actions.help),
+      ),
+    );
+  }
+
+  /**
+   * @param {import("./history.js").History} history
+   * @param {boolean} two
+   */
+  show(history, two) {
+    this.undo.disabled = !history.past.length;
+    this.redo.disabled = !history.future.length;
+    this.compare.setAttribute("aria-pressed", String(two));
+  }
+}

@@ -1,0 +1,320 @@
+// The lab: one or two motions, the clock, and everything that shows them.
+
+import { Clock } from "./clock.js";
+import { Controls } from "./controls.js";
+import { h, once } from "./dom.js";
+import { Header } from "./header.js";
+import { helpDialog } from "./help.js";
+import { Hoops } from "./hoops.js";
+import { listen } from "./keys.js";
+import { MotionMap } from "./map.js";
+import { Motions } from "./motions.js";
+import { Notice } from "./notice.js";
+import { PhasePlane } from "./phase.js";
+import { Plots } from "./plots.js";
+import { Share } from "./share.js";
+import { Stage } from "./stage.js";
+import { Story, Theory } from "./story.js";
+import { Theme } from "./theme.js";
+import { Timeline } from "./timeline.js";
+import { Transport } from "./transport.js";
+
+/**
+ * @typedef {object} Options
+ * @property {boolean} [hosted] whether the lab owns the page, with its address and its keyboard
+ * @property {string[] | null} [panels] what stands beside the player; everything by default
+ * @property {(query: string) => void} [onmotion] called when another motion is a step that can be undone
+ */
+
+export class Lab {
+  /**
+   * @param {HTMLElement} root
+   * @param {Backend} backend
+   * @param {Setup} setup
+   * @param {Options} options
+   */
+  constructor(root, backend, setup, { hosted = false, panels = null, onmotion = () => {} } = {}) {
+    this.root = root;
+    this.backend = backend;
+    this.hosted = hosted;
+    this.onmotion = onmotion;
+    this.prepareRoot();
+    const { colors } = setup;
+    this.clock = new Clock();
+    this.motions = new Motions(backend, {
+      shown: (since) => this.changed(since),
+      settled: () => this.story.announce(this.films()),
+      noted: () => this.noted(),
+      failed: (error) => this.notice.fail(error),
+    });
+    this.notice = new Notice();
+    this.theme = new Theme(root, colors, hosted, () => this.show());
+    this.stage = new Stage(colors, () => this.request());
+    this.transport = new Transport(
+      this.clock,
+      () => this.films(),
+      (name) => this.toggle(name),
+      (text) => this.notice.say(text),
+    );
+    this.timeline = new Timeline(this.clock);
+    this.story = new Story(this.clock);
+    this.theory = new Theory();
+    this.plots = new Plots(this.clock, colors);
+    this.phase = new PhasePlane(backend, this.clock, colors);
+    this.map = new MotionMap(backend, setup, (changes) => {
+      this.clock.time = 0;
+      this.motions.change(changes, true);
+    });
+    this.controls = new Controls(setup.controls, (/** @type {Change[]} */ changes, /** @type {boolean} */ commit) =>
+      this.motions.change(changes, commit),
+    );
+    this.share = new Share(this);
+    this.help = helpDialog(setup.version);
+    this.hoops = new Hoops((lane) => this.motions.choose(lane));
+    this.header = new Header(setup.presets, this.share.menu, {
+      take: (preset) => this.take(preset),
+      undo: () => this.travel(-1),
+      redo: () => this.travel(1),
+      compare: () => this.motions.compare(),
+      theme: () => this.theme.toggle(),
+      help: () => this.help.showModal(),
+    });
+    this.layOut(panels);
+    this.requested = false; // a picture
+    this.surrounding = false; // diagrams and words, which follow the picture
+    /** @type {(() => void) | null} */
+    this.afterFrame = null;
+    /** @type {AbortController | null} */
+    this.asked = null;
+    this.later = once(() => this.fetchTheory(), 120);
+    // how many pictures were drawn, and how long each took from the hand to the screen [ms]
+    this.frames = 0;
+    /** @type {number[]} */
+    this.latencies = [];
+    this.frame = this.frame.bind(this);
+    this.clock.listeners.add(() => this.request());
+    this.deaf = listen(this, hosted);
+    this.sizes = new ResizeObserver(() => this.show());
+  }
+
+  prepareRoot() {
+    this.root.classList.add("hophoop");
+    if (this.hosted) return;
+    this.root.classList.add("embedded");
+    // Jupyter would take the same keys to delete cells and to restart the kernel
+    this.root.dataset.lmSuppressShortcuts = "true";
+    this.root.dataset.pSuppressShortcuts = "true";
+  }
+
+  /** @param {string[] | null} panels */
+  layOut(panels) {
+    const { root, notice } = this;
+    /** @type {(name: string) => boolean} */
+    const want = (name) => !panels || panels.includes(name);
+    const side = h(
+      "aside",
+      { class: "side", "aria-label": "Parameters" },
+      this.hoops.element,
+      notice.message,
+      this.controls.element,
+    );
+    const middle = h(
+      "div",
+      { class: "middle" },
+      h("div", { class: "player" }, this.stage.element, this.timeline.element, this.transport.element),
+      h("div", { class: "words" }, this.story.element, want("theory") && this.theory.element),
+      want("map") && this.map.element,
+    );
+    const why = h("div", { class: "why" }, want("plots") && this.plots.element, want("plots") && this.phase.element);
+    root.replaceChildren(
+      h(
+        "div",
+        { class: "page" },
+        this.header.element,
+        h("div", { class: "columns" }, want("controls") && side, middle, why),
+      ),
+      notice.toast,
+      this.share.dialog,
+      this.help,
+    );
+    root.classList.toggle("no-controls", !want("controls"));
+  }
+
+  /**
+   * The first motions, by their links.
+   * @param {string[]} queries
+   */
+  async open(queries) {
+    await this.motions.load(queries);
+    this.begin();
+  }
+
+  // The motions are there.
+  begin() {
+    this.motions.note();
+    this.show();
+    this.sizes.observe(this.stage.element);
+    this.root.dataset.ready = "true";
+  }
+
+  close() {
+    this.clock.playing = false;
+    this.asked?.abort();
+    this.map.close();
+    this.theme.close();
+    this.sizes.disconnect();
+    this.deaf();
+  }
+
+  // --- motions -------------------------------------------------------------------------------
+
+  film(lane = this.motions.active) {
+    return this.motions.film(lane);
+  }
+
+  films() {
+    return this.motions.films();
+  }
+
+  /** @param {number | null} [since] */
+  changed(since = null) {
+    // what a hand has changed is no preset any more
+    if (since !== null) this.header.presets.value = "";
+    this.notice.clear();
+    this.show(since);
+  }
+
+  noted() {
+    this.header.show(this.motions.history, this.motions.lanes.length > 1);
+    if (this.hosted) history.replaceState(null, "", this.motions.link());
+    this.onmotion(this.film().query);
+  }
+
+  /** @param {Preset} preset */
+  async take(preset) {
+    try {
+      const reply = await this.backend.call("film", { query: preset.query });
+      this.clock.time = 0;
+      this.motions.replace(reply);
+      this.hoops.text.textContent = preset.text;
+      this.story.announce(this.films());
+    } catch (error) {
+      this.notice.fail(/** @type {Error} */ (error));
+    }
+  }
+
+  /** @param {-1 | 1} way */
+  async travel(way) {
+    await this.motions.travel(way);
+    this.hoops.text.textContent = "";
+  }
+
+  // --- showing -------------------------------------------------------------------------------
+
+  /**
+   * All that depends on the motion; `since` is when the hand moved that asked for it.
+   * @param {number | null} since
+   */
+  show(since = null) {
+    const { motions, clock } = this;
+    const films = this.films();
+    if (!films.length) return;
+    const two = films.length > 1;
+    this.theme.read();
+    clock.duration = Math.max(...films.map((film) => film.duration));
+    clock.time = Math.min(clock.time, clock.duration);
+    this.root.classList.toggle("two", two);
+    this.header.show(motions.history, two);
+    this.hoops.show(films.length, motions.active);
+    this.drawStage();
+    this.controls.show(this.film());
+    if (since !== null) {
+      requestAnimationFrame(() => setTimeout(() => this.latencies.push(performance.now() - since), 0));
+    }
+    // the picture first; diagrams and words follow once it is on the screen
+    if (!this.surrounding) {
+      this.surrounding = true;
+      requestAnimationFrame(() => setTimeout(() => this.showSurroundings(), 0));
+    }
+  }
+
+  showSurroundings() {
+    this.surrounding = false;
+    const films = this.films();
+    const { active } = this.motions;
+    const { look, colors } = this.theme;
+    this.plots.draw(films, active, look);
+    this.phase.draw(films, active, look);
+    this.story.draw(films, active, colors);
+    this.drawTime();
+    this.map.mark(this.film(), look);
+    this.stage.describe(films);
+    this.later();
+  }
+
+  drawStage() {
+    this.stage.draw(this.films(), this.motions.active, this.clock, this.theme);
+  }
+
+  drawTime() {
+    const { time } = this.clock;
+    if (this.surrounding) return;
+    this.timeline.draw(this.films(), this.theme.look, this.theme.colors);
+    this.plots.cursor(time);
+    this.phase.cursor(time);
+    this.story.cursor(time);
+    this.transport.show(this.stage.options);
+  }
+
+  request() {
+    if (this.requested) return;
+    this.requested = true;
+    requestAnimationFrame(this.frame);
+  }
+
+  /** @param {number} now */
+  frame(now) {
+    this.requested = false;
+    if (!this.motions.lanes.length) return;
+    this.clock.tick(now);
+    this.drawStage();
+    this.drawTime();
+    this.afterFrame?.();
+    this.frames += 1;
+    if (this.clock.playing) this.request();
+  }
+
+  // What theory says of the chosen hoop; a newer question gives up the older.
+  async fetchTheory() {
+    const { scenario } = this.film();
+    this.asked?.abort();
+    this.asked = new AbortController();
+    const { signal } = this.asked;
+    try {
+      const reply = await this.backend.call("theory", { scenario }, signal);
+      this.theory.draw(reply.header.thresholds, this.motions.name());
+      await this.phase.fetch(scenario, signal);
+    } catch (error) {
+      const { name, message } = /** @type {Error} */ (error);
+      if (name !== "AbortError") this.theory.draw([{ label: "–", text: message }]);
+    }
+  }
+
+  /**
+   * Draw it, or leave it out.
+   * @param {keyof StageOptions} name
+   */
+  toggle(name) {
+    const { options } = this.stage;
+    if (name !== "three") options[name] = !options[name];
+    else {
+      try {
+        this.stage.turn(() => this.drawStage());
+      } catch (error) {
+        this.notice.say(/** @type {Error} */ (error).message);
+      }
+    }
+    this.transport.show(options);
+    this.request();
+  }
+}

@@ -1,0 +1,62 @@
+// Two ways in: the page of the lab, and the notebook widget. One source for both.
+
+import { HttpBackend, KernelBackend } from "./backend.js";
+import { unpack } from "./packing.js";
+import { Lab } from "./lab.js";
+
+/** @param {HTMLElement} root */
+async function startPage(root) {
+  const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
+  const backend = new HttpBackend(base);
+  let setup;
+  try {
+    setup = (await backend.call("setup", {})).header;
+  } catch (error) {
+    root.textContent = /** @type {Error} */ (error).message;
+    return;
+  }
+  const lab = new Lab(root, backend, setup, { hosted: true });
+  Object.assign(globalThis, { hophoopLab: lab });
+  const other = new URLSearchParams(location.hash.slice(1)).get("with");
+  try {
+    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])]);
+  } catch (error) {
+    // a link that holds no scenario: say so, and show the reference case
+    history.replaceState(null, "", base);
+    await lab.open([""]);
+    lab.notice.fail(/** @type {Error} */ (error));
+  }
+}
+
+/**
+ * anywidget: the motion travels with the notebook, so that it plays without a kernel as well.
+ * @param {{ model: import("./backend.js").Model, el: HTMLElement }} widget
+ */
+function render({ model, el }) {
+  const root = document.createElement("div");
+  el.append(root);
+  const backend = new KernelBackend(model);
+  const lab = new Lab(root, backend, model.get("setup"), {
+    panels: model.get("panels"),
+    // the kernel has computed this motion already; what depends on it may follow now
+    onmotion: (query) => {
+      if (model.get("query") === query) return;
+      model.set("query", query);
+      model.save_changes();
+    },
+  });
+  lab.motions.set([unpack(model.get("film"))]);
+  lab.begin();
+  const replaced = () => lab.motions.replace(unpack(model.get("film")));
+  model.on("change:film", replaced);
+  return () => {
+    model.off("change:film", replaced);
+    backend.close();
+    lab.close();
+  };
+}
+
+const page = document.getElementById("hophoop-lab");
+if (page) startPage(page);
+
+export default { render };

@@ -1,0 +1,408 @@
+// One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
+
+import { faded, readable } from "./colors.js";
+import { fitted, h } from "./dom.js";
+import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
+import { follow } from "./pointer.js";
+import { zoomable } from "./zoom.js";
+
+const LEFT = 52;
+const RIGHT = 10;
+const TOP = 8;
+const BOTTOM = 30;
+const DASHES = { solid: [], dash: [6, 4], dot: [2, 3] };
+
+export class Plot {
+  /** @type {Film[]} */
+  films;
+  /** @type {number} */
+  active;
+  /** @type {Look} */
+  look;
+  /** @type {Box} */
+  box;
+  /** @type {number[]} */
+  range;
+  /** @type {number[]} */
+  heights;
+  /** @type {number[] | null} */
+  picked;
+  /** @type {string} */
+  named;
+  /** @type {HTMLOutputElement[]} */
+  values;
+
+  /**
+   * `curves(film)` gives [{name, color, dash, values}]; `shared` holds {axis, range} for all plots.
+   * @param {PlotDefinition} definition
+   * @param {PlotShared} shared
+   */
+  constructor({ key, title, unit, curves, limits, symmetric = false }, shared) {
+    this.key = key;
+    this.title = title;
+    this.unit = unit;
+    this.curves = curves;
+    this.limits = limits;
+    this.symmetric = symmetric;
+    this.shared = shared;
+    this.canvas = h("canvas", { class: "plot-canvas" });
+    this.over = h("canvas", { class: "plot-canvas plot-over" });
+    this.keys = h("div", { class: "plot-keys" });
+    this.body = h(
+      "div",
+      { class: "plot-body", tabindex: "0", role: "img", "aria-label": title },
+      this.canvas,
+      this.over,
+    );
+    this.element = h(
+      "section",
+      { class: "plot", "data-plot": key },
+      h("header", {}, h("h3", {}, title), this.keys),
+      this.body,
+    );
+    this.body.addEventListener("pointerdown", (event) => this.press(event));
+    this.pinched = zoomable(this.body, {
+      zoom: (factor, at) => this.films && this.zoomAbout(at ? this.valueAt(at) : this.middle(), 1 / factor),
+      home: () => this.zoomTo(null),
+      keys: true,
+    });
+    /** @type {(time: number) => void} */
+    this.onseek = () => {};
+  }
+
+  /** @param {Film} film */
+  abscissa(film) {
+    if (this.shared.axis === "time") return film.columns.t;
+    return film.derived("degrees", ({ angle }) => Float64Array.from(angle, (value) => (value * 180) / Math.PI));
+  }
+
+  fullRange() {
+    if (this.shared.axis === "time") return [0, Math.max(...this.films.map((film) => film.duration), 1e-9)];
+    let [low, high] = [Infinity, -Infinity];
+    for (const film of this.films) {
+      for (const value of this.abscissa(film)) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+    }
+    return high > low ? [low, high] : [low - 1, high + 1];
+  }
+
+  /**
+   * Curves and axes; the cursor has its own canvas above.
+   * @param {Film[]} films
+   * @param {number} active
+   * @param {Look} look
+   * @param {Colors} colors
+   */
+  draw(films, active, look, colors) {
+    this.films = films;
+    this.active = active;
+    this.look = look;
+    const { context, width, height } = fitted(this.canvas);
+    this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
+    context.clearRect(0, 0, width, height);
+    this.range = this.shared.range ?? this.fullRange();
+    const drawn = films.flatMap((film, lane) => this.shades(film).map((curve) => ({ ...curve, film, lane })));
+    this.heights = this.limits ?? this.findHeights(drawn);
+    if (this.shared.axis === "time") this.bands(context, films[active], colors);
+    this.grid(context, look, width, height);
+    context.save();
+    context.beginPath();
+    context.rect(LEFT, TOP, this.box.width, this.box.height);
+    context.clip();
+    for (const curve of drawn) this.curve(context, curve, films.length > 1);
+    context.restore();
+    this.legend(this.shades(films[active]), look.dark);
+    this.describe(drawn);
+  }
+
+  /** @param {Film} film */
+  shades(film) {
+    return this.curves(film).map((curve) => ({
+      ...curve,
+      color: curve.color && readable(curve.color, this.look.dark),
+    }));
+  }
+
+  /** @param {number} value */
+  x(value) {
+    return LEFT + ((value - this.range[0]) / (this.range[1] - this.range[0])) * this.box.width;
+  }
+
+  /** @param {number} value */
+  y(value) {
+    return TOP + (1 - (value - this.heights[0]) / (this.heights[1] - this.heights[0])) * this.box.height;
+  }
+
+  /** @param {(Curve & { film: Film, lane: number })[]} drawn */
+  findHeights(drawn) {
+    const seen = [];
+    for (const { film, values } of drawn) {
+      const across = this.abscissa(film);
+      for (let i = 0; i < values.length; i++) {
+        if (across[i] >= this.range[0] && across[i] <= this.range[1] && Number.isFinite(values[i]))
+          seen.push(values[i]);
+      }
+    }
+    if (!seen.length) return [0, 1];
+    const sorted = Float64Array.from(seen).sort();
+    let [low, high] = [sorted[0], sorted[sorted.length - 1]];
+    // a force that grows without bound must not flatten all else
+    const [almostLow, almostHigh] = [
+      sorted[Math.floor(0.02 * sorted.length)],
+      sorted[Math.ceil(0.98 * sorted.length) - 1],
+    ];
+    const usual = Math.max(almostHigh - almostLow, 1e-12);
+    if (high > almostHigh + 4 * usual) high = almostHigh + 0.6 * usual;
+    if (low < almostLow - 4 * usual) low = almostLow - 0.6 * usual;
+    low = Math.min(low, 0);
+    high = Math.max(high, 0);
+    if (this.symmetric) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
+    const margin = 0.06 * (high - low) || 1;
+    return [low < 0 ? low - margin : low, high + margin];
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Film} film
+   * @param {Colors} colors
+   */
+  bands(context, film, colors) {
+    for (const phase of film.phases) {
+      const from = clamp(this.x(phase.from), LEFT, LEFT + this.box.width);
+      const to = clamp(this.x(phase.to), LEFT, LEFT + this.box.width);
+      if (to <= from) continue;
+      context.fillStyle = faded(colors.modes[phase.mode], 0.14);
+      context.fillRect(from, TOP, to - from, this.box.height);
+    }
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Look} look
+   * @param {number} width
+   * @param {number} height
+   */
+  grid(context, look, width, height) {
+    context.font = `11px ${look.font}`;
+    context.strokeStyle = look.line;
+    context.fillStyle = look.soft;
+    context.lineWidth = 1;
+    let tall = Math.max(this.box.height / 28, 4);
+    // one number alone gives no scale
+    while (ticks(this.heights[0], this.heights[1], tall).length < 3 && tall < 12) tall += 1;
+    const step = niceStep(this.heights[1] - this.heights[0], tall);
+    context.textAlign = "right";
+    context.textBaseline = "middle";
+    for (const value of ticks(this.heights[0], this.heights[1], tall)) {
+      const y = Math.round(this.y(value)) + 0.5;
+      context.globalAlpha = Math.abs(value) < 1e-9 * step ? 1 : 0.55;
+      context.beginPath();
+      context.moveTo(LEFT, y);
+      context.lineTo(width - RIGHT, y);
+      context.stroke();
+      context.globalAlpha = 1;
+      context.fillText(tickText(value, step), LEFT - 6, y);
+    }
+    const wide = this.box.width / 70;
+    const across = niceStep(this.range[1] - this.range[0], wide);
+    context.textAlign = "center";
+    context.textBaseline = "alphabetic";
+    const unit = this.shared.axis === "time" ? "time [s]" : "angle [°]";
+    for (const value of ticks(this.range[0], this.range[1], wide)) {
+      const x = this.x(value);
+      context.beginPath();
+      context.moveTo(x, TOP + this.box.height);
+      context.lineTo(x, TOP + this.box.height + 4);
+      context.stroke();
+      context.fillText(tickText(value, across), x, TOP + this.box.height + 15);
+    }
+    context.textAlign = "right";
+    context.fillText(unit, width - RIGHT, height - 3);
+    context.save();
+    context.translate(11, TOP + 0.5 * this.box.height);
+    context.rotate(-Math.PI / 2);
+    context.textAlign = "center";
+    context.fillText(this.unit, 0, 0);
+    context.restore();
+  }
+
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Curve & { film: Film, lane: number }} drawn
+   * @param {boolean} two
+   */
+  curve(context, { film, lane, values, color, dash }, two) {
+    const across = this.abscissa(film);
+    context.strokeStyle = color ?? this.look.ink;
+    context.lineWidth = two && lane === 1 ? 1.2 : 1.8;
+    context.setLineDash(two && lane === 1 ? [3, 3] : DASHES[dash ?? "solid"]);
+    context.globalAlpha = two && lane === 1 ? 0.85 : 1;
+    context.beginPath();
+    let open = false;
+    for (let i = 0; i < values.length; i++) {
+      if (!Number.isFinite(values[i]) || !Number.isFinite(across[i])) {
+        open = false;
+        continue;
+      }
+      const x = this.x(across[i]);
+      const y = clamp(this.y(values[i]), -1e4, 1e4);
+      if (open) context.lineTo(x, y);
+      else context.moveTo(x, y);
+      open = true;
+    }
+    context.stroke();
+    context.setLineDash([]);
+    context.globalAlpha = 1;
+  }
+
+  /**
+   * @param {Curve[]} curves
+   * @param {boolean} dark
+   */
+  legend(curves, dark) {
+    const names = curves.map((curve) => curve.name).join() + dark;
+    if (this.named !== names) {
+      this.named = names;
+      this.values = curves.map(() => h("output", {}));
+      this.keys.replaceChildren(
+        ...curves.map((curve, i) =>
+          h("span", { class: "plot-key" }, swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),
+        ),
+      );
+    }
+  }
+
+  /** @param {(Curve & { film: Film, lane: number })[]} drawn */
+  describe(drawn) {
+    const parts = drawn.slice(0, 6).map(({ name, values, lane }) => {
+      let [low, high] = [Infinity, -Infinity];
+      for (const value of values) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+      }
+      const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
+      return high >= low ? `${which}${name} from ${show(low, 3)} to ${show(high, 3)}` : "";
+    });
+    this.body.setAttribute("aria-label", `${this.title} in ${this.unit}. ${parts.filter(Boolean).join("; ")}.`);
+  }
+
+  /** @param {number} time */
+  cursor(time) {
+    if (!this.films) return;
+    const { context, width, height } = fitted(this.over);
+    context.clearRect(0, 0, width, height);
+    this.films.forEach((film, lane) => {
+      const pose = film.at(time);
+      const x = this.x(this.shared.axis === "time" ? pose.t : (pose.angle * 180) / Math.PI);
+      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
+      const i = film.index(pose.t);
+      const j = Math.min(i + 1, film.length - 1);
+      const share = film.t[j] > film.t[i] ? (pose.t - film.t[i]) / (film.t[j] - film.t[i]) : 0;
+      if (inside) {
+        context.strokeStyle = this.look.soft;
+        context.lineWidth = 1;
+        context.beginPath();
+        context.moveTo(x, TOP);
+        context.lineTo(x, TOP + this.box.height);
+        context.stroke();
+      }
+      this.shades(film).forEach((curve, k) => {
+        const next = curve.values[j];
+        const value = Number.isFinite(next) ? curve.values[i] + share * (next - curve.values[i]) : curve.values[i];
+        if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, 3);
+        const y = this.y(value);
+        if (!inside || !(y >= TOP - 1 && y <= TOP + this.box.height + 1)) return;
+        context.fillStyle = curve.color ?? this.look.ink;
+        context.beginPath();
+        context.arc(x, y, 3.2, 0, 2 * Math.PI);
+        context.fill();
+      });
+    });
+    if (this.picked) {
+      const [a, b] = this.picked;
+      context.fillStyle = faded("#0072B2", 0.2);
+      context.fillRect(Math.min(a, b), TOP, Math.abs(b - a), this.box.height);
+    }
+  }
+
+  /**
+   * @param {Point} event
+   */
+  valueAt(event) {
+    const box = this.body.getBoundingClientRect();
+    const share = clamp((event.clientX - box.left - LEFT) / this.box.width, 0, 1);
+    return this.range[0] + share * (this.range[1] - this.range[0]);
+  }
+
+  /** @param {PointerEvent} event */
+  press(event) {
+    if (!this.films) return;
+    const box = this.body.getBoundingClientRect();
+    const start = event.clientX - box.left;
+    const from = this.valueAt(event);
+    let twoFingers = this.pinched();
+    const move = (/** @type {PointerEvent} */ moved) => {
+      twoFingers ||= this.pinched();
+      if (twoFingers) return;
+      const now = moved.clientX - box.left;
+      this.picked = event.pointerType === "mouse" && Math.abs(now - start) > 5 ? [start, now] : null;
+      if (event.pointerType !== "mouse") this.seek(this.valueAt(moved));
+      this.cursor(this.shared.clock.time);
+    };
+    follow(this.body, event, move, (last, lifted) => {
+      const to = this.valueAt(last);
+      const { picked } = this;
+      this.picked = null;
+      if (picked && lifted) this.zoomTo(from < to ? [from, to] : [to, from]);
+      else if (picked) this.cursor(this.shared.clock.time);
+      else if (lifted && !twoFingers) this.seek(event.pointerType === "mouse" ? from : to);
+    });
+  }
+
+  /** @param {number} value */
+  seek(value) {
+    if (this.shared.axis === "time") return this.onseek(value);
+    // the time at which the angle is passed first after the present time, else at all
+    const film = this.films[this.active];
+    const across = this.abscissa(film);
+    let best = 0;
+    for (let i = 0; i < across.length; i++) {
+      if (Math.abs(across[i] - value) < Math.abs(across[best] - value)) best = i;
+    }
+    return this.onseek(film.t[best]);
+  }
+
+  middle() {
+    return 0.5 * (this.range[0] + this.range[1]);
+  }
+
+  /**
+   * @param {number} center
+   * @param {number} factor
+   */
+  zoomAbout(center, factor) {
+    const full = this.fullRange();
+    const low = Math.max(center - (center - this.range[0]) * factor, full[0]);
+    const high = Math.min(center + (this.range[1] - center) * factor, full[1]);
+    this.zoomTo(low <= full[0] && high >= full[1] ? null : [low, high]);
+  }
+
+  /** @param {number[] | null} range */
+  zoomTo(range) {
+    this.shared.range = range && range[1] - range[0] > 1e-9 ? range : null;
+    this.shared.changed();
+  }
+}
+
+/**
+ * @param {string | undefined} color
+ * @param {"solid" | "dash" | "dot"} dash
+ */
+export function swatch(color, dash = "solid") {
+  const element = h("i", { class: "swatch", "aria-hidden": "true" });
+  element.style.borderTopColor = color ?? "var(--ink)";
+  element.style.borderTopStyle = { solid: "solid", dash: "dashed", dot: "dotted" }[dash];
+  return element;
+}

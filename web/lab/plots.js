@@ -1,0 +1,165 @@
+// Which diagrams there are: velocities, energies and losses, forces, friction utilization.
+
+import { h } from "./dom.js";
+import { Plot } from "./plot.js";
+
+/**
+ * @param {Film} film
+ * @param {string} name
+ * @param {...string} columns
+ */
+function sum(film, name, ...columns) {
+  return film.derived(name, (all) =>
+    Float64Array.from(all.t, (_, i) => columns.reduce((total, column) => total + all[column][i], 0)),
+  );
+}
+
+/**
+ * @param {Colors} colors
+ * @returns {PlotDefinition[]}
+ */
+function definitions(colors) {
+  return [
+    {
+      key: "velocities",
+      title: "Velocities",
+      unit: "velocity [m/s]",
+      curves: (/** @type {Film} */ film) => [
+        { name: "v (centre)", color: colors.center_speed, values: film.columns.vx },
+        {
+          name: "R θ̇",
+          color: colors.rotation_speed,
+          dash: "dash",
+          values: film.derived("spin", ({ omega }) => Float64Array.from(omega, (value) => value * film.radius)),
+        },
+      ],
+    },
+    {
+      key: "energies",
+      title: "Energies and losses",
+      unit: "energy [J]",
+      curves: (/** @type {Film} */ film) => [
+        { name: "kinetic", color: colors.kinetic, values: film.columns.kinetic },
+        { name: "potential", color: colors.potential, values: film.columns.potential },
+        { name: "total", values: sum(film, "total", "kinetic", "potential"), dash: "dash" },
+        { name: "friction", color: colors.friction_loss, values: film.columns.friction },
+        {
+          name: film.scenario.contact.model === "compliant" ? "damping" : "impacts",
+          color: colors.impact_loss,
+          values:
+            film.scenario.contact.model === "compliant"
+              ? film.columns.damping
+              : sum(film, "impacts", "impact_normal", "impact_tangential"),
+          dash: "dot",
+        },
+      ],
+    },
+    {
+      key: "forces",
+      title: "Contact forces",
+      unit: "force [N]",
+      curves: (/** @type {Film} */ film) => [
+        { name: "normal N", color: colors.normal_force, values: film.columns.normal_force },
+        { name: "friction F", color: colors.friction_force, dash: "dash", values: film.columns.friction_force },
+      ],
+    },
+    {
+      key: "utilization",
+      title: "Use of friction",
+      unit: "|F| / μN",
+      limits: [0, 1.08],
+      curves: (/** @type {Film} */ film) => [
+        { name: "|F| / μN", color: colors.friction_force, values: film.columns.utilization },
+      ],
+    },
+  ];
+}
+
+export class Plots {
+  /** @type {Film[]} */
+  films;
+  /** @type {number} */
+  active;
+  /** @type {Look} */
+  look;
+
+  /**
+   * @param {Clock} clock
+   * @param {Colors} colors
+   */
+  constructor(clock, colors) {
+    this.colors = colors;
+    this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
+    this.plots = definitions(colors).map((definition) => new Plot(definition, this.shared));
+    for (const plot of this.plots) plot.onseek = (/** @type {number} */ time) => clock.seek(time);
+    // diagrams that are scrolled away wait until they are seen
+    this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
+    const watch = new IntersectionObserver(
+      (entries) => {
+        for (const { target, isIntersecting } of entries)
+          this.seen.set(/** @type {HTMLElement} */ (target), isIntersecting);
+        this.redraw();
+      },
+      { rootMargin: "400px" },
+    );
+    for (const plot of this.plots) watch.observe(plot.element);
+    this.axis = h(
+      "select",
+      {
+        "aria-label": "Horizontal axis of the diagrams",
+        onchange: () => {
+          this.shared.axis = this.axis.value;
+          this.shared.range = null;
+          this.redraw();
+        },
+      },
+      h("option", { value: "time" }, "over time"),
+      h("option", { value: "angle" }, "over angle"),
+    );
+    this.back = h(
+      "button",
+      { type: "button", hidden: true, onclick: () => this.plots[0].zoomTo(null) },
+      "Whole motion",
+    );
+    this.hint = h("span", { class: "hint" });
+    this.element = h(
+      "div",
+      { class: "plots" },
+      h("div", { class: "plots-head" }, this.axis, this.back, this.hint),
+      this.plots.map((plot) => plot.element),
+    );
+  }
+
+  /**
+   * @param {Film[]} films
+   * @param {number} active
+   * @param {Look} look
+   */
+  draw(films, active, look) {
+    this.films = films;
+    this.active = active;
+    this.look = look;
+    const hands = matchMedia("(hover: none)").matches
+      ? "slide to go there, two fingers zoom"
+      : "drag to zoom, double-click for all, click to go there";
+    this.hint.textContent =
+      films.length > 1 ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands;
+    this.redraw();
+  }
+
+  redraw() {
+    if (!this.films?.length) return;
+    this.back.hidden = !this.shared.range;
+    for (const plot of this.visible()) plot.draw(this.films, this.active, this.look, this.colors);
+    this.cursor(this.shared.clock.time);
+  }
+
+  visible() {
+    return this.plots.filter((plot) => this.seen.get(plot.element));
+  }
+
+  /** @param {number} time */
+  cursor(time) {
+    for (const plot of this.visible()) plot.cursor(time);
+  }
+}

@@ -1,0 +1,107 @@
+// The motion in words, as a list that leads to each moment, and what theory says about this hoop.
+
+import { h } from "./dom.js";
+import { show } from "./numbers.js";
+
+export class Story {
+  /** @type {Film} */
+  film;
+  /** @type {HTMLElement[]} */
+  items;
+  /** @type {number} */
+  current;
+
+  /** @param {Clock} clock */
+  constructor(clock) {
+    this.clock = clock;
+    this.summary = h("p", { class: "summary" });
+    this.list = h("ol", { class: "story-list" });
+    this.heading = h("h2", {}, "What happens");
+    this.live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
+    this.element = h(
+      "section",
+      { class: "story", "aria-label": "The motion in words" },
+      this.heading,
+      this.summary,
+      this.list,
+      this.live,
+    );
+  }
+
+  /**
+   * The list is that of the chosen hoop, the sentences above it are those of both.
+   * @param {Film[]} films
+   * @param {number} active
+   * @param {Colors} colors
+   */
+  draw(films, active, colors) {
+    this.film = films[active];
+    this.heading.textContent = films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens";
+    this.summary.replaceChildren(
+      ...films.flatMap((film, i) => [
+        films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
+        film.summary,
+        film.status === "event_limit" || film.shortened ? " (not all events are shown)" : "",
+        i + 1 < films.length ? h("br") : "",
+      ]),
+    );
+    this.items = this.film.story.map((sentence) =>
+      h(
+        "li",
+        {},
+        h(
+          "button",
+          { type: "button", onclick: () => this.clock.seek(sentence.t) },
+          h("i", { class: "dot", style: `background:${colors.modes[sentence.mode]}`, "aria-hidden": "true" }),
+          h("span", { class: "when" }, `${show(sentence.t, 4)} s`),
+          h("span", {}, sentence.text),
+        ),
+      ),
+    );
+    this.list.replaceChildren(...this.items);
+    this.current = -1;
+    this.cursor(this.clock.time);
+  }
+
+  /** @param {Film[]} films */
+  announce(films) {
+    this.live.textContent = films.map((film) => film.summary).join(" ");
+  }
+
+  /** @param {number} time */
+  cursor(time) {
+    const { story } = this.film;
+    let now = -1;
+    for (let i = 0; i < story.length && story[i].t <= time + 1e-9; i++) now = i;
+    if (now === this.current) return;
+    this.items[this.current]?.classList.remove("now");
+    this.items[now]?.classList.add("now");
+    this.items[this.current]?.removeAttribute("aria-current");
+    this.items[now]?.setAttribute("aria-current", "step");
+    this.current = now;
+    // scroll the list, never the page
+    const item = this.items[now];
+    if (item) {
+      const top = item.offsetTop - this.list.offsetTop;
+      if (top < this.list.scrollTop || top + item.offsetHeight > this.list.scrollTop + this.list.clientHeight) {
+        this.list.scrollTop = top - 0.4 * this.list.clientHeight;
+      }
+    }
+  }
+}
+
+export class Theory {
+  constructor() {
+    this.list = h("dl", {});
+    this.heading = h("h2", {}, "What theory says");
+    this.element = h("section", { class: "theory" }, this.heading, this.list);
+  }
+
+  /** @param {{ label: string, text: string }[]} thresholds */
+  draw(thresholds, hoop = "") {
+    this.heading.textContent = hoop ? `What theory says of hoop ${hoop}` : "What theory says";
+    this.list.replaceChildren(
+      ...thresholds.flatMap(({ label, /** @type {string} */ text }) => [h("dt", {}, label), h("dd", {}, text)]),
+    );
+  }
+}

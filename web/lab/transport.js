@@ -1,0 +1,127 @@
+// What moves the film: buttons, speed, and which things are drawn.
+
+import { SPEEDS } from "./clock.js";
+import { h } from "./dom.js";
+import { icon } from "./icons.js";
+
+const STEP = 1 / 60; // seconds
+
+/** @type {[keyof StageOptions, string, string][]} */
+const SWITCHES = [
+  ["traces", "Traces", "t"],
+  ["forces", "Forces", "f"],
+  ["speed", "Rim speed", "c"],
+  ["whole", "Whole path", "w"],
+  ["three", "3D", "3"],
+];
+const TITLES = { three: "In space" };
+
+/**
+ * @param {Node | string} label
+ * @param {string} title
+ * @param {() => void} action
+ */
+const button = (label, title, action) =>
+  h("button", { type: "button", title, "aria-label": title, onclick: action }, label);
+
+/**
+ * @param {string} mark
+ * @param {string} word
+ */
+const marked = (mark, word) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
+
+export class Transport {
+  /**
+   * @param {Clock} clock
+   * @param {() => Film[]} films
+   * @param {(name: keyof StageOptions) => void} toggle
+   * @param {(text: string) => void} say
+   */
+  constructor(clock, films, toggle, say) {
+    this.clock = clock;
+    this.films = films;
+    this.say = say;
+    this.playButton = button(icon("play"), "Play (space)", () => clock.play());
+    this.playButton.classList.add("play");
+    this.speeds = h(
+      "select",
+      {
+        "aria-label": "Speed of the film",
+        onchange: () => {
+          clock.speed = Number(this.speeds.value);
+        },
+      },
+      SPEEDS.map((speed) => h("option", { value: String(speed) }, `${speed}×`)),
+    );
+    this.speeds.value = "1";
+    this.switches = new Map(
+      SWITCHES.map(([name, label, key]) => {
+        const title = `${name === "three" ? TITLES.three : label} (${key})`;
+        return [name, h("button", { type: "button", class: "switch", title, onclick: () => toggle(name) }, label)];
+      }),
+    );
+    this.element = h(
+      "div",
+      { class: "transport" },
+      h(
+        "div",
+        { class: "buttons" },
+        button(icon("start"), "To the start (Home)", () => clock.seek(0)),
+        button(icon("previous"), "Previous event (Shift ←)", () => this.jump(-1)),
+        button(icon("back"), "One frame back (←)", () => this.nudge(-1)),
+        this.playButton,
+        button(icon("on"), "One frame on (→)", () => this.nudge(1)),
+        button(icon("next"), "Next event (Shift →)", () => this.jump(1)),
+      ),
+      h(
+        "div",
+        { class: "buttons" },
+        button(marked("▲", "hop"), "To the next hop (h)", () => this.jump(1, "takeoff")),
+        button(marked("▼", "landing"), "To the next landing (l)", () => this.jump(1, "impact")),
+      ),
+      this.speeds,
+      h("div", { class: "buttons switches" }, [...this.switches.values()]),
+    );
+  }
+
+  /** @param {StageOptions} options */
+  show(options) {
+    const { clock, playButton } = this;
+    for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
+    const title = clock.playing ? "Pause (space)" : "Play (space)";
+    if (playButton.title !== title || !playButton.firstChild) {
+      playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
+      playButton.title = title;
+      playButton.setAttribute("aria-label", title);
+    }
+    if (this.speeds.value !== String(clock.speed)) this.speeds.value = String(clock.speed);
+  }
+
+  /** @param {-1 | 1} way */
+  nudge(way) {
+    this.clock.playing = false;
+    this.clock.seek(this.clock.time + way * STEP * Math.min(this.clock.speed, 1));
+  }
+
+  /**
+   * To the next event of all films, or of one kind; where there is none of that kind any more, to its first.
+   * @param {-1 | 1} way
+   * @param {string | null} kind
+   */
+  jump(way, kind = null) {
+    this.clock.playing = false;
+    const times = this.films()
+      .flatMap((film) => film.events)
+      .filter((event) => (kind ? event.kind === kind : true))
+      .map((event) => event.t)
+      .sort((a, b) => a - b);
+    const now = this.clock.time;
+    let next = way > 0 ? times.find((t) => t > now + 1e-9) : times.findLast((t) => t < now - 1e-9);
+    if (next === undefined && kind) next = times[0];
+    if (next === undefined) {
+      if (kind) this.say(kind === "takeoff" ? "This motion has no hop." : "This motion has no landing.");
+      return;
+    }
+    this.clock.seek(next);
+  }
+}

@@ -1,0 +1,41 @@
+// One rule for all pictures that can be zoomed: wheel, two fingers, double click, keys.
+
+import { focused } from "./dom.js";
+import { pinch } from "./pointer.js";
+
+const WHEEL = 0.0018;
+const [CLOSER, AWAY] = [1 / 0.6, 1 / 1.7];
+
+/**
+ * The page scrolls on under the wheel unless the picture has been chosen, or with Ctrl or Shift.
+ * @param {HTMLElement} element
+ * @param {object} rule
+ * @param {(factor: number, at?: Point) => void} rule.zoom a factor above 1 comes closer to the place
+ * @param {() => void} rule.home shows everything again
+ * @param {() => HTMLElement | null} [rule.chosen] what has the focus when it is chosen; the element by default
+ * @param {boolean} [rule.keys] whether +, − and 0 zoom it while it has the focus
+ * @returns {() => boolean} whether two fingers are down; what one finger does has to wait then
+ */
+export function zoomable(element, { zoom, home, chosen = () => element, keys = false }) {
+  element.addEventListener(
+    "wheel",
+    (event) => {
+      if (!(event.ctrlKey || event.shiftKey || focused(chosen()))) return;
+      event.preventDefault();
+      zoom(Math.exp(-(event.deltaY || event.deltaX) * WHEEL), event);
+    },
+    { passive: false },
+  );
+  element.addEventListener("dblclick", home);
+  if (keys) {
+    element.addEventListener("keydown", (event) => {
+      if (event.key === "+" || event.key === "=") zoom(CLOSER);
+      else if (event.key === "-") zoom(AWAY);
+      else if (event.key === "0") home();
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+  }
+  return pinch(element, zoom);
+}

@@ -1,0 +1,193 @@
+// One instant of the scene.
+
+import { moved, rgb } from "../space/algebra.js";
+import { Space, sheet, sheets } from "../space/space.js";
+import { between } from "./data.js";
+
+const TUBE = 0.05;
+const LOAD = 0.1;
+const HEAVY = 0.05;
+const SUN = [-0.32, 1, 0.75];
+const SHADOW = 0.38;
+const NUMBER_FONT = '"DejaVu Sans", system-ui, sans-serif';
+
+/** @type {(a: Vector, b: Vector, share: number) => Vector} */
+const mixed = (a, b, share) => a.map((value, i) => value + share * (b[i] - value));
+
+export class Picture {
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {HTMLCanvasElement} labels
+   * @param {SceneData} data
+   */
+  constructor(canvas, labels, data) {
+    this.canvas = canvas;
+    this.labels = labels;
+    this.data = data;
+    this.space = new Space(canvas, data.map, SUN, SHADOW);
+    this.space.fastest = data.topSpeed;
+    this.half = Math.max(...data.hoops.map((hoop) => Math.abs(hoop.lane))) + 1.1 * data.radius; // of the track
+    const first = Math.ceil((data.along[0] - 6 * data.radius) / data.grid);
+    const last = Math.min(Math.floor((data.along[1] + 6 * data.radius) / data.grid), first + 1999);
+    this.marks = Array.from({ length: Math.max(last - first + 1, 0) }, (_, k) => (first + k) * data.grid);
+    this.floor = this.floorMeshes();
+    this.traces = data.hoops.map((hoop) => hoop.traces && this.traceMeshes(hoop.traces));
+  }
+
+  floorMeshes() {
+    const { data, half, space } = this;
+    const R = data.radius;
+    const reach = [data.along[0] - 40 * R, data.along[1] + 40 * R];
+    const across = [half, -half];
+    return {
+      plane: sheets(space.gl, [sheet(reach, [40 * R, -40 * R])]),
+      track: sheets(space.gl, [sheet(reach, across)]),
+      bars: sheets(
+        space.gl,
+        this.marks.map((x) => sheet([x - 0.008 * R, x + 0.008 * R], across)),
+      ),
+    };
+  }
+
+  /** @param {SceneTraces} traces */
+  traceMeshes({ load, heavy, airborne }) {
+    const { theme, colors } = this.data;
+    const ink = rgb(theme.load);
+    const [contact, air] = [rgb(colors.center), rgb(colors.airborne)];
+    /** @type {(way: Float32Array, tint: (i: number) => Vector) => Mesh} */
+    const made = (way, tint) => this.space.trace(way.length / 2, (i) => [way[2 * i], way[2 * i + 1]], tint);
+    return { load: made(load, () => ink), heavy: made(heavy, (i) => (airborne[i] ? air : contact)) };
+  }
+
+  /**
+   * @param {number} now
+   * @param {Camera} camera
+   */
+  draw(now, camera) {
+    const { canvas, labels, data, space } = this;
+    const ratio = window.devicePixelRatio || 1;
+    const [width, height] = [Math.round(canvas.clientWidth * ratio), Math.round(canvas.clientHeight * ratio)];
+    for (const each of [canvas, labels]) {
+      if (each.width !== width || each.height !== height) Object.assign(each, { width, height });
+    }
+    const focus = camera.focus(now);
+    const view = camera.view(width > height);
+    space.begin({ background: rgb(data.theme.background), ...view });
+    space.ground(() => this.drawFloor(focus));
+    const hoops = data.hoops.map((hoop) => this.pose(hoop, now, focus));
+    space.shadows(() => {
+      for (const hoop of hoops) this.drawHoop(hoop, true);
+    });
+    // pixels of one metre at the point that is looked at
+    const scale = height / (2 * camera.away * Math.tan(0.5 * view.angle));
+    for (const [i, hoop] of hoops.entries()) {
+      this.drawHoop(hoop, false);
+      this.drawTraces(data.hoops[i], this.traces[i], now, focus, scale, camera.away);
+      if (data.newton > 0) this.drawForces(data.hoops[i], now, focus);
+    }
+    this.drawNumbers(focus, ratio);
+  }
+
+  /**
+   * @param {SceneHoop} hoop
+   * @param {number} now
+   * @param {number} focus
+   * @returns {ScenePose}
+   */
+  pose(hoop, now, focus) {
+    const turned = between(hoop.angle, now);
+    const way = [Math.sin(turned), Math.cos(turned), 0];
+    const center = [between(hoop.center, now, 2) - focus, between(hoop.center, now, 2, 1), -hoop.lane];
+    return {
+      hoop,
+      center,
+      angle: turned,
+      velocity: [between(hoop.velocity, now, 2), between(hoop.velocity, now, 2, 1)],
+      omega: between(hoop.omega, now),
+      airborne: hoop.mode[Math.floor(now)] === this.data.flight,
+      at: (/** @type {number} */ distance) => center.map((value, i) => value + distance * way[i]),
+    };
+  }
+
+  /** @param {number} focus */
+  drawFloor(focus) {
+    const { theme } = this.data;
+    const [ground, ink] = [rgb(theme.ground), rgb(theme.ink)];
+    const place = moved([-focus, 0, 0]);
+    this.space.solid(this.floor.plane, place, ground, { lit: false });
+    this.space.solid(this.floor.track, place, mixed(ground, ink, 0.06), { lit: false });
+    this.space.solid(this.floor.bars, place, mixed(ground, ink, 0.25), { lit: false });
+  }
+
+  /**
+   * @param {ScenePose} pose
+   * @param {boolean} shadow
+   */
+  drawHoop({ hoop, center, angle, velocity, omega, airborne, at }, shadow) {
+    const { space, data } = this;
+    const { radius } = hoop;
+    space.ring({ center, radius, tube: TUBE * radius, broad: TUBE * radius, angle, velocity, omega }, shadow);
+    space.ball(at(hoop.load), LOAD * radius, rgb(data.theme.load), shadow);
+    const color = airborne ? data.colors.airborne : data.colors.center;
+    if (!shadow) space.ball(at(hoop.heavy), HEAVY * radius, rgb(color), shadow);
+  }
+
+  /**
+   * @param {SceneHoop} hoop
+   * @param {{ load: Mesh, heavy: Mesh } | null} made
+   * @param {number} now
+   * @param {number} focus
+   * @param {number} scale
+   * @param {number} distance
+   */
+  drawTraces(hoop, made, now, focus, scale, distance) {
+    if (made === null || hoop.traces === null) return;
+    const time = between(hoop.t, now);
+    const later = hoop.traces.t.findIndex((each) => each > time);
+    const count = later < 0 ? hoop.traces.t.length : later;
+    const R = this.data.radius;
+    const place = { distance, shift: focus, depth: -hoop.lane };
+    this.space.drawTrace(made.load, count, { width: 0.011 * R * scale, ...place });
+    this.space.drawTrace(made.heavy, count, { width: 0.016 * R * scale, ...place });
+  }
+
+  /**
+   * Forces jump; they are not drawn in between.
+   * @param {SceneHoop} hoop
+   * @param {number} now
+   * @param {number} focus
+   */
+  drawForces(hoop, now, focus) {
+    const { data, space } = this;
+    const k = Math.floor(now);
+    const front = -hoop.lane + (TUBE + 0.04) * hoop.radius;
+    const from = [between(hoop.contact, now, 2) - focus, between(hoop.contact, now, 2, 1), front];
+    const [normal, friction] = [hoop.normalForce[k], hoop.frictionForce[k]].map((force) => data.newton * force);
+    space.arrow(from, [0, Math.sign(normal), 0], Math.abs(normal), data.radius, rgb(data.colors.normal));
+    space.arrow(from, [Math.sign(friction), 0, 0], Math.abs(friction), data.radius, rgb(data.colors.friction));
+  }
+
+  /**
+   * Metres beside the track, as many as there is room for.
+   * @param {number} focus
+   * @param {number} ratio
+   */
+  drawNumbers(focus, ratio) {
+    const { labels, data, half } = this;
+    const pen = /** @type {CanvasRenderingContext2D} */ (labels.getContext("2d"));
+    pen.clearRect(0, 0, labels.width, labels.height);
+    pen.fillStyle = data.theme.muted;
+    pen.textAlign = "center";
+    pen.font = `${13 * ratio}px ${NUMBER_FONT}`;
+    let last = -1e9;
+    for (const mark of this.marks) {
+      const place = this.space.onScreen([mark - focus, 0, half + 0.15 * data.radius]);
+      if (!place) continue;
+      const [x, y] = place;
+      const room = x >= 0 && x <= labels.width && y >= 0 && y <= labels.height - 50 * ratio;
+      if (!room || Math.abs(x - last) < 55 * ratio) continue;
+      pen.fillText(`${+mark.toPrecision(6)} m`.replace("-", "−"), x, y + 12 * ratio);
+      last = x;
+    }
+  }
+}

@@ -1,0 +1,74 @@
+// What stands beside the picture: mode, time and angle of each hoop, the colours of speed, what the lines are.
+
+import { between } from "./data.js";
+
+/** @type {(id: string) => HTMLElement} */
+const element = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+/** @type {(tag: string, className: string, ...children: (Node | string)[]) => HTMLElement} */
+const named = (tag, className, ...children) => {
+  const made = document.createElement(tag);
+  made.className = className;
+  made.append(...children);
+  return made;
+};
+
+export class Words {
+  /** @param {SceneData} data */
+  constructor(data) {
+    this.data = data;
+    document.body.style.background = data.theme.background;
+    document.body.style.color = data.theme.ink;
+    this.rows = data.hoops.map((hoop) => this.row(hoop));
+    this.scale();
+    this.key();
+  }
+
+  /** @param {SceneHoop} hoop */
+  row(hoop) {
+    const [dot, word, time, angle] = ["dot", "word", "t", "angle"].map((name) => named("span", name));
+    const label = named("span", "label", hoop.label);
+    element("words").append(named("div", "row", named("span", "mode", dot, word), time, angle, label));
+    return { dot, word, time, angle };
+  }
+
+  scale() {
+    const { map, topSpeed } = this.data;
+    const stops = map.map((color) => `rgb(${color.join(",")})`).join(",");
+    element("bar").style.background = `linear-gradient(to right, ${stops})`;
+    const power = 10 ** Math.floor(Math.log10(topSpeed / 3));
+    const step = [5, 2, 1].map((x) => x * power).find((x) => x <= (topSpeed / 3) * 1.000001) ?? power;
+    for (let value = 0; value <= topSpeed; value += step) {
+      const tick = named("span", "", String(+value.toPrecision(6)));
+      tick.style.left = `${(100 * value) / topSpeed}%`;
+      element("ticks").append(tick);
+    }
+  }
+
+  key() {
+    const { hoops, colors, theme, newton } = this.data;
+    const lines = [];
+    if (hoops.some((hoop) => hoop.traces !== null)) {
+      lines.push([theme.load, "load"], [colors.center, "centre of gravity"], [colors.airborne, "airborne"]);
+    }
+    if (newton > 0) lines.push([colors.normal, "normal force"], [colors.friction, "friction"]);
+    for (const [color, word] of lines) {
+      const swatch = document.createElement("i");
+      swatch.style.borderColor = color;
+      element("lines").append(named("span", "", swatch, word));
+    }
+  }
+
+  /** @param {number} now */
+  show(now) {
+    for (const [i, hoop] of this.data.hoops.entries()) {
+      const [word, color] = this.data.modes[hoop.mode[Math.floor(now)]];
+      const row = this.rows[i];
+      const degrees = ((between(hoop.angle, now) * 180) / Math.PI).toFixed(1);
+      row.dot.style.background = color;
+      row.word.textContent = word;
+      row.time.textContent = `t = ${between(hoop.t, now).toFixed(3)} s`;
+      row.angle.textContent = `θ = ${degrees}°`.replace("-", "−");
+    }
+  }
+}
