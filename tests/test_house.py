@@ -185,7 +185,7 @@ def test_unknown_names_are_not():
 
 # The rooms whose functions users call; kernels are documented by physics formulas beside the code.
 ROOMS = ["scenario", "simulation", "trajectory", "theory", "io", "cite", "maps", "fit", "engines", "plots"]
-ROOMS += ["animate", "article", "lab"]
+ROOMS += ["animate", "article", "lab", "precise"]
 
 
 def public_objects(room):

@@ -15,8 +15,11 @@ from typer.testing import CliRunner
 
 import hophoop as hh
 from hophoop.cli import app
+from hophoop.physics.body import Mode
 from hophoop.precise import solve
-from hophoop.precise.problem import Problem
+from hophoop.precise.contact import advance
+from hophoop.precise.jam import approach, ending
+from hophoop.precise.problem import Body, Problem
 from hophoop.precise.series import Judge, MorePrecision, sign_changes
 from oracle_program import essential, highest_apexes
 from oracles import elliptic
@@ -490,3 +493,36 @@ def test_run_refuses_what_does_not_go_together():
         done = run("run", *arguments)
         assert done.exit_code == 2
         assert words in done.output
+
+
+@pytest.mark.parametrize("hair", [0.3, 1e-3, 1e-5])
+def test_slip_stops_just_before_the_jam(hair):
+    """With a slip velocity that is a hair too small for the jam, slip stops within a tiny angle of p_σ = 0, or sooner.
+
+    There v_t changes its sign, and what the energy lacks is what friction took.
+    """
+    body = Body(Problem.of(scenario_of(JAM)), 200)
+    state = solve(scenario_of(JAM), 30).records[0].state
+    judge = Judge(200, True)
+    begin = body.start()
+    assert float(begin.vt) == pytest.approx(float(state.vt))
+    near = advance(body, judge, Mode.SKID, begin, 0, body.ctx.mpf("0.4222"), False).state
+    ahead = approach(body, near, 1)
+    assert ahead is not None
+    assert 0 < ahead.power < 1
+    jams, last = ending(ahead)
+    assert jams
+    assert last.vt > 0
+    slower = dataclasses.replace(ahead, state=near._replace(vt=near.vt - last.vt - body.ctx.mpf(hair)))
+    found = ending(slower)
+    if hair > 0.1:
+        assert found is None  # soon enough for steps in time
+        return
+    jams, end = found
+    assert not jams
+    assert end.vt == 0
+    missing = ahead.singular - end.th
+    assert 0 < missing < ahead.extent * body.ctx.exp(-40)
+    for factor, sign in ((2, 1), (0.5, -1)):
+        assert sign * slower.at(factor * missing / ahead.extent).vt > 0
+    assert end.friction > 0
