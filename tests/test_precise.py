@@ -411,11 +411,11 @@ def test_many_roots_in_order():
 
 
 def test_digits_asked_are_digits_got():
-    """15, 40 and 70 digits of one motion begin alike."""
-    texts = [str(rolling(2.8, 0.3, digits=digits).events[-1].angle) for digits in (15, 40, 70)]
+    """15, 30 and 50 digits of one motion begin alike."""
+    texts = [str(rolling(2.8, 0.3, digits=digits).events[-1].angle) for digits in (15, 30, 50)]
     assert texts[2].startswith(texts[1][:-2])
     assert texts[1].startswith(texts[0][:-2])
-    assert len(texts[2]) > 65
+    assert len(texts[2]) > 45
 
 
 def test_result_as_text_and_json():
@@ -501,9 +501,9 @@ def test_slip_stops_just_before_the_jam(hair):
 
     There v_t changes its sign, and what the energy lacks is what friction took.
     """
-    body = Body(Problem.of(scenario_of(JAM)), 200)
+    body = Body(Problem.of(scenario_of(JAM)), 110)
     state = solve(scenario_of(JAM), 30).records[0].state
-    judge = Judge(200, True)
+    judge = Judge(110, True)
     begin = body.start()
     assert float(begin.vt) == pytest.approx(float(state.vt))
     near = advance(body, judge, Mode.SKID, begin, 0, body.ctx.mpf("0.4222"), False).state
