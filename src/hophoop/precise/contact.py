@@ -60,12 +60,11 @@ def advance(body: Body, judge: Judge, mode: int, state: State, zeros: int, t_end
             if 0 < missing < tried:
                 tried = missing / 4
                 ahead = approach(body, state, sigma)
+                reached = ending(ahead) if ahead is not None else None
+                if reached is not None and reached[1].t <= t_end:
+                    return Done(Advance.JAM if reached[0] else Advance.STOP, reached[1])
                 if ahead is not None:
-                    jams, end = ending(ahead)
-                    if end.t > t_end:
-                        tried = body.zero  # time is over before
-                    else:
-                        return Done(Advance.JAM if jams else Advance.STOP, end)
+                    tried = body.zero  # time is over before, or the slip
         step = expand(body, sigma, state, exponent, order)
         while step is None or step.reach < 1 << (body.bits - 2):
             exponent -= 1 if step is not None else 4

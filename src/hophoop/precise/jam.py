@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from hophoop.precise.problem import Body, Number, State
 
 NEAR = 0.02  # rad
+EARLY = 40  # natural logarithm of the part of the angle that steps in time still cross
 SHRINK = 2  # terms of the series have to shrink by this factor each
 
 
@@ -126,7 +127,10 @@ def _series(
     cosine, sine = ctx.cos_sin(singular)
     # sin and cos of θ* − way δ
     cycle = ((sine, -way * cosine, -sine, way * cosine), (cosine, way * sine, -cosine, -way * sine))
-    sines, cosines, torques, stiffness = [], [], [], []
+    sines: list[Number] = []
+    cosines: list[Number] = []
+    torques: list[Number] = []
+    stiffness: list[Number] = []
     term = body.one
     grow: list[Number] = []  # 2 ε way q cos θ / Π₁
     push: list[Number] = []  # −2 way g q / Π₁
@@ -162,21 +166,41 @@ def _series(
     return None
 
 
-def ending(found: Approach) -> tuple[bool, State]:
-    """(whether it jams, the state at the end): the jam, or where the slip stops before it."""
+def ending(found: Approach) -> tuple[bool, State] | None:
+    """(whether it jams, the state at the end): the jam, or where the slip stops only just before it.
+
+    None where it stops so early that steps in time get there too.
+    """
     body, ctx = found.body, found.body.ctx
     last = found.at(body.zero)
     if found.sigma * last.vt > 0:
         return True, last
     # the slip falls with a power of the angle: the place is looked for in its logarithm
-    low, high = -ctx.mpf(4), body.zero  # ln z
-    while found.sigma * found.at(ctx.exp(low)).vt > 0:
-        low, high = 2 * low, low
-    for _ in range(8):
-        middle = (low + high) / 2
-        if found.sigma * found.at(ctx.exp(middle)).vt > 0:
-            high = middle
+    high, low = ctx.mpf(-EARLY), ctx.mpf(-2 * EARLY)
+    above = found.sigma * found.at(ctx.exp(high)).vt
+    if above <= 0:
+        return None
+    below = found.sigma * found.at(ctx.exp(low)).vt
+    while below > 0:
+        high, above, low = low, below, 2 * low
+        below = found.sigma * found.at(ctx.exp(low)).vt
+    # regula falsi after Illinois
+    side = 0
+    for _ in range(2 * body.bits):
+        middle = low - below * (high - low) / (above - below)
+        if not low < middle < high:
+            break
+        value = found.sigma * found.at(ctx.exp(middle)).vt
+        if value == 0 or high - low < ctx.ldexp(body.one, -body.bits + 8):
+            break
+        if value > 0:
+            high, above = middle, value
+            if side > 0:
+                below /= 2
+            side = 1
         else:
-            low = middle
-    root = ctx.findroot(lambda log: found.at(ctx.exp(log)).vt, (low, high), solver="anderson", tol=0, maxsteps=60, verify=False)
-    return False, found.at(ctx.exp(root))._replace(vt=body.zero)
+            low, below = middle, value
+            if side < 0:
+                above /= 2
+            side = -1
+    return False, found.at(ctx.exp((low + high) / 2 if not low < middle < high else middle))._replace(vt=body.zero)

@@ -65,18 +65,18 @@ def expand(body: Body, sigma: int, state: State, exponent: int, order: int) -> S
     rates = _roll(fixed, om, s, c, exponent, order) if sigma == 0 else _slip(fixed, sigma, om, s, c, exponent, order)
     if rates is None:
         return None
-    omega, sines, cosines, normal, friction = rates
+    omega, sines, cosines, normal, friction, firm = rates
     slip: Sequence[int] = ()
     if sigma != 0:
         slip = _slip_velocity(fixed, sigma, body.integer(state.vt), omega, sines, cosines, exponent)
     step = Step(exponent, integral(scaled(omega[:order], exponent)), omega, slip, normal, friction)
-    step.reach, step.room = _reach(fixed.bits, om, step)
+    step.reach, step.room = _reach(fixed.bits, om, firm, step)
     return step
 
 
 def _roll(
     fixed: Fixed, om: int, s: int, c: int, exponent: int, order: int
-) -> tuple[list[int], list[int], list[int], list[int], list[int]] | None:
+) -> tuple[list[int], list[int], list[int], list[int], list[int], int] | None:
     bits, eps, gn, gt = fixed.bits, fixed.eps, fixed.gn, fixed.gt
     one = 1 << bits
     # D = (1 − ε)² + κ + 2 ε (1 + cos θ)
@@ -118,12 +118,12 @@ def _roll(
         following = _last(turning, cosines), -_last(turning, sines)
         sines.append((following[0] >> bits) // (k + 1))
         cosines.append((following[1] >> bits) // (k + 1))
-    return omega, sines, cosines, normal, friction
+    return omega, sines, cosines, normal, friction, inertia[0]
 
 
 def _slip(
     fixed: Fixed, sigma: int, om: int, s: int, c: int, exponent: int, order: int
-) -> tuple[list[int], list[int], list[int], list[int], list[int]] | None:
+) -> tuple[list[int], list[int], list[int], list[int], list[int], int] | None:
     bits, eps, gn, kap = fixed.bits, fixed.eps, fixed.gn, fixed.kap
     assert fixed.mu_k is not None
     drag = sigma * fixed.mu_k
@@ -160,7 +160,7 @@ def _slip(
         cosines.append((following[1] >> bits) // (k + 1))
     normal = [kap * load >> bits for load in loads]
     friction = [-(drag * force >> bits) for force in normal]
-    return omega, sines, cosines, normal, friction
+    return omega, sines, cosines, normal, friction, stiffness[0]
 
 
 def _slip_velocity(
@@ -180,11 +180,13 @@ def _slip_velocity(
     return slip
 
 
-def _reach(bits: int, om: int, step: Step) -> tuple[int, int]:
+def _reach(bits: int, om: int, firm: int, step: Step) -> tuple[int, int]:
     """(how far in s, up to 1, the last terms stay below rounding; the change of the exponent for which that is 1)."""
-    slack = max(om.bit_length() - bits, 0)
+    spin = max(om.bit_length() - bits, 0)
+    # forces have the rounding of θ̇² over what it is divided by
+    force = 2 * spin + max(bits - firm.bit_length(), 0) + 2
     worst, room = 0.0, 2.0
-    for series in (step.omega, step.normal):
+    for series, slack in ((step.omega, spin), (step.normal, force)):
         size = len(series) - 1
         tail = max((abs(series[k]).bit_length() - slack) / k for k in range(size - 3, size + 1))
         worst = max(worst, tail)

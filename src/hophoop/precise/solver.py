@@ -45,16 +45,46 @@ class Solution:
     bits: int
 
     def digits(self) -> int:
-        """How many digits every event has."""
+        """How many digits every event has.
+
+        Returns
+        -------
+        digits : int
+            The least of `digits_right` [1].
+        """
         return min(self.digits_right, default=0)
 
     def pair(self, value: Number) -> tuple[float, float]:
-        """A number as the sum of two doubles."""
+        """A number as the sum of two doubles.
+
+        Parameters
+        ----------
+        value : mpf
+            Of this solution.
+
+        Returns
+        -------
+        high, low : float
+            The nearest double, and the double nearest to the rest [1].
+        """
         high = float(value)
         return high, float(value - high) if self.body.ctx.isfinite(value) else 0.0
 
     def turns(self, angle: Number) -> tuple[int, Number]:
-        """(whole turns, what remains in (−π, π]) of an angle."""
+        """An angle as whole turns and a rest.
+
+        Parameters
+        ----------
+        angle : mpf
+            Such as a state's `th`.
+
+        Returns
+        -------
+        turns : int
+            Whole turns.
+        rest : mpf
+            What remains, in (−π, π].
+        """
         ctx = self.body.ctx
         count = int(ctx.ceil(angle / (2 * ctx.pi) - ctx.mpf(0.5)))
         return count, angle - 2 * ctx.pi * count
