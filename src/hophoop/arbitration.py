@@ -12,7 +12,7 @@ import numpy as np
 
 from hophoop.physics.body import Event, Status
 from hophoop.rigid.records import EVENT
-from hophoop.scenario import Scenario
+from hophoop.scenario import Scenario, time_unit
 
 DIGITS = 20
 MOST = 12  # decisions of one motion that are taken so
@@ -62,16 +62,17 @@ def script_until(scenario: Scenario, end: float) -> np.ndarray:
     from hophoop.precise import solve
 
     until = end + CLEAR
+    last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
     for _ in range(8):
         try:
-            solution = solve(scenario, DIGITS, until=until)
+            solution = solve(scenario, DIGITS, until=until if until < last else None)
         except ArithmeticError:
             return NO_SCRIPT
         records = list(solution.records)
         if solution.status != Status.COMPLETED:
             break
         before = [float(record.state.t) for record in records if record.kind != Event.END]
-        if not before or until - before[-1] >= 0.5 * CLEAR:
+        if not before or until >= last or until - before[-1] >= 0.5 * CLEAR:
             break
         until = before[-1] + CLEAR
     if solution.status != Status.COMPLETED:

@@ -158,6 +158,34 @@ class Sample:
         return share if share.ndim else float(share)
 
 
+@dataclass(frozen=True)
+class EventErrors:
+    """Estimated errors of the events of a motion, one number an event; inf where rounding may change what follows.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Of the time [s].
+    x, height : ndarray, shape (n,)
+        Of the place of the centre [m].
+    angle : ndarray, shape (n,)
+        Of θ [rad].
+    vx, vy, slip : ndarray, shape (n,)
+        Of velocities [m/s].
+    omega : ndarray, shape (n,)
+        Of θ̇ [rad/s].
+    """
+
+    t: NDArray[np.float64]
+    x: NDArray[np.float64]
+    height: NDArray[np.float64]
+    angle: NDArray[np.float64]
+    vx: NDArray[np.float64]
+    vy: NDArray[np.float64]
+    omega: NDArray[np.float64]
+    slip: NDArray[np.float64]
+
+
 class Motion(Protocol):
     """What a computed motion offers to those that show it or write it: the public face of `hophoop.Trajectory`."""
 

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop import export, portrait
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Status
 from hophoop.physics.energy import kinetic_energy, potential_energy
-from hophoop.results import EventRecord, Ledger, Sample, Velocity
-from hophoop.scenario import Scenario
+from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
+from hophoop.scenario import InputError, Scenario
 from hophoop.units import Units
 
 if TYPE_CHECKING:
@@ -161,6 +161,24 @@ class Trajectory:
         if n < 2:
             raise ValueError(f"n = {n!r} must be at least 2.")
         return np.linspace(0.0, self.duration, n)
+
+    @cached_property
+    def errors(self) -> EventErrors:
+        """Estimated error of each event: rounding times what the motion makes of it, good to a factor of ten.
+
+        Raises
+        ------
+        ValueError
+            If the contact is compliant, whose errors follow from its rtol.
+        """
+        if self.scenario.contact.model != "rigid":
+            raise InputError("motion.errors needs rigid contact; a compliant contact keeps to contact.rtol.")
+        from hophoop.rigid.errors import FIELDS, event_errors
+
+        unit = self.units
+        table = event_errors(self.scenario.to_body(), self._events, self.scenario.duration / unit.time)
+        sizes = {name: unit.time if name == "t" else unit.of(name) for name in FIELDS}
+        return EventErrors(**{name: table[:, i] * sizes[name] for i, name in enumerate(FIELDS)})
 
     @cached_property
     def ledger(self) -> Ledger:

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
-from hophoop.lab import explore, frames
+from hophoop.lab import motion_map, frames
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
 from hophoop.plots.curves import curve, phases, shown_words
@@ -48,7 +48,7 @@ def test_a_hoop_that_slides_ahead_backwards_skids(rocking):
     assert words.mode_word(state.mode, state.omega) == "skid"
     assert poses_of(rocking, [7.5]).words[0] == "skid"
     assert next(piece.word for piece in phases(rocking) if piece.t < 7.5 < piece.end_t) == "skid"
-    columns = frames.columns(rocking)
+    columns = film.columns(rocking)
     assert words.MODES[int(columns["mode"][np.searchsorted(columns["t"], 7.5)])] == "skid"
     slip = [one for one in told.story(rocking) if one["t"] < 7.5][-1]
     assert "skids" in slip["text"]
@@ -93,7 +93,7 @@ def test_a_direction_is_that_of_the_coming_rotation():
 
 def test_the_plane_of_angle_and_rate_is_its_own_mirror_image():
     scenario = hh.Scenario(plane=hh.Plane(mu=0.3))
-    codes = explore.regions(scenario, (-3.0, 3.0, -8.0, 8.0), 60, 40)["modes"]
+    codes = regions.regions(scenario, (-3.0, 3.0, -8.0, 8.0), 60, 40)["modes"]
     np.testing.assert_array_equal(codes, codes[::-1, ::-1])
     letters = theory.mode_of(1.0, np.array([2.0, -2.0]), scenario.hoop, scenario.plane)
     assert set(words.mode_words(letters, [2.0, -2.0])) <= set(words.MODES)
@@ -122,7 +122,7 @@ def test_a_class_has_one_colour_in_figures_and_in_the_lab():
         "y": {"path": "plane.mu", "from": 0.2, "to": 1.2, "cells": 10},
     }
     for what in ("sequence", "painleve", "ending"):
-        header, _ = explore.motion_map(hh.Scenario(duration=1.0), options | {"what": what}, USUAL)
+        header, _ = motion_map.motion_map(hh.Scenario(duration=1.0), options | {"what": what}, USUAL)
         assert len(header["classes"]) > 1
         for one in header["classes"]:
             assert one["color"] == classes.class_color(one["name"], what)
@@ -154,7 +154,7 @@ def test_one_utilization_everywhere(hop):
         drawn = max(ax.get_lines(), key=lambda one: len(one.get_xdata())).get_ydata()
         np.testing.assert_array_equal(np.abs(drawn), used)
         assert np.nanmin(drawn) < -0.99
-        columns = frames.columns(motion)
+        columns = film.columns(motion)
         some = motion.at(columns["t"][np.r_[False, np.diff(columns["t"]) > 0.0]][::40])
         np.testing.assert_allclose(np.nanmax(columns["utilization"]), 1.0, rtol=1e-9)
         assert np.nanmax(some.utilization(plane)) <= 1.0 + 1e-9

@@ -144,6 +144,10 @@ def run(
             "--all", help=f"Print all events, not the first {FIRST_ROWS} and the last {LAST_ROWS}.", rich_help_panel=OUTPUT
         ),
     ] = False,
+    errors: Annotated[
+        bool,
+        typer.Option("--errors", help="Print also how sure each event is: estimated errors.", rich_help_panel=OUTPUT),
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
     digits: Annotated[
         int | None,
@@ -208,6 +212,8 @@ def run(
         save_overview(motion, plot)
     if json != "-" and not quiet:
         _print(motion, everything)
+        if errors:
+            _print_errors(motion)
     if not motion.ok:
         say(unanswered(motion.duration, motion.status))
         raise typer.Exit(NO_ANSWER)
@@ -233,6 +239,23 @@ def _print(motion: Trajectory, everything: bool) -> None:
     if left_out:
         console.print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
     console.print(_summary(motion))
+
+
+def _print_errors(motion: Trajectory) -> None:
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    from hophoop.vocabulary.words import plain
+
+    found = motion.errors
+    table = Table(box=box.SIMPLE_HEAD, title=None, pad_edge=False)
+    for title in ("t (s)", "event", "± t (s)", "± θ (rad)", "± x (m)", "± v (m/s)", "± θ̇ (rad/s)"):
+        table.add_column(title, justify="left" if title == "event" else "right", no_wrap=True)
+    for i, event in enumerate(motion.events):
+        numbers = (found.t[i], found.angle[i], found.x[i], found.vx[i], found.omega[i])
+        table.add_row(f"{event.t:.15g}", plain(event.kind), *(f"{number:.0e}" for number in numbers))
+    Console(highlight=False, width=120).print(table)
 
 
 def _events(events: Sequence[EventRecord], left_out: int) -> Table:

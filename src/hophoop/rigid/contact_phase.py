@@ -374,7 +374,6 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
         pass
     elif panel.sigma == 0:
         roll_margins(body, work)
-        scale = body.gn + abs(body.gt) + panel.u
         if 0.0 < body.mu_s < math.inf:
             doubtful = comes_near(work[A]) or comes_near(work[B])
         rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
