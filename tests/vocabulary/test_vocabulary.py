@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 import hophoop as hh
 from hophoop import plots, theory
-from hophoop.lab import motion_map, frames
+from hophoop.lab import film, motion_map, regions
 from hophoop.lab import words as told
 from hophoop.lab.limits import USUAL
 from hophoop.plots.curves import curve, phases, shown_words
