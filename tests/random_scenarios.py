@@ -70,3 +70,60 @@ def scenario_of(sections: dict[str, Any], max_events: int = EVENTS) -> hh.Scenar
         duration=sections["duration"],
         contact=hh.Rigid(max_events=max_events),
     )
+
+
+BORDERS = ("immediate hop", "first slip", "friction needed", "equilibrium", "hilltop", "Painlevé")
+
+
+def draw_beside_a_border(seed: int, index: int) -> tuple[str, dict[str, Any]]:
+    """(name of the border, sections of a scenario) of a motion that starts within a few roundings of a border of theory.
+
+    Where theory has no such border for the hoop that is drawn, the next one is taken.
+    """
+    random = np.random.default_rng([seed, index, 1])
+    radius = float(10 ** random.uniform(-1, 0.5))
+    gamma = float(random.random() ** 0.5 * 0.99)
+    mu = float(10 ** random.uniform(-1.5, 0.5))
+    static = mu * (1.0 if random.random() < 0.7 else 1.0 + float(random.random()))
+    slope = 0.0 if random.random() < 0.6 else float(random.uniform(-0.6, 0.6))
+    hoop = {"radius": radius, "mass": 1.0, "load_fraction": gamma}
+    plane: dict[str, Any] = {
+        "gravity": 9.81, "slope": 0.0, "mu_static": static, "mu_kinetic": mu,
+        "restitution": float(random.choice([0.0, 0.5])), "impact_law": "stronge", "painleve": "flight",
+    }  # fmt: skip
+    roundings = int(random.integers(-4, 5))
+
+    def beside(value: float) -> float:
+        return value + roundings * float(np.spacing(abs(value)))
+
+    start: dict[str, Any] = {}
+    for border in np.roll(BORDERS, -int(random.integers(len(BORDERS)))):
+        start = {}
+        if border == "immediate hop":
+            start = {"speed": beside(math.sqrt(9.81 * radius / gamma)), "angle": 0.0}
+        elif border == "first slip":
+            speed = float(hh.theory.first_slip_speed(hh.Hoop(**hoop), hh.Plane(**plane)))
+            if math.isfinite(speed) and speed > 0.0:
+                start = {"speed": beside(speed), "angle": 0.0}
+        elif border == "friction needed":
+            speed = float(random.uniform(0.1, 0.9)) * math.sqrt(9.81 * radius / gamma)
+            need = float(hh.theory.needed_friction(hh.Hoop(**hoop), speed, hh.Plane(**plane)).mu)
+            if math.isfinite(need):
+                plane["mu_static"] = plane["mu_kinetic"] = beside(need)
+                start = {"speed": speed, "angle": 0.0}
+        elif border == "equilibrium":
+            plane["slope"] = slope
+            found = hh.theory.equilibria(hh.Hoop(**hoop), hh.Plane(**plane))
+            if found:
+                start = {"speed": 0.0, "angle": beside(found[int(random.integers(len(found)))].angle)}
+        elif border == "hilltop":
+            start = {"speed": float(10 ** random.uniform(-20, -1)), "angle": 0.0}
+        elif border == "Painlevé":
+            angle = -float(random.uniform(0.2, 1.5))
+            threshold = (1 - gamma * math.cos(angle)) / (gamma * math.sin(-angle))
+            plane["mu_static"] = plane["mu_kinetic"] = beside(threshold)
+            start = {"vx": float(random.uniform(1, 6)), "omega": float(random.uniform(-1, 3)), "angle": angle}
+        if start:
+            break
+    duration = 6.0 * math.sqrt(radius / 9.81)
+    return str(border), {"hoop": hoop, "plane": plane, "start": start, "duration": duration}

@@ -117,12 +117,10 @@ def test_every_kind_of_event_and_status_has_its_words():
 
 
 def test_a_class_has_one_colour_in_figures_and_in_the_lab():
-    options = {
-        "x": {"path": "start.speed", "from": 0.5, "to": 4.0, "cells": 12},
-        "y": {"path": "plane.mu", "from": 0.2, "to": 1.2, "cells": 10},
-    }
+    x = motion_map.Axis.model_validate({"path": "start.speed", "from": 0.5, "to": 4.0, "cells": 12})
+    y = motion_map.Axis.model_validate({"path": "plane.mu", "from": 0.2, "to": 1.2, "cells": 10})
     for what in ("sequence", "painleve", "ending"):
-        header, _ = motion_map.motion_map(hh.Scenario(duration=1.0), options | {"what": what}, USUAL)
+        header, _ = motion_map.motion_map(hh.Scenario(duration=1.0), x, y, what, USUAL)
         assert len(header["classes"]) > 1
         for one in header["classes"]:
             assert one["color"] == classes.class_color(one["name"], what)
