@@ -20,6 +20,7 @@ MOST = 12  # decisions of one motion that are taken so
 LATEST = 100.0
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
+MOST_STEPS = 4000  # of the longer computation, some seconds: what needs more is left as the doubles have it
 CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
 NO_SCRIPT = np.empty(0, EVENT)
 
@@ -65,7 +66,7 @@ def script_until(scenario: Scenario, end: float) -> np.ndarray:
     last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
     for _ in range(8):
         try:
-            solution = solve(scenario, DIGITS, until=until if until < last else None)
+            solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=MOST_STEPS)
         except ArithmeticError:
             return NO_SCRIPT
         records = list(solution.records)

@@ -1,4 +1,4 @@
-r"""What a phase conserves, measured from the equilibrium that it passes (docs/model.md, 'Beside an equilibrium').
+r"""What a phase conserves, measured from the equilibrium that it passes (docs/model.md#beside-an-equilibrium).
 
 In rolling D θ̇² + 2 V(θ) is conserved, in slip of one direction the difference of θ̇² from the motion that comes to rest
 at the equilibrium grows by a factor that is known. A hoop that passes the top at 1e-8 m/s has θ̇² = 1e-16 there, which

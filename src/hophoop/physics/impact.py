@@ -94,6 +94,8 @@ def impact(body, rest, s, c, vt, vn):
             _, turn, kn = stick_rates(body, arm, lever)
         else:
             turn, kt, kn = slip_rates(body, arm, lever, r)
+            if not collision and compression and not stick:
+                kn = min(kn, 0.0)  # p_σ ≤ 0 but for rounding, or there would be no such impact: the slip has to stop
         # piece: until the slip stops ...
         step = math.inf
         if vt != 0.0 and vt * kt < 0.0:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from operator import mul
 
 from hophoop.precise.problem import Body, Fixed, Number, State
-from hophoop.precise.series import integral, product
+from hophoop.precise.series import integral, product, TooManySteps
 
 # The best order spends about this many bits a coefficient: terms that shrink by e² each.
 BITS_A_TERM = 2.9
@@ -58,6 +58,9 @@ def scaled(values: Sequence[int], exponent: int) -> list[int]:
 
 def expand(body: Body, sigma: int, state: State, exponent: int, order: int) -> Step | None:
     """Rolling (sigma = 0) or slip from a state; None where the coefficients grow beyond any use."""
+    body.steps_left -= 1
+    if body.steps_left < 0:
+        raise TooManySteps("the motion needs more steps than are allowed.")
     fixed = body.fixed
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)

@@ -18,6 +18,10 @@ Series = Sequence[int]
 DEEPEST = 60
 
 
+class TooManySteps(ArithmeticError):
+    """More steps are needed than were allowed."""
+
+
 class MorePrecision(Exception):
     """A quantity that decides how the motion goes on cannot be told from zero at the present precision."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -96,6 +97,7 @@ def solve(
     until: Any = None,
     max_events: int | None = None,
     closing: float | None = None,
+    most_steps: int | None = None,
 ) -> Solution:
     """Compute a rigid motion to a number of digits.
 
@@ -112,6 +114,8 @@ def solve(
     closing : float, optional
         A sequence of bounces is closed when what is left of it takes less than this part of the time so far; by default
         10^(−digits − 3) [1].
+    most_steps : int, optional
+        Steps of contact after which each of the two computations is given up [1].
 
     Returns
     -------
@@ -122,6 +126,8 @@ def solve(
     ------
     ValueError
         If digits is not a whole number in its range, or the contact is compliant.
+    ArithmeticError
+        If it needs more steps than are allowed.
     """
     check(scenario, digits)
     problem = Problem.of(scenario)
@@ -132,7 +138,7 @@ def solve(
     base = int((digits + GUARD) * BITS_A_DIGIT) + problem.tiny()
     best: Solution | None = None
     for _ in range(MOST_TRIES):
-        runs = _pair(problem, base, closing_at, until, max_events)
+        runs = _pair(problem, base, closing_at, until, max_events, most_steps)
         if runs is None:  # what happens differs between the two: neither can be trusted
             base *= 2
             continue
@@ -165,12 +171,16 @@ def _levels(base: int) -> Iterator[tuple[int, bool]]:
     yield base * 3, True
 
 
-def _pair(problem: Problem, base: int, closing: Any, until: Any, max_events: int | None) -> tuple[Run, Run] | None:
+def _pair(
+    problem: Problem, base: int, closing: Any, until: Any, max_events: int | None, most_steps: int | None
+) -> tuple[Run, Run] | None:
     """The motion at two working precisions; None where the events are not the same."""
     for bits, last in _levels(base):
         try:
-            rough = Run(problem, bits, last, closing, until, max_events).run()
-            fine = Run(problem, bits + SECOND, last, closing, until, max_events).run()
+            rough, fine = (Run(problem, b, last, closing, until, max_events) for b in (bits, bits + SECOND))
+            for run in (rough, fine):
+                run.body.steps_left = math.inf if most_steps is None else most_steps
+                run.run()
         except (MorePrecision, Stiff):
             if last:
                 return None

@@ -154,13 +154,13 @@ def counted(body, state):
     th, low = add((state.th, state.th_low), (-way * TWO_PI, -way * TWO_PI_LOW))
     after = moved(state, state.t, state.t_low, state.x, state.x_low, state.y, state.turns + way, th, low)
     anchor = state.anchor
-    if anchor.kind != ROLLING:
-        return after
-    if anchor.bend > 0.0:  # the hilltop of the next turn, which is lower on a slope
+    if anchor.kind == SLIPPING and body.mu_k == 0.0:
+        return after  # without friction the motion that comes to rest at one hilltop does so at each
+    if anchor.kind == ROLLING and anchor.bend > 0.0:  # the hilltop of the next turn, which is lower on a slope
         excess = anchor.excess + 2.0 * way * TWO_PI * body.gt
         return with_anchor(after, Anchor(ROLLING, excess, anchor.base, anchor.base_low, anchor.bend))
     base, base_low = add((anchor.base, anchor.base_low), (-way * TWO_PI, -way * TWO_PI_LOW))
-    return with_anchor(after, Anchor(ROLLING, anchor.excess, base, base_low, anchor.bend))
+    return with_anchor(after, Anchor(anchor.kind, anchor.excess, base, base_low, anchor.bend))
 
 
 @lean_jit
@@ -206,7 +206,8 @@ def is_still(body, sigma, state):
     anchor = state.anchor
     if anchor.kind != 0 and anchor.bend > 0.0:
         psi = offset_from(state.th, state.th_low, anchor.base, anchor.base_low)
-        return psi == 0.0 or (anchor.base != 0.0 and abs(psi) < 1e-30)
+        # beside the top of the level by less than 1e-280 rad it takes 600 √(R/g) to be seen
+        return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)
     th = state.th
     s = math.sin(th)
     c = math.cos(th)
