@@ -60,7 +60,8 @@ def markdown(counts: dict[str, collections.Counter[str]], seconds: float, seed: 
     """The table of docs/stress.md."""
     total = sum(counts[border]["motions"] for border in counts)
     lines = [
-        f"{total:,} starts of seed {seed}, within 4 units in the last place of a border, in {seconds:.0f} s with {jobs} processes.",
+        f"{total:,} starts of seed {seed}, within 4 units in the last place of a border, in {seconds:.0f} s "
+        f"with {jobs} processes.",
         "",
         "| border | " + " | ".join(COLUMNS) + " |",
         "| --- " * (1 + len(COLUMNS)) + "|",

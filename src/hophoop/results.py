@@ -247,7 +247,7 @@ def utilization_of(
     numbers = (np.asarray(each, float) for each in (friction, normal, mu_static, mu_kinetic))
     columns = np.broadcast_arrays(np.asarray(slips, bool), *numbers)
     share = np.empty(columns[0].shape)
-    slipping, force, pressure, mu_s, mu_k = (np.ascontiguousarray(column).reshape(-1) for column in columns)
+    slipping, force, pressure, mu_s, mu_k = (np.array(column).reshape(-1) for column in columns)
     utilizations(slipping, force, pressure, mu_s, mu_k, share.reshape(-1))
     return share
 

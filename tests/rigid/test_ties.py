@@ -9,7 +9,6 @@ import math
 
 import numpy as np
 import pytest
-
 from mpmath import mp, mpf
 
 import hophoop as hh
@@ -148,7 +147,8 @@ def test_estimated_errors_are_those_that_occur():
         errors = motion.errors
         for i in range(1, len(motion.events) - 1):
             for name in ("t", "angle", "omega"):
-                error = abs(float(getattr(truth.events[i], name) - type(getattr(truth.events[i], name))(getattr(motion.events[i], name))))
+                true = getattr(truth.events[i], name)
+                error = abs(float(true - type(true)(getattr(motion.events[i], name))))
                 shares.append(error / getattr(errors, name)[i])
     shares = np.array(shares)
     assert len(shares) > 200

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from operator import mul
 
 from hophoop.precise.problem import Body, Fixed, Number, State
-from hophoop.precise.series import integral, product, TooManySteps
+from hophoop.precise.series import TooManySteps, integral, product
 
 # The best order spends about this many bits a coefficient: terms that shrink by e² each.
 BITS_A_TERM = 2.9

@@ -77,6 +77,8 @@ def sample(body, segments, times, left, out):
         segment = segments[index]
         state = state_of(segment)
         tau = (min(times[k], segment["t_end"]) - segment["t"]) - segment["t_low"]
+        if times[k] == segment["t"]:  # the begin itself, whose time is known to more digits than it is asked for
+            tau = 0.0
         friction = 0.0
         normal = 0.0
         if segment["kind"] == FLY:
