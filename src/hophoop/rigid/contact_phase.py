@@ -70,7 +70,7 @@ from hophoop.physics.panel import (
 )
 from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
 from hophoop.physics.slip import slip_displacement, solve_slip
-from hophoop.rigid.doubts import CLOSE, comes_near, has_graze, note_doubt
+from hophoop.rigid.doubts import CLOSE, NEARBY, has_graze, note_doubt
 from hophoop.rigid.state import (
     State,
     at_time,
@@ -345,20 +345,27 @@ def fall_of(row, state_is_fresh, floor, scratch):
     """Where in the panel a margin falls through zero; at its very start if it is negative there already.
 
     A margin that stays above −`floor` counts as the zero that it would be without rounding.
+
+    Returns
+    -------
+    xi : float
+    near : bool
+        Whether the margin may touch zero between the nodes: a parabola that does has a node beside it as near as that.
     """
     lowest, highest = extremes(row)
     # between its nodes and at the ends a function that the panel resolves goes beyond their range by a part of it
     if lowest > highest - lowest:
-        return NOT_FOUND
+        return NOT_FOUND, False
+    near = abs(lowest) < NEARBY * (highest - lowest)
     coefficients(row, scratch.series)
     if not state_is_fresh and left_value(scratch.series) <= 0.0:
         if floor == 0.0:
-            return -1.0
+            return -1.0, near
         for i in range(ORDER):
             if row[i] < -floor:
-                return -1.0
-        return NOT_FOUND
-    return first_fall(scratch.series, floor, scratch.stack)
+                return -1.0, near
+        return NOT_FOUND, near
+    return first_fall(scratch.series, floor, scratch.stack), near
 
 
 @inline_jit
@@ -375,17 +382,16 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
         pass
     elif panel.sigma == 0:
         roll_margins(body, work)
-        if 0.0 < body.mu_s < math.inf:
-            doubtful = comes_near(work[A]) or comes_near(work[B])
         rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
-        found = fall_of(work[A], fresh, rounding, scratch)
+        found, near_ahead = fall_of(work[A], fresh, rounding, scratch)
         if found < xi:
             xi = found
             what = CONE_AHEAD  # F > 0
-        found = fall_of(work[B], fresh, rounding, scratch)
+        found, near_back = fall_of(work[B], fresh, rounding, scratch)
         if found < xi:
             xi = found
             what = CONE_BACK
+        doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
     else:
         for i in range(ORDER):
             work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
@@ -395,15 +401,14 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
                     value /= 0.5 * (1.0 + NODES[i])
             work[B, i] = value
         speed = abs(panel.vt) + abs(state.om)
-        if body.mu_k > 0.0:
-            doubtful = comes_near(work[A]) or (not fresh and comes_near(work[B]))
-        found = fall_of(work[A], fresh, 0.0, scratch)
+        found, near_lift = fall_of(work[A], fresh, 0.0, scratch)
         if found < xi:
             xi = found
             what = LIFT
         # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
         rounding = GRAZE_ROUNDING * speed if body.mu_k == 0.0 else 0.0
-        found = fall_of(work[B], fresh, rounding, scratch)
+        found, near_stop = fall_of(work[B], fresh, rounding, scratch)
+        doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
         if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:

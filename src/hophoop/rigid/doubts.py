@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NOT_FOUND, ORDER, coefficients, extremes, first_fall_after, series_value
-from hophoop._jit import inline_jit, jit, lean_jit
+from hophoop._collocation import NOT_FOUND, ORDER, coefficients, first_fall_after, series_value
+from hophoop._jit import jit, lean_jit
 from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
 from hophoop.physics.panel import A, B, sine_cosine
 
@@ -45,13 +45,6 @@ def mode_is_in_doubt(body, state):
     if abs(margin) <= CLOSE * scale or abs(normal) <= CLOSE * scale:
         return True
     return margin < 0.0 and opening <= CLOSE * scale
-
-
-@inline_jit
-def comes_near(row):
-    """Whether a margin may touch zero between the nodes: a parabola that does has a node as near as this beside it."""
-    lowest, highest = extremes(row)
-    return abs(lowest) < NEARBY * (highest - lowest)
 
 
 @lean_jit
