@@ -18,7 +18,9 @@ EVENTS = 40
 LEAST = {0: 8.0, 1: 8.0, 2: 3.0}
 # μ = 0, rolled off at the top: v_t grazes zero once a turn, exactly. In 15, 574 and 843 the kernel reverses the slip there;
 # 810 has a ring of 1e-12 of the mass as well, and to tell an exact graze from a crossing takes minutes.
-LEFT_OUT = {15, 574, 810, 843}
+# In 591, 601 and 864 the hoop turns round again and again within 1e-20 rad of p_σ = 0 (a < 0): minutes for many digits, and
+# the kernel, which books an impulse there, has 7 digits of the next stick in 601.
+LEFT_OUT = {15, 574, 591, 601, 810, 843, 864}
 
 
 def disagreement(index: int) -> str:

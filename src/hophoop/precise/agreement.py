@@ -11,6 +11,7 @@ from typing import Any, Protocol
 from hophoop.precise.result import PreciseEvent, PreciseMotion
 from hophoop.scenario.scenario import time_unit
 
+PLACES = ("t", "angle", "x")
 NUMBERS = ("t", "angle", "x", "vx", "omega")
 MOST_DIGITS = 17
 
@@ -94,7 +95,9 @@ def compare(motion: Motion, precise: PreciseMotion) -> Agreement:
                 f"The motions differ from t = {float(right.t):.12g} s on: the kernel has {_words(mine)}, "
                 f"{precise.digits} digits have {_words(right)}.",
             )
-        digits = {name: _digits(getattr(mine, name), getattr(right, name), units[name]) for name in NUMBERS}
+        # an impulse goes through the speeds that the turning point in it has not
+        names = PLACES if _is_impulse(mine, right) else NUMBERS
+        digits = {name: _digits(getattr(mine, name), getattr(right, name), units[name]) for name in names}
         rows.append(Row(right.kind, float(right.t), digits))
     if "event_limit" in (motion.status, precise.status):
         return Agreement(tuple(rows), "")  # endless bounces fill the two lists differently
