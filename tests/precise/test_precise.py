@@ -350,6 +350,22 @@ def test_kanes_gain():
     assert abs(ours.energy["residual"]) < Decimal("1e-19")
 
 
+def test_apex_is_higher_than_the_start():
+    """Thrown down in free space with spin, the gap has tops on its way; none is as high as the start: no apex."""
+    plane = hh.Plane(gravity=0.0, mu=0.0)
+    hoop = hh.Hoop(radius=1.4183860456955892, eccentricity=0.28770369934905493, inertia_ratio=0.26132841846141935)
+    start = hh.Start(
+        angle=-3.983657756686453, vx=1.8, omega=-3.517763724036154, height=0.9771388712089832, vy=-1.4800663946968728
+    )
+    motion = precise(hoop, plane, start, duration=7.6)
+    kernel = hh.simulate(hoop, plane, start, duration=7.6)
+    impact = motion.find("impact")[0]
+    assert float(impact.t) == pytest.approx(kernel.find("impact")[0].t, rel=1e-12)
+    rates = [kernel.at(t).vy for t in kernel.times(2000) if t < impact.t]
+    assert any(a > 0 > b for a, b in pairwise(rates))  # there is a top
+    assert not [event for event in motion.find("apex") if event.t < impact.t]
+
+
 # Exact input
 
 

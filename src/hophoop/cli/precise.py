@@ -80,9 +80,11 @@ def _events(precise: PreciseMotion) -> Table:
 
 
 def _rows(agreement: Agreement) -> Table:
+    from hophoop.precise.agreement import NUMBERS
+
     table = _table("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇")
     for row in agreement.rows:
-        table.add_row(row.kind.replace("_", " "), f"{row.t:.9f}", *(f"{value:.1f}" for value in row.digits.values()))
+        table.add_row(row.kind.replace("_", " "), f"{row.t:.9f}", *(f"{row.digits[name]:.1f}" if name in row.digits else "" for name in NUMBERS))
     return table
 
 

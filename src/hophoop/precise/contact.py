@@ -9,7 +9,7 @@ from hophoop.precise.jam import NEAR, approach, ending, missing_angle
 from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction
 from hophoop.precise.problem import Body, Number, State
 from hophoop.precise.rules import cone_margins, direction, tie_exponent
-from hophoop.precise.series import Judge, sign_changes, stretched, value
+from hophoop.precise.series import Judge, MorePrecision, sign_changes, stretched, value
 
 ESTIMATE_ORDER = 14
 MOST_STEPS = 1_000_000
@@ -68,9 +68,9 @@ def advance(body: Body, judge: Judge, mode: int, state: State, zeros: int, t_end
         step = expand(body, sigma, state, exponent, order)
         while step is None or step.reach < 1 << (body.bits - 2):
             exponent -= 1 if step is not None else 4
-            if exponent < -2 * body.bits:
-                raise Stiff
+            _check_step(body, judge, exponent)
             step = expand(body, sigma, state, exponent, order)
+        _check_step(body, judge, exponent)
         part = min(step.reach, 1 << body.bits)
         left = t_end - state.t
         limit = body.integer(body.ctx.ldexp(left, -exponent))
@@ -90,6 +90,14 @@ def advance(body: Body, judge: Judge, mode: int, state: State, zeros: int, t_end
         state = following
         exponent += step.room
         fresh, zeros = False, 0
+
+
+def _check_step(body: Body, judge: Judge, exponent: int) -> None:
+    """Refuse steps whose angle has lost half of its digits: near p_σ = 0 they need more."""
+    if exponent < -body.bits // 2 and not judge.last:
+        raise MorePrecision
+    if exponent < -2 * body.bits:
+        raise Stiff
 
 
 def _first_exponent(body: Body, sigma: int, state: State) -> int:

@@ -28,6 +28,7 @@ def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> 
     """
     known = 0 if state.y > 0 else 1 if state.vn != 0 else 3 if lifted else 2
     apex: State | None = None
+    highest = state.y
     while True:
         opening = body.zero if known == 3 else free_opening(body, state.th, state.om)
         left = t_end - state.t
@@ -52,9 +53,9 @@ def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> 
         lands = bool(roots)
         if lands:
             where = roots[0] * part >> bits
-        top = _highest(body, judge_here, state, series, known, where, bits, exponent, apex)
+        top = _highest(body, judge_here, state, series, known, where, bits, exponent, highest)
         if top is not None:
-            apex = top
+            apex, highest = top, top.y
         after = _at(body, state, series, where, bits, exponent)
         if lands:
             vn = min(after.vn, body.zero)
@@ -110,9 +111,9 @@ def _highest(
     where: int,
     bits: int,
     exponent: int,
-    apex: State | None,
+    best: Number,
 ) -> State | None:
-    """The highest top of the gap in this step, if it is higher than what was before."""
+    """The highest top of the gap in this step, if it is higher than the best of the flight so far."""
     rate = [k * series[k] for k in range(1, len(series))]
     scale = max(map(abs, rate))
     zeros = max(known - 1, 1 if state.vn == 0 and known == 0 else 0)
@@ -121,7 +122,6 @@ def _highest(
     zeros, sign = judge.leading(rate, scale, zeros, len(rate))
     if sign == 0:
         return None
-    best = apex.y if apex is not None else state.y
     found = None
     for root in sign_changes(stretched(rate[zeros:], where, bits), sign, bits, judge, first=False):
         sign = -sign

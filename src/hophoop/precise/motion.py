@@ -143,6 +143,7 @@ class Run:
                 self.enter(mode)
                 return
             if mode == UNDECIDED:
+                self.mode = UNDECIDED
                 raise Stopped(Status.UNDETERMINED)
             if mode == INDETERMINATE:
                 after = named if self.problem.strike else Mode.FLIGHT
