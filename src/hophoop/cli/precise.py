@@ -84,7 +84,8 @@ def _rows(agreement: Agreement) -> Table:
 
     table = _table("event", "t (s)", "of t", "of θ", "of x", "of v", "of θ̇")
     for row in agreement.rows:
-        table.add_row(row.kind.replace("_", " "), f"{row.t:.9f}", *(f"{row.digits[name]:.1f}" if name in row.digits else "" for name in NUMBERS))
+        counts = [f"{row.digits[name]:.1f}" if name in row.digits else "" for name in NUMBERS]
+        table.add_row(row.kind.replace("_", " "), f"{row.t:.9f}", *counts)
     return table
 
 
