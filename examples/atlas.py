@@ -2,7 +2,7 @@
 
     python examples/atlas.py [--out DIR] [--cells 200]
 
-Draws every figure of docs/atlas.md and prints the highest and the longest hop of the first revolution.
+Draws every figure of docs/atlas.md and prints its table of the highest and the longest hops of the first revolution.
 """
 
 from __future__ import annotations
@@ -55,32 +55,29 @@ def save(ax, path: Path) -> None:
     print(path)
 
 
-def best_hop(quantity: str, rounds: int = 40, count: int = 1500, seed: int = 7) -> dict[str, float]:
+def best_hop(
+    quantity: str, most_friction: float = 1000.0, rounds: int = 40, count: int = 1500, seed: int = 7
+) -> dict[str, float]:
     """The rolling start at the top that gives the best first hop, over γ, μ and v0, for R = 1 m.
 
     The hop must begin within the first revolution but not at once (a hoop thrown fast enough flies as high as
     one likes): v0 is sought as a part of √(g R/γ), from which on it leaves the plane at the start. Each round
     draws points in a box around the best so far, which shrinks; there are several peaks, so this is done
-    from several seeds. Friction is drawn by its logarithm, up to 1000.
+    from several seeds. Friction is drawn by its logarithm.
     """
-    tries = [climb(quantity, rounds, count, seed + i) for i in range(6)]
+    tries = [climb(quantity, most_friction, rounds, count, seed + i) for i in range(6)]
     return max(tries, key=lambda found: found[quantity])
 
 
-def climb(quantity: str, rounds: int, count: int, seed: int) -> dict[str, float]:
+def climb(quantity: str, most_friction: float, rounds: int, count: int, seed: int) -> dict[str, float]:
     """One search from one seed."""
     rng = np.random.default_rng(seed)
-    low, high = np.array([0.01, -2.0, 0.05]), np.array([0.999, 3.0, 1.0 - 1e-9])
+    low, high = np.array([0.01, -2.0, 0.05]), np.array([0.999, math.log10(most_friction), 1.0 - 1e-9])
     best, place, size = -np.inf, 0.5 * (low + high), high - low
     for _ in range(rounds):
         box = np.clip(place - 0.5 * size, low, high), np.clip(place + 0.5 * size, low, high)
         draws = rng.uniform(*box, (count, 3))
-        values = {
-            "hoop.load_fraction": draws[:, 0],
-            "plane.mu": 10.0 ** draws[:, 1],
-            "start.speed": draws[:, 2] * np.sqrt(GRAVITY / draws[:, 0]),
-        }
-        found = np.nan_to_num(maps.points(None, values, [quantity])[quantity], nan=-np.inf)
+        found = np.nan_to_num(hops(quantity, draws[:, 0], 10.0 ** draws[:, 1], draws[:, 2]), nan=-np.inf)
         k = int(np.argmax(found))
         if found[k] > best:
             best, place = float(found[k]), draws[k]
@@ -90,8 +87,35 @@ def climb(quantity: str, rounds: int, count: int, seed: int) -> dict[str, float]
         "load_fraction": float(place[0]),
         "mu": float(10.0 ** place[1]),
         "part_of_immediate_hop": float(place[2]),
-        "speed": float(place[2] * math.sqrt(GRAVITY / place[0])),
     }
+
+
+def hops(quantity: str, load_fraction, mu, part):
+    """First hops of starts whose speed is a part of √(g R/γ)."""
+    values = {
+        "hoop.load_fraction": load_fraction,
+        "plane.mu": mu,
+        "start.speed": part * np.sqrt(GRAVITY / load_fraction),
+    }
+    return maps.points(None, values, [quantity])[quantity]
+
+
+# The page's table: what is sought, and the most friction.
+OPTIMA = (("hop_height", 1000.0), ("flight_distance", 1000.0), ("hop_height", 1.0), ("flight_distance", 3.0))
+WORDS = {"hop_height": "highest", "flight_distance": "longest"}
+
+
+def row_of(quantity: str, most_friction: float) -> str:
+    """A row of the page's table: a start as printed, and the hop that just this start gives.
+
+    The speed is printed as a part of √(g R/γ), and cut off: a rounded speed could lie above it, where the hoop leaves
+    the plane at once.
+    """
+    best = best_hop(quantity, most_friction)
+    gamma, mu = round(best["load_fraction"], 3), float(f"{best['mu']:.3g}")
+    part = math.floor(best["part_of_immediate_hop"] * 1e6) / 1e6
+    hop = float(hops(quantity, np.float64(gamma), np.float64(mu), np.float64(part)))
+    return f"| {WORDS[quantity]}, μ up to {most_friction:g} | {hop:.3f} m | {gamma:.3f} | {mu:g} | {part:.6f} |"
 
 
 def main() -> None:
@@ -102,8 +126,9 @@ def main() -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     phase_plane(options.out)
     first_hops(options.out, options.cells)
-    for quantity in ("hop_height", "flight_distance"):
-        print(quantity, best_hop(quantity))
+    print("| | gap or distance | γ | μ | v0 over √(g R/γ) |\n| --- | --- | --- | --- | --- |")
+    for quantity, most_friction in OPTIMA:
+        print(row_of(quantity, most_friction))
 
 
 if __name__ == "__main__":
