@@ -259,7 +259,7 @@ def report(total: dict[str, Any], motions: int, seconds: float) -> str:
     lines = [f"{motions} motions, each also mirrored, in {seconds:.0f} s", ""]
     for kind, title in enumerate(KINDS):
         of_kind = {name: number for (k, name), number in total["statuses"].items() if k == kind}
-        lines.append(f"{title}: {sum(of_kind.values())}")
+        lines.append(f"{title}: {sum(n for name, n in of_kind.items() if not name.startswith('in doubt'))}")
         lines += [f"    {name:20s} {number:9d}" for name, number in sorted(of_kind.items(), key=lambda item: -item[1])]
         for m, measure_name in enumerate(MEASURES):
             if (kind, m) in total["worst"]:
@@ -288,7 +288,11 @@ def markdown(plain: dict[str, Any]) -> str:
         return f"{value / 10.0**exponent:.1f}·10{str(exponent).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
 
     motions = plain["motions"]
-    numbers = {kind: sum(plain["statuses"][kind].values()) for kind in KINDS}
+    # those in doubt are counted under what they ended with, too
+    numbers = {
+        kind: sum(number for name, number in plain["statuses"][kind].items() if not name.startswith("in doubt"))
+        for kind in KINDS
+    }
     titles = [f"{kind} ({count(numbers[kind])})" for kind in KINDS]
     lines = [
         f"{count(motions)} motions, numbers {count(plain['first'])} to {count(plain['first'] + motions - 1)} of seed "
@@ -372,9 +376,11 @@ def main() -> int:
         "jobs": arguments.jobs,
         "seconds": seconds,
         "version": hh.__version__,
-        "statuses": {KINDS[k]: {n: v for (j, n), v in total["statuses"].items() if j == k} for k in range(3)},
-        "worst": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["worst"].items() if j == k} for k in range(3)},
-        "above 1e-11": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["above"].items() if j == k} for k in range(3)},
+        "statuses": {KINDS[k]: {n: v for (j, n), v in total["statuses"].items() if j == k} for k in range(len(KINDS))},
+        "worst": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["worst"].items() if j == k} for k in range(len(KINDS))},
+        "above 1e-11": {
+            KINDS[k]: {MEASURES[m]: v for (j, m), v in total["above"].items() if j == k} for k in range(len(KINDS))
+        },
         "events": dict(total["events"]),
         "odd": {name: found for name, found in total["odd"].items() if found},
     }

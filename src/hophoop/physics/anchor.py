@@ -177,11 +177,21 @@ def separatrix_value(series, psi):
 
 
 @lean_jit
+def frictionless_value(body, th, low):
+    """θ̇² of the slip without friction that comes to rest on the hilltop: its energy is conserved."""
+    s = math.sin(th) + low * math.cos(th)
+    half = math.sin(0.5 * (th + low))
+    return 4.0 * body.eps * body.gn * half * half / (body.kap + body.eps * s * body.eps * s)
+
+
+@lean_jit
 def slip_anchor(body, sigma, th, low, s, c, u, series):
     """The anchor of slip that begins, with θ̇² = u, beside its hilltop; `series` is scratch."""
     if body.gn == 0.0 or body.eps == 0.0 or math.isinf(body.mu_k):
         return NONE
     pull = sigma * body.mu_k
+    if pull == 0.0:
+        return Anchor(SLIPPING, u - frictionless_value(body, th, low), 0.0, 0.0, body.eps * c)
     torque = slip_torque_arm(body, s, c, sigma)
     slope = body.eps * (c - pull * s)
     if not (slope > 0.0 and abs(torque) < 2.0 * LARGEST_PSI * slope):
@@ -196,6 +206,10 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
 @lean_jit
 def slip_begin(body, anchor, sigma, th, low, arm, u, series):
     """(q, θ̇²) where a slip panel begins, from what they are but for rounding: with all digits also beside the hilltop."""
+    if body.mu_k == 0.0:
+        high = frictionless_value(body, th, low)
+        found = anchor.excess + high
+        return arm, found if found > CANCELS * (abs(anchor.excess) + high) else u
     psi = offset_from(th, low, anchor.base, anchor.base_low)
     if not abs(psi) < LARGEST_PSI:
         return arm, u
