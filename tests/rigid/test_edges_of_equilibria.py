@@ -205,6 +205,12 @@ def test_slip_over_several_turns_from_its_hilltop(mu, slope, speed):
     assert motion.events[-1].angle == pytest.approx(float(truth.events[-1].angle), rel=1e-11)
 
 
+def test_a_rim_that_stays_at_the_plane_without_gravity_does_not_land():
+    """An impact was reported at each panel of the flight."""
+    motion = hh.simulate(hh.Hoop.ideal(0.0), hh.Plane(mu=0.0, gravity=0.0), hh.Start(vx=0.0, omega=2.0))
+    assert [event.kind for event in motion.events] == ["start", "end"]
+
+
 @pytest.mark.parametrize("sigma", [1, -1])
 def test_the_series_of_the_slip_that_comes_to_rest(sigma):
     """It solves dθ̇²/dθ = 2 q (g − ε cos θ θ̇²)/(κ p_σ), and its hilltop has no torque."""

@@ -63,7 +63,7 @@ def grazes(body, s, c, th, om, y, vn, fn, tau):
     gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
     bend = -body.gn + body.eps * om * om * math.cos(th + om * tau)
     if bend <= 0.0:
-        return False
+        return rate >= 0.0  # without gravity the gap may stay zero
     size = y + body.eps + abs(vn * tau) + abs(fn) * tau * tau
     return gap - 0.5 * rate * rate / bend > -4e-16 * size
 

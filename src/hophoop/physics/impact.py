@@ -94,7 +94,7 @@ def impact(body, rest, s, c, vt, vn):
             _, turn, kn = stick_rates(body, arm, lever)
         else:
             turn, kt, kn = slip_rates(body, arm, lever, r)
-            if not collision and compression and not stick:
+            if not collision and compression and not stick and kn < 1e-9:
                 kn = min(kn, 0.0)  # p_σ ≤ 0 but for rounding, or there would be no such impact: the slip has to stop
         # piece: until the slip stops ...
         step = math.inf

@@ -121,7 +121,7 @@ def flown(state, along, y, tau, vt, vn):
     t, t_low = later(state, tau)
     x, x_low = plus(state.x, state.x_low, along)
     turns, th, th_low = turned_by(state, state.om * tau)
-    after = moved(state, t, t_low, x, x_low, y, turns, th, th_low)
+    after = with_anchor(moved(state, t, t_low, x, x_low, y, turns, th, th_low), NONE)
     return with_velocities(after, vt, vn, state.om)
 
 

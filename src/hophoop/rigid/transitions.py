@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from hophoop._jit import jit
+from hophoop.physics.anchor import NONE
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.contact import contact_arms
 from hophoop.physics.impact import impact, singular_angle, singular_slip, stick_rates
@@ -15,7 +16,7 @@ from hophoop.physics.modes import (
 )
 from hophoop.physics.panel import sine_cosine
 from hophoop.rigid.doubts import mode_is_in_doubt, note_doubt
-from hophoop.rigid.state import Cause, quiet, with_losses, with_velocities, write_event
+from hophoop.rigid.state import Cause, quiet, with_anchor, with_losses, with_velocities, write_event
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 STICK, SLIP_REVERSAL, TAKEOFF = int(Event.STICK), int(Event.SLIP_REVERSAL), int(Event.TAKEOFF)
@@ -39,7 +40,8 @@ def collide(body, rest, state, kind, mode, collision):
     cause = Cause(kind, mode, state.vt, state.vn, state.om, p_n, p_t, gain, collision)
     losses_n = state.impact_n + loss_n
     losses_t = state.impact_t + loss_t
-    return with_losses(with_velocities(state, vt, vn, om), state.friction, losses_n, losses_t), cause
+    after = with_anchor(with_velocities(state, vt, vn, om), NONE)  # what was conserved is not after an impact
+    return with_losses(after, state.friction, losses_n, losses_t), cause
 
 
 @jit
