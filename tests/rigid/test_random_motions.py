@@ -151,6 +151,10 @@ def check(motion):
     hoop={"load_fraction": 0.75}, plane={"mu": 0.0}, start={"angle": 1.0, "vx": 6.5e-80}
 )
 @example(hoop={}, plane={"mu": 0.0}, start={"vy": -8.6e-16, "height": 1e-90})  # once fell through the plane
+@example(  # once slid on in the direction that rounding gave, and lost energy without friction
+    hoop={"load_fraction": 0.5}, plane={"mu": 0.0}, start={"speed": 1.0, "angle": math.pi}
+)
+@example(hoop={"load_fraction": 1e-5}, plane={"mu": 0.0}, start={"speed": 0.125, "angle": math.pi})
 def test_any_motion(hoop, plane, start):
     """No exception, no endless loop, the ledger, complementarity, the cone, and friction against slip."""
     note(f"{hoop} {plane} {start}")

@@ -411,6 +411,8 @@ def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scra
         doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
         if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
             found = -1.0  # slip that ends before it can be told from none on the panel
+        elif fresh and zeros > 0 and body.mu_k == 0.0 and found == NOT_FOUND and extremes(work[B])[1] < 0.0:
+            found = -1.0  # the other direction: without friction the rounding of θ may decide where slip begins
         if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:
             note_doubt(scratch, state.t, state.t + totals.time)
         if found < xi:

@@ -85,6 +85,8 @@ def settle(body, state, cause, events, count, scratch):
         if mode_is_in_doubt(body, state):
             note_doubt(scratch, state.t, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
+        if cause.kind == STICK and body.mu_s == 0.0 and mode == cause.mode:
+            mode = slip_mode(-slip_direction(mode))  # slip that has come to an end does not go on, whatever rounding says
         named = mode
         if mode > SKIM:
             named = ROLL if state.vt == 0.0 else slip_mode(1 if state.vt > 0.0 else -1)
