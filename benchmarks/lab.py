@@ -133,9 +133,7 @@ def browser_times(address: str) -> dict[str, float] | None:
     if chromium is None:
         return None
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=chromium, args=["--no-sandbox", "--enable-unsafe-swiftshader"]
-        )
+        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--enable-unsafe-swiftshader"])
         page = browser.new_page(viewport={"width": 1440, "height": 900})
         page.goto(address)
         page.wait_for_selector("[data-ready]")
@@ -183,10 +181,7 @@ def main() -> None:
             json.dumps({"start": {"speed": 1.0 + 3.0 * k / options.requests}, "duration": 6.0}).encode()
             for k in range(options.requests)
         ]
-        films = [
-            json.dumps({"scenario": json.loads(body)}).encode()
-            for body in bodies[:: max(options.requests // 1000, 1)]
-        ]
+        films = [json.dumps({"scenario": json.loads(body)}).encode() for body in bodies[:: max(options.requests // 1000, 1)]]
         result = {
             "cores": os.cpu_count(),
             "load_average_before": round(os.getloadavg()[0], 2),

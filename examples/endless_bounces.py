@@ -67,9 +67,7 @@ def disk() -> None:
             motion = hh.simulate(DISK, plane, start, duration=float(end) + 1.0, contact=hh.Rigid(max_events=100_000))
             (limit,) = motion.find("bounce_limit")
             impacts = [event for event in motion.find("impact") if event.t < limit.t]
-            worst = max(
-                abs(event.t - (t := first * (1 + 2 * e * (1 - e**k) / (1 - e)))) / t for k, event in enumerate(impacts)
-            )
+            worst = max(abs(event.t - (t := first * (1 + 2 * e * (1 - e**k) / (1 - e)))) / t for k, event in enumerate(impacts))
             errors = abs(limit.t - end) / end, worst, abs(limit.x - mpmath.mpf(1.5) * end) / (1.5 * end)
         numbers = " | ".join(f"{float(error):.0e}" for error in errors)
         print(f"| {restitution:g} | {len(impacts)} | {limit.t:.12f} | {numbers} | {abs(limit.omega - 2.0) / 2.0:.0e} |")

@@ -159,9 +159,7 @@ def draw(path: Path) -> None:
     # from the first that appear to the last
     order = sorted(areas, key=lambda name: (-len(areas[name]), min(areas[name])))
     edges = np.concatenate(([0.0], 0.5 * (np.array(hoops[1:]) + np.array(hoops[:-1])), [1.0]))
-    fig, (count, ax) = plt.subplots(
-        2, 1, figsize=(8.2, 9.6), sharex=True, height_ratios=(1, 6), layout="constrained"
-    )
+    fig, (count, ax) = plt.subplots(2, 1, figsize=(8.2, 9.6), sharex=True, height_ratios=(1, 6), layout="constrained")
     for row, name in enumerate(order):
         for k, gamma in enumerate(hoops):
             if gamma in areas[name]:

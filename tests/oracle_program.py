@@ -33,9 +33,7 @@ def simulate(case: Case, duration: float | None = None) -> hh.Trajectory:
     if case.rolling:
         start = hh.Start.rolling(speed=case.vx, angle=case.angle, x=case.x)
     else:
-        start = hh.Start(
-            x=case.x, height=case.height, angle=case.angle, vx=case.vx, vy=case.vy, omega=case.omega
-        )
+        start = hh.Start(x=case.x, height=case.height, angle=case.angle, vx=case.vx, vy=case.vy, omega=case.omega)
     return hh.simulate(hoop, plane, start, duration=duration or case.duration)
 
 

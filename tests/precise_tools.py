@@ -17,9 +17,7 @@ STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 def scenario_of(case: Case, **plane: Any) -> hh.Scenario:
     """The scenario of a case."""
-    hoop = hh.Hoop(
-        radius=case.radius, mass=case.mass, eccentricity=case.eccentricity, inertia_ratio=case.inertia_ratio
-    )
+    hoop = hh.Hoop(radius=case.radius, mass=case.mass, eccentricity=case.eccentricity, inertia_ratio=case.inertia_ratio)
     names = ("gravity", "slope", "mu_static", "mu_kinetic", "restitution", "impact_law", "painleve")
     surface = hh.Plane(**{**{name: getattr(case, name) for name in names}, **plane})
     if case.rolling:

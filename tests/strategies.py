@@ -82,9 +82,7 @@ def scenarios(draw):
             ]
         )
     )
-    contact = draw(
-        st.sampled_from([hh.Rigid(), hh.Rigid(max_events=7), hh.Compliant(law="hunt-crossley", rtol=1e-6)])
-    )
+    contact = draw(st.sampled_from([hh.Rigid(), hh.Rigid(max_events=7), hh.Compliant(law="hunt-crossley", rtol=1e-6)]))
     if hoop.massless or plane.mu_static == math.inf:
         contact = hh.Rigid()
     return hh.Scenario(hoop=hoop, plane=plane, start=start, duration=draw(positive), contact=contact)
@@ -96,6 +94,4 @@ hoops = st.builds(
     st.floats(0.02, 0.98),
     st.floats(0.1, 5.0),
     st.floats(0.1, 5.0),
-) | st.builds(
-    lambda eps, kap: hh.Hoop(eccentricity=eps, inertia_ratio=kap), st.floats(0.02, 1.0), st.floats(0.02, 2.0)
-)
+) | st.builds(lambda eps, kap: hh.Hoop(eccentricity=eps, inertia_ratio=kap), st.floats(0.02, 1.0), st.floats(0.02, 2.0))

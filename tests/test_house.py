@@ -25,9 +25,7 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["
 
 def run(*command):
     """Output of a command that must succeed."""
-    done = subprocess.run(
-        [str(part) for part in command], cwd=ROOT, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run([str(part) for part in command], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
@@ -41,6 +39,10 @@ def python(code):
 
 def test_ruff_finds_nothing():
     run(sys.executable, "-m", "ruff", "check", ".")
+
+
+def test_the_code_is_formatted():
+    run(sys.executable, "-m", "ruff", "format", "--check", ".")
 
 
 def test_types_hold():
@@ -78,9 +80,7 @@ def loaded_by(code):
 def test_import_budget():
     # NumPy, Numba and pydantic may bring what they like; Numba brings SciPy where there is one.
     core = loaded_by(f"import annotated_types, {', '.join(sorted(CORE))}")
-    assert loaded_by("import hophoop; hophoop.simulate; hophoop.Trajectory; hophoop.theory") - core == {
-        "hophoop"
-    }
+    assert loaded_by("import hophoop; hophoop.simulate; hophoop.Trajectory; hophoop.theory") - core == {"hophoop"}
     scenario = loaded_by("import hophoop; hophoop.Scenario().to_query()")
     assert scenario - core == {"hophoop"}
     assert "numba" not in scenario
@@ -159,9 +159,7 @@ except ImportError as error:
     print(error)
 """
     said = python(WITHOUT.format(absent={"matplotlib"}, code=code)).strip()
-    assert said == (
-        "matplotlib is not installed; it comes with the extra 'plots': pip install 'hophoop[plots]'."
-    )
+    assert said == ("matplotlib is not installed; it comes with the extra 'plots': pip install 'hophoop[plots]'.")
 
 
 # Public names and their docstrings
@@ -172,9 +170,7 @@ def test_public_names_are_there(name):
     assert getattr(hophoop, name) is not None
     assert name in dir(hophoop)
     if name != "__version__":
-        assert f"hophoop.{name}\n" in (ROOT / "docs" / "api.md").read_text(encoding="utf-8"), (
-            "not in docs/api.md"
-        )
+        assert f"hophoop.{name}\n" in (ROOT / "docs" / "api.md").read_text(encoding="utf-8"), "not in docs/api.md"
 
 
 def test_unknown_names_are_not():
@@ -190,9 +186,7 @@ ROOMS += ["cite", "convergence", "maps", "plots", "animate", "article", "lab", "
 def public_objects(room):
     """Functions and classes of a room that a user meets, by their dotted name."""
     module = importlib.import_module(f"hophoop.{room}")
-    own = [
-        name for name, value in vars(module).items() if getattr(value, "__module__", "") == module.__name__
-    ]
+    own = [name for name, value in vars(module).items() if getattr(value, "__module__", "") == module.__name__]
     found = {}
     for name in getattr(module, "__all__", own):
         value = getattr(module, name)
@@ -244,9 +238,7 @@ def parameters(value):
     if inspect.isclass(value) and issubclass(value, BaseModel):
         # A word that can be said in one way only is no choice.
         fields = {name: str(field.annotation) for name, field in value.model_fields.items()}
-        return {
-            name: note for name, note in fields.items() if not re.fullmatch(r"typing\.Literal\['\w+'\]", note)
-        }
+        return {name: note for name, note in fields.items() if not re.fullmatch(r"typing\.Literal\['\w+'\]", note)}
     found = {}
     for name, parameter in inspect.signature(value).parameters.items():
         if name not in ("self", "cls") and parameter.kind is not parameter.VAR_KEYWORD:
@@ -299,9 +291,7 @@ def complaints(value):
 def complaints_about_results(function, doc):
     note = str(inspect.signature(function).return_annotation)
     if note not in ("None", "<class 'inspect._empty'>", str(inspect.Signature.empty)):
-        results = " ".join(
-            line for part in ("Returns", "Yields") for entry in doc[part] for line in entry.desc
-        )
+        results = " ".join(line for part in ("Returns", "Yields") for entry in doc[part] for line in entry.desc)
         if not (doc["Returns"] or doc["Yields"]):
             yield "no Returns"
         elif NUMERIC.search(note) and not UNIT.search(results):
@@ -314,9 +304,7 @@ def cited(text):
     return {key.strip() for keys in CITED.findall(text) for key in keys.split(",")}
 
 
-REFERENCES = set(
-    re.findall(r"^@\w+\{(\w+),", (ROOT / "docs" / "references.bib").read_text(encoding="utf-8"), re.MULTILINE)
-)
+REFERENCES = set(re.findall(r"^@\w+\{(\w+),", (ROOT / "docs" / "references.bib").read_text(encoding="utf-8"), re.MULTILINE))
 
 
 @pytest.mark.parametrize("room", [room for room in ROOMS if any(SOURCE.glob(f"{room}*"))])

@@ -137,9 +137,7 @@ def test_the_dataset_describes_itself(motion):
 
 @pytest.mark.parametrize("name", ["hop.nc", "hop.zarr"])
 def test_plain_xarray_reads_the_tables_in_si(motion, tmp_path, name):
-    scaled = hh.simulate(
-        hh.Hoop.ideal(0.6, radius=0.3, mass=2.0), hh.Plane(gravity=3.0), hh.Start.rolling(1.2), duration=2.0
-    )
+    scaled = hh.simulate(hh.Hoop.ideal(0.6, radius=0.3, mass=2.0), hh.Plane(gravity=3.0), hh.Start.rolling(1.2), duration=2.0)
     scaled.save(tmp_path / name)
     engine = "netcdf4" if name.endswith("nc") else "zarr"
     options = {"engine": engine} | ({"consolidated": False} if engine == "zarr" else {})
@@ -323,6 +321,4 @@ def test_bibtex_comes_back_as_it_was(motion, tmp_path, monkeypatch):
     read = cite.references()
     monkeypatch.undo()
     cite._library.cache_clear()
-    assert [(work.key, work.fields) for work in read.values()] == [
-        (work.key, work.fields) for work in cite.cite(motion)
-    ]
+    assert [(work.key, work.fields) for work in read.values()] == [(work.key, work.fields) for work in cite.cite(motion)]

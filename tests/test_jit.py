@@ -144,8 +144,7 @@ def test_two_first_calls_at_once_compile_once(tmp_path):
     }  # fmt: skip
     environment.pop("NUMBA_DISABLE_JIT", None)
     both = [
-        subprocess.Popen([sys.executable, "-c", code], env=environment, stdout=subprocess.PIPE, text=True)
-        for _ in range(2)
+        subprocess.Popen([sys.executable, "-c", code], env=environment, stdout=subprocess.PIPE, text=True) for _ in range(2)
     ]
     assert [one.communicate()[0] for one in both] == ["499500.0\n"] * 2
     assert len(list(tmp_path.rglob("*.nbc"))) == 1
@@ -276,9 +275,7 @@ def random_scenario(rng):
         hh.Start(angle=angle, vx=vx, omega=omega),
         hh.Start(height=rng.uniform(0.0, 1.0), angle=angle, vx=vx, vy=rng.uniform(-3.0, 3.0), omega=omega),
     )[int(rng.integers(3))]
-    return hh.Scenario(
-        hoop=hoop, plane=plane, start=start, duration=rng.uniform(0.5, 6.0), contact=hh.Rigid(max_events=300)
-    )
+    return hh.Scenario(hoop=hoop, plane=plane, start=start, duration=rng.uniform(0.5, 6.0), contact=hh.Rigid(max_events=300))
 
 
 @pytest.mark.parametrize("count", [60, pytest.param(1000, marks=pytest.mark.slow)])

@@ -41,9 +41,7 @@ def node():
         pytest.skip("no Node with the tools of web/ (npm install --prefix web)")
 
     def run(*command):
-        done = subprocess.run(
-            ["node", *map(str, command)], cwd=WEB, capture_output=True, text=True, check=False
-        )
+        done = subprocess.run(["node", *map(str, command)], cwd=WEB, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
 
     return run
@@ -64,7 +62,5 @@ def test_types_hold(node):
 
 
 def test_no_lock_file_names_a_registry():
-    kept = subprocess.run(
-        ["git", "ls-files", "web"], cwd=ROOT, capture_output=True, text=True, check=False
-    ).stdout.split()
+    kept = subprocess.run(["git", "ls-files", "web"], cwd=ROOT, capture_output=True, text=True, check=False).stdout.split()
     assert not [name for name in kept if re.search(r"[-./]lock\b", name)]

@@ -58,12 +58,8 @@ def product(matrix_t, values, out):
         v0, v1, v2, v3 = values[j], values[j + 1], values[j + 2], values[j + 3]
         v4, v5, v6, v7 = values[j + 4], values[j + 5], values[j + 6], values[j + 7]
         for i in range(ORDER):
-            low = (matrix_t[j, i] * v0 + matrix_t[j + 1, i] * v1) + (
-                matrix_t[j + 2, i] * v2 + matrix_t[j + 3, i] * v3
-            )
-            high = (matrix_t[j + 4, i] * v4 + matrix_t[j + 5, i] * v5) + (
-                matrix_t[j + 6, i] * v6 + matrix_t[j + 7, i] * v7
-            )
+            low = (matrix_t[j, i] * v0 + matrix_t[j + 1, i] * v1) + (matrix_t[j + 2, i] * v2 + matrix_t[j + 3, i] * v3)
+            high = (matrix_t[j + 4, i] * v4 + matrix_t[j + 5, i] * v5) + (matrix_t[j + 6, i] * v6 + matrix_t[j + 7, i] * v7)
             out[i] = low + high if j == 0 else out[i] + (low + high)
 
 

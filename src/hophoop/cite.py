@@ -41,9 +41,7 @@ class Reference:
         """The work in one line, for people."""
         said = {name: _plain(value) for name, value in self.fields.items()}
         authors = " and ".join(_natural(name) for name in said.get("author", "").split(" and "))
-        where = (
-            said.get("journal") or said.get("publisher") or said.get("howpublished") or said.get("note", "")
-        )
+        where = said.get("journal") or said.get("publisher") or said.get("howpublished") or said.get("note", "")
         if "volume" in said:
             where += f" {said['volume']}"
         if "pages" in said:

@@ -32,9 +32,7 @@ STIFFNESSES: Floats = 10.0 ** np.arange(3.0, 10.5, 0.5)
 """Stiffness over m g / R."""
 
 
-def with_contact(
-    scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any
-) -> Scenario:
+def with_contact(scenario: Scenario, stiffness: float, slip_speed: float | None = None, **others: Any) -> Scenario:
     """The same scenario on a compliant contact whose stiffness and slip speed are in natural units.
 
     Further arguments are those of `hophoop.Compliant`.
@@ -189,9 +187,7 @@ def landing(motion: Trajectory, within: float = 0.02) -> Landing:
     end = min([touch.t + within, motion.duration, *leaves[:1]])
     before, after = motion.at(touch.t), motion.at(end, side="left")
     return Landing(
-        after.damping
-        - before.damping
-        + after.spring,  # what is still in the spring is lost after the lift-off
+        after.damping - before.damping + after.spring,  # what is still in the spring is lost after the lift-off
         after.friction - before.friction,
         after.slip,
         after.vy,
@@ -288,9 +284,7 @@ def matched_number(hoop: Hoop, plane: Plane, touch: EventRecord, restitution: fl
     return 0.5 * (low + high)
 
 
-def landing_scenario(
-    restitution: float = 0.0, impact_law: str = "stronge", duration: float = 2.0
-) -> Scenario:
+def landing_scenario(restitution: float = 0.0, impact_law: str = "stronge", duration: float = 2.0) -> Scenario:
     """The article's hop at 3.1 m/s.
 
     Parameters
@@ -394,9 +388,7 @@ def painleve_scenario(omega: float = 0.0, duration: float = 0.4, painleve: str =
     return Scenario(plane=Plane(painleve=painleve), start=start, duration=duration)
 
 
-def painleve_errors(
-    omega: float, painleve: str, stiffnesses: ArrayLike = STIFFNESSES, **contact: Any
-) -> Floats:
+def painleve_errors(omega: float, painleve: str, stiffnesses: ArrayLike = STIFFNESSES, **contact: Any) -> Floats:
     """Distance of compliant motions in Painlevé's region from the rigid one.
 
     Parameters

@@ -157,9 +157,7 @@ def write_csv(motion: Motion, path: str | Path, times: ArrayLike | None = None) 
     """
     grid = _grid(motion, times)
     sample = motion.at(grid)
-    header = ["t [s]"] + [
-        name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in VARIABLES.items()
-    ]
+    header = ["t [s]"] + [name if unit == "1" else f"{name} [{unit}]" for name, (unit, _) in VARIABLES.items()]
     columns = [grid] + [getattr(sample, name) for name in VARIABLES]
     _write_rows(Path(path), header, zip(*(column.tolist() for column in columns), strict=True))
 
@@ -177,9 +175,7 @@ def write_events_csv(motion: Motion, path: str | Path) -> None:
     OSError
         If the file cannot be written.
     """
-    units = {
-        name: unit for name, unit in EVENT_UNITS.items() if not name.startswith("before_") and name != "t"
-    }
+    units = {name: unit for name, unit in EVENT_UNITS.items() if not name.startswith("before_") and name != "t"}
     before = ("vx", "vy", "omega", "slip")
     header = ["t [s]", "kind", "from", "to", *(f"{name} [{unit}]" for name, unit in units.items())]
     header += [f"before_{name} [{EVENT_UNITS[name]}]" for name in before] + ["collision", "stable"]

@@ -53,9 +53,7 @@ def load(path: str | Path) -> Trajectory:
     if not isinstance(schema, str) or not schema.startswith("hophoop/"):
         raise InputError(f"{file} is not a saved motion of hophoop.")
     if schema != SCHEMA:
-        raise InputError(
-            f"{file} has the schema {schema!r}, but this version of hophoop reads {SCHEMA!r} only."
-        )
+        raise InputError(f"{file} has the schema {schema!r}, but this version of hophoop reads {SCHEMA!r} only.")
     if any(name not in tables for name in TABLES):
         raise InputError(f"{file} is not whole: a table of the motion is missing.")
     version = str(attributes["version"])

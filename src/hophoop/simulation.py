@@ -35,9 +35,7 @@ def simulate(scenario: Scenario, /, *, digits: int) -> PreciseMotion: ...
 
 
 @overload
-def simulate(
-    hoop: Hoop, plane: Plane, start: Start, duration: float = ..., contact: Rigid | Compliant = ...
-) -> Trajectory: ...
+def simulate(hoop: Hoop, plane: Plane, start: Start, duration: float = ..., contact: Rigid | Compliant = ...) -> Trajectory: ...
 
 
 @overload
@@ -156,9 +154,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     while True:
         events = np.empty(events_size, EVENT)
         segments = np.empty(segments_size, SEGMENT)
-        status, count, pieces = run(
-            body, start, scenario.duration / second, math.nan, 0, events, segments, scratch, script
-        )
+        status, count, pieces = run(body, start, scenario.duration / second, math.nan, 0, events, segments, scratch, script)
         if status == Status.BUFFER:
             segments_size *= 4
         elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
@@ -186,4 +182,3 @@ def _hold_at(event: np.void, segment: np.void) -> None:
     segment["t_end"] = event["t"]
     segment["mode"] = event["after_mode"]
     segment["kind"] = HOLD
-

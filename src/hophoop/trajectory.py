@@ -33,9 +33,7 @@ class Trajectory:
     that holds the time again.
     """
 
-    def __init__(
-        self, scenario: Scenario, status: int, events: np.ndarray, segments: np.ndarray, version: str
-    ) -> None:
+    def __init__(self, scenario: Scenario, status: int, events: np.ndarray, segments: np.ndarray, version: str) -> None:
         self.scenario = scenario
         self.version = version
         self._status = status
@@ -197,9 +195,7 @@ class Trajectory:
         hoop, plane = self.scenario.hoop, self.scenario.plane
         weight = hoop.mass * plane.gravity * hoop.radius
         size = max(abs(begin_kinetic), kinetic, abs(potential), friction, weight)
-        return Ledger(
-            kinetic, potential, friction, normal, tangential, end.spring, end.damping, residual, size
-        )
+        return Ledger(kinetic, potential, friction, normal, tangential, end.spring, end.damping, residual, size)
 
     @property
     def tables(self) -> dict[str, np.ndarray]:
@@ -285,9 +281,7 @@ class Trajectory:
         return portrait.html(self)
 
     def __repr__(self) -> str:
-        return (
-            f"<Trajectory {self.sequence} {self.status}: {len(self._events)} events in {self.duration:.6g} s>"
-        )
+        return f"<Trajectory {self.sequence} {self.status}: {len(self._events)} events in {self.duration:.6g} s>"
 
     # --- inside --------------------------------------------------------------------------------
 
@@ -300,7 +294,6 @@ class Trajectory:
         from hophoop.compliant import sampling as compliant
 
         return compliant
-
 
     def _sample(self, times: Floats, left: bool) -> Floats:
         result: Floats = self._model.sampled(self.scenario, self._segments, times, left)
@@ -334,9 +327,7 @@ class Trajectory:
     def _event_record(self, row: np.void) -> EventRecord:
         unit = self.units
         value = {name: float(row[name]) * unit.of(name) for name in _EVENT_NUMBERS}
-        before = Velocity(
-            *(float(row[f"before_{name}"]) * unit.of(name) for name in ("vx", "vy", "omega", "slip"))
-        )
+        before = Velocity(*(float(row[f"before_{name}"]) * unit.of(name) for name in ("vx", "vy", "omega", "slip")))
         before_mode = int(row["before_mode"])
         return EventRecord(
             t=self._seconds(float(row["t"])),

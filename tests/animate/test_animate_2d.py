@@ -89,9 +89,7 @@ def test_odd_sizes_where_the_format_allows(tmp_path):
 
 
 def test_the_same_film_twice_is_the_same_file(tmp_path):
-    one, two = (
-        film(motion(), tmp_path / f"{i}.mp4", Timing(fps=20, end=0.4), Look(size=SIZE)).read_bytes() for i in range(2)
-    )
+    one, two = (film(motion(), tmp_path / f"{i}.mp4", Timing(fps=20, end=0.4), Look(size=SIZE)).read_bytes() for i in range(2))
     assert one == two
 
 
@@ -153,9 +151,7 @@ print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
 """
     if sys.platform != "linux":
         pytest.skip("ru_maxrss has another unit elsewhere")
-    done = subprocess.run(
-        [sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True
-    )
+    done = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
     assert int(done.stdout) < 60_000  # kB, where all pictures are 630 MB
 
 
@@ -168,9 +164,7 @@ def test_an_encoder_that_fails_says_why(tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize(
-    ("name", "kind"), [("a.MP4", "mp4"), ("a.webm", "webm"), ("folder", "png"), ("a.b/", "png")]
-)
+@pytest.mark.parametrize(("name", "kind"), [("a.MP4", "mp4"), ("a.webm", "webm"), ("folder", "png"), ("a.b/", "png")])
 def test_formats(name, kind):
     assert format_of(name) == kind
 
@@ -347,9 +341,7 @@ def test_a_hoop_of_parts_shows_its_parts():
 
 
 def test_a_motion_that_ends_without_an_answer_is_shown():
-    run = hh.simulate(
-        hh.Hoop(), hh.Plane(), hh.Start.rolling(3.1), duration=2.0, contact=hh.Rigid(max_events=3)
-    )
+    run = hh.simulate(hh.Hoop(), hh.Plane(), hh.Start.rolling(3.1), duration=2.0, contact=hh.Rigid(max_events=3))
     assert run.status == "event_limit"
     assert picture(run, run.duration, Look(size=SIZE)).shape == (360, 640, 4)
 

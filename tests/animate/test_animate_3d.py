@@ -177,9 +177,7 @@ from animate_tools import motion
 from hophoop.animate import Look3D, Timing, film_3d
 film_3d(motion(), sys.argv[1], Timing(fps=5, end=0.2), Look3D(size=(128, 128)))
 """
-    done = subprocess.run(
-        [sys.executable, "-c", code, str(tmp_path / "a.mp4")], capture_output=True, text=True, check=True
-    )
+    done = subprocess.run([sys.executable, "-c", code, str(tmp_path / "a.mp4")], capture_output=True, text=True, check=True)
     assert "WARN" not in done.stderr + done.stdout
     assert "X server" not in done.stderr + done.stdout
 

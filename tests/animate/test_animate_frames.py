@@ -65,9 +65,7 @@ def test_in_step_in_time_a_motion_that_has_ended_holds():
 def test_in_step_in_angle():
     fast, slow = motion(), motion(2.0, duration=4.0)
     shown = clock([fast, slow], Timing(fps=60, step="angle"))
-    np.testing.assert_allclose(
-        slow.at(shown.times[1]).angle, fast.at(shown.times[0]).angle, rtol=1e-9, atol=1e-9
-    )
+    np.testing.assert_allclose(slow.at(shown.times[1]).angle, fast.at(shown.times[0]).angle, rtol=1e-9, atol=1e-9)
 
 
 def test_in_step_in_angle_with_a_leader_that_turns_back():
@@ -141,9 +139,7 @@ def test_forces_are_arrows_across_and_along_the_plane():
     along = np.array([math.cos(0.3), -math.sin(0.3)])
     for i in range(2):
         np.testing.assert_allclose(poses.normal_force[i], poses.sample.normal_force[i] * normal, atol=1e-12)
-        np.testing.assert_allclose(
-            poses.friction_force[i], poses.sample.friction_force[i] * along, atol=1e-12
-        )
+        np.testing.assert_allclose(poses.friction_force[i], poses.sample.friction_force[i] * along, atol=1e-12)
 
 
 def test_the_rims_lowest_point_is_at_rest_in_rolling_and_the_top_twice_as_fast():
@@ -233,8 +229,7 @@ def test_descriptions():
         contact=hh.Compliant(),
     )
     assert describe(other) == (
-        "v = (1, 0) m/s, θ̇ = 1 rad/s, "
-        "μs = 0.5, μk = 0.4, ε = 0.5, κ = 0.6, β = 5.73°, e = 0.2, compliant contact"
+        "v = (1, 0) m/s, θ̇ = 1 rad/s, μs = 0.5, μk = 0.4, ε = 0.5, κ = 0.6, β = 5.73°, e = 0.2, compliant contact"
     )
 
 

@@ -18,9 +18,7 @@ from hophoop.animate.web import scene_data
 
 def page_data(path):
     text = path.read_text(encoding="utf-8")
-    return text, json.loads(
-        re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.S)[1]
-    )
+    return text, json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', text, re.S)[1])
 
 
 def numbers(packed):
@@ -134,9 +132,7 @@ def test_gltf_traces_are_whole_and_change_colour_in_flight(tmp_path):
         if node["name"].startswith("trace of the centre"):
             (part,) = text["meshes"][node["mesh"]]["primitives"]
             parts.append(values(part["attributes"]["POSITION"]))
-            paint.append(
-                tuple(text["materials"][part["material"]]["pbrMetallicRoughness"]["baseColorFactor"])
-            )
+            paint.append(tuple(text["materials"][part["material"]]["pbrMetallicRoughness"]["baseColorFactor"]))
     assert len(parts) == 3
     assert paint[0] == paint[2] != paint[1]
     for before, after in pairwise(parts):
@@ -183,9 +179,7 @@ def test_the_page_plays_in_a_browser(tmp_path):
     sync_api = pytest.importorskip("playwright.sync_api")
     import shutil
 
-    browser_path = next(
-        filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
-    )
+    browser_path = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
     if browser_path is None:
         pytest.skip("no browser")
     path = scene(motion(), tmp_path / "hop.html")

@@ -38,9 +38,7 @@ def test_a_film_from_options_quietly(tmp_path):
 
 
 def test_3d_films_and_scenes(hop, tmp_path):
-    done = run(
-        hop, "--3d", "--out", tmp_path / "a.mp4", "--size", "128x72", "--fps", "10", "--camera", "side"
-    )
+    done = run(hop, "--3d", "--out", tmp_path / "a.mp4", "--size", "128x72", "--fps", "10", "--camera", "side")
     assert done.exit_code == 0, done.output
     assert len(decoded(tmp_path / "a.mp4")[0]) == 5
     for name in ("a.html", "a.glb"):
@@ -59,9 +57,7 @@ def test_slow_motion_makes_a_longer_film(tmp_path):
 def test_comparisons(hop, tmp_path):
     words = ("--out", tmp_path / "a.mp4", "--size", "256x144", "--fps", "10", "--quiet")
     assert run(hop, "--vary", "plane.mu=0.3,1", "--overlay", *words).exit_code == 0
-    assert (
-        run(hop, "--with", hop, "--label", "one", "--label", "two", "--step", "angle", *words).exit_code == 0
-    )
+    assert run(hop, "--with", hop, "--label", "one", "--label", "two", "--step", "angle", *words).exit_code == 0
 
 
 @pytest.mark.parametrize(

@@ -175,9 +175,7 @@ def test_a_long_table_says_what_it_leaves_out():
 def test_a_shell_completes_commands_options_and_values(typed, offered):
     code = "from hophoop.cli import app; app(prog_name='hophoop')"
     wanted = {"_HOPHOOP_COMPLETE": "complete_bash", "COMP_WORDS": " ".join(typed), "COMP_CWORD": str(len(typed) - 1)}
-    done = subprocess.run(
-        [sys.executable, "-c", code], env=os.environ | wanted, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run([sys.executable, "-c", code], env=os.environ | wanted, capture_output=True, text=True, check=False)
     assert offered in done.stdout.split()
 
 

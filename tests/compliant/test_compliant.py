@@ -145,10 +145,7 @@ def test_inconsistent_slip_becomes_the_impact_without_collision():
     start = hh.Start(angle=-math.acos(0.75), vx=1.0)
     rigid = hh.simulate(HOOP, hh.Plane(), start, duration=0.3)
     assert rigid.find("painleve_inconsistent")
-    errors = [
-        abs(run(start=start, duration=0.3, stiffness=k).at(0.3).omega - rigid.at(0.3).omega)
-        for k in (1e5, 1e7, 1e9)
-    ]
+    errors = [abs(run(start=start, duration=0.3, stiffness=k).at(0.3).omega - rigid.at(0.3).omega) for k in (1e5, 1e7, 1e9)]
     assert errors[0] > 10 * errors[1] > 100 * errors[2]
 
 

@@ -34,9 +34,7 @@ def bounce(force, speed):
 
     ends.terminal = True
     ends.direction = -1.0
-    solution = solve_ivp(
-        lambda _, u: [u[1], force(u)], (0.0, 100.0), [0.0, -speed], rtol=1e-11, atol=1e-13, events=ends
-    )
+    solution = solve_ivp(lambda _, u: [u[1], force(u)], (0.0, 100.0), [0.0, -speed], rtol=1e-11, atol=1e-13, events=ends)
     return solution.y[1, -1] / speed
 
 

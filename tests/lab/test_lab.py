@@ -226,9 +226,7 @@ def test_limits_bound_a_motion():
     with pytest.raises(limits.TooMuch, match="duration = 601 must be at most 600 s"):
         limits.within(hh.Scenario(duration=601))
     with pytest.raises(limits.TooMuch, match="65 parts"):
-        limits.within(
-            hh.Scenario(hoop=hh.Hoop.from_parts(1, [hh.PointMass(1, at=1)] + 64 * [hh.Ring(1, 0.9, 1)]))
-        )
+        limits.within(hh.Scenario(hoop=hh.Hoop.from_parts(1, [hh.PointMass(1, at=1)] + 64 * [hh.Ring(1, 0.9, 1)])))
     stiff = hh.Scenario(contact=hh.Compliant(stiffness=1e14))
     with pytest.raises(limits.TooMuch, match="steps of integration"):
         limits.within(stiff)

@@ -92,9 +92,7 @@ def test_equal_scenarios_have_equal_tags(client):
     other = client.post("/api/v1/simulate", json={"duration": 1.5})
     assert one.headers["etag"] == two.headers["etag"] != other.headers["etag"]
     assert one.content == two.content
-    known = client.post(
-        "/api/v1/simulate", json={"duration": 1.0}, headers={"If-None-Match": one.headers["etag"]}
-    )
+    known = client.post("/api/v1/simulate", json={"duration": 1.0}, headers={"If-None-Match": one.headers["etag"]})
     assert known.status_code == 304
     assert known.content == b""
 
@@ -119,9 +117,7 @@ def test_files_are_served_by_name_only(client):
     got = client.get("/api/v1/files/motion.toml?start.speed=2")
     assert hh.Scenario.loads(got.text) == hh.Scenario(start=hh.Start.rolling(2.0))
     assert "hophoop-motion.toml" in got.headers["content-disposition"]
-    again = client.get(
-        "/api/v1/files/motion.toml?start.speed=2", headers={"If-None-Match": got.headers["etag"]}
-    )
+    again = client.get("/api/v1/files/motion.toml?start.speed=2", headers={"If-None-Match": got.headers["etag"]})
     assert again.status_code == 304
     assert client.get("/api/v1/files/motion.csv?start.speed=x").status_code == 422
     for name in ("motion.exe", "..%2f..%2fpyproject.toml", "%2fetc%2fpasswd"):
@@ -282,9 +278,7 @@ def test_schemathesis_finds_nothing():
     schemathesis = pytest.importorskip("schemathesis", reason="schemathesis is not installed")
     from hypothesis import HealthCheck, Phase, given, settings
 
-    schema = schemathesis.openapi.from_asgi(
-        "/openapi.json", api.create_app(replace(USUAL, duration=30.0, cells=400))
-    )
+    schema = schemathesis.openapi.from_asgi("/openapi.json", api.create_app(replace(USUAL, duration=30.0, cells=400)))
     names = [
         "not_a_server_error",
         "status_code_conformance",

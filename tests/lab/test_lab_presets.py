@@ -20,9 +20,7 @@ def kinds(key):
 
 def test_the_article_is_there():
     offered = [preset.scenario for preset in presets.presets() if preset.group == presets.ARTICLE]
-    assert sorted(map(hh.Scenario.to_query, offered)) == sorted(
-        map(hh.Scenario.to_query, hh.article.scenarios().values())
-    )
+    assert sorted(map(hh.Scenario.to_query, offered)) == sorted(map(hh.Scenario.to_query, hh.article.scenarios().values()))
 
 
 @pytest.mark.parametrize(

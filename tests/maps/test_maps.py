@@ -128,10 +128,7 @@ def scenarios_of(base, dataset, step=1):
 
 def test_a_map_over_the_duration_holds_what_simulate_gives():
     base, dataset = small_map("duration")
-    words = {
-        name: maps.words_of(dataset[name])
-        for name in ("sequence", "status", "first_event", "hop", "painleve")
-    }
+    words = {name: maps.words_of(dataset[name]) for name in ("sequence", "status", "first_event", "hop", "painleve")}
     hops = 0
     for cell, scenario in scenarios_of(base, dataset, step=2):
         motion = hh.simulate(scenario)
@@ -141,9 +138,7 @@ def test_a_map_over_the_duration_holds_what_simulate_gives():
         kinds = [event.kind for event in motion.events]
         assert told["first_event"] == [kind for kind in kinds if kind != "apex"][1]
         assert (told["hop"] == "yes") == ("H" in motion.sequence)
-        assert (told["painleve"] == "yes") == any(
-            kind.startswith("painleve") or kind == "jam" for kind in kinds
-        )
+        assert (told["painleve"] == "yes") == any(kind.startswith("painleve") or kind == "jam" for kind in kinds)
         last = motion.events[-1]
         np.testing.assert_allclose(cell["time"], motion.duration, rtol=1e-15)
         assert float(cell["end_angle"]) == last.angle
@@ -257,9 +252,7 @@ def test_the_article_over_the_first_revolution():
 
 
 def test_a_start_that_hops_at_once():
-    found = maps.points(
-        None, {"start.speed": [4.5]}, ["sequence", "time", "hop", "first_event", "landing_angle"]
-    )
+    found = maps.points(None, {"start.speed": [4.5]}, ["sequence", "time", "hop", "first_event", "landing_angle"])
     assert found["sequence"][0] == "H"
     assert found["time"][0] == 0.0
     assert found["first_event"][0] == "takeoff"
@@ -348,9 +341,7 @@ def test_axes_as_text():
     assert parse_axis("plane.mu=1,0.5,inf")[1].tolist() == [1.0, 0.5, math.inf]
 
 
-@pytest.mark.parametrize(
-    "text", ["plane.mu", "plane.mu=", "plane.mu=1:2", "plane.mu=1:2:3:lin", "plane.mu=a:b:3"]
-)
+@pytest.mark.parametrize("text", ["plane.mu", "plane.mu=", "plane.mu=1:2", "plane.mu=1:2:3:lin", "plane.mu=a:b:3"])
 def test_bad_axes_as_text(text):
     with pytest.raises(ValueError, match="must read path=first:last:count"):
         parse_axis(text)
@@ -401,6 +392,4 @@ def test_bad_options(options, message):
 
 def test_maps_are_for_rigid_contact():
     with pytest.raises(ValueError, match="must be 'rigid' in a map"):
-        make_plan(
-            hh.Scenario(contact=hh.Compliant()), {"plane.mu": [1], "start.speed": [1]}, ["hop"], "duration"
-        )
+        make_plan(hh.Scenario(contact=hh.Compliant()), {"plane.mu": [1], "start.speed": [1]}, ["hop"], "duration")

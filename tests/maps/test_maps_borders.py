@@ -162,9 +162,7 @@ def test_the_share_of_rolling_is_the_area_under_its_border():
     assert doubt < 5e-3
 
 
-@pytest.mark.parametrize(
-    ("options", "message"), [({"levels": 25}, "levels = 25"), ({"cells": 0}, "cells = 0")]
-)
+@pytest.mark.parametrize(("options", "message"), [({"levels": 25}, "levels = 25"), ({"cells": 0}, "cells = 0")])
 def test_bad_refinements(options, message):
     with pytest.raises(ValueError, match=message):
         maps.refine(None, WINDOW, **options)

@@ -63,9 +63,7 @@ def test_the_script_makes_it(tmp_path, monkeypatch, capsys):
     spec.loader.exec_module(script)
     monkeypatch.setattr(script, "HOOPS", (0.75,))
     out = tmp_path / "catalogue.json"
-    monkeypatch.setattr(
-        "sys.argv", ["make_catalogue.py", "--levels", "3", "--cells", "32", "--out", str(out)]
-    )
+    monkeypatch.setattr("sys.argv", ["make_catalogue.py", "--levels", "3", "--cells", "32", "--out", str(out)])
     script.main()
     made = json.loads(out.read_text(encoding="utf-8"))["hoops"]["0.75"]["entries"]
     shipped = {(entry.sequence, entry.ending): entry for entry in maps.catalogue()}

@@ -196,9 +196,7 @@ def test_a_strange_folder_is_left_alone(tmp_path):
 def test_control_c_keeps_what_is_done(whole, tmp_path):
     path = tmp_path / "map.zarr"
     code = KILLED.format(quantities=QUANTITIES, chunk=CHUNK)
-    process = subprocess.Popen(
-        [sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    )
+    process = subprocess.Popen([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert process.stdout.readline().strip() == b"ready"
     deadline = time.monotonic() + 120
     while process.poll() is None and time.monotonic() < deadline:

@@ -55,9 +55,7 @@ OTHERS = (
     rolling("slope_10deg", 1.5, 0.8, slope=math.radians(10.0), duration=4.0),
     Case("static_above_kinetic", vx=2.0, rolling=True, mu_static=0.6, mu_kinetic=0.4),
     rolling("general_body", 3.5, 0.5, eccentricity=0.4, inertia_ratio=0.5),
-    rolling(
-        "scaled_body", 1.3, 0.4, radius=0.35, mass=2.2, eccentricity=0.6, inertia_ratio=0.3, duration=3.0
-    ),
+    rolling("scaled_body", 1.3, 0.4, radius=0.35, mass=2.2, eccentricity=0.6, inertia_ratio=0.3, duration=3.0),
     Case("dropped_with_spin", height=0.5, angle=0.7, vx=0.3, omega=6.0, mu_static=0.5, mu_kinetic=0.5),
     *(
         Case(

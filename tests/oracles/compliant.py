@@ -51,9 +51,7 @@ def friction(case: Case, contact: Contact, slides: int, load: float, slip: float
     return -contact.tangential_stiffness * stretch - contact.tangential_damping * slip
 
 
-def stretch_rate(
-    case: Case, contact: Contact, slides: int, load: float, slip: float, stretch: float
-) -> float:
+def stretch_rate(case: Case, contact: Contact, slides: int, load: float, slip: float, stretch: float) -> float:
     """ż of the bristle, whose foot slides under the friction that its spring and damper balance [m/s]."""
     if contact.friction != "bristle":
         return 0.0
@@ -63,9 +61,7 @@ def stretch_rate(
     return pull / contact.tangential_damping
 
 
-def motion(
-    case: Case, contact: Contact, start: Vector, touching: bool, duration: float, times: Vector
-) -> Vector:
+def motion(case: Case, contact: Contact, start: Vector, touching: bool, duration: float, times: Vector) -> Vector:
     """Rows (x, y, θ, ẋ, ẏ, θ̇, z, friction loss, damping loss) at the times; μs = μk is assumed."""
     jacobian = contact_jacobian(case)
     state = np.array(start, dtype=float)
@@ -176,11 +172,7 @@ def _events(case, contact, touching, slides):  # type: ignore[no-untyped-def]
         limit = contact.slip_speed
         events.append(falling(lambda _, u: slides * slip(u) - limit if slides else limit - abs(slip(u))))
     elif contact.friction == "bristle" and slides:
-        events.append(
-            falling(
-                lambda _, u: slides * (slip(u) - stretch_rate(case, contact, slides, load(u), slip(u), u[6]))
-            )
-        )
+        events.append(falling(lambda _, u: slides * (slip(u) - stretch_rate(case, contact, slides, load(u), slip(u), u[6]))))
     elif contact.friction == "bristle":
         k, c = contact.tangential_stiffness, contact.tangential_damping
         events.append(falling(lambda _, u: case.mu_kinetic * load(u) - abs(k * u[6] + c * slip(u))))

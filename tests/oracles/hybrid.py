@@ -193,9 +193,7 @@ def impact(case: Case, state: Vector) -> tuple[Vector, dict[str, Any]]:
                 return float(s[1] + e * approach)
         elif case.impact_law == "poisson":
 
-            def done(
-                p: float, s: Vector, ratio: float, until: float = (1 + e) * compression_impulse
-            ) -> float:
+            def done(p: float, s: Vector, ratio: float, until: float = (1 + e) * compression_impulse) -> float:
                 return p - until
         else:
 
@@ -204,9 +202,7 @@ def impact(case: Case, state: Vector) -> tuple[Vector, dict[str, Any]]:
 
         done.terminal = slip_stops.terminal = True  # type: ignore[attr-defined]
         events = [done, slip_stops] if sliding else [done]
-        run = solve_ivp(
-            right, (p, p + horizon), s, "DOP853", events=events, args=(ratio,), rtol=1e-13, atol=1e-15
-        )
+        run = solve_ivp(right, (p, p + horizon), s, "DOP853", events=events, args=(ratio,), rtol=1e-13, atol=1e-15)
         if run.status != 1:
             raise RuntimeError("the impact never ends")
         p, s = float(run.t[-1]), run.y[:, -1]
@@ -308,9 +304,7 @@ def solve(case: Case) -> Motion:
             state[5 if name == "turn" else 4] = 0.0
             if name == "turn" and mode == ROLL:
                 state[3] = 0.0
-            motion.events.append(
-                {"t": t, "kind": name, "from": mode, "to": mode, **named(state), "work": state[6]}
-            )
+            motion.events.append({"t": t, "kind": name, "from": mode, "to": mode, **named(state), "work": state[6]})
             continue
         if name == "impact":
             state[1] = 0.0
@@ -327,10 +321,7 @@ def solve(case: Case) -> Motion:
         motion.status = "event_limit"
     motion.end = t
     motion.events.append({"t": t, "kind": "end", "from": mode, "to": mode, **named(state), "work": state[6]})
-    energies = [
-        (kinetic_energy(case, s[2], s[3:6]), potential_energy(case, s[0], s[1], s[2]))
-        for s in (origin, state)
-    ]
+    energies = [(kinetic_energy(case, s[2], s[3:6]), potential_energy(case, s[0], s[1], s[2])) for s in (origin, state)]
     lost = state[6] + motion.loss_normal + motion.loss_tangential
     motion.ledger = {
         "kinetic": energies[1][0],
@@ -343,9 +334,7 @@ def solve(case: Case) -> Motion:
     return motion
 
 
-def flow(
-    motion: Motion, mode: str, t: float, state: Vector, small: dict[str, float]
-) -> tuple[float, Vector, str]:
+def flow(motion: Motion, mode: str, t: float, state: Vector, small: dict[str, float]) -> tuple[float, Vector, str]:
     """Integrate in one mode to its next event: time taken, state there, name ('' at the end)."""
     case, start = motion.case, t
     remaining = case.duration - t

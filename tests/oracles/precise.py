@@ -184,9 +184,7 @@ def event_functions(p: Parameters, piece: Piece) -> dict[str, tuple[Series, mpf,
     return {"rest": (ahead, p.speed_scale, True), "takeoff": (n, p.force_scale, True), **turn}
 
 
-def roots(
-    series: Series, scale: mpf, unit: mpf, span: mpf, fresh: bool, samples: int = 96
-) -> list[tuple[mpf, int]]:
+def roots(series: Series, scale: mpf, unit: mpf, span: mpf, fresh: bool, samples: int = 96) -> list[tuple[mpf, int]]:
     """Roots in (0, span] and the sign of the slope there; leading zeros are divided out when `fresh`."""
     if fresh:
         zeros, _ = leading(series, scale, unit)
@@ -365,9 +363,7 @@ def _solve(case: Case, p: Parameters, order: int) -> Solution:
             solution.status = "event_limit"
             break
     solution.end = t
-    last = (
-        solution.at(t) if solution.status == "completed" else {"mode": mode, **as_state(state), "work": work}
-    )
+    last = solution.at(t) if solution.status == "completed" else {"mode": mode, **as_state(state), "work": work}
     solution.events.append({**last, "t": t, "kind": "end", "from": mode, "to": mode})
     return solution
 

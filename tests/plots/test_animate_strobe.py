@@ -27,9 +27,7 @@ def rings(ax):
 
 
 def loads(ax):
-    return np.array(
-        [line.get_xydata()[0] for line in ax.lines if line.get_marker() == "o" and len(line.get_xdata()) == 1]
-    )
+    return np.array([line.get_xydata()[0] for line in ax.lines if line.get_marker() == "o" and len(line.get_xdata()) == 1])
 
 
 def test_flashes_at_equal_times():

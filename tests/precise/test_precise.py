@@ -176,9 +176,7 @@ def test_mirror_image():
 def test_size_and_gravity_only_scale():
     """R and g times four: the same angles at the same times, speeds times four; the mass changes nothing but energies."""
     one = rolling(3.0, 0.8)
-    other = precise(
-        hh.Hoop.ideal(0.75, radius=4.0, mass=3.0), hh.Plane(mu=0.8, gravity=4 * 9.81), hh.Start.rolling(12.0)
-    )
+    other = precise(hh.Hoop.ideal(0.75, radius=4.0, mass=3.0), hh.Plane(mu=0.8, gravity=4 * 9.81), hh.Start.rolling(12.0))
     for a, b in zip(one.events, other.events, strict=True):
         assert abs(a.t - b.t) < Decimal("1e-29")
         assert abs(a.angle - b.angle) < Decimal("1e-28")

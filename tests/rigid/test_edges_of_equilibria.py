@@ -39,9 +39,7 @@ def body_of(gamma=0.75, mu=1.0, slope=0.0):
 
 def from_zero(function, scale, end):
     """∫₀^end of what has a singularity at ± i scale: θ = scale sinh z takes it away."""
-    return mp.quad(
-        lambda z: function(scale * mp.sinh(z)) * scale * mp.cosh(z), mp.linspace(0, mp.asinh(end / scale), 14)
-    )
+    return mp.quad(lambda z: function(scale * mp.sinh(z)) * scale * mp.cosh(z), mp.linspace(0, mp.asinh(end / scale), 14))
 
 
 @pytest.mark.parametrize("speed", [1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-30, 1e-100])
@@ -108,9 +106,7 @@ def test_a_slow_start_without_friction(gamma, offset):
             ),
             mp.linspace(0, mp.acosh(mp.pi / 2 / d), 14),
         )
-        _, events = motion_of(
-            body_of(gamma, 0.0), start_state(0.0, 0.0, offset, 0.0, 0.0, 0.0), span=math.pi / 2 - abs(offset)
-        )
+        _, events = motion_of(body_of(gamma, 0.0), start_state(0.0, 0.0, offset, 0.0, 0.0, 0.0), span=math.pi / 2 - abs(offset))
         assert abs(mpf(float(events[-1]["t"])) / time - 1) < 2e-15
         letters = set(events["after_mode"][:-1].tolist())
         assert letters == ({2} if offset * (events[-1]["slip"]) > 0 else {1}) or len(letters) == 1
@@ -122,17 +118,13 @@ def test_slip_that_passes_its_hilltop(omega):
     with mp.workdps(40):
         w, kap = mpf(omega), 1 - GAMMA**2
         half = from_zero(
-            lambda th: mp.sqrt(
-                (kap + GAMMA**2 * mp.sin(th) ** 2) / (4 * GAMMA * mp.sin(th / 2) ** 2 + kap * w**2)
-            ),
+            lambda th: mp.sqrt((kap + GAMMA**2 * mp.sin(th) ** 2) / (4 * GAMMA * mp.sin(th / 2) ** 2 + kap * w**2)),
             w * mp.sqrt(kap / GAMMA),
             mp.pi,
         )
         for slip in (1.0, 0.3):
             for turns in (1, 2):
-                _, events = motion_of(
-                    body_of(mu=0.0), start_state(0.0, 0.0, 0.0, slip, 0.0, omega), span=2 * math.pi * turns
-                )
+                _, events = motion_of(body_of(mu=0.0), start_state(0.0, 0.0, 0.0, slip, 0.0, omega), span=2 * math.pi * turns)
                 assert abs(mpf(float(events[-1]["t"])) / (2 * turns * half) - 1) < 1e-13
 
 
@@ -153,9 +145,7 @@ def test_a_hilltop_on_a_slope(slope, gamma, speed):
 
         turning = mp.findroot(gained, (begin + way * 2, begin + way * (2 * mp.pi - mpf("0.1"))), solver="anderson")
         scale = w * mp.sqrt(2 * (1 + g * mp.cos(top)) / (g * mp.cos(top + b)))
-        first = from_zero(
-            lambda psi: mp.sqrt((1 + g * mp.cos(begin + way * psi)) / gained(begin + way * psi)), scale, mpf(1)
-        )
+        first = from_zero(lambda psi: mp.sqrt((1 + g * mp.cos(begin + way * psi)) / gained(begin + way * psi)), scale, mpf(1))
         rest = mp.quad(
             lambda s: 2 * s * mp.sqrt((1 + g * mp.cos(turning - way * s * s)) / abs(gained(turning - way * s * s))),
             mp.linspace(mpf(10) ** -15, mp.sqrt(abs(turning - begin - way)), 8),
@@ -195,9 +185,7 @@ def test_the_ledger_of_a_long_motion():
 @pytest.mark.parametrize(("mu", "slope", "speed"), [(0.0132, 0.24, 4.0), (0.02, 0.0, 8.0), (0.01, -0.2, -6.0)])
 def test_slip_over_several_turns_from_its_hilltop(mu, slope, speed):
     """The motion that comes to rest at one hilltop does not do so at the next one; taken for it, the ledger was off by half."""
-    motion = hh.simulate(
-        hh.Hoop.ideal(0.5), hh.Plane(mu=mu, slope=slope), hh.Start(vx=speed, omega=0.2 * speed), duration=6.0
-    )
+    motion = hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(mu=mu, slope=slope), hh.Start(vx=speed, omega=0.2 * speed), duration=6.0)
     assert abs(motion.events[-1].angle) > 13.0
     assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
     truth = hh.simulate(motion.scenario, digits=20)

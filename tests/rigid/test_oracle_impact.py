@@ -18,9 +18,7 @@ DISK = {"eccentricity": Q(0), "inertia_ratio": Q(1, 2), "sine": Q(0), "cosine": 
 ROD = {"eccentricity": Q(1, 2), "inertia_ratio": Q(39, 100), "sine": Q(-4, 5), "cosine": Q(3, 5)}
 
 
-def impact_at_start(
-    contact: rational.Contact, velocity: tuple[Q, Q, Q], restitution: Q, law: str
-) -> hh.Trajectory:
+def impact_at_start(contact: rational.Contact, velocity: tuple[Q, Q, Q], restitution: Q, law: str) -> hh.Trajectory:
     """The program's motion that starts with this impact, R = m = 1."""
     hoop = hh.Hoop(
         radius=1.0,
@@ -51,15 +49,9 @@ def check(motion: hh.Trajectory, exact: dict[str, Any], tolerance: float = 1e-14
     for value, true in zip(got, exact["velocity"], strict=True):
         assert abs(value - float(true)) <= tolerance * size
     assert impact.impulse_normal == pytest.approx(float(exact["impulse"]["normal"]), rel=tolerance)
-    assert impact.impulse_tangential == pytest.approx(
-        float(exact["impulse"]["tangential"]), rel=10 * tolerance, abs=tolerance
-    )
-    assert impact.impact_normal == pytest.approx(
-        float(exact["loss_normal"]), rel=10 * tolerance, abs=tolerance
-    )
-    assert impact.impact_tangential == pytest.approx(
-        float(exact["loss_tangential"]), rel=10 * tolerance, abs=tolerance
-    )
+    assert impact.impulse_tangential == pytest.approx(float(exact["impulse"]["tangential"]), rel=10 * tolerance, abs=tolerance)
+    assert impact.impact_normal == pytest.approx(float(exact["loss_normal"]), rel=10 * tolerance, abs=tolerance)
+    assert impact.impact_tangential == pytest.approx(float(exact["loss_tangential"]), rel=10 * tolerance, abs=tolerance)
     assert impact.collision is True
 
 
@@ -74,9 +66,7 @@ def check(motion: hh.Trajectory, exact: dict[str, Any], tolerance: float = 1e-14
     ],
 )
 @pytest.mark.parametrize("law", LAWS)
-def test_disk_dropped_with_spin(
-    mu: Q, restitution: Q, after: Any, impulse: Any, losses: Any, law: str
-) -> None:
+def test_disk_dropped_with_spin(mu: Q, restitution: Q, after: Any, impulse: Any, losses: Any, law: str) -> None:
     """Uncoupled normal and tangential motion: numbers by hand, alike under the three laws."""
     contact = rational.Contact(**DISK, mu_static=mu, mu_kinetic=mu)
     motion = impact_at_start(contact, (Q(0), Q(-2), Q(3)), restitution, law)
@@ -134,9 +124,7 @@ def test_slip_that_stops_in_either_phase(law: str, restitution: Q) -> None:
         (Q(-3, 5), Q(-4, 5)),
     ):
         for mu_kinetic, mu_static in ((Q(1, 8), Q(1, 6)), (Q(1, 3), Q(1, 3)), (Q(4, 5), Q(1))):
-            contact = rational.Contact(
-                Q(3, 5), Q(1, 4), sine, cosine, mu_static=mu_static, mu_kinetic=mu_kinetic
-            )
+            contact = rational.Contact(Q(3, 5), Q(1, 4), sine, cosine, mu_static=mu_static, mu_kinetic=mu_kinetic)
             for vx, omega in ((Q(1, 5), Q(0)), (Q(2), Q(1)), (Q(-1), Q(1)), (Q(-6), Q(3)), (Q(1), Q(1))):
                 velocity = (vx, Q(-1), omega)
                 exact = rational.collide(contact, velocity, restitution, law)
@@ -193,9 +181,7 @@ def test_random_impacts_against_integration(law: str) -> None:
         assert impact.omega == pytest.approx(after[5], abs=3e-12 * size / case.radius), case
         impulse = more["impulse"]
         assert impact.impulse_normal == pytest.approx(impulse["normal"], rel=1e-11)
-        assert impact.impulse_tangential == pytest.approx(
-            impulse["tangential"], abs=1e-11 * impulse["normal"] * 3
-        )
+        assert impact.impulse_tangential == pytest.approx(impulse["tangential"], abs=1e-11 * impulse["normal"] * 3)
         energy = mechanics.kinetic_energy(case, case.angle, state[3:6])
         assert impact.impact_normal == pytest.approx(more["loss_normal"], abs=1e-11 * energy)
         assert impact.impact_tangential == pytest.approx(more["loss_tangential"], abs=1e-11 * energy)

@@ -231,9 +231,7 @@ def test_rolling_against_elliptic_time(name: str) -> None:
         t = case.duration * i / 30
         sample = motion.at(t)
         rate = float(elliptic.rolling_rate(case, sample.angle))
-        assert abs(float(elliptic.rolling_time(case, sample.angle)) - t) * rate < 1e-12 * max(
-            1.0, sample.angle
-        )
+        assert abs(float(elliptic.rolling_time(case, sample.angle)) - t) * rate < 1e-12 * max(1.0, sample.angle)
         assert sample.omega == pytest.approx(rate, rel=1e-13)
 
 
@@ -242,16 +240,10 @@ def test_mirrored_reference(name: str) -> None:
     """x, θ and β turned round: the mirrored motion meets the mirrored reference."""
     case, stored = by_name(name), reference(name)
     size = scales(case)
-    mirrored = dataclasses.replace(
-        case, x=-case.x, angle=-case.angle, vx=-case.vx, omega=-case.omega, slope=-case.slope
-    )
+    mirrored = dataclasses.replace(case, x=-case.x, angle=-case.angle, vx=-case.vx, omega=-case.omega, slope=-case.slope)
     motion = simulate(mirrored)
     for true in stored["samples"]:
         sample = motion.at(true["t"])
         assert sample.mode == {"S": "K", "K": "S"}.get(true["mode"], true["mode"])
-        flipped = {
-            key: -true[key] if key in ("x", "angle", "vx", "omega") else true[key]
-            for key in true
-            if key != "mode"
-        }
+        flipped = {key: -true[key] if key in ("x", "angle", "vx", "omega") else true[key] for key in true if key != "mode"}
         compare_states(sample, flipped, size, 1e-11)

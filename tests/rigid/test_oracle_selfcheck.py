@@ -58,9 +58,7 @@ def test_mass_matrix_and_forces_follow_from_the_lagrangian() -> None:
     speeds = {x.diff(t): 0.4, y.diff(t): -0.3, theta.diff(t): omega}
 
     def evaluate(expression: sympy.Expr) -> float:
-        return float(
-            sympy.sympify(expression).subs(speeds).subs({theta: angle, x: 0.0, y: 0.0}).subs(numbers)
-        )
+        return float(sympy.sympify(expression).subs(speeds).subs({theta: angle, x: 0.0, y: 0.0}).subs(numbers))
 
     got = np.array([[evaluate(mass[i, j]) for j in range(3)] for i in range(3)])
     np.testing.assert_allclose(mechanics.mass_matrix(case, angle), got, rtol=1e-14, atol=1e-15)
@@ -89,9 +87,7 @@ def test_reference_against_dop853(case: Case) -> None:
     assert motion.sequence == stored["sequence"]
     assert motion.status == stored["status"]
     theirs, ours = stored["events"], motion.events
-    assert [(e["kind"], e["from"], e["to"]) for e in ours] == [
-        (e["kind"], e["from"], e["to"]) for e in theirs
-    ]
+    assert [(e["kind"], e["from"], e["to"]) for e in ours] == [(e["kind"], e["from"], e["to"]) for e in theirs]
     for mine, true in zip(ours, theirs, strict=True):
         for name in ("t", *STATE):
             assert mine[name] == pytest.approx(true[name], rel=1e-11, abs=3e-11), (
@@ -169,9 +165,7 @@ def test_rational_impacts_are_the_hand_worked_ones() -> None:
     assert stick["velocity"] == (1, 0, 1)
     assert stick["impulse"] == {"normal": 2, "tangential": 1}
     assert (stick["loss_normal"], stick["loss_tangential"]) == (2, Q(3, 2))
-    slip = rational.collide(
-        rational.Contact(**DISK, mu_static=Q(1, 4), mu_kinetic=Q(1, 4)), spin, Q(0), "newton"
-    )
+    slip = rational.collide(rational.Contact(**DISK, mu_static=Q(1, 4), mu_kinetic=Q(1, 4)), spin, Q(0), "newton")
     assert slip["velocity"] == (Q(1, 2), 0, 2)
     assert (slip["loss_normal"], slip["loss_tangential"]) == (2, Q(9, 8))
     down = (Q(-1), Q(-3), Q(0))
@@ -179,9 +173,7 @@ def test_rational_impacts_are_the_hand_worked_ones() -> None:
     held = rational.collide(limit, down, Q(0), "stronge")
     assert held["impulse"] == {"normal": Q(143, 56), "tangential": Q(-101, 224)}
     assert held["velocity"][0] == held["velocity"][2]
-    turned = rational.collide(
-        rational.Contact(**ROD, mu_static=Q(1, 8), mu_kinetic=Q(1, 8)), down, Q(0), "stronge"
-    )
+    turned = rational.collide(rational.Contact(**ROD, mu_static=Q(1, 8), mu_kinetic=Q(1, 8)), down, Q(0), "stronge")
     assert turned["impulse"] == {"normal": Q(221, 97), "tangential": Q(-31, 194)}
     assert turned["velocity"][0] - turned["velocity"][2] == Q(115, 97)
 
@@ -193,9 +185,7 @@ def test_three_impact_oracles_agree(law: str, restitution: Q) -> None:
     angle = -0.9272952180016122  # sin = −4/5, cos = 3/5 to rounding
     for mu in (Q(1, 8), Q(1, 5), Q(1, 2), Q(6, 5)):
         for velocity in ((Q(-1), Q(-3), Q(0)), (Q(2), Q(-1), Q(1)), (Q(1), Q(-1), Q(1))):
-            exact = rational.collide(
-                rational.Contact(**ROD, mu_static=mu, mu_kinetic=mu), velocity, restitution, law
-            )
+            exact = rational.collide(rational.Contact(**ROD, mu_static=mu, mu_kinetic=mu), velocity, restitution, law)
             case = Case(
                 "impact",
                 eccentricity=0.5,
@@ -221,9 +211,7 @@ def test_three_impact_oracles_agree(law: str, restitution: Q) -> None:
                     mpf(0),
                 )
                 fine = precise.impact(parameters, numbers[:6])
-            np.testing.assert_allclose(
-                [float(v) for v in fine["velocity"]], [float(v) for v in exact["velocity"]], atol=1e-13
-            )
+            np.testing.assert_allclose([float(v) for v in fine["velocity"]], [float(v) for v in exact["velocity"]], atol=1e-13)
 
 
 def test_essential_events_leave_out_only_notes() -> None:

@@ -18,9 +18,7 @@ from hophoop.scenario import Scenario
 
 
 def scenario(speed, mu=1.0, gamma=0.75, duration=3.0, **plane):
-    return Scenario(
-        hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, **plane), start=hh.Start.rolling(speed), duration=duration
-    )
+    return Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, **plane), start=hh.Start.rolling(speed), duration=duration)
 
 
 def agree(case):

@@ -62,9 +62,7 @@ def mass_points(part, count=400):
     angles = 2 * np.pi * np.arange(8) / 8
     share = (np.arange(count) + 0.5) / count
     radii = np.sqrt(inner**2 + share * (outer**2 - inner**2))  # equal areas
-    return [
-        (part.mass / (count * 8), part.at + r * math.cos(a), r * math.sin(a)) for r in radii for a in angles
-    ]
+    return [(part.mass / (count * 8), part.at + r * math.cos(a), r * math.sin(a)) for r in radii for a in angles]
 
 
 def test_parts_against_a_sum_over_mass_points():
@@ -122,9 +120,7 @@ def test_rolling_start_has_no_slip_at_all():
 
 def test_numbers_come_out_as_python_floats():
     plane = hh.Plane(gravity=np.float32(1.5), mu=np.float64(0.3), slope=np.array(0.1), restitution=1)
-    assert {type(value) for value in (plane.gravity, plane.mu_static, plane.slope, plane.restitution)} == {
-        float
-    }
+    assert {type(value) for value in (plane.gravity, plane.mu_static, plane.slope, plane.restitution)} == {float}
     assert type(hh.Rigid(max_events=np.int64(5)).max_events) is int
 
 
@@ -228,9 +224,7 @@ def test_every_finding_stays_with_the_error():
 
 
 def test_body_and_unit_of_time():
-    plane = hh.Plane(
-        gravity=1.62, slope=0.3, mu_static=0.7, mu_kinetic=0.6, restitution=0.2, impact_law="poisson"
-    )
+    plane = hh.Plane(gravity=1.62, slope=0.3, mu_static=0.7, mu_kinetic=0.6, restitution=0.2, impact_law="poisson")
     body = to_body(hh.Hoop.ideal(0.5, radius=2.0), plane)
     assert (body.eps, body.kap, body.mu_s, body.mu_k, body.rest) == (0.5, 0.75, 0.7, 0.6, 0.2)
     assert (body.gn, body.gt) == (math.cos(0.3), math.sin(0.3))

@@ -45,9 +45,7 @@ def hops(hoop, plane, speed):
 def test_the_articles_angular_velocity():
     gamma, speed, g = 0.75, 2.0, 9.81
     theta = np.linspace(-10.0, 10.0, 201)
-    expected = np.sqrt(
-        (gamma * g * (1 - np.cos(theta)) + speed**2 * (1 + gamma)) / (1 + gamma * np.cos(theta))
-    )
+    expected = np.sqrt((gamma * g * (1 - np.cos(theta)) + speed**2 * (1 + gamma)) / (1 + gamma * np.cos(theta)))
     np.testing.assert_allclose(theory.rolling_speed(theta, REFERENCE, speed), expected, rtol=1e-14)
     np.testing.assert_allclose(theory.rolling_speed(theta, REFERENCE, -speed), -expected, rtol=1e-14)
     highest = math.sqrt((2 * gamma * g + speed**2 * (1 + gamma)) / (1 - gamma))
@@ -335,9 +333,7 @@ def test_units_scale(radius, mass, gravity):
     plane = hh.Plane(gravity=gravity)
     hoop = hh.Hoop.ideal(0.75, radius=radius, mass=mass)
     speed = math.sqrt(gravity * radius / 9.81)
-    for ours, theirs in zip(
-        theory.critical_speeds(hoop, plane), theory.critical_speeds(REFERENCE), strict=True
-    ):
+    for ours, theirs in zip(theory.critical_speeds(hoop, plane), theory.critical_speeds(REFERENCE), strict=True):
         assert ours == pytest.approx(theirs * speed, rel=1e-14)
     assert theory.rolling_period(hoop, 2.0 * speed, plane) == pytest.approx(
         theory.rolling_period(REFERENCE, 2.0) * radius / speed, rel=1e-13

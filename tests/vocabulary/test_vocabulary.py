@@ -81,9 +81,7 @@ def test_a_slip_in_which_the_hoop_turns_back_changes_its_word():
         assert before.mode == after.mode
         assert {before.word, after.word} == {"spin", "skid"}
         number = motion.events.index(turn)
-        assert f"and {words.VERBS[after.word]} now" in next(
-            one["text"] for one in told.story(motion) if one["event"] == number
-        )
+        assert f"and {words.VERBS[after.word]} now" in next(one["text"] for one in told.story(motion) if one["event"] == number)
 
 
 def test_a_direction_is_that_of_the_coming_rotation():
@@ -131,9 +129,7 @@ def test_a_class_has_one_colour_in_figures_and_in_the_lab():
 
 
 def test_one_utilization_everywhere(hop):
-    slippery = hh.simulate(
-        hh.Hoop.ideal(0.75), hh.Plane(mu_static=1.0, mu_kinetic=0.6), hh.Start.rolling(3.1), duration=2.0
-    )
+    slippery = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu_static=1.0, mu_kinetic=0.6), hh.Start.rolling(3.1), duration=2.0)
     for motion in (hop, slippery):
         plane = motion.scenario.plane
         sample = curve(motion)

@@ -60,9 +60,7 @@ class Canvas:
     def render(self) -> None:
         """Draw the Matplotlib figure, for a background."""
         # rounding of the figure's inches must not lose a pixel
-        self.figure.set_size_inches(
-            (self.size[0] + 1e-3) / self.figure.dpi, (self.size[1] + 1e-3) / self.figure.dpi
-        )
+        self.figure.set_size_inches((self.size[0] + 1e-3) / self.figure.dpi, (self.size[1] + 1e-3) / self.figure.dpi)
         self._agg.draw()
         self._renderer = self._agg.get_renderer()
         self._pixels = np.asarray(self._renderer.buffer_rgba())
@@ -160,9 +158,7 @@ class Canvas:
         """A circle; its radius is in pixels."""
         transform = self._affine().scale(radius).translate(float(center[0]), float(center[1]))
         context = self._context(rgba(edge, alpha) if edge else (0.0, 0.0, 0.0, 0.0), width if edge else 0.0)
-        self._renderer.draw_path(
-            context, self._path.unit_circle(), transform, rgba(fill, alpha) if fill else None
-        )
+        self._renderer.draw_path(context, self._path.unit_circle(), transform, rgba(fill, alpha) if fill else None)
         context.restore()
 
     def arrow(self, tail: Points, head: Points, color: str, halo: str, width: float) -> None:

@@ -69,9 +69,7 @@ def format_of(path: str | Path) -> str:
     if suffix == "" or str(path).endswith(("/", os.sep)):
         return "png"
     if suffix not in FORMATS:
-        raise ValueError(
-            f"out = {str(path)!r} must end in {', '.join(FORMATS)}, or be a folder for pictures."
-        )
+        raise ValueError(f"out = {str(path)!r} must end in {', '.join(FORMATS)}, or be a folder for pictures.")
     return suffix[1:]
 
 
@@ -141,9 +139,7 @@ def check_film(kind: str, size: tuple[int, int], fps: float) -> None:
     if kind in ("mp4", "webm") and (size[0] % 2 or size[1] % 2):
         raise ValueError(f"size = {size!r} must be even numbers in a film of kind {kind}.")
     if kind == "gif" and fps > MAX_GIF_FPS:
-        raise ValueError(
-            f"fps = {fps!r} must be at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones."
-        )
+        raise ValueError(f"fps = {fps!r} must be at most {MAX_GIF_FPS:g} in a gif: browsers slow down faster ones.")
 
 
 _PALETTE = ["-vf", "palettegen=max_colors=255:reserve_transparent=0:stats_mode=full", "-frames:v", "1"]

@@ -69,7 +69,6 @@ class Timing:
             if isinstance(mark, str) and mark not in EVENT_NAMES:
                 raise ValueError(f"slow_at = {mark!r} is not a time or one of {', '.join(EVENT_NAMES)}.")
 
-
     @property
     def marks(self) -> tuple[str | float, ...]:
         """Where the film is slow, as a tuple: kinds of events, or times [s]."""
@@ -131,9 +130,7 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
     if not 0.0 <= timing.start <= longest:
         raise ValueError(f"start = {timing.start!r} must be from 0 to the motion's end at {longest!r} s.")
     if not timing.start <= end <= longest * (1 + 1e-12):
-        raise ValueError(
-            f"end = {end!r} must be from start = {timing.start!r} to the motion's end at {longest!r} s."
-        )
+        raise ValueError(f"end = {end!r} must be from start = {timing.start!r} to the motion's end at {longest!r} s.")
     times, rate = _film_times(leaders, timing, min(end, longest))
     if timing.step == "time":
         return Clock(tuple(np.minimum(times, motion.duration) for motion in motions), rate)
@@ -273,9 +270,7 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
     weight = motion.scenario.hoop.mass * motion.scenario.plane.gravity
     forces = np.hypot(*np.moveaxis(poses.normal_force, -1, 0))
     # A compliant contact answers an impact with a peak of a few samples: it is not what the scale is for.
-    usual = (
-        float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
-    )
+    usual = float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
     return Extent(
         along=(float(np.min(poses.sample.x)), float(np.max(poses.sample.x))),
         height=float(np.max(poses.sample.height)),

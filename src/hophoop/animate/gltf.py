@@ -74,9 +74,7 @@ class _Writer:
         )
         return len(self.materials) - 1
 
-    def mesh(
-        self, points: Floats, normals: Floats | None, faces: Any, color: str, mode: int = TRIANGLES
-    ) -> int:
+    def mesh(self, points: Floats, normals: Floats | None, faces: Any, color: str, mode: int = TRIANGLES) -> int:
         attributes = {"POSITION": self.array(points, ARRAY)}
         if normals is not None:
             attributes["NORMAL"] = self.array(normals, ARRAY)
@@ -159,18 +157,14 @@ def glb(data: dict[str, Any]) -> bytes:
         writer.animate(node, "translation", moments, _lifted(hoop["center"], lane))
         half = -0.5 * (hoop["angle"] + slope)  # clockwise
         nothing = np.zeros_like(half)
-        writer.animate(
-            node, "rotation", moments, np.stack([nothing, nothing, np.sin(half), np.cos(half)], axis=-1)
-        )
+        writer.animate(node, "rotation", moments, np.stack([nothing, nothing, np.sin(half), np.cos(half)], axis=-1))
         if data["newton"] > 0.0:
             tilt = [0.0, 0.0, float(np.sin(-0.5 * slope)), float(np.cos(-0.5 * slope))]
             for name, axis in (("normal", 1), ("friction", 0)):
                 arrow = writer.mesh(*_arrow(0.03 * size, axis), data["colors"][name])
                 pointer = writer.node(f"{name} force {i + 1}", mesh=arrow, rotation=tilt)
                 roots.append(pointer)
-                writer.animate(
-                    pointer, "translation", moments, _lifted(hoop["contact"], lane - (TUBE + 0.04) * radius)
-                )
+                writer.animate(pointer, "translation", moments, _lifted(hoop["contact"], lane - (TUBE + 0.04) * radius))
                 scale = np.ones((data["count"], 3))
                 length = data["newton"] * hoop[f"{name}Force"]
                 # a scale of zero has no inverse, which viewers want for the normals
@@ -238,9 +232,7 @@ def _arrow(thick: float, axis: int) -> tuple[Floats, Floats, np.ndarray]:
         start = sum(len(part) for part in points)
         for radius, level in (a, b):
             points.append(np.stack([radius * np.cos(u), np.full_like(u, level), radius * np.sin(u)], axis=-1))
-            normals.append(
-                np.stack([slant[0] * np.cos(u), np.full_like(u, slant[1]), slant[0] * np.sin(u)], axis=-1)
-            )
+            normals.append(np.stack([slant[0] * np.cos(u), np.full_like(u, slant[1]), slant[0] * np.sin(u)], axis=-1))
         i = np.arange(around) + start
         j = i + around + 1
         faces += [np.stack([i, j, j + 1], axis=-1), np.stack([i, j + 1, i + 1], axis=-1)]

@@ -69,10 +69,7 @@ class Film2D:
         self.theme: Theme = theme_of(look.theme)
         self.canvas = Canvas(look.size, self.theme.background)
         labels = labels_of(motions, look.labels)
-        ends = [
-            min(float(times[-1]), motion.duration)
-            for times, motion in zip(self.clock.times, motions, strict=True)
-        ]
+        ends = [min(float(times[-1]), motion.duration) for times, motion in zip(self.clock.times, motions, strict=True)]
         extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
         self.top_speed = max((size.speed for size in extents), default=0.0) or 1.0
         self._force = max(size.force for size in extents) or 1.0
@@ -92,12 +89,9 @@ class Film2D:
             for i, motion in enumerate(motions)
         ]
         self._force_scale = (
-            min(FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors)
-            / self._force
+            min(FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors) / self._force
         )  # pixels a newton
-        self.panels = Panels(
-            self.canvas, self._panel_area, self.theme, motions, look.panels, timing.start, max(ends)
-        )
+        self.panels = Panels(self.canvas, self._panel_area, self.theme, motions, look.panels, timing.start, max(ends))
         self._draw_heading()
         self._background: Bytes = self.canvas.pixels.copy()
 
@@ -155,9 +149,7 @@ class Film2D:
         width, height = self.look.size
         u = self.canvas.unit
         head = (84.0 if wide(self.canvas) else 140.0) * u
-        self._view_head = (
-            0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 26.0 * (motions - 2)) * u
-        )
+        self._view_head = 0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 26.0 * (motions - 2)) * u
         foot = 30.0 * u
         body = height - head - foot
         if not self.look.panels:
@@ -171,9 +163,7 @@ class Film2D:
         self._panel_area = (0.0, foot, width, share)
         return 0.0, foot + share, width, body - share
 
-    def _views(
-        self, stage: Rectangle, motions: Sequence[Trajectory], extents: Sequence[Extent]
-    ) -> list[View]:
+    def _views(self, stage: Rectangle, motions: Sequence[Trajectory], extents: Sequence[Extent]) -> list[View]:
         look, gap = self.look, 10.0 * self.canvas.unit
         if look.layout == "overlay":
             radius = max(motion.scenario.hoop.radius for motion in motions)
@@ -190,8 +180,7 @@ class Film2D:
             return [self._view(inner, whole, radius, motions[0], scale, places)] * len(motions)
         if look.camera == "hold":
             wanted = max(
-                (size.along[1] - size.along[0] + 2.7 * m.scenario.hoop.radius)
-                / (size.height + 3.0 * m.scenario.hoop.radius)
+                (size.along[1] - size.along[0] + 2.7 * m.scenario.hoop.radius) / (size.height + 3.0 * m.scenario.hoop.radius)
                 for size, m in zip(extents, motions, strict=True)
             )
         else:
@@ -273,9 +262,7 @@ class Film2D:
         width = RING * size / canvas.unit
         alpha = actor.alpha
         center = project(matrix, poses.center[i])
-        load, heavy, contact = (
-            project(matrix, points[i]) for points in (poses.load, poses.gravity_center, poses.contact)
-        )
+        load, heavy, contact = (project(matrix, points[i]) for points in (poses.load, poses.gravity_center, poses.contact))
         if self.look.traces:
             self._draw_traces(actor, poses, i, matrix)
         airborne = poses.mode[i] == "H"
@@ -348,9 +335,7 @@ class Film2D:
             elif isinstance(part, Disk):
                 canvas.disc(middle, part.radius * scale, theme.load, theme.background, 1.2, 0.8 * actor.alpha)
             elif isinstance(part, PointMass):
-                canvas.disc(
-                    middle, LOAD * hoop.radius * scale, theme.load, theme.background, 1.5, actor.alpha
-                )
+                canvas.disc(middle, LOAD * hoop.radius * scale, theme.load, theme.background, 1.5, actor.alpha)
             elif isinstance(part, Rod):
                 half = 0.5 * part.length * scale * (along if part.direction == "radial" else across)
                 canvas.line(np.array([middle - half, middle + half]), theme.load, 4.0, 0.8 * actor.alpha)

@@ -153,9 +153,7 @@ class Panels:
         way = np.vstack([np.column_stack(line.get_data())[:past], here])
         canvas.clip((box.x0, box.y0, box.width, box.height))
         canvas.line(axes.transData.transform(way), self._theme.ink, 1.6)
-        canvas.disc(
-            axes.transData.transform(here), 5.5 * canvas.unit, colors.VERMILION, self._theme.background, 1.2
-        )
+        canvas.disc(axes.transData.transform(here), 5.5 * canvas.unit, colors.VERMILION, self._theme.background, 1.2)
         canvas.clip(None)
 
 

@@ -80,16 +80,12 @@ class Film3D:
         self.theme: Theme = theme_of(look.theme)
         slopes = {motion.scenario.plane.slope for motion in motions}
         if len(slopes) > 1:
-            raise ValueError(
-                f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene."
-            )
+            raise ValueError(f"plane.slope = {sorted(slopes)!r} must be the same in all motions of one scene.")
         self._slope = slopes.pop()
         self._pyvista = need("pyvista", "films")
         self.canvas = Canvas(look.size, self.theme.background)
         labels = labels_of(motions, look.labels)
-        ends = [
-            min(float(t[-1]), motion.duration) for t, motion in zip(self.clock.times, motions, strict=True)
-        ]
+        ends = [min(float(t[-1]), motion.duration) for t, motion in zip(self.clock.times, motions, strict=True)]
         extents = [extent(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
         self._radius = max(motion.scenario.hoop.radius for motion in motions)
         self.extent = Extent(
@@ -178,9 +174,7 @@ class Film3D:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, value: BaseException | None, where: TracebackType | None
-    ) -> None:
+    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, where: TracebackType | None) -> None:
         self.close()
 
     # --- the scene -----------------------------------------------------------------------------
@@ -193,18 +187,14 @@ class Film3D:
         # Without a display VTK says so, and then renders in software as it should.
         logger.SetStderrVerbosity(logger.VERBOSITY_ERROR)
         try:
-            self._plotter = self._pyvista.Plotter(
-                off_screen=True, window_size=list(self.look.size), lighting="none"
-            )
+            self._plotter = self._pyvista.Plotter(off_screen=True, window_size=list(self.look.size), lighting="none")
             self._window = self._plotter.render_window
             self._window.SetMultiSamples(SMOOTH)
             self._window.Render()
         finally:
             logger.SetStderrVerbosity(before)
         if not self._window.SupportsOpenGL():
-            raise OSError(
-                "VTK finds no OpenGL, not even in software; on Debian, libegl1 or libosmesa6 has it."
-            )
+            raise OSError("VTK finds no OpenGL, not even in software; on Debian, libegl1 or libosmesa6 has it.")
         self._buffer = array()
         self._buffer.SetNumberOfComponents(3)
         self._buffer.SetNumberOfTuples(self.look.size[0] * self.look.size[1])
@@ -256,9 +246,7 @@ class Film3D:
         marks = np.arange(first, min(last, first + 2000) + 1) * step
         feet = place_3d(to_world(marks, np.full(len(marks), -0.005 * radius), tilt), -half)
         ends = feet + np.array([0.0, 2.0 * half, 0.0])
-        cells = np.column_stack(
-            [np.full(len(marks), 2), np.arange(len(marks)), np.arange(len(marks)) + len(marks)]
-        )
+        cells = np.column_stack([np.full(len(marks), 2), np.arange(len(marks)), np.arange(len(marks)) + len(marks)])
         lines = pyvista.PolyData(np.vstack([feet, ends]), lines=cells.ravel())
         self._add(lines, mix(ground, theme.ink, 0.25), lit=False, line_width=1.3)
         for mark in marks[np.abs(np.round(marks / step)) % 2 == 0][:400]:
@@ -315,9 +303,7 @@ class Film3D:
         if self.look.forces:
             for name, color in (("normal", colors.NORMAL_FORCE), ("friction", colors.FRICTION_FORCE)):
                 shaft = pyvista.Cylinder(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0)
-                head = pyvista.Cone(
-                    center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0, resolution=32
-                )
+                head = pyvista.Cone(center=(0.5, 0, 0), direction=(1, 0, 0), radius=1.0, height=1.0, resolution=32)
                 for part, mesh in ((f"{name} shaft", shaft), (f"{name} head", head)):
                     actors[part] = self._add(mesh, theme.shown(color), ambient=0.35)
         if self.look.traces:
@@ -347,13 +333,10 @@ class Film3D:
     def _move(self, actor: _Actor, k: int) -> None:
         poses, meshes, actors = actor.poses, actor.meshes, actor.actors
         center, load, heavy, contact = (
-            place_3d(points[k], actor.lane)
-            for points in (poses.center, poses.load, poses.gravity_center, poses.contact)
+            place_3d(points[k], actor.lane) for points in (poses.center, poses.load, poses.gravity_center, poses.contact)
         )
         shades = shades_of(actor.speeds[k], self.extent.speed)[:, :3]
-        meshes["ring"].point_data["shade"] = np.repeat(
-            np.rint(255.0 * shades).astype(np.uint8), SECTIONS, axis=0
-        )
+        meshes["ring"].point_data["shade"] = np.repeat(np.rint(255.0 * shades).astype(np.uint8), SECTIONS, axis=0)
         for name, spot in (("ring", center), ("load", load), ("heavy", heavy)):
             matrix = shift(spot)
             actors[name].user_matrix = matrix
@@ -426,9 +409,7 @@ class Film3D:
         target = place_3d(to_world(along, np.full_like(along, 0.95 * radius), tilt), 0.0)
         reach = away * math.sqrt(1.0 - rise**2)
         # kept above a plane that rises behind
-        offset = np.stack(
-            [reach * np.sin(turn), -reach * np.cos(turn), np.full_like(turn, rise * away)], axis=-1
-        )
+        offset = np.stack([reach * np.sin(turn), -reach * np.cos(turn), np.full_like(turn, rise * away)], axis=-1)
         offset[:, 2] += np.maximum(0.0, -offset[:, 0] * math.tan(tilt))
         return target + offset, target
 
@@ -446,6 +427,4 @@ class Film3D:
             place = 22.0 * u, height - ((40.0 if several else 64.0) + 26.0 * row) * u
             draw_state(canvas, theme, place, actor.poses, k, ended, extra)
         draw_pace(canvas, theme, 22.0 * u, float(self.clock.rate[k]))
-        draw_keys(
-            canvas, theme, self.extent.speed, None, self.extent.force, self.look.traces, self.look.forces
-        )
+        draw_keys(canvas, theme, self.extent.speed, None, self.extent.force, self.look.traces, self.look.forces)

@@ -68,9 +68,7 @@ def held(rectangle: Rectangle, extent: Extent, radius: float, slope: float, scal
     middle = 0.5 * (least + most)
     # room to spare is more of use above than under the plane
     spare = height - scale * (most[1] - least[1])
-    return View(
-        rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height - 0.2 * spare)
-    )
+    return View(rectangle, scale, slope, middle[None, :], (left + 0.5 * width, bottom + 0.5 * height - 0.2 * spare))
 
 
 def _corners(extent: Extent, radius: float, slope: float) -> tuple[Floats, Floats]:
@@ -102,9 +100,7 @@ def followed(
         along = np.clip(along, places - room, places + room)
     used = scale * (extent.height + (2.0 + BELOW + ABOVE) * radius)
     floor = bottom + 0.3 * (height - used) + BELOW * radius * scale
-    return View(
-        rectangle, scale, slope, to_world(along, np.zeros_like(along), slope), (left + 0.5 * width, floor)
-    )
+    return View(rectangle, scale, slope, to_world(along, np.zeros_like(along), slope), (left + 0.5 * width, floor))
 
 
 def grid(area: Rectangle, count: int, ratio: float, gap: float) -> list[Rectangle]:

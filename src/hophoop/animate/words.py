@@ -30,9 +30,7 @@ def shades_of(speeds: Floats, top: float) -> Floats:
     shades : ndarray, one axis more than speeds
         Red, green, blue and opacity, from 0 to 1 [1].
     """
-    shades: Floats = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP](
-        np.clip(speeds / top, 0.0, 1.0)
-    )
+    shades: Floats = need("matplotlib", "plots").colormaps[colors.RING_SPEED_MAP](np.clip(speeds / top, 0.0, 1.0))
     return shades
 
 
@@ -113,9 +111,7 @@ def wide(canvas: Canvas) -> bool:
     return bool(canvas.size[0] / canvas.unit >= 1050.0)
 
 
-def _draw_color_bar(
-    canvas: Canvas, theme: Theme, top_speed: float, place: tuple[float, float, float, float]
-) -> None:
+def _draw_color_bar(canvas: Canvas, theme: Theme, top_speed: float, place: tuple[float, float, float, float]) -> None:
     u = canvas.unit
     x, y, width, height = place
     columns = round(width)
@@ -131,9 +127,7 @@ def _draw_color_bar(
         canvas.text(spot, y - 8.0 * u, f"{value:g}", theme.ink, 12.0, "center", vertical="top")
 
 
-def _draw_force_key(
-    canvas: Canvas, theme: Theme, place: tuple[float, float], newton: float, force: float
-) -> None:
+def _draw_force_key(canvas: Canvas, theme: Theme, place: tuple[float, float], newton: float, force: float) -> None:
     u = canvas.unit
     x, y = place
     amount = nice(min(120.0 * u / newton, force))

@@ -123,6 +123,7 @@ PART1, PART2, PART3, PART4 = (
     "Revisiting Low Friction",
 )
 
+
 def _both_models(runs: Runs, ax: Axes) -> None:
     sheet = ax.figure
     ax.remove()

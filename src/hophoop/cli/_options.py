@@ -25,9 +25,7 @@ class ScenarioOption(NamedTuple):
 HOOP, PLANE, START = "Hoop", "Plane", "Start and duration"
 
 OPTIONS = (
-    ScenarioOption(
-        "--gamma", "hoop.load_fraction", "Share of the mass in the load of an ideal hoop, γ.", HOOP
-    ),
+    ScenarioOption("--gamma", "hoop.load_fraction", "Share of the mass in the load of an ideal hoop, γ.", HOOP),
     ScenarioOption("--inertia-ratio", "hoop.inertia_ratio", "Moment of inertia about G over m R², κ.", HOOP),
     ScenarioOption("--eccentricity", "hoop.eccentricity", "Distance of G from the centre over R, ε.", HOOP),
     ScenarioOption("--radius", "hoop.radius", "Rim radius, m.", HOOP),

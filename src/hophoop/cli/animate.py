@@ -29,12 +29,8 @@ def animate(
             show_default=False,
         ),
     ],
-    three_d: Annotated[
-        bool, typer.Option("--3d", help="In three dimensions.", rich_help_panel=PICTURE)
-    ] = False,
-    size: Annotated[
-        str, typer.Option(metavar="WxH", help="Width and height in pixels.", rich_help_panel=PICTURE)
-    ] = "1280x720",
+    three_d: Annotated[bool, typer.Option("--3d", help="In three dimensions.", rich_help_panel=PICTURE)] = False,
+    size: Annotated[str, typer.Option(metavar="WxH", help="Width and height in pixels.", rich_help_panel=PICTURE)] = "1280x720",
     theme: Annotated[str, typer.Option(help="light, dark or print.", rich_help_panel=PICTURE)] = "light",
     camera: Annotated[
         str | None,
@@ -47,8 +43,7 @@ def animate(
     panel: Annotated[
         list[str] | None,
         typer.Option(
-            help="A plot that runs along, not with --3d: velocity, energy, forces, utilization or phase; "
-            "may be repeated.",
+            help="A plot that runs along, not with --3d: velocity, energy, forces, utilization or phase; may be repeated.",
             rich_help_panel=PICTURE,
             show_default=False,
         ),
@@ -58,13 +53,9 @@ def animate(
     shadows: Annotated[bool, typer.Option(help="Cast shadows, with --3d.", rich_help_panel=PICTURE)] = True,
     fps: Annotated[
         float | None,
-        typer.Option(
-            help="Pictures a second; 60, with --3d 30, in a gif 25.", rich_help_panel=PACE, show_default=False
-        ),
+        typer.Option(help="Pictures a second; 60, with --3d 30, in a gif 25.", rich_help_panel=PACE, show_default=False),
     ] = None,
-    speed: Annotated[
-        float, typer.Option(help="Seconds of motion a second of film.", rich_help_panel=PACE)
-    ] = 1.0,
+    speed: Annotated[float, typer.Option(help="Seconds of motion a second of film.", rich_help_panel=PACE)] = 1.0,
     slow_at: Annotated[
         list[str] | None,
         typer.Option(
@@ -83,9 +74,7 @@ def animate(
             show_default=False,
         ),
     ] = None,
-    begin: Annotated[
-        float, typer.Option("--from", help="First time to show, s.", rich_help_panel=PACE)
-    ] = 0.0,
+    begin: Annotated[float, typer.Option("--from", help="First time to show, s.", rich_help_panel=PACE)] = 0.0,
     end: Annotated[
         float | None,
         typer.Option("--to", help="Last time to show, s.", rich_help_panel=PACE, show_default=False),
@@ -109,17 +98,11 @@ def animate(
             show_default=False,
         ),
     ] = None,
-    overlay: Annotated[
-        bool, typer.Option("--overlay", help="All in one view.", rich_help_panel=COMPARE)
-    ] = False,
-    step: Annotated[
-        str, typer.Option(help="What they have in common: time or angle.", rich_help_panel=COMPARE)
-    ] = "time",
+    overlay: Annotated[bool, typer.Option("--overlay", help="All in one view.", rich_help_panel=COMPARE)] = False,
+    step: Annotated[str, typer.Option(help="What they have in common: time or angle.", rich_help_panel=COMPARE)] = "time",
     label: Annotated[
         list[str] | None,
-        typer.Option(
-            help="A line for each motion, in their order.", rich_help_panel=COMPARE, show_default=False
-        ),
+        typer.Option(help="A line for each motion, in their order.", rich_help_panel=COMPARE, show_default=False),
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:

@@ -8,17 +8,11 @@ import typer
 
 
 def lab(
-    file: Annotated[
-        str | None, typer.Argument(metavar="[FILE]", help="Scenario to open with; '-' is standard input.")
-    ] = None,
-    host: Annotated[
-        str, typer.Option(help="Address to listen on; 0.0.0.0 answers other machines as well.")
-    ] = "127.0.0.1",
+    file: Annotated[str | None, typer.Argument(metavar="[FILE]", help="Scenario to open with; '-' is standard input.")] = None,
+    host: Annotated[str, typer.Option(help="Address to listen on; 0.0.0.0 answers other machines as well.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port to listen on; 0 takes a free one.")] = 8765,
     workers: Annotated[int, typer.Option(help="Processes that answer, for many users.")] = 1,
-    browser: Annotated[
-        bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")
-    ] = True,
+    browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
 ) -> None:
     """Play with the hoop in a browser."""
     from hophoop.lab.app import serve

@@ -40,9 +40,7 @@ COMMAND_CLASS = MapCommand
 
 
 def map(
-    file: Annotated[
-        str | None, typer.Argument(metavar="[FILE]", help="Scenario to vary; '-' is standard input.")
-    ] = None,
+    file: Annotated[str | None, typer.Argument(metavar="[FILE]", help="Scenario to vary; '-' is standard input.")] = None,
     axis: Annotated[
         list[str] | None,
         typer.Option(help="path=first:last:count, path=first:last:count:log or path=a,b,c; twice or more."),
@@ -58,17 +56,11 @@ def map(
         str,
         typer.Option(help="first_revolution, takeoff, reversal, duration or revolutions:N."),
     ] = "first_revolution",
-    out: Annotated[
-        Path | None, typer.Option(help="Where the map goes: a name ending in .zarr or .nc.")
-    ] = None,
+    out: Annotated[Path | None, typer.Option(help="Where the map goes: a name ending in .zarr or .nc.")] = None,
     resume: Annotated[bool, typer.Option("--resume", help="Take up a map that was stopped.")] = False,
-    plot: Annotated[
-        Path | None, typer.Option(help="Draw the map's first quantity: .png, .svg, .pdf or .jpg.")
-    ] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the map's first quantity: .png, .svg, .pdf or .jpg.")] = None,
     threads: Annotated[int | None, typer.Option(help="How many cores; all by default.")] = None,
-    workers: Annotated[
-        int | None, typer.Option(help="Start a Dask cluster of so many processes here.")
-    ] = None,
+    workers: Annotated[int | None, typer.Option(help="Start a Dask cluster of so many processes here.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a running Dask scheduler.")] = None,
     gpu: Annotated[bool, typer.Option("--gpu", help="Compute on a CUDA GPU (extra 'gpu').")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,

@@ -33,12 +33,7 @@ class RunCommand(TyperCommand):
         return super().parse_args(ctx, _spelt_out(list(args), self._valued()))
 
     def _valued(self) -> set[str]:
-        return {
-            name
-            for parameter in self.params
-            if not getattr(parameter, "is_flag", False)
-            for name in parameter.opts
-        }
+        return {name for parameter in self.params if not getattr(parameter, "is_flag", False) for name in parameter.opts}
 
 
 def _spelt_out(args: list[str], valued: set[str]) -> list[str]:
@@ -135,9 +130,7 @@ def run(
             show_default=False,
         ),
     ] = None,
-    samples: Annotated[
-        int, typer.Option("--samples", help="Number of lines in --csv.", rich_help_panel=OUTPUT)
-    ] = 1001,
+    samples: Annotated[int, typer.Option("--samples", help="Number of lines in --csv.", rich_help_panel=OUTPUT)] = 1001,
     everything: Annotated[
         bool,
         typer.Option(
@@ -282,11 +275,7 @@ def _events(events: Sequence[EventRecord], left_out: int) -> Table:
         if event is None:
             table.add_row(*["…"] * len(table.columns))
             continue
-        change = (
-            event.to_mode
-            if event.from_mode in (None, event.to_mode)
-            else f"{event.from_mode} → {event.to_mode}"
-        )
+        change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
         numbers = (math.degrees(event.angle), event.x, event.height, event.vx, event.omega, event.slip)
         table.add_row(
             f"{event.t:.6f}",

@@ -58,8 +58,7 @@ from hophoop.scenario import Scenario
 # As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
 ROLL, SPIN, SKID, FLIGHT = (np.int64(mode) for mode in (Mode.ROLL, Mode.SPIN, Mode.SKID, Mode.FLIGHT))
 START, SLIP_START, STICK, TAKEOFF, IMPACT, TURN, APEX, REST, END = (
-    np.int64(Event[name])
-    for name in ("START", "SLIP_START", "STICK", "TAKEOFF", "IMPACT", "TURN", "APEX", "REST", "END")
+    np.int64(Event[name]) for name in ("START", "SLIP_START", "STICK", "TAKEOFF", "IMPACT", "TURN", "APEX", "REST", "END")
 )
 NO_MODE, AHEAD = np.int64(-1), np.int64(1)
 COMPLETED, AT_REST, UNDETERMINED, EVENT_LIMIT = (

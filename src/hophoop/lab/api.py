@@ -61,9 +61,7 @@ class Gate:
             async with asyncio.timeout(self.patience):
                 return await to_thread.run_sync(compute, limiter=self._limiter, abandon_on_cancel=True)
         except TimeoutError:
-            raise TooMuch(
-                f"This takes longer than {self.patience:g} s; ask for a shorter motion or fewer cells."
-            ) from None
+            raise TooMuch(f"This takes longer than {self.patience:g} s; ask for a shorter motion or fewer cells.") from None
         finally:
             self.inside -= 1
 

@@ -149,9 +149,7 @@ def _simulate(request: Request, limits: Limits) -> Reply:
     header = {**motion.to_dict(), "scenario": request.scenario.to_dict()}
     if request.body.samples:
         sample = motion.at(motion.times(request.body.samples))
-        header["samples"] = {
-            field.name: getattr(sample, field.name).tolist() for field in dataclasses.fields(sample)
-        }
+        header["samples"] = {field.name: getattr(sample, field.name).tolist() for field in dataclasses.fields(sample)}
     return Reply(header)
 
 

@@ -64,9 +64,7 @@ class Axis(Frozen):
         return self.model_dump(by_alias=True)
 
 
-def motion_map(
-    scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits
-) -> tuple[dict[str, Any], np.ndarray]:
+def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) -> tuple[dict[str, Any], np.ndarray]:
     """A map over two parameters; each value is that of a cell's middle.
 
     Raises
@@ -104,9 +102,6 @@ def motion_map(
     numbers = array.values.astype(float)
     if quantity.is_code:
         names = maps.words_of(array)
-        header["classes"] = [
-            {"name": name, "text": class_text(name, what), "color": class_color(name, what)}
-            for name in names
-        ]
+        header["classes"] = [{"name": name, "text": class_text(name, what), "color": class_color(name, what)} for name in names]
         numbers[numbers < 0] = math.nan
     return header, numbers

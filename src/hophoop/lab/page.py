@@ -50,10 +50,7 @@ def _assets() -> dict[str, tuple[bytes, str, str]]:
         "lab.css": (style(), "text/css; charset=utf-8"),
         "icon.svg": (static_text("icon.svg"), "image/svg+xml"),
     }
-    return {
-        name: (text.encode(), kind, hashlib.sha256(text.encode()).hexdigest()[:16])
-        for name, (text, kind) in texts.items()
-    }
+    return {name: (text.encode(), kind, hashlib.sha256(text.encode()).hexdigest()[:16]) for name, (text, kind) in texts.items()}
 
 
 def html() -> str:
@@ -79,9 +76,7 @@ def mount(app: FastAPI) -> None:
         if found is None:
             return Response("There is no such file.", 404, media_type="text/plain")
         content, kind, _ = found
-        return Response(
-            content, media_type=kind, headers={"Cache-Control": "public, max-age=31536000, immutable"}
-        )
+        return Response(content, media_type=kind, headers={"Cache-Control": "public, max-age=31536000, immutable"})
 
     @app.get("/favicon.ico", include_in_schema=False)
     async def icon() -> Response:

@@ -19,9 +19,7 @@ def python_code(scenario: Scenario) -> str:
     code : str
         Its variable `motion` is the Trajectory.
     """
-    contact = (
-        "" if scenario.contact == type(scenario)().contact else f"    contact={_call(scenario.contact)},\n"
-    )
+    contact = "" if scenario.contact == type(scenario)().contact else f"    contact={_call(scenario.contact)},\n"
     return (
         "import hophoop as hh\n\n"
         "motion = hh.simulate(\n"

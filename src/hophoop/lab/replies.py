@@ -152,7 +152,5 @@ def responses(*codes: int) -> dict[int | str, dict[str, Any]]:
     responses : dict
     """
     tagged = {"ETag": {"schema": {"type": "string"}, "description": "Equal for equal requests"}}
-    found: dict[int | str, dict[str, Any]] = {
-        code: {"model": Error, "description": _MEANINGS[code]} for code in codes
-    }
+    found: dict[int | str, dict[str, Any]] = {code: {"model": Error, "description": _MEANINGS[code]} for code in codes}
     return {200: {"headers": tagged}, 304: {"description": "Not modified: the ETag is known"}, **found}

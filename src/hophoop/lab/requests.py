@@ -48,9 +48,7 @@ def _pair(change: Any) -> Any:
 def _rising(window: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
     left, right, bottom, top = window
     if not (left < right and bottom < top and max(map(abs, window)) < 1e300):
-        raise PydanticCustomError(
-            "value", "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising"
-        )
+        raise PydanticCustomError("value", "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising")
     return window
 
 
@@ -136,9 +134,7 @@ class SimulateRequest(ScenarioRequest):
 class RegionsRequest(ScenarioRequest):
     """Asks for the regions of the (θ, θ̇) plane."""
 
-    window: Window = Field(
-        (0.0, 2.0 * math.pi, -12.0, 12.0), description="θ from and to [rad], θ̇ from and to [rad/s]"
-    )
+    window: Window = Field((0.0, 2.0 * math.pi, -12.0, 12.0), description="θ from and to [rad], θ̇ from and to [rad/s]")
 
 
 class MapRequest(ScenarioRequest):

@@ -12,6 +12,7 @@ from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, SKIM, SPIN, STATUSES
 
 UNTOLD = ("turn", "apex", "end")  # events that a summary leaves out
 
+
 def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
     """The motion as a list of sentences.
 
@@ -140,11 +141,7 @@ def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
     if kind == "takeoff":
         landing = next((later for later in motion.events[number + 1 :] if later.kind == "impact"), None)
         top = max((e.height for e in motion.events[number:] if landing and e.t <= landing.t), default=0.0)
-        how = (
-            f" It rises {_length(top)} and stays up for {_number(landing.t - event.t)} s."
-            if landing and top
-            else ""
-        )
+        how = f" It rises {_length(top)} and stays up for {_number(landing.t - event.t)} s." if landing and top else ""
         return f"It hops at {where}.{how}"
     if kind == "impact":
         if event.collision is False:

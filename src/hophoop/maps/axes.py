@@ -260,8 +260,7 @@ def _check_values(base: Scenario, axis: Axis, others: Sequence[Axis]) -> None:
             try:
                 scenario_at(
                     base,
-                    {axis.path: value}
-                    | {other.path: v for other, v in zip(others, combination, strict=True)},
+                    {axis.path: value} | {other.path: v for other, v in zip(others, combination, strict=True)},
                 )
                 break
             except ValueError:

@@ -129,9 +129,7 @@ def follow(classify: Classifier, one: Floats, other: Floats, step: float, most: 
     """`boundary` between two places of a window."""
     code = classify(one[0], one[1])
     if classify(other[0], other[1]) == code:
-        raise InputError(
-            f"the two points are of one class, {classify.names[int(code)]}: a border must lie between them."
-        )
+        raise InputError(f"the two points are of one class, {classify.names[int(code)]}: a border must lie between them.")
 
     def along(part: Floats) -> tuple[Floats, Floats]:
         place = one[:, None] + (other - one)[:, None] * part
@@ -216,9 +214,7 @@ def _walk(
     return points, "limit"
 
 
-def _next(
-    classify: Classifier, point: Floats, ahead: Floats, codes: tuple[int, int], radius: float
-) -> Floats | None:
+def _next(classify: Classifier, point: Floats, ahead: Floats, codes: tuple[int, int], radius: float) -> Floats | None:
     """The next point of the border, on a circle; None where it is not to be seen."""
     middle = math.atan2(ahead[1], ahead[0])
 
@@ -275,9 +271,7 @@ def _on_edge(classify: Classifier, edge: Floats, codes: tuple[int, int], radius:
     return np.array(line(np.array([shift]))).reshape(2)
 
 
-def borders(
-    dataset: xarray.Dataset, quantity: str = "sequence", step: float = 0.02, most: int = 4000
-) -> list[Border]:
+def borders(dataset: xarray.Dataset, quantity: str = "sequence", step: float = 0.02, most: int = 4000) -> list[Border]:
     """All borders between the classes of a map of two axes that its cells see.
 
     Parameters

@@ -71,9 +71,7 @@ def make_window(
         if path not in ranges:
             raise InputError(f"logarithmic = {path!r} must be one of {', '.join(ranges)}.")
         if not ranges[path][0] > 0.0:
-            raise InputError(
-                f"range of {path} = {ranges[path]!r} must be greater than 0 in a logarithmic window."
-            )
+            raise InputError(f"range of {path} = {ranges[path]!r} must be greater than 0 in a logarithmic window.")
     x, y = make_axes(base, {path: list(ends) for path, ends in ranges.items()})
     if "" in (x.unit, y.unit):
         raise InputError("ranges must be of numbers, not of words.")
@@ -115,10 +113,7 @@ class Classifier:
         return self._encode(results).reshape(u.shape)
 
     def _encode(self, results: Results) -> NDArray[np.int64]:
-        columns = [
-            results.keys if quantity.name == "sequence" else _as_keys(results, quantity)
-            for quantity in self.quantities
-        ]
+        columns = [results.keys if quantity.name == "sequence" else _as_keys(results, quantity) for quantity in self.quantities]
         rows, place = distinct_rows(np.concatenate(columns, axis=1))
         return np.array([self._code(row) for row in rows], dtype=np.int64)[place]
 

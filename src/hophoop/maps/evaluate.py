@@ -56,6 +56,7 @@ class Results(NamedTuple):
         source = self.words if quantity.is_code else self.numbers
         return source[:, quantity.column].astype(quantity.dtype)
 
+
 # Cells of a chunk whose ties are decided in more digits, at some tenths of a second each; further ones stay as the
 # doubles have them.
 MOST_DECIDED = 500
@@ -231,9 +232,7 @@ def decide(
             script = script_until(scenario, end)
             if not script.size:
                 break
-            kernel.evaluate_block(
-                cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results
-            )
+            kernel.evaluate_block(cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results)
 
 
 def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> Scenario:
@@ -245,9 +244,7 @@ def _scenario_at(base: Scenario, values: Mapping[str, NDArray[Any]], k: int) -> 
 def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: Results) -> None:
     """Blocks of cells for whichever thread is free; what a cell gives does not depend on which takes it."""
     count = cells.shape[1]
-    evaluate = compiled(
-        kernel.evaluate_block, cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results
-    )
+    evaluate = compiled(kernel.evaluate_block, cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
     begins = iter(range(0, count, kernel.BLOCK))
     lock = threading.Lock()
 

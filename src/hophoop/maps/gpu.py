@@ -70,9 +70,7 @@ def evaluate(
         _evaluate_batch(cells[:, part], options, [numbers[part], words[part], keys[part]])
 
 
-def _evaluate_batch(
-    cells: NDArray[np.float64], options: tuple[float, int, bool, int], hosts: list[NDArray[Any]]
-) -> None:
+def _evaluate_batch(cells: NDArray[np.float64], options: tuple[float, int, bool, int], hosts: list[NDArray[Any]]) -> None:
     from numba import cuda
 
     from hophoop.maps.gpu_kernel import PASSING, kernel

@@ -218,9 +218,7 @@ def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, n
     numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * unit
     numbers[k, LANDING_ANGLE] = whole_angle(landed)
     after, _ = collide(body, body.rest, landed, IMPACT, FLIGHT, 1)
-    numbers[k, LANDING_LOSS] = (
-        (after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)
-    ) * energy
+    numbers[k, LANDING_LOSS] = ((after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)) * energy
 
 
 @jit

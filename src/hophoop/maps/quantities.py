@@ -70,9 +70,7 @@ def _code(name: str, meaning: str, words: Iterable[str]) -> Quantity:
 QUANTITIES: Mapping[str, Quantity] = {
     quantity.name: quantity
     for quantity in (
-        Quantity(
-            _SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1
-        ),
+        Quantity(_SEQUENCE, "Phases over the span, one letter each; H last where it ends in take-off", "", (), -1),
         _code("status", "How the motion ended", _STATUSES),
         _code("ending", "What ended the span", kernel.ENDINGS),
         _code("first_event", "First event after the start but for the apex of a flight", EVENT_NAMES),

@@ -187,9 +187,7 @@ class _Lattice:
 
     def corners(self, i: Ints, j: Ints, size: int) -> Ints:
         """Codes at the four corners of squares."""
-        return np.stack(
-            [self.at(i, j), self.at(i + size, j), self.at(i, j + size), self.at(i + size, j + size)], axis=1
-        )
+        return np.stack([self.at(i, j), self.at(i + size, j), self.at(i, j + size), self.at(i + size, j + size)], axis=1)
 
     def beside(self, i: Ints, j: Ints, size: int, split: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Squares of one class beside one that is split: a border may cut their side between two corners."""

@@ -290,7 +290,5 @@ def with_words(dataset: Any) -> Any:
         coordinate = dataset[name]
         if "flag_meanings" in coordinate.attrs and coordinate.dtype.kind in "iu":
             words = np.array(coordinate.attrs["flag_meanings"].split(" "))[coordinate.values]
-            dataset = dataset.assign_coords(
-                {name: (name, words, {"long_name": coordinate.attrs["long_name"]})}
-            )
+            dataset = dataset.assign_coords({name: (name, words, {"long_name": coordinate.attrs["long_name"]})})
     return dataset

@@ -175,17 +175,12 @@ def _in_memory(plan: Plan, device: str, report: Callable[[int], None]) -> Any:
         report(int(np.prod(chunk.shape)))
     names, codes = table_of(seen)
     if "sequence" in arrays:
-        table = np.array(
-            [codes[key] for key in seen], np.int16 if len(names) <= store.MOST_SHORT_CODES else np.int32
-        )
+        table = np.array([codes[key] for key in seen], np.int16 if len(names) <= store.MOST_SHORT_CODES else np.int32)
         arrays["sequence"] = table[arrays["sequence"]]
     xarray = need("xarray", "maps")
     paths = [axis.path for axis in plan.axes]
     return xarray.Dataset(
-        {
-            quantity.name: (paths, arrays[quantity.name], attributes(quantity, names))
-            for quantity in plan.quantities
-        },
+        {quantity.name: (paths, arrays[quantity.name], attributes(quantity, names)) for quantity in plan.quantities},
         {
             axis.path: (
                 axis.path,
@@ -253,6 +248,4 @@ def _bar() -> Any:
             speed = task.finished_speed or task.speed
             return Text("" if speed is None else f"{speed:,.0f} a second")
 
-    return Progress(
-        BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn(), console=Console(file=sys.stderr)
-    )
+    return Progress(BarColumn(), MofNCompleteColumn(), Rate(), TimeRemainingColumn(), console=Console(file=sys.stderr))

@@ -74,11 +74,7 @@ def can_roll(body, th, om):
         return False
     series_n, series_p, series_m, _ = candidate_series(body, th, om, 0)
     scale = body.gn + abs(body.gt) + u
-    return (
-        leading_sign(series_n, scale) > 0
-        and leading_sign(series_p, scale) >= 0
-        and leading_sign(series_m, scale) >= 0
-    )
+    return leading_sign(series_n, scale) > 0 and leading_sign(series_p, scale) >= 0 and leading_sign(series_m, scale) >= 0
 
 
 @jit

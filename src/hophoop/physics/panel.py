@@ -27,9 +27,7 @@ from hophoop.numerics.double_double import plus
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 
 # Rows of the scratch array of a panel: values at the nodes.
-SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = (
-    range(15)
-)
+SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = range(15)
 ROWS = 15
 
 RESOLVED = 2e-13  # size of the last Chebyshev coefficients at which a panel is accepted
@@ -179,9 +177,7 @@ def arriving_panel(body, before, ahead):
         arm = before.arm + turned
         stiffness = before.stiffness + body.eps * (ds * arm + before.sine * turned)
     ref, low = plus(before.ref, before.ref_low, before.way * ahead)
-    return Panel(
-        before.sigma, ARRIVE, 0, before.way, ref, low, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt
-    )
+    return Panel(before.sigma, ARRIVE, 0, before.way, ref, low, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt)
 
 
 @lean_jit

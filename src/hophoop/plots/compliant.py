@@ -89,9 +89,7 @@ def landing_against_stiffness(stiffnesses: ArrayLike, ax: Axes | None = None) ->
     return ax
 
 
-def landing_against_slip_speed(
-    slip_speeds: ArrayLike, stiffness: float = 1e8, ax: Axes | None = None
-) -> Axes:
+def landing_against_slip_speed(slip_speeds: ArrayLike, stiffness: float = 1e8, ax: Axes | None = None) -> Axes:
     """The same against the slip speed: a creeping friction law, and a bristle as stiff as the normal spring.
 
     Parameters
@@ -119,9 +117,7 @@ def landing_against_slip_speed(
     return ax
 
 
-def landing_against_restitution(
-    restitutions: ArrayLike, stiffness: float = 1e6, ax: Axes | None = None
-) -> Axes:
+def landing_against_restitution(restitutions: ArrayLike, stiffness: float = 1e6, ax: Axes | None = None) -> Axes:
     """The same against restitution: the rigid plane's three laws, and the compliant plane's nominal value.
 
     Parameters
@@ -200,9 +196,7 @@ def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: s
     face = "white" if line == ":" else None
     for mark, color, part in (("o", colors.BLUE, "normal"), ("s", colors.VERMILION, "friction")):
         lost = [one.normal if part == "normal" else one.tangential for one in landings]
-        ax.plot(
-            at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face
-        )
+        ax.plot(at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face)
     ax.set_ylabel("energy lost in the landing (J)")
     values = np.concatenate([np.asarray(each.get_ydata(), dtype=float) for each in ax.lines])
     low, high = min(0.0, float(np.nanmin(values))), max(0.1, float(np.nanmax(values)))

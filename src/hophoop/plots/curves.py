@@ -67,8 +67,7 @@ def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> S
     after = motion.at(np.concatenate([grid, marks]))
     order = np.argsort(np.concatenate([before.t, after.t]), kind="stable")
     columns = {
-        field.name: np.concatenate([getattr(before, field.name), getattr(after, field.name)])[order]
-        for field in fields(Sample)
+        field.name: np.concatenate([getattr(before, field.name), getattr(after, field.name)])[order] for field in fields(Sample)
     }
     return Sample(**columns)
 

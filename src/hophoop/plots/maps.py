@@ -119,9 +119,7 @@ def _mesh(ax: Axes, x: Any, y: Any, values: Any, **options: Any) -> Any:
     return ax.pcolormesh(x, y, values, shading="nearest", rasterized=True, **options)
 
 
-def _classes(
-    ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int, names: bool
-) -> None:
+def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int, names: bool) -> None:
     matplotlib_colors = need("matplotlib.colors", "plots")
     paint = [class_color(word, quantity) for word in words]
     scale = matplotlib_colors.ListedColormap([NOT_ALLOWED_COLOR, *paint])
@@ -166,10 +164,7 @@ def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: s
     depth = _depth(mask)
     i, j = np.unravel_index(int(np.argmax(depth)), depth.shape)
     # a letter is about 1.3 % of the picture's width, and half as deep again
-    if (
-        2.0 * depth[i, j] / mask.shape[1] < 0.013 * len(word) * 0.8
-        or 2.0 * depth[i, j] / mask.shape[0] < 0.035
-    ):
+    if 2.0 * depth[i, j] / mask.shape[1] < 0.013 * len(word) * 0.8 or 2.0 * depth[i, j] / mask.shape[0] < 0.035:
         return
     red, green, blue = need("matplotlib.colors", "plots").to_rgb(color)
     ink = "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else "black"
@@ -211,9 +206,7 @@ def _border(ax: Axes, border: Border, across: str) -> None:
 def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
     excess = _painleve_excess(dataset)
     if excess is not None and (excess > 0).any() and (excess < 0).any():
-        line = ax.contour(
-            x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4
-        )
+        line = ax.contour(x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4)
         halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
         place = _free_place(ax, np.concatenate([path.vertices for path in line.get_paths()]))
         for text in ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6, manual=[place]):
@@ -221,9 +214,7 @@ def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
     if "painleve" in dataset:
         met = dataset["painleve"].values == 1
         if met.any():
-            hatched = ax.contourf(
-                x, y, met.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=4
-            )
+            hatched = ax.contourf(x, y, met.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=4)
             hatched.set_edgecolor((0.0, 0.0, 0.0, 0.55))
             hatched.set_linewidth(0.0)
 

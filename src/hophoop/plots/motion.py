@@ -27,9 +27,7 @@ LOOK = [
 ]
 
 
-def velocities(
-    motion: Trajectory, against: Against = "time", ax: Axes | None = None, modes: bool = True
-) -> Axes:
+def velocities(motion: Trajectory, against: Against = "time", ax: Axes | None = None, modes: bool = True) -> Axes:
     """Velocity of the centre and angular velocity times the radius: one curve while the hoop rolls.
 
     Parameters
@@ -66,9 +64,7 @@ def velocities(
     return ax
 
 
-def energies(
-    motion: Trajectory, against: Against = "angle", ax: Axes | None = None, modes: bool = True
-) -> Axes:
+def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = None, modes: bool = True) -> Axes:
     """Kinetic and potential energy, their sum, and what friction and impacts have taken.
 
     Friction's share of an impact is booked with friction, so that rigid and compliant contact show the same.

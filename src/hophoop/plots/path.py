@@ -63,9 +63,7 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
     if slope == 0.0:
         low[1] = -0.35 * radius
     width = 10.0
-    ax = new_axes(
-        ax, (width, float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]) + 0.9, 2.2, 7.0)))
-    )
+    ax = new_axes(ax, (width, float(np.clip(width * (high[1] - low[1]) / (high[0] - low[0]) + 0.9, 2.2, 7.0))))
     _ground(ax, slope, low[0], high[0], radius)
     moments = _pose_times(motion, radius) if times is None else [float(t) for t in times]
     for t in moments:
@@ -76,9 +74,7 @@ def path(motion: Trajectory, ax: Axes | None = None, times: Sequence[float] | No
     # the first point after a change belongs to both lines: they meet
     ground[airborne & np.roll(airborne, 1)] = np.nan
     air[~airborne & ~np.roll(airborne, 1)] = np.nan
-    ax.plot(
-        ground[:, 0], ground[:, 1], color=colors.GRAVITY_CENTER, lw=2.0, zorder=5, label="centre of gravity"
-    )
+    ax.plot(ground[:, 0], ground[:, 1], color=colors.GRAVITY_CENTER, lw=2.0, zorder=5, label="centre of gravity")
     if airborne.any():
         ax.plot(
             air[:, 0],

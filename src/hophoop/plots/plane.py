@@ -104,9 +104,7 @@ def _speeds(hoop: Hoop, plane: Plane, motions: Sequence[Trajectory]) -> tuple[fl
     return (low if low == 0.0 else 1.06 * low), 1.06 * high
 
 
-def _regions(
-    ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]
-) -> list[str]:
+def _regions(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]) -> list[str]:
     """Every pixel's mode, exactly, at its middle; returns the words in the picture."""
     columns, rows = GRID
     theta = angles[0] + (np.arange(columns) + 0.5) * (angles[1] - angles[0]) / columns
@@ -132,9 +130,7 @@ def _tint(word: str) -> str:
     return "#" + "".join(f"{round(255 - share * (255 - part)):02X}" for part in parts)
 
 
-def _borders(
-    ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]
-) -> None:
+def _borders(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]) -> None:
     theta = np.linspace(*angles, 4001)
     across = np.degrees(theta)
     least, most = theory.rolling_range(theta, hoop, plane)
@@ -171,9 +167,7 @@ def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]
             ax.plot(math.degrees(event.angle), event.omega, sign, color="black", mec="white", ms=8, zorder=6)
 
 
-def _name(
-    ax: Axes, motions: Sequence[Trajectory], labels: Sequence[str], angles: tuple[float, float]
-) -> None:
+def _name(ax: Axes, motions: Sequence[Trajectory], labels: Sequence[str], angles: tuple[float, float]) -> None:
     """Labels where the curves are highest, each on the side on which there is more room."""
     tops: list[tuple[float, float, str]] = []
     for motion, label in zip(motions, labels, strict=True):
@@ -210,9 +204,7 @@ def _legend(ax: Axes, shown: Sequence[str]) -> None:
     handles = [patch(fc=_tint(word), ec=colors.GRAY, lw=0.5, label=FOLLOWS[word]) for word in shown]
     handles += [
         line([], [], color="black", lw=1.1, label=r"$|F| = \mu N$ in rolling"),
-        line(
-            [], [], color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), label="lift-off, $f_n = 0$"
-        ),
+        line([], [], color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), label="lift-off, $f_n = 0$"),
     ]
     ax.legend(
         handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,

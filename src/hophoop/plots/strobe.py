@@ -71,9 +71,7 @@ def strobe(
         raise ValueError(f"color = {color!r} must be 'speed' or 'mode'.")
     end = motion.duration if end is None else end
     if not 0.0 <= start <= end <= motion.duration:
-        raise ValueError(
-            f"start = {start!r}, end = {end!r} must be a part of the motion, from 0 to {motion.duration!r} s."
-        )
+        raise ValueError(f"start = {start!r}, end = {end!r} must be a part of the motion, from 0 to {motion.duration!r} s.")
     times = _flashes(motion, every, every_deg, start, end)
     radius, slope = motion.scenario.hoop.radius, motion.scenario.plane.slope
     way = poses_of(motion, curve(motion, start, end).t)
@@ -100,9 +98,7 @@ def strobe(
     return ax
 
 
-def _flashes(
-    motion: Trajectory, every: float | None, every_deg: float | None, start: float, end: float
-) -> Floats:
+def _flashes(motion: Trajectory, every: float | None, every_deg: float | None, start: float, end: float) -> Floats:
     if every is not None and every_deg is not None:
         raise ValueError(f"every = {every!r} and every_deg = {every_deg!r} cannot be given together.")
     for name, step in (("every", every), ("every_deg", every_deg)):
@@ -124,9 +120,7 @@ def _flashes(
 
 def _check_count(count: float, name: str, step: float) -> None:
     if count > MOST_FLASHES:
-        raise ValueError(
-            f"{name} = {step!r} makes {count:.0f} flashes; at most {MOST_FLASHES} can be told apart."
-        )
+        raise ValueError(f"{name} = {step!r} makes {count:.0f} flashes; at most {MOST_FLASHES} can be told apart.")
 
 
 def _round(step: float) -> float:
@@ -153,9 +147,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
             ink = colors.mode_color(str(flashes.words[i]))
             paint = _over_white(np.array([[int(ink[j : j + 2], 16) / 255.0 for j in (1, 3, 5)]]), alpha)
         ax.add_collection(
-            collections.LineCollection(
-                pieces, colors=paint, linewidths=2.6, capstyle="butt", zorder=2.0 + 0.01 * i
-            ),
+            collections.LineCollection(pieces, colors=paint, linewidths=2.6, capstyle="butt", zorder=2.0 + 0.01 * i),
             autolim=False,
         )
         ax.plot(
@@ -167,9 +159,7 @@ def _draw_hoops(ax: Axes, motion: Trajectory, flashes: Poses, color: str) -> Non
         )
         ax.plot(*flashes.load[i], "o", color=colors.LOAD, ms=6.5, alpha=alpha, mew=0, zorder=7)
     if color == "speed":
-        scale = need("matplotlib.cm", "plots").ScalarMappable(
-            need("matplotlib.colors", "plots").Normalize(0.0, top), shades
-        )
+        scale = need("matplotlib.cm", "plots").ScalarMappable(need("matplotlib.colors", "plots").Normalize(0.0, top), shades)
         ax.figure.colorbar(
             scale, ax=ax, orientation="horizontal", shrink=0.4, aspect=40, pad=0.02,
             label=labels.POINT_SPEED,

@@ -102,13 +102,9 @@ def compare(motion: Motion, precise: PreciseMotion) -> Agreement:
     if "event_limit" in (motion.status, precise.status):
         return Agreement(tuple(rows), "")  # endless bounces fill the two lists differently
     if len(ours) != len(theirs):
-        return Agreement(
-            tuple(rows), f"The kernel has {len(ours)} events and {precise.digits} digits have {len(theirs)}."
-        )
+        return Agreement(tuple(rows), f"The kernel has {len(ours)} events and {precise.digits} digits have {len(theirs)}.")
     if motion.status != precise.status:
-        return Agreement(
-            tuple(rows), f"The kernel ends {motion.status}, and {precise.digits} digits end {precise.status}."
-        )
+        return Agreement(tuple(rows), f"The kernel ends {motion.status}, and {precise.digits} digits end {precise.status}.")
     return Agreement(tuple(rows), "")
 
 

@@ -202,9 +202,7 @@ def _turned(body: Body, begin: State, state: State) -> bool:
     return bool(begin.om != 0 and abs(state.th - begin.th) >= 2 * body.ctx.pi)
 
 
-def _whole_turns(
-    body: Body, begin: State, state: State, step: Step, part: int, following: State, t_end: Number
-) -> State:
+def _whole_turns(body: Body, begin: State, state: State, step: Step, part: int, following: State, t_end: Number) -> State:
     """Rolling on the level without an event in a whole turn has none in any: go on by as many turns as there is time for."""
     ctx, bits = body.ctx, body.bits
     way = 1 if begin.om > 0 else -1

@@ -83,9 +83,7 @@ def skim(run: Run) -> None:
     x = state.x + sine + along * duration + body.gt * duration * duration / 2
     speed = along + body.gt * duration
     fall = sink + body.gn * duration
-    run.state = state._replace(
-        t=state.t + duration, x=x, th=(2 * turns + 1) * ctx.pi, vt=speed, om=way * ctx.inf
-    )
+    run.state = state._replace(t=state.t + duration, x=x, th=(2 * turns + 1) * ctx.pi, vt=speed, om=way * ctx.inf)
     before = run.state._replace(vn=-fall, om=ctx.nan)
     # a particle with friction that does not rebound
     p_n, p_t = fall, -speed
@@ -110,9 +108,7 @@ def skim(run: Run) -> None:
     lie(run)
 
 
-def skimming(
-    run: Run, tau: Number, way: int, along: Number, sink: Number, sine: Number, cosine: Number
-) -> State:
+def skimming(run: Run, tau: Number, way: int, along: Number, sink: Number, sine: Number, cosine: Number) -> State:
     """The state of the rim after skimming for the time tau, from the height of the load."""
     body, state, ctx = run.body, run.state, run.body.ctx
     height = 1 + cosine - sink * tau - body.gn * tau * tau / 2  # 1 + cos θ

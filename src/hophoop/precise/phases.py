@@ -45,7 +45,7 @@ def _last(a: Sequence[int], b: Sequence[int]) -> int:
 def _square(a: Sequence[int]) -> int:
     """Last coefficient of a square, each product once."""
     half = len(a) // 2
-    twice = sum(map(mul, a[:half], a[:-half - 1:-1])) << 1 if half else 0
+    twice = sum(map(mul, a[:half], a[: -half - 1 : -1])) << 1 if half else 0
     return twice + a[half] * a[half] if len(a) & 1 else twice
 
 

@@ -319,10 +319,7 @@ def simulate_precisely(scenario: Scenario, digits: int, version: str) -> Precise
     """
     solution = solve(scenario, digits)
     units = Units(solution.body, digits)
-    events = tuple(
-        _event(record, right, units)
-        for record, right in zip(solution.records, solution.digits_right, strict=True)
-    )
+    events = tuple(_event(record, right, units) for record, right in zip(solution.records, solution.digits_right, strict=True))
     energy = {name: units.decimal(value, units.energy) for name, value in ledger(solution).items()}
     status = Status(solution.status).name.lower()
     return PreciseMotion(scenario, digits, status, sequence_of(solution), events, energy, version)

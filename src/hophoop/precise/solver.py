@@ -210,5 +210,3 @@ def agreement(body: Body, rough: Record, fine: Record) -> int:
     if worst == 0:
         return most
     return max(0, min(most, int(-ctx.log10(worst))))
-
-

@@ -267,9 +267,7 @@ def turning_point_ahead(body, panel, totals, scratch):
             return panel.extent * 0.5 * (1.0 + xi)
         if panel.level == 0:
             return 0.0
-        begin = Begin(
-            panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt
-        )
+        begin = Begin(panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt)
         panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, begin)
         totals = solve(body, panel, scratch.work)
     return 0.0

@@ -50,17 +50,11 @@ from hophoop.rigid.state import (
 from hophoop.rigid.transitions import close_bounces, collide, pass_singular, settle
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
-START, SLIP_START, STICK, TAKEOFF = (
-    int(kind) for kind in (Event.START, Event.SLIP_START, Event.STICK, Event.TAKEOFF)
-)
-IMPACT, TURN, APEX, BOUNCE_LIMIT = (
-    int(kind) for kind in (Event.IMPACT, Event.TURN, Event.APEX, Event.BOUNCE_LIMIT)
-)
+START, SLIP_START, STICK, TAKEOFF = (int(kind) for kind in (Event.START, Event.SLIP_START, Event.STICK, Event.TAKEOFF))
+IMPACT, TURN, APEX, BOUNCE_LIMIT = (int(kind) for kind in (Event.IMPACT, Event.TURN, Event.APEX, Event.BOUNCE_LIMIT))
 SKIM_START, REST, END = (int(kind) for kind in (Event.SKIM, Event.REST, Event.END))
 COMPLETED, AT_REST, JAMMED = (int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED))
-UNDETERMINED, EVENT_LIMIT, BUFFER = (
-    int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER)
-)
+UNDETERMINED, EVENT_LIMIT, BUFFER = (int(end) for end in (Status.UNDETERMINED, Status.EVENT_LIMIT, Status.BUFFER))
 
 STOP_AT_TURN, STOP_AT_TAKEOFF = 1, 2
 # A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
@@ -252,9 +246,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
     """
     state = start
     if 0.0 < state.y < LOWEST_START:
-        state = moved(
-            start, start.t, start.t_low, start.x, start.x_low, 0.0, start.turns, start.th, start.th_low
-        )
+        state = moved(start, start.t, start.t_low, start.x, start.x_low, 0.0, start.turns, start.th, start.th_low)
     count = 0
     pieces = 0
     mode = FLIGHT
@@ -319,9 +311,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
         if blind and (mode == FLIGHT or not state.t < limits.t_end):
             if mode == FLIGHT and state.t < limits.t_end:
                 opening, zeros = opening_of(body, state)
-                pieces = write_segment(
-                    segments, pieces, mode, no_panel(FLY, 0, 0.0), 0.0, opening, state, limits.t_end
-                )
+                pieces = write_segment(segments, pieces, mode, no_panel(FLY, 0, 0.0), 0.0, opening, state, limits.t_end)
             row += 1
             state = state_of(script[row])
             mode = script[row]["after_mode"]
@@ -347,9 +337,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
                 break
             if new_phase:
                 opening, zeros = opening_of(body, state)
-            what, state, count, pieces = fly(
-                body, state, opening, zeros, limits, events, count, segments, pieces, scratch
-            )
+            what, state, count, pieces = fly(body, state, opening, zeros, limits, events, count, segments, pieces, scratch)
             if what != STOP:
                 break
             after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
@@ -393,9 +381,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
             if what in (STILL, STUCK):
                 sigma = slip_direction(mode)
                 rate = frozen_end(body, sigma, state.vt)[0] if sigma != 0 else 0.0
-                pieces = write_segment(
-                    segments, pieces, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, limits.t_end
-                )
+                pieces = write_segment(segments, pieces, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, limits.t_end)
                 state = at_time(state, limits.t_end)
             continue
         if what == ON:
@@ -410,9 +396,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
             if mode == ROLL:
                 stable = 1 if equilibrium_is_stable(body, state.th) else 0
                 count = write_event(events, count, quiet(REST, ROLL, state), ROLL, state, 0.0, stable)
-                pieces = write_segment(
-                    segments, pieces, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, t_end
-                )
+                pieces = write_segment(segments, pieces, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, t_end)
                 state = at_time(with_velocities(state, 0.0, 0.0, 0.0), t_end)
                 status = AT_REST
             else:

@@ -48,9 +48,7 @@ def toml_text(data: Mapping[str, Any], units: Mapping[str, str]) -> str:
         lines += ["", f"[{section}]"]
         for key, value in table.items():
             if isinstance(value, list):
-                inner = [
-                    ", ".join(f"{name} = {_toml_value(one)}" for name, one in item.items()) for item in value
-                ]
+                inner = [", ".join(f"{name} = {_toml_value(one)}" for name, one in item.items()) for item in value]
                 lines += [f"{key} = [", *(f"  {{ {text} }}," for text in inner), "]"]
             else:
                 lines.append(_toml_line(key, value, units.get(f"{section}.{key}", "")))

@@ -62,9 +62,7 @@ class Hoop(Frozen):
     radius: Positive = quantity(1.0, "Rim radius", "m")
     mass: Positive = quantity(1.0, "Total mass", "kg")
     load_fraction: Fraction | None = quantity(None, "Share of the mass in the load of an ideal hoop")
-    eccentricity: Fraction = quantity(
-        0.75, "Distance of the centre of gravity from the centre, over the radius"
-    )
+    eccentricity: Fraction = quantity(0.75, "Distance of the centre of gravity from the centre, over the radius")
     inertia_ratio: NonNegative = quantity(0.4375, "Moment of inertia about the centre of gravity over m R²")
     parts: tuple[Part, ...] | None = quantity(None, "What the hoop is made of", "")
 
@@ -226,10 +224,7 @@ class Plane(Frozen):
         elif self.mu_static == self.mu_kinetic:
             self._settle(mu=self.mu_static)
         if self.mu_kinetic > self.mu_static:
-            raise refuse(
-                f"plane.mu_kinetic = {self.mu_kinetic!r} must not exceed "
-                f"plane.mu_static = {self.mu_static!r}."
-            )
+            raise refuse(f"plane.mu_kinetic = {self.mu_kinetic!r} must not exceed plane.mu_static = {self.mu_static!r}.")
         if not abs(self.slope) < 0.5 * math.pi:
             raise refuse(f"plane.slope = {self.slope!r} must lie between -pi/2 and pi/2 (radians).")
         return self
@@ -452,6 +447,4 @@ def _model_of(value: Any) -> Any:
     return getattr(value, "model", None)
 
 
-Contact = Annotated[
-    Annotated[Rigid, Tag("rigid")] | Annotated[Compliant, Tag("compliant")], Discriminator(_model_of)
-]
+Contact = Annotated[Annotated[Rigid, Tag("rigid")] | Annotated[Compliant, Tag("compliant")], Discriminator(_model_of)]

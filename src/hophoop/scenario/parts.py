@@ -45,8 +45,7 @@ class Ring(Frozen):
     def _ordered(self) -> Ring:
         if self.inner_radius > self.outer_radius:
             raise refuse(
-                f"ring.inner_radius = {self.inner_radius!r} must not exceed "
-                f"ring.outer_radius = {self.outer_radius!r}."
+                f"ring.inner_radius = {self.inner_radius!r} must not exceed ring.outer_radius = {self.outer_radius!r}."
             )
         return self
 
@@ -233,7 +232,5 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
     first = parts[0].at / radius
     offset = math.fsum(part.mass * (part.at / radius - first) for part in parts) / mass
     centre = first + offset
-    inertia = math.fsum(
-        part.inertia / radius**2 + part.mass * (part.at / radius - centre) ** 2 for part in parts
-    )
+    inertia = math.fsum(part.inertia / radius**2 + part.mass * (part.at / radius - centre) ** 2 for part in parts)
     return mass, min(abs(centre), 1.0), inertia / mass

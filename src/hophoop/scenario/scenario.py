@@ -59,14 +59,9 @@ class Scenario(Frozen):
     def _fitting(self) -> Scenario:
         compliant = isinstance(self.contact, Compliant)
         if self.hoop.massless and self.plane.slope != 0.0:
-            raise refuse(
-                f"plane.slope = {self.plane.slope!r} must be 0 for the massless hoop "
-                "(hoop.inertia_ratio = 0)."
-            )
+            raise refuse(f"plane.slope = {self.plane.slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).")
         if self.hoop.massless and compliant:
-            raise refuse(
-                "contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0)."
-            )
+            raise refuse("contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).")
         if compliant and self.plane.mu_static == math.inf:
             raise refuse("plane.mu_static = inf must be finite with contact.model = 'compliant'.")
         return self

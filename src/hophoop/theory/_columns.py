@@ -27,9 +27,7 @@ class Columns:
         hoops, planes = _models(hoop, Hoop, "hoop"), _models(plane, Plane, "plane")
         values = {name: _finite(name, value) for name, value in numbers.items()}
         try:
-            self.shape = np.broadcast_shapes(
-                hoops.shape, planes.shape, *(value.shape for value in values.values())
-            )
+            self.shape = np.broadcast_shapes(hoops.shape, planes.shape, *(value.shape for value in values.values()))
         except ValueError:
             shapes = {"hoop": hoops.shape, "plane": planes.shape}
             shapes |= {name: value.shape for name, value in values.items()}

@@ -98,9 +98,7 @@ class _Trials:
 def _cases(hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> Columns:
     cases = Columns(hoop, plane, **numbers)
     cases.require(lambda kap: kap > 0.0, "kap", "hoop.inertia_ratio = {} must be above 0; see massless_loss.")
-    cases.require(
-        lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0 here (level, or downhill along +x)."
-    )
+    cases.require(lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0 here (level, or downhill along +x).")
     return cases
 
 
@@ -240,9 +238,7 @@ def critical_speeds(hoop: Hoops, plane: Planes = Plane()) -> CriticalSpeeds:
     >>> [round(speed, 6) for speed in hh.theory.critical_speeds(hh.Hoop.ideal(0.75))]
     [2.043174, 2.90816, 3.616628]
     """
-    return CriticalSpeeds(
-        first_slip_speed(hoop, plane), first_hop_speed(hoop, plane), immediate_hop_speed(hoop, plane)
-    )
+    return CriticalSpeeds(first_slip_speed(hoop, plane), first_hop_speed(hoop, plane), immediate_hop_speed(hoop, plane))
 
 
 def slip_angle(hoop: Hoops, v0: ArrayLike, plane: Planes = Plane()) -> Any:

@@ -62,9 +62,7 @@ def visit(browser, address):
         page.on(
             "console",
             lambda said: (
-                said.type == "error"
-                and not any(part in said.text for part in expected)
-                and trouble("console", said.text)
+                said.type == "error" and not any(part in said.text for part in expected) and trouble("console", said.text)
             ),
         )
         page.on("request", lambda request: check(request.url))

@@ -135,9 +135,7 @@ def test_a_click_on_the_map_takes_that_motion(visit):
     told = page.locator(".map-body .tip").inner_text()
     page.mouse.click(**place)
     wait_for(page, "lab.motions.history.past.length === 1")
-    speed, mu = page.evaluate(
-        "[hophoopLab.film().values['start.speed'], hophoopLab.film().values['plane.mu']]"
-    )
+    speed, mu = page.evaluate("[hophoopLab.film().values['start.speed'], hophoopLab.film().values['plane.mu']]")
     assert speed == pytest.approx(0.55 * 5.0, abs=0.02)
     assert mu == pytest.approx(0.6 * 1.5, abs=0.02)
     words = {letter: class_text(letter, "sequence") for letter in "RSKH"}
@@ -202,9 +200,7 @@ def test_in_space(visit):
 
 
 def test_dark_and_on_a_phone(visit):
-    page = visit(
-        viewport={"width": 390, "height": 844}, device_scale_factor=2, has_touch=True, color_scheme="dark"
-    )
+    page = visit(viewport={"width": 390, "height": 844}, device_scale_factor=2, has_touch=True, color_scheme="dark")
     assert page.evaluate("hophoopLab.root.dataset.theme") == "dark"
     assert page.evaluate("document.documentElement.scrollWidth") == 390
     page.get_by_role("button", name="Dark or light (d)").tap()

@@ -52,9 +52,7 @@ def rolling_ranges(bodies, angles, out):
         friction1, normal1 = rolling_forces(body, s, c, 1.0)
         low, high = narrowed(0.0, math.inf, normal0, normal1)
         for side in (1.0, -1.0):
-            low, high = narrowed(
-                low, high, a * normal0 - b * side * friction0, a * normal1 - b * side * friction1
-            )
+            low, high = narrowed(low, high, a * normal0 - b * side * friction0, a * normal1 - b * side * friction1)
         out[k, 0] = math.sqrt(low) if low <= high else math.nan
         out[k, 1] = math.sqrt(high) if low <= high else math.nan
 
