@@ -79,8 +79,8 @@ class Followed(NamedTuple):
 
     body: Body
     status: int
-    events: Any  # of which `count` are its own
-    count: int
+    events: Any  # of which `length` are its own
+    length: int
     cut: bool  # at its take-off at the very start, which the kernel does not look for
 
 
@@ -294,7 +294,7 @@ def ending_of(motion, asked):
         return BY_TAKEOFF
     status = motion.status
     events = motion.events
-    count = motion.count
+    count = motion.length
     if status == AT_REST:
         return BY_REST
     if status == JAMMED:
@@ -328,7 +328,7 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
     """Row k of the results, from the events of one motion; `hop` is the event at which it takes off first, or -1."""
     numbers, words, keys = rows
     events = motion.events
-    last = motion.count - 1
+    last = motion.length - 1
     ending = ending_of(motion, asked)
     painleve = 0
     first = -1
@@ -338,7 +338,7 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
     mark = -1
     length = 0
     ended = events[last]["t"]
-    for i in range(motion.count):
+    for i in range(motion.length):
         row = events[i]
         if i > 0 and first < 0 and row["kind"] != APEX:
             first = row["kind"]
