@@ -67,5 +67,6 @@ def test_edges_of_skimming():
 def test_strike():
     assert strike(BODY, 0.3, -1.0) == (0.0, 1.0, -0.3)  # held by friction
     assert strike(BODY, -0.3, -1.0) == (0.0, 1.0, 0.3)
+    assert strike(BODY, 0.9, -2.0) == (0.0, 2.0, -0.9)  # twice the push, twice the friction
     assert strike(BODY, 0.9, -1.0) == pytest.approx((0.5, 1.0, -0.4))
     assert strike(BODY, -1.7, -2.0) == pytest.approx((-0.9, 2.0, 0.8))
