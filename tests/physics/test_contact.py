@@ -2,10 +2,11 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from hophoop.physics import contact
-from hophoop.physics.friction import utilization
+from hophoop.physics.friction import utilization, utilizations
 from newton_euler import BODIES, STATES, accelerations, responses
 
 CASES = [(body, *state) for body in BODIES for state in STATES]
@@ -91,3 +92,11 @@ def test_utilization():
     assert utilization(False, 0.0, 1.0, 0.0, 0.0) == 0.0
     assert math.isnan(utilization(True, 0.0, 1.0, 0.5, 0.0))
     assert math.isnan(utilization(False, 0.0, 0.0, 0.5, 0.4))
+
+
+def test_utilization_of_many():
+    slips = np.array([False, True, False])
+    friction, normal = np.array([-0.3, 0.8, 0.0]), np.array([2.0, 2.0, 0.0])
+    out = np.empty(3)
+    utilizations(slips, friction, normal, np.full(3, 0.5), np.full(3, 0.4), out)
+    np.testing.assert_allclose(out, [0.3, 1.0, math.nan])
