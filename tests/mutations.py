@@ -34,7 +34,26 @@ SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
 SIGNS = {ast.Add: "+", ast.Sub: "−", ast.Mult: "·", ast.Div: "/"}
 
 # Why a change cannot be seen: by module, function, the line as it stands and what is changed in it.
-EXPLAINED: dict[tuple[str, str, str, str], str] = {}
+TOLERANCE = "a tolerance, of which the order counts"
+SAME_SIGN = "a quotient has the sign of the product"
+EXPLAINED: dict[tuple[str, str, str, str], str] = {
+    ("impact", "singular_slip", "stop = -vt / rate if vt * rate < 0.0 else math.inf", "· → / before rate"): SAME_SIGN,
+    (
+        "impact",
+        "singular_angle",
+        "if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):",
+        "· → / before abs(slope)",
+    ): TOLERANCE,
+    **{
+        (
+            "impact",
+            "singular_angle",
+            "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)",
+            f"· → / before {what}",
+        ): TOLERANCE
+        for what in ("abs(slope)", "body.gn + body.eps * u", "u")
+    },
+}
 
 
 class Mutation(NamedTuple):
