@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import hophoop.plots as plots
     import hophoop.precise as precise
     import hophoop.theory as theory
+    from hophoop.explanation import phases
     from hophoop.io import load
     from hophoop.lab.widget import show
     from hophoop.scenario import (
@@ -49,6 +50,7 @@ _HOMES: dict[str, str | None] = {
     "simulate": "hophoop.simulation",
     "Trajectory": "hophoop.trajectory",
     "load": "hophoop.io",
+    "phases": "hophoop.explanation",
     "show": "hophoop.lab.widget",
     "theory": None,
     "article": None,
@@ -71,6 +73,7 @@ __all__ = [
     "Scenario",
     "simulate",
     "Trajectory",
+    "phases",
     "load",
     "theory",
     "article",
