@@ -20,12 +20,12 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
 
 from mpmath import mp, mpf  # noqa: E402
-from oracles import precise as oracle  # noqa: E402
-from oracles.cases import Case  # noqa: E402
 
 import hophoop as hh  # noqa: E402
 from hophoop.engines.scenarios import BENCHMARK, GRID, bench_scenarios  # noqa: E402
 from hophoop.engines.task import task_of  # noqa: E402
+from oracles import precise as oracle  # noqa: E402
+from oracles.cases import Case  # noqa: E402
 
 DIGITS = 30
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
@@ -102,7 +102,16 @@ def truth_of(bench: Any) -> dict[str, Any]:
                 raise SystemExit(f"{bench.name}: {event.kind} here, {other['kind']} in the oracle")
             entry["digits"] = min(entry["digits"], shared(numbers, [other["t"], *(other[name] for name in STATE)]))
         events.append(entry)
-    print(bench.name, precise.sequence[:20], "digits:", min(digits), "states,", min(e["digits"] for e in events), "events", flush=True)
+    print(
+        bench.name,
+        precise.sequence[:20],
+        "digits:",
+        min(digits),
+        "states,",
+        min(e["digits"] for e in events),
+        "events",
+        flush=True,
+    )
     columns = zip(*rows, strict=True)
     return {
         "title": bench.title,

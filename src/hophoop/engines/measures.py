@@ -104,9 +104,7 @@ def between(t: Floats, value: Floats, rate: Floats, when: float) -> float:
     s = (when - t[k]) / step
     a, b = value[k], value[k + 1]
     first, second = step * rate[k], step * rate[k + 1]
-    return float(
-        a * (1 + 2 * s) * (1 - s) ** 2 + first * s * (1 - s) ** 2 + b * s * s * (3 - 2 * s) + second * s * s * (s - 1)
-    )
+    return float(a * (1 + 2 * s) * (1 - s) ** 2 + first * s * (1 - s) ** 2 + b * s * s * (3 - 2 * s) + second * s * s * (s - 1))
 
 
 def takeoff_time(task: Task, states: States, flight: Phase) -> float:
@@ -214,7 +212,9 @@ def measure(task: Task, record: States) -> Measures:
             landing = down
             until = until if place > 0 else down
             step = float(np.median(np.diff(t)))
-            blow = float(np.interp(down - max(BEFORE, 1.5 * step), t, total) - np.interp(down + max(AFTER, 1.5 * step), t, total))
+            blow = float(
+                np.interp(down - max(BEFORE, 1.5 * step), t, total) - np.interp(down + max(AFTER, 1.5 * step), t, total)
+            )
         if lift is not None:
             inside = (t >= lift) & (t <= (t[-1] if landing is None else landing))
             height = float(states.y[inside].max() - level) if inside.any() else 0.0

@@ -10,6 +10,8 @@ from hophoop.scenario import Compliant
 
 PACKAGE = "hophoop"
 STEP = 0.001
+TITLE = "hophoop, compliant (ours)"
+CONTACT = "Kelvin and Voigt’s or Hunt and Crossley’s force with friction built up over a small slip velocity; error-controlled."
 MODEL = "2D; spring and damper with k = m/dt²: dt is the time in which the contact answers, the integrator takes its own steps"
 SETTINGS: dict[str, dict[str, Any]] = {
     "default": {},

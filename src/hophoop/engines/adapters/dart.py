@@ -9,6 +9,8 @@ from hophoop.engines.task import States, Task
 
 PACKAGE = "dartpy"
 STEP = 0.001
+TITLE = "DART"
+CONTACT = "A boxed linear complementarity problem each step; friction bounded by the normal impulse."
 MODEL = "3D; body on a planar joint, sphere of radius R about the rim's centre on a box, one contact point"
 SETTINGS: dict[str, dict[str, Any]] = {"default": {}, "tuned": {"detector": "DART"}}
 
@@ -26,7 +28,7 @@ def run(task: Task, dt: float, detector: str = "", solver: str = "") -> States:
         world.getConstraintSolver().setCollisionDetector(getattr(dart.collision, f"{detector}CollisionDetector")())
     dynamics = dart.dynamics
     hoop, ground = dynamics.Skeleton("hoop"), dynamics.Skeleton("ground")
-    joint, body = hoop.createPlanarJointAndBodyNodePair()
+    _, body = hoop.createPlanarJointAndBodyNodePair()
     moment = task.inertia
     inertia = dynamics.Inertia(task.mass, [0.0, task.arm, 0.0], [[moment, 0, 0], [0, moment, 0], [0, 0, moment]])
     body.setInertia(inertia)

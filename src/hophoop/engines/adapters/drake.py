@@ -9,6 +9,11 @@ from hophoop.engines.task import States, Task
 
 PACKAGE = "drake"
 STEP = 0.001
+TITLE = "Drake"
+CONTACT = (
+    "SAP, a convex solve each step; friction is bounded by the normal force of the step before "
+    "(“lagged”), which keeps Coulomb’s law to first order."
+)
 MODEL = "3D; body on a planar joint, sphere of radius R about the rim's centre, point contact"
 SETTINGS: dict[str, dict[str, Any]] = {
     "default": {},
@@ -31,7 +36,7 @@ def run(
     framework = engine_module("pydrake.systems.framework")
     analysis = engine_module("pydrake.systems.analysis")
     builder = framework.DiagramBuilder()
-    plant, scene = plants.AddMultibodyPlantSceneGraph(builder, time_step=dt)
+    plant, _ = plants.AddMultibodyPlantSceneGraph(builder, time_step=dt)
     if approximation:
         plant.set_discrete_contact_approximation(getattr(plants.DiscreteContactApproximation, f"k{approximation.title()}"))
     plant.set_contact_model(plants.ContactModel.kPoint)

@@ -12,6 +12,11 @@ from hophoop.engines.task import States, Task
 
 PACKAGE = "exudyn"
 STEP = 0.001
+TITLE = "Exudyn"
+CONTACT = (
+    "A stiff spring and damper with friction built up linearly over a small slip velocity; implicit "
+    "integration with a tested contact state."
+)
 MODEL = "2D rigid body; disc of radius R about the rim's centre, ConnectorRollingDiscPenalty"
 SETTINGS: dict[str, dict[str, Any]] = {
     "default": {},

@@ -12,6 +12,8 @@ from hophoop.simulation import simulate
 
 PACKAGE = "hophoop"
 STEP = SPACING
+TITLE = "hophoop (ours)"
+CONTACT = "Coulomb friction and rigid contact taken exactly: no time step; events are located to rounding."
 MODEL = "2D; rigid contact, closed forms and one quadrature between located events. dt only says how densely it is sampled"
 SETTINGS: dict[str, dict[str, Any]] = {"default": {}}
 

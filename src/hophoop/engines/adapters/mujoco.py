@@ -9,10 +9,14 @@ from hophoop.engines.task import States, Task
 
 PACKAGE = "mujoco"
 STEP = 0.002
+TITLE = "MuJoCo"
+CONTACT = (
+    "A convex optimisation over soft constraints: in slip the relaxed cone couples the speed of opening to μ times the slip."
+)
 MODEL = "3D; body on two slides and a hinge, sphere of radius R about the rim's centre, one contact point"
 SETTINGS: dict[str, dict[str, Any]] = {
     "default": {},
-    "tuned": {"cone": "elliptic", "integrator": "implicitfast", "stiff": 2.0, "impratio": 100.0, "solimp": "0.999 0.9999 0.0001"},
+    "tuned": {"cone": "elliptic", "solref": "-100000 -120", "impratio": 100.0},
 }
 
 
@@ -28,6 +32,7 @@ def run(
     """Run a task; the settings are MuJoCo's options and those of both geoms."""
     mujoco = engine_module("mujoco")
     along, off = task.pull
+    moment = repr(task.inertia)
     model = mujoco.MjModel.from_xml_string(f"""
     <mujoco>
       <option timestep="{dt!r}" gravity="{along!r} 0 {off!r}" cone="{cone}" integrator="{integrator}" impratio="{impratio!r}"
@@ -36,7 +41,7 @@ def run(
         <geom type="plane" size="0 0 1" friction="{task.mu!r} 0 0" solref="{solref}" solimp="{solimp}" condim="3"/>
         <body pos="0 0 {task.radius!r}">
           <joint type="slide" axis="1 0 0"/> <joint type="slide" axis="0 0 1"/> <joint type="hinge" axis="0 1 0"/>
-          <inertial pos="0 0 {task.arm!r}" mass="{task.mass!r}" diaginertia="{task.inertia!r} {task.inertia!r} {task.inertia!r}"/>
+          <inertial pos="0 0 {task.arm!r}" mass="{task.mass!r}" diaginertia="{moment} {moment} {moment}"/>
           <geom type="sphere" size="{task.radius!r}" friction="{task.mu!r} 0 0" solref="{solref}" solimp="{solimp}" condim="3"/>
         </body>
       </worldbody>

@@ -12,6 +12,8 @@ from hophoop.engines.task import States, Task
 
 PACKAGE = "newton"
 STEP = 1.0 / 600.0
+TITLE = "Newton"
+CONTACT = "Positions are projected out of contact, velocities follow from them (XPBD, default); or a spring and damper (tuned)."
 MODEL = "3D, single precision; free body, sphere of radius R about the rim's centre, round inertia, one contact point"
 SETTINGS: dict[str, dict[str, Any]] = {
     "default": {},

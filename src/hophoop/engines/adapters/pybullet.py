@@ -10,10 +10,12 @@ from hophoop.engines.task import States, Task
 
 PACKAGE = "pybullet"
 STEP = 1.0 / 240.0
+TITLE = "PyBullet"
+CONTACT = "Sequential impulses, 50 sweeps by default, with a friction pyramid or a cone (tuned)."
 MODEL = "3D; free body, sphere of radius R about the rim's centre, round inertia, one contact point"
 SETTINGS: dict[str, dict[str, Any]] = {
     "default": {},
-    "tuned": {"iterations": 500, "cone": True, "threshold": 0.0},
+    "tuned": {"iterations": 51, "cone": True, "threshold": 0.0},
 }
 
 
@@ -45,7 +47,7 @@ def run(
             task.mass, ball, basePosition=(start.x, 0.0, start.y),
             baseOrientation=(0.0, -math.sin(half), 0.0, math.cos(half)), physicsClientId=client,
         )  # fmt: skip
-        free = {"linearDamping": 0.0, "angularDamping": 0.0, "rollingFriction": 0.0, "spinningFriction": 0.0}
+        free: dict[str, Any] = {"linearDamping": 0.0, "angularDamping": 0.0, "rollingFriction": 0.0, "spinningFriction": 0.0}
         free |= {"localInertiaDiagonal": (task.inertia,) * 3, "activationState": bullet.ACTIVATION_STATE_DISABLE_SLEEPING}
         bullet.changeDynamics(
             body, -1, lateralFriction=task.mu, restitution=task.restitution, physicsClientId=client, **free

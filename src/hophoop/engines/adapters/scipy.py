@@ -8,17 +8,19 @@ from typing import Any
 import numpy as np
 
 from hophoop.engines.adapters import engine_module
-from hophoop.engines.task import Floats, States, Task
+from hophoop.engines.task import SPACING, Floats, States, Task
 
 PACKAGE = "scipy"
 STEP = 0.01
+TITLE = "SciPy with events"
+CONTACT = "Rigid contact; each mode is integrated until an event function is zero. Its accuracy is that of the tolerances."
 MODEL = "2D; Newton's equations with one contact point, modes changed at events, impacts by Newton's and Coulomb's laws"
 SETTINGS: dict[str, dict[str, Any]] = {
     "default": {},
     "tuned": {"method": "DOP853", "rtol": 1e-12, "atol": 1e-12},
 }
 ROLL, FLIGHT = "roll", "flight"  # slip is a sign, that of the slip velocity
-CLOSED = 1e-3  # m/s: slower bounces are over
+CLOSED = 1e-7  # m/s: slower bounces are over
 
 
 def run(task: Task, dt: float, method: str = "RK45", rtol: float = 1e-3, atol: float = 1e-6) -> States:
@@ -31,23 +33,27 @@ def run(task: Task, dt: float, method: str = "RK45", rtol: float = 1e-3, atol: f
         tests = _events(task, mode)
         done = integrate.solve_ivp(
             lambda _, s, mode=mode: _rates(task, s, mode)[0],
-            (t, task.duration), state, method, events=tests, max_step=dt, rtol=rtol, atol=atol,
+            (t, task.duration), state, method, events=tests, max_step=dt, rtol=rtol, atol=atol, dense_output=True,
         )  # fmt: skip
         if not done.success:
             raise RuntimeError(done.message)
-        times.append(done.t[1:])
-        rows.append(done.y.T[1:])
+        between = np.arange(math.floor(t / SPACING) + 1, math.ceil(done.t[-1] / SPACING)) * SPACING
+        if between.size:
+            times.append(between)
+            rows.append(done.sol(between).T)
+        times.append(done.t[-1:])
+        rows.append(done.y.T[-1:])
         t, state = float(done.t[-1]), done.y[:, -1].copy()
         if done.status == 1:
             mode = _after(task, state, mode)
     every, columns = np.concatenate(times), np.concatenate(rows)
-    fresh = np.concatenate([np.diff(every) > 0.0, [True]])
+    fresh = np.concatenate([np.diff(every) > 1e-9, [True]])  # the state after an event, not before it
     return States(every[fresh], *columns[fresh].T)
 
 
 def _rates(task: Task, s: Floats, mode: Any) -> tuple[Floats, float, float]:
     """Rates of the state, friction and normal force."""
-    _, _, angle, vx, vy, omega = s
+    angle, vx, vy, omega = (float(value) for value in s[2:])
     sine, cosine, m, arm, radius = math.sin(angle), math.cos(angle), task.mass, task.arm, task.radius
     along, off = task.pull
     rows = [
@@ -74,7 +80,7 @@ def _events(task: Task, mode: Any) -> list[Any]:
         return _rates(task, s, mode)[2]
 
     def holds(_: float, s: Floats) -> float:
-        _, friction, normal = _rates(task, s, mode)
+        friction, normal = _rates(task, s, mode)[1:]
         return task.mu * normal - abs(friction)
 
     def slides(_: float, s: Floats) -> float:
@@ -130,7 +136,7 @@ def _impact(task: Task, s: Floats) -> None:
     impulse = np.linalg.solve(push, wanted)
     if abs(impulse[0]) > task.mu * impulse[1]:
         ratio = -math.copysign(task.mu, slip)
-        impulse = wanted[1] / (push[1, 1] + ratio * push[1, 0]) * np.array([ratio, 1.0])
+        impulse = np.array([ratio, 1.0]) * (wanted[1] / (push[1, 1] + ratio * push[1, 0]))
     spin = float(lever @ impulse) / task.inertia
     s[3] += impulse[0] / task.mass - task.arm * cosine * spin
     s[4] = -bounce * s[4]
