@@ -1,6 +1,7 @@
 """Make the truth of the benchmark hophoop-bench/1: two solutions in many digits, and the digits that they share.
 
-    python benchmarks/make_bench_truth.py [FILE]
+    python benchmarks/make_bench_truth.py            # all anew
+    python benchmarks/make_bench_truth.py --measures # the solutions as they are, measured anew
 
 The first solution is the precise room's (Taylor series in whole numbers, two working precisions), asked anew for the state
 at every time of the grid; the second is the tests' oracle (Taylor series in mpmath of the equations rederived from the
@@ -135,8 +136,11 @@ def main() -> None:
     """Write the truth and its checksum."""
     from hophoop.engines.measures import measures_of_truth
 
-    target = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "src/hophoop/engines/data/hophoop-bench-1.json"
-    scenarios = {name: truth_of(bench) for name, bench in bench_scenarios().items()}
+    target = ROOT / "src/hophoop/engines/data/hophoop-bench-1.json"
+    if "--measures" in sys.argv[1:]:
+        scenarios = json.loads(target.read_text(encoding="utf-8"))["scenarios"]
+    else:
+        scenarios = {name: truth_of(bench) for name, bench in bench_scenarios().items()}
     for name, entry in scenarios.items():
         entry["measures"] = measures_of_truth(bench_scenarios()[name], entry)
     document = {

@@ -125,9 +125,7 @@ def work_precision(comparison: Comparison) -> Any:
     for ax, name in zip(axes, shown, strict=True):
         for (other, _), points in curves.items():
             if other != name:
-                ax.plot(
-                    [_wall(row) for row, _ in points], [e for _, e in points], color="#000000", alpha=0.07, lw=0.8
-                )
+                ax.plot([_wall(row) for row, _ in points], [e for _, e in points], color="#000000", alpha=0.07, lw=0.8)
         one = comparison.engines[name]
         for setting, color, mark in zip(one.settings, (colors.VERMILION, colors.BLUE), ("o", "s"), strict=False):
             points = curves[name, setting]

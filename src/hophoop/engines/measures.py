@@ -26,15 +26,15 @@ class Measures:
     chatter : int
         Runs below 20 ms that were left out.
     takeoff_time, takeoff_angle : float or None
-        Where N falls to zero before the first flight that begins in contact [s], [rad].
+        Where N falls to zero before the highest flight; None where the record begins in flight [s], [rad].
     hop_height : float or None
-        Greatest gap in that flight over the gap at take-off [m].
+        Greatest gap from take-off to landing, over the gap at take-off [m].
     landing_time, landing_angle : float or None
-        Where the first flight comes down to the height at which it began, or to the plane [s], [rad].
+        Where that flight, or the one in which the record begins, comes down first [s], [rad].
     slip_loss : float
-        Energy lost up to the first take-off or landing, or to the end where there is none [J].
+        Energy lost up to that take-off or landing, or to the end where there is none [J].
     impact_loss : float or None
-        Energy lost from 5 ms before to 20 ms after the first landing [J].
+        Energy lost from 5 ms before to 20 ms after that landing [J].
     total_loss : float
         Energy lost from the start to the end [J].
     penetration : float
@@ -140,8 +140,22 @@ def takeoff_time(task: Task, states: States, flight: Phase) -> float:
     return found
 
 
+def _flight(states: States, pieces: list[Phase]) -> int | None:
+    """The flight that is measured: the one in which the record begins, else the highest."""
+    tops = {
+        k: float(states.y[(states.t >= piece.begin) & (states.t <= piece.end)].max())
+        for k, piece in enumerate(pieces)
+        if piece.letter == "H"
+    }
+    if not tops:
+        return None
+    return 0 if 0 in tops else max(tops, key=tops.__getitem__)
+
+
 def landing_of(task: Task, states: States, flight: Phase, level: float) -> tuple[float, float] | None:
-    """When the rim comes down after the highest point of a flight: a blow of more than m g/2, and the way to the level.
+    """When the rim comes down in a flight: a blow of more than m g/2, and from there the way to the level.
+
+    It is looked for from where the rim is first half as high as it gets, beyond what an engine does while it takes off.
 
     Parameters
     ----------
@@ -159,8 +173,8 @@ def landing_of(task: Task, states: States, flight: Phase, level: float) -> tuple
     t, y = states.t, states.y - level
     middle, force = normal_force(task, states)
     inside = np.flatnonzero((t >= flight.begin) & (t <= flight.end))
-    top = t[inside[int(np.argmax(y[inside]))]]
-    struck = np.flatnonzero((middle > max(top, flight.begin + 0.5 * SHORT)) & (force > 0.5 * task.mass * task.gravity))
+    high = t[inside[int(np.argmax(y[inside] >= 0.5 * y[inside].max()))]]
+    struck = np.flatnonzero((middle > max(high, flight.begin + 0.5 * SHORT)) & (force > 0.5 * task.mass * task.gravity))
     if not struck.size:
         return None
     # the state before the blow is still in flight: go on from it, or back where the rim is below the level already
@@ -195,7 +209,7 @@ def measure(task: Task, record: States) -> Measures:
     t = states.t
     pieces, chatter = phases(task, states)
     total = energy(task, states)
-    place = next((k for k, piece in enumerate(pieces) if piece.letter == "H"), None)
+    place = _flight(states, pieces)
     lift = angle = height = landing = landing_angle = blow = None
     until = float(t[-1])
     if place is not None:
