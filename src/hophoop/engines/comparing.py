@@ -24,7 +24,7 @@ from hophoop.engines.worker import Worker, run_here
 COMMON_STEP, FINE_STEP = 0.001, 0.0001
 LADDER = (0.01, 0.005, 0.002, 0.001, 0.0005, 0.0002, 0.0001, 0.00005, 0.00002, 0.00001)
 LADDER_SCENARIO = "hop"
-PATIENCE = 10.0  # s: a run that would take longer, by the one before it, is left out
+PATIENCE = 6.0  # s: a run that would take longer, by the one before it, is left out
 LIMIT = 120.0  # s a run
 FITTED = {"hop_height": "m", "takeoff_angle": "rad"}
 
@@ -224,7 +224,7 @@ def jobs_of(
                 usual = (one.step, COMMON_STEP) if place == 0 else (COMMON_STEP, FINE_STEP)
                 own = list(dict.fromkeys(steps or usual))
                 jobs += [Job(one, setting, bench, dt) for dt in own]
-                if ladder and bench.name == LADDER_SCENARIO and steps is None:
+                if ladder and bench.name == LADDER_SCENARIO and steps is None and one.name != "hophoop":
                     jobs += [Job(one, setting, bench, dt, True) for dt in LADDER if dt not in own]
     return jobs
 
@@ -301,7 +301,7 @@ def _run(worker: Worker, job: Job, truth: Truth, ours: float) -> tuple[Row, str]
 
 
 def _adaptive(one: Engine) -> bool:
-    return one.ours or one.name == "scipy"  # dt is no step there
+    return one.ours  # dt is no step there
 
 
 def _versioned(one: Engine, version: str) -> Engine:

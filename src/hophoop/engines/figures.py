@@ -61,13 +61,15 @@ def hops(comparison: Comparison, dt: float = COMMON_STEP) -> Any:
     figure, axes = _panels(len(shown), (2.55, 1.95))
     for ax, name in zip(axes, shown, strict=True):
         one = comparison.engines[name]
-        ax.fill_between(exact.t, 0.0, 1e3 * exact.y, color=colors.LIGHT_GRAY, linewidth=0)
+        ax.fill_between(exact.t[::5], 0.0, 1e3 * exact.y[::5], color=colors.LIGHT_GRAY, linewidth=0)
         words = []
         for setting, color, dashes in zip(one.settings, (colors.VERMILION, colors.BLUE), ("-", (0, (4, 2))), strict=False):
             row = comparison.row(name, setting, LADDER_SCENARIO, dt)
             if row is None or row.states is None or row.scores is None:
                 continue
-            ax.plot(row.states.t, 1e3 * row.states.y, color=color, lw=1.6, ls=dashes)
+            inside = np.flatnonzero((row.states.t >= SPAN[0]) & (row.states.t <= SPAN[1]))
+            inside = inside[:: max(1, len(inside) // 400)]
+            ax.plot(row.states.t[inside], 1e3 * row.states.y[inside], color=color, lw=1.6, ls=dashes)
             words.append((_height_words(row), color))
         ax.set_title(one.title, fontsize=10, loc="left", pad=4)
         for k, (text, color) in enumerate(words):

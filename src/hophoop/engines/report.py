@@ -59,7 +59,7 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
         If Matplotlib is missing, or for the film the extra 'films'.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    _write(folder / "scores.json", json.dumps(comparison.to_dict(), indent=1, ensure_ascii=False, allow_nan=False) + "\n")
+    _write(folder / "scores.json", _json(comparison.to_dict()))
     _write(folder / "summary.md", markdown(*summary(comparison)))
     pictures = {}
     plot = need("matplotlib.pyplot", "plots")
@@ -75,6 +75,18 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
     page = folder / "index.html"
     _write(page, _page(comparison, pictures, shown))
     return page
+
+
+def _json(document: dict[str, Any]) -> str:
+    """JSON with a line for each row, so that two comparisons can be laid beside each other."""
+    parts = []
+    for key, value in document.items():
+        if isinstance(value, list):
+            lines = ",\n".join("  " + json.dumps(item, ensure_ascii=False, allow_nan=False) for item in value)
+            parts.append(f" {json.dumps(key)}: [\n{lines}\n ]")
+        else:
+            parts.append(f" {json.dumps(key)}: {json.dumps(value, ensure_ascii=False, allow_nan=False)}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
 
 
 def _write(path: Path, text: str) -> None:

@@ -178,6 +178,7 @@ def _summary_line(
         why = next((row.failure for row in right.values()), "not run")
         return [*start, why, *[""] * 6]
     good = sum(row.scores.sequence_right for row in done if row.scores)
+    ran = f"{good} of {len(right)}" if len(done) == len(right) else f"{good} of {len(done)} run"
     scores: Scores | None = hop.scores if hop is not None else None
     limit = comparison.limit(one.name, setting, "hop_height")
     truth = 1e3 * _true_hop()
@@ -194,7 +195,7 @@ def _summary_line(
         shown += f" ± {1e3 * limit.scatter:.1g}"
     if one.ours or one.name == "scipy":
         order = "–"
-    return [*start, f"{good} of {len(right)}", *hop_cells, shown, order, relative(hop) if hop is not None else "–"]
+    return [*start, ran, *hop_cells, shown, order, relative(hop) if hop is not None else "–"]
 
 
 def _true_hop() -> float:
