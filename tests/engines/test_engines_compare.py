@@ -191,12 +191,12 @@ def test_the_command_of_the_page_runs(tmp_path):
     assert len(code.splitlines()) <= 60
     script = tmp_path / "mine.py"
     script.write_text(code, encoding="utf-8")
-    result = call("--command", f"mine={sys.executable} {script}", "--scenario", "rolling", "--dt", "0.001", "--json")
+    result = call("--command", f"mine={sys.executable} {script}", "--scenario", "rolling", "--dt", "0.0001", "--json")
     assert result.exit_code == 0, result.output
     row = json.loads(result.stdout)["rows"][0]
     assert row["engine"] == "mine"
     assert row["scores"]["sequence_right"]
-    assert row["scores"]["angle_error"] < 5.0
+    assert row["scores"]["angle_error"] < 2.0
 
 
 def test_the_page_tells_the_numbers_of_the_kept_table(kept):

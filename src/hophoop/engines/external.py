@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import time
 from collections.abc import Mapping, Sequence
@@ -83,7 +84,8 @@ def run_command(
     took = time.perf_counter() - began
     if done.returncode != 0:
         lines = [line for line in done.stderr.strip().splitlines() if line.strip()]
-        said = next((line.strip() for line in lines if "Error" in line), lines[-1].strip() if lines else "nothing")
+        named = [line for line in lines if re.match(r"\s*[\w.]*(Error|Exception)\b.*:", line)]
+        said = (named or lines[-1:] or ["nothing"])[0].strip()
         raise RuntimeError(f"{command[0]} ended with {done.returncode} and said: {said}")
     record = read_csv(done.stdout, "what the command wrote")
     if record.wall_seconds is None:

@@ -38,6 +38,14 @@ def _panels(count: int, size: tuple[float, float]) -> tuple[Any, list[Any]]:
     return figure, flat[:count]
 
 
+def _label_below(axes: list[Any], words: str) -> None:
+    for k, ax in enumerate(axes):
+        lowest = k + COLUMNS >= len(axes)
+        ax.tick_params(labelbottom=lowest)
+        if k >= COLUMNS * ((len(axes) - 1) // COLUMNS):  # a label in a higher row would push the rows apart
+            ax.set_xlabel(words)
+
+
 def hops(comparison: Comparison, dt: float = COMMON_STEP) -> Any:
     """The height of the rim over time in the hop, one panel for each engine, over the exact motion.
 
@@ -78,9 +86,7 @@ def hops(comparison: Comparison, dt: float = COMMON_STEP) -> Any:
         ax.set_ylim(-20.0, 420.0)
     for ax in axes[::COLUMNS]:
         ax.set_ylabel("gap (mm)")
-    for ax in axes[-COLUMNS:]:
-        ax.tick_params(labelbottom=True)
-        ax.set_xlabel("time (s)")
+    _label_below(axes, "time (s)")
     figure.suptitle(
         f"The hop as each engine has it, time step {1e3 * dt:g} ms: gray the exact motion, red the manual’s settings, "
         "blue dashed the best we found",
@@ -129,26 +135,26 @@ def work_precision(comparison: Comparison) -> Any:
             if other != name:
                 ax.plot([_wall(row) for row, _ in points], [e for _, e in points], color="#000000", alpha=0.07, lw=0.8)
         one = comparison.engines[name]
-        for setting, color, mark in zip(one.settings, (colors.VERMILION, colors.BLUE), ("o", "s"), strict=False):
+        marks = zip(one.settings, (colors.VERMILION, colors.BLUE), ("o", "s"), (5, -11), strict=False)
+        for setting, color, mark, offset in marks:
             points = curves[name, setting]
             if not points:
                 continue
             work, errors = [_wall(row) for row, _ in points], [e for _, e in points]
             ax.plot(work, errors, color=color, marker=mark, ms=3.2, lw=1.4)
             for k in {0, len(points) - 1}:
-                ax.annotate(
-                    f"{1e3 * points[k][0].dt:g} ms", (work[k], errors[k]), textcoords="offset points", xytext=(0, 5),
-                    fontsize=6.5, color=color, ha="center",
-                )  # fmt: skip
+                if 0.5 * FLOOR < errors[k] < 900.0:
+                    ax.annotate(
+                        f"{1e3 * points[k][0].dt:.3g} ms", (work[k], errors[k]), textcoords="offset points",
+                        xytext=(0, offset), fontsize=6.5, color=color, ha="center", annotation_clip=True,
+                    )  # fmt: skip
         ax.set_title(one.title, fontsize=10, loc="left", pad=4)
         ax.set_xscale("log")
         ax.set_yscale("log")
-        ax.set_ylim(0.5 * FLOOR, 900.0)
+        ax.set_ylim(0.2 * FLOOR, 2000.0)
     for ax in axes[::COLUMNS]:
         ax.set_ylabel("error of hop (mm)")
-    for ax in axes[-COLUMNS:]:
-        ax.tick_params(labelbottom=True)
-        ax.set_xlabel("wall time (s)")
+    _label_below(axes, "wall time (s)")
     figure.suptitle(
         "Error of the hop’s height against work, from 10 ms to 0.01 ms: red the manual’s settings, blue the best we found. "
         "At the top: no hop",

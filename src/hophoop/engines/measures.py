@@ -140,8 +140,8 @@ def takeoff_time(task: Task, states: States, flight: Phase) -> float:
     return found
 
 
-def _flight(states: States, pieces: list[Phase]) -> int | None:
-    """The flight that is measured: the one in which the record begins, else the highest."""
+def _flight(task: Task, states: States, pieces: list[Phase]) -> int | None:
+    """The flight that is measured: the one in which the motion begins, else the highest."""
     tops = {
         k: float(states.y[(states.t >= piece.begin) & (states.t <= piece.end)].max())
         for k, piece in enumerate(pieces)
@@ -149,7 +149,7 @@ def _flight(states: States, pieces: list[Phase]) -> int | None:
     }
     if not tops:
         return None
-    return 0 if 0 in tops else max(tops, key=tops.__getitem__)
+    return 0 if 0 in tops and task.height > 0.0 else max(tops, key=tops.__getitem__)
 
 
 def landing_of(task: Task, states: States, flight: Phase, level: float) -> tuple[float, float] | None:
@@ -209,13 +209,14 @@ def measure(task: Task, record: States) -> Measures:
     t = states.t
     pieces, chatter = phases(task, states)
     total = energy(task, states)
-    place = _flight(states, pieces)
+    place = _flight(task, states, pieces)
+    falls = place == 0 and task.height > 0.0  # the motion begins in flight: nothing takes off
     lift = angle = height = landing = landing_angle = blow = None
     until = float(t[-1])
     if place is not None:
         flight = pieces[place]
         level = 0.0
-        if place > 0:
+        if not falls:
             lift = takeoff_time(task, states, flight)
             angle = between(t, states.angle, states.omega, lift)
             level = between(t, states.y, states.vy, lift)
@@ -224,7 +225,7 @@ def measure(task: Task, record: States) -> Measures:
         if landed is not None:
             down, landing_angle = landed
             landing = down
-            until = until if place > 0 else down
+            until = down if falls else until
             step = float(np.median(np.diff(t)))
             blow = float(
                 np.interp(down - max(BEFORE, 1.5 * step), t, total) - np.interp(down + max(AFTER, 1.5 * step), t, total)
@@ -232,7 +233,7 @@ def measure(task: Task, record: States) -> Measures:
         if lift is not None:
             inside = (t >= lift) & (t <= (t[-1] if landing is None else landing))
             height = float(states.y[inside].max() - level) if inside.any() else 0.0
-    last = until - BEFORE if place == 0 else until
+    last = until - BEFORE if falls else until
     return Measures(
         sequence="".join(piece.letter for piece in pieces),
         chatter=chatter,
