@@ -199,12 +199,23 @@ def test_the_command_of_the_page_runs(tmp_path):
     assert row["scores"]["angle_error"] < 2.0
 
 
-def test_the_page_tells_the_numbers_of_the_kept_table(kept):
-    text = PAGE.read_text(encoding="utf-8")
-    assert f"made {kept['made']}" in text or "tables/engines.md" in text
+def test_the_table_of_the_page_is_the_kept_one(kept):
     table = (ROOT / "docs" / "tables" / "engines.md").read_text(encoding="utf-8")
+    assert f"made {kept['made']}" in table
+    assert "{include} tables/engines.md" in PAGE.read_text(encoding="utf-8")
+    rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines() if line.startswith("|")]
+    head = rows[0]
     for one in kept["engines"].values():
-        assert one["title"] in table
+        assert any(row[0] == one["title"] and row[1] in (one["version"], "–") for row in rows[2:]), one["title"]
+    for row in kept["rows"]:
+        if row["scenario"] == "hop" and row["dt"] == 0.001 and "scores" in row:
+            title, height = kept["engines"][row["engine"]]["title"], row["scores"]["hop_height"]
+            line = next(r for r in rows if (r[0], r[2], r[3]) == (title, row["setting"], "1"))
+            written = line[head.index("hop (mm)")]
+            if height == "missing":
+                assert written == "none"
+            else:
+                assert float(written.replace("−", "-").replace(",", "")) == pytest.approx(1e3 * height, rel=0.06, abs=1e-3)
 
 
 # Commands

@@ -60,7 +60,8 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
     """
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder / "scores.json", _json(comparison.to_dict()))
-    _write(folder / "summary.md", markdown(*summary(comparison)))
+    made = f"\n*{BENCHMARK}, made {comparison.made} with hophoop {hophoop.__version__}.*\n"
+    _write(folder / "summary.md", markdown(*summary(comparison)) + made)
     pictures = {}
     plot = need("matplotlib.pyplot", "plots")
     if any(row.scenario == LADDER_SCENARIO and row.states is not None for row in comparison.rows):
