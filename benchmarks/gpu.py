@@ -36,7 +36,7 @@ from hophoop.maps.cells import make_cells
 from hophoop.maps.evaluate import Results, run_cells
 from hophoop.maps.kernel import CELL
 from hophoop.maps.quantities import make_span
-from hophoop.rigid.records import EVENT, SEGMENT
+from hophoop.records.layout import EVENT, SEGMENT
 
 ARCHITECTURE = (8, 0)
 ROOM = 3000  # events of one motion

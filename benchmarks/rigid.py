@@ -25,9 +25,10 @@ from scipy.integrate import solve_ivp
 
 import hophoop as hh
 from hophoop._jit import jit
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
 from hophoop.rigid.kernel import run
-from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import start_state
 
 SCENARIO = hh.Scenario(duration=2.0)
 REFERENCE = Path(__file__).parent.parent / "tests" / "data" / "article_v3.1_mu1.json"

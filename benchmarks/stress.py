@@ -29,8 +29,9 @@ from hophoop._jit import jit
 from hophoop.arbitration import LATEST
 from hophoop.maps.kernel import CELL, body_of, second_of, start_of
 from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
 from hophoop.rigid.kernel import run
-from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
 from hophoop.rigid.sampling import COLUMNS, find_segment, sample
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))

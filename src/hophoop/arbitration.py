@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from hophoop.physics.body import Event, Status
-from hophoop.rigid.records import EVENT
+from hophoop.records.layout import EVENT
 from hophoop.scenario import Scenario, time_unit
 
 DIGITS = 20

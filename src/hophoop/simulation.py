@@ -12,10 +12,11 @@ import hophoop
 from hophoop._jit import precompile
 from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until
 from hophoop.physics.body import Status
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
-from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import start_state
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
 from hophoop.scenario.scenario import time_unit, to_body
 from hophoop.trajectory import Trajectory
@@ -175,7 +176,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
 
 
 def _hold_at(event: np.void, segment: np.void) -> None:
-    from hophoop.physics.panel import HOLD
+    from hophoop.panels.panel import HOLD
 
     for name in segment.dtype.names or ():
         segment[name] = event[name] if name in (event.dtype.names or ()) else 0

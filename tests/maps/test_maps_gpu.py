@@ -130,7 +130,7 @@ def test_the_kernel_compiles_for_cuda(monkeypatch, tmp_path):
     from numba.cuda.cudadrv import nvvm
 
     from hophoop.maps.gpu_kernel import evaluate_thread
-    from hophoop.rigid.records import EVENT, SEGMENT
+    from hophoop.records.layout import EVENT, SEGMENT
 
     if not nvvm.is_available():
         pytest.skip("the CUDA toolkit's NVVM is not installed")

@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 from numpy.polynomial import chebyshev
 
-from hophoop import _collocation as col
+from hophoop.numerics import collocation as col
+from hophoop.numerics import roots as search
+from hophoop.panels import panel
 
 
 @pytest.mark.parametrize("size", [1e-8, 0.3, 1.0, 1.001, 20.0])
@@ -25,14 +27,14 @@ def test_sums_and_extremes():
 
 
 def test_widths_go_on_beyond_the_tables():
-    ratio = [col.width_of(level + 1) / col.width_of(level) for level in range(col.LEVELS + 40)]
+    ratio = [panel.width_of(level + 1) / panel.width_of(level) for level in range(panel.LEVELS + 40)]
     np.testing.assert_allclose(ratio, np.sqrt(0.5), rtol=1e-14)
 
 
 def test_falls_are_where_numpy_has_roots():
     """Resolved functions with two falls and a rise between; the first fall, to rounding."""
     random = np.random.default_rng(5)
-    stack = np.zeros((col.DEPTH + 3, col.ORDER + 2))
+    stack = np.zeros((search.DEPTH + 3, col.ORDER + 2))
     for _ in range(200):
         roots = np.sort(random.uniform(-0.95, 0.95, 3))
         if np.diff(roots).min() < 0.05:
@@ -44,15 +46,15 @@ def test_falls_are_where_numpy_has_roots():
 
         series = np.empty(col.ORDER)
         col.coefficients(function(col.NODES), series)
-        assert col.first_fall(series, 0.0, stack) == pytest.approx(roots[0], abs=2e-14)
+        assert search.first_fall(series, 0.0, stack) == pytest.approx(roots[0], abs=2e-14)
 
 
 def test_what_is_no_number_falls_nowhere():
-    stack = np.zeros((col.DEPTH + 3, col.ORDER + 2))
+    stack = np.zeros((search.DEPTH + 3, col.ORDER + 2))
     for bad in (np.nan, np.inf):
         series = np.ones(col.ORDER)
         series[3] = bad
-        assert col.first_fall(series, 0.0, stack) == col.NOT_FOUND
+        assert search.first_fall(series, 0.0, stack) == search.NOT_FOUND
 
 
 def test_a_resolved_function_stays_near_the_range_of_its_nodes():

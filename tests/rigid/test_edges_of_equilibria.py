@@ -13,11 +13,12 @@ from mpmath import mp, mpf
 
 import hophoop as hh
 from hophoop.numerics import double_double
-from hophoop.physics.anchor import separatrix, separatrix_value, slip_hilltop
+from hophoop.panels.anchor import separatrix, separatrix_value, slip_hilltop
 from hophoop.physics.body import Event
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
 from hophoop.rigid.kernel import run
-from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import start_state
 from oracles import elliptic
 from oracles.cases import rolling
 

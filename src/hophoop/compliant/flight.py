@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NODES, NOT_FOUND, ORDER, coefficients, first_fall
 from hophoop._jit import jit
 from hophoop.compliant.records import DAMPING, FRICTION, OM, TH, VN, VT, X, Y, Z
+from hophoop.numerics.collocation import NODES, ORDER, coefficients
+from hophoop.numerics.roots import NOT_FOUND, first_fall
+from hophoop.panels.landing import PHASE, first_landing
 from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT
-from hophoop.physics.flight import PHASE, first_landing, flight_displacement, flight_gap
+from hophoop.physics.flight import flight_displacement, flight_gap
 
 LANDED, CLEAR, LASTS = 0, 1, 2
 

@@ -51,8 +51,9 @@ from hophoop.compliant.tableau import STAGES
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.compliant import BRISTLE, TANH, first_regime, friction_force, normal_force
 from hophoop.physics.contact import delassus, free_acceleration
-from hophoop.rigid.records import EVENT
-from hophoop.rigid.state import moved, quiet, start_state, with_losses, write_event
+from hophoop.records.layout import EVENT
+from hophoop.records.state import moved, start_state, with_losses
+from hophoop.records.writing import quiet, write_event
 from hophoop.scenario import Scenario
 
 # As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
@@ -364,7 +365,7 @@ def simulate_compliant(scenario: Scenario) -> tuple[int, np.ndarray, np.ndarray]
     -------
     status : int
         A Status.
-    events : ndarray of hophoop.rigid.records.EVENT
+    events : ndarray of hophoop.records.layout.EVENT
     segments : ndarray of hophoop.compliant.records.SEGMENT
         Both in units of R, m and √(R/g).
     """

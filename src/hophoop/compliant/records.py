@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._collocation import DEPTH, ORDER
 from hophoop._jit import jit
 from hophoop.compliant.tableau import PAIRS, STAGES
+from hophoop.numerics.collocation import ORDER
+from hophoop.numerics.roots import DEPTH
 
 # What the state array holds, in kernel units; `bristle` is z; `friction`, `damping`: energy lost so far.
 VARIABLES = ("height", "angle", "slip", "vy", "omega", "bristle", "x", "friction", "damping")

@@ -38,7 +38,7 @@ from hophoop.maps.quantities import (
     unpack,
     wanted_of,
 )
-from hophoop.physics.panel import RESOLVED
+from hophoop.panels.panel import RESOLVED
 from hophoop.scenario import InputError, Scenario, parameter
 
 CHUNK_CELLS = 65536

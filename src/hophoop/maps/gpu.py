@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.maps.kernel import FIRST_EVENTS, MAX_EVENTS, MORE_EVENTS
-from hophoop.rigid.records import EVENT, SEGMENT
+from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.scenario import InputError
 
 THREADS_A_BLOCK = 64

@@ -7,10 +7,10 @@ from typing import Any
 from numba import cuda, float64
 from numba.core import config
 
-from hophoop._collocation import ORDER
 from hophoop.maps import kernel as cells_kernel
-from hophoop.physics.panel import ROWS
-from hophoop.rigid.records import STACK_COLUMNS, STACK_ROWS, Scratch
+from hophoop.numerics.collocation import ORDER
+from hophoop.panels.panel import ROWS
+from hophoop.records.scratch import STACK_COLUMNS, STACK_ROWS, Scratch
 
 # What CUDA's simulator runs is Python.
 evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else cells_kernel.evaluate_cell.dispatcher  # type: ignore[attr-defined]

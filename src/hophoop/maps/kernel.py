@@ -11,10 +11,12 @@ from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.physics.contact import rolling_forces
 from hophoop.physics.friction import utilization
 from hophoop.physics.roll import rolling_u
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state, whole_angle
+from hophoop.records.writing import state_of
 from hophoop.rigid.contact_phase import STOP, limits_of
 from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, opening_of, run
-from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import start_state, state_of, whole_angle
 from hophoop.rigid.transitions import collide
 
 # Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import versine_of
 from hophoop._jit import jit
+from hophoop.numerics.trigonometry import versine_of
 
 
 @jit

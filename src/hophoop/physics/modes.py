@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
+from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import (
     cone_weights,
@@ -14,7 +15,6 @@ from hophoop.physics.contact import (
     slip_stiffness,
 )
 from hophoop.physics.jets import candidate_series, leading_sign
-from hophoop.physics.panel import sine_cosine
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 # Answers beyond the modes: what rule 4 records before the motion goes on.

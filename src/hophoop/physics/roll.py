@@ -1,29 +1,12 @@
-"""Rolling: θ̇²(θ) in closed form, time by quadrature (docs/model.md#rolling-in-closed-form)."""
+"""Rolling: θ̇²(θ) in closed form (docs/model.md#rolling-in-closed-form)."""
 
 from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NODES, ORDER, tail, total, turn_deficits, versine_of
-from hophoop._jit import inline_jit, lean_jit
-from hophoop.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
-from hophoop.physics.panel import (
-    ARRIVE,
-    COSINE,
-    NORMAL,
-    RATE,
-    RESOLVED,
-    SINE,
-    STRETCH,
-    A,
-    B,
-    Totals,
-    U,
-    angle_at,
-    chord,
-    fill_geometry,
-    rotated,
-)
+from hophoop._jit import lean_jit
+from hophoop.numerics.trigonometry import rotated, turn_deficits, versine_of
+from hophoop.physics.contact import inertia_at_height, load_height
 
 
 @lean_jit
@@ -53,75 +36,3 @@ def rolling_u(body, th0, u0, offset):
     sine = math.sin(offset)
     versine = versine_of(offset)
     return _u_after(body, math.sin(th0), math.cos(th0), u0, sine, versine, offset)
-
-
-@inline_jit
-def energy_gained(body, panel, sine, versine, offset):
-    """Change of D θ̇² on a rolling panel over φ = offset from its reference, with sin φ and 1 − cos φ."""
-    gained = sine * panel.arm + versine * panel.stiffness
-    if body.gt != 0.0:
-        gained += body.gt * turn_deficits(offset)[0]
-    return 2.0 * gained
-
-
-@inline_jit
-def u_on_panel(body, panel, sine, versine, offset):
-    """θ̇² on a rolling panel at φ = offset from its reference, with sin φ and 1 − cos φ."""
-    inertia = inertia_at_height(body, load_height(panel.sine, panel.cosine))
-    energy = inertia * panel.u + energy_gained(body, panel, sine, versine, offset)
-    return energy / (inertia + 2.0 * body.eps * rotated(panel.sine, panel.cosine, sine, versine)[1])
-
-
-@inline_jit
-def solve_roll(body, panel, work):
-    """Fill `work` for a rolling panel.
-
-    The row A holds D θ̇², which is smooth also where it turns negative beyond a turning point.
-    """
-    fill_geometry(panel, work)
-    s0 = panel.sine
-    c0 = panel.cosine
-    # as a change from `ref`: near θ = π and γ = 1 rounding would else be all that the panel shows
-    inertia = inertia_at_height(body, load_height(s0, c0))
-    start = inertia * panel.u
-    sines = work[SINE]
-    cosines = work[COSINE]
-    us = work[U]
-    rates = work[RATE]
-    stretch = work[STRETCH]
-    energies = work[A]
-    versines = work[B]
-    for i in range(ORDER):
-        sine = energies[i]
-        versine = versines[i]
-        offset = angle_at(panel, NODES[i]) if body.gt != 0.0 else 0.0
-        energy = start + energy_gained(body, panel, sine, versine, offset)
-        ds, dc = rotated(s0, c0, sine, versine)
-        u = energy / (inertia + 2.0 * body.eps * dc)
-        sines[i] = s0 + ds
-        cosines[i] = c0 + dc
-        energies[i] = energy
-        us[i] = u
-    for i in range(ORDER):
-        rates[i] = stretch[i] / math.sqrt(max(us[i], 0.0))  # infinite beyond a turning point
-    size = tail(rates, 0.0)
-    if not size <= RESOLVED:
-        return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan)
-    time = total(rates)
-    far = -1.0 if panel.kind == ARRIVE else 1.0
-    sine, versine = chord(panel, far)
-    u = u_on_panel(body, panel, sine, versine, far * panel.way * panel.extent)
-    if not u > 0.0:
-        size = math.inf
-    return Totals(size, time, u, 0.0, 0.0, math.nan)
-
-
-@inline_jit
-def roll_margins(body, work):
-    """Rows A and B become the margins to the two sides of the friction cone, positive inside; NORMAL is N."""
-    a, b = cone_weights(body.mu_s)
-    for i in range(ORDER):
-        friction, normal = rolling_forces(body, work[SINE, i], work[COSINE, i], work[U, i])
-        work[NORMAL, i] = normal
-        work[A, i] = a * normal - b * friction
-        work[B, i] = a * normal + b * friction

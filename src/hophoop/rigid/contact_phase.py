@@ -5,24 +5,12 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._collocation import (
-    LEVELS,
-    NODES,
-    NOT_FOUND,
-    ORDER,
-    antiderivative,
-    coefficients,
-    dot,
-    extremes,
-    first_fall,
-    lagrange,
-    left_value,
-    versine_of,
-    width_of,
-)
 from hophoop._jit import inline_jit, lean_jit
+from hophoop.numerics.collocation import NODES, ORDER, antiderivative, coefficients, dot, extremes, lagrange, left_value
 from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
-from hophoop.physics.anchor import (
+from hophoop.numerics.roots import NOT_FOUND, first_fall
+from hophoop.numerics.trigonometry import rotated, sine_cosine, turn, versine_of
+from hophoop.panels.anchor import (
     NONE,
     ROLLING,
     SLIPPING,
@@ -33,20 +21,11 @@ from hophoop.physics.anchor import (
     slip_anchor,
     slip_begin,
 )
-from hophoop.physics.body import Mode
-from hophoop.physics.contact import (
-    inertia_at_height,
-    load_height,
-    rolling_acceleration,
-    slip_motion,
-    slip_stiffness,
-    slip_torque_arm,
-)
-from hophoop.physics.modes import slip_direction
-from hophoop.physics.panel import (
+from hophoop.panels.panel import (
     ARRIVE,
     COSINE,
     LEAVE,
+    LEVELS,
     LINEAR,
     LOSS,
     RATE,
@@ -64,23 +43,24 @@ from hophoop.physics.panel import (
     leaving_panel,
     linear_panel,
     place_of,
-    rotated,
-    sine_cosine,
-    turn,
+    width_of,
 )
-from hophoop.physics.roll import roll_margins, solve_roll, u_on_panel
-from hophoop.physics.slip import slip_displacement, solve_slip
+from hophoop.panels.roll import roll_margins, solve_roll, u_on_panel
+from hophoop.panels.slip import solve_slip
+from hophoop.physics.body import Mode
+from hophoop.physics.contact import (
+    inertia_at_height,
+    load_height,
+    rolling_acceleration,
+    slip_motion,
+    slip_stiffness,
+    slip_torque_arm,
+)
+from hophoop.physics.modes import slip_direction
+from hophoop.physics.slip import slip_displacement
+from hophoop.records.state import State, at_time, later, moved, time_left, with_anchor, with_velocities
+from hophoop.records.writing import write_segment
 from hophoop.rigid.doubts import CLOSE, NEARBY, has_graze, note_doubt
-from hophoop.rigid.state import (
-    State,
-    at_time,
-    later,
-    moved,
-    time_left,
-    with_anchor,
-    with_velocities,
-    write_segment,
-)
 
 ROLL = int(Mode.ROLL)
 # What ended a panel.

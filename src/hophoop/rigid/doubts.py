@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NOT_FOUND, ORDER, coefficients, first_fall_after, series_value
 from hophoop._jit import jit, lean_jit
+from hophoop.numerics.collocation import ORDER, coefficients, series_value
+from hophoop.numerics.roots import NOT_FOUND, first_fall_after
+from hophoop.numerics.trigonometry import sine_cosine
+from hophoop.panels.panel import A, B
 from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
-from hophoop.physics.panel import A, B, sine_cosine
 
 CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be on either side
 NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel

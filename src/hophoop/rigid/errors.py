@@ -12,9 +12,10 @@ import math
 import numpy as np
 
 from hophoop.physics.body import Body, Mode, Status
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
 from hophoop.rigid.kernel import run
-from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import start_state
 
 ROUNDING = 4e-16  # of a number at an event, beside its natural size
 CHANGES = (1e-8, 1e-11)  # what is tried; the smaller one where the larger leads to other events

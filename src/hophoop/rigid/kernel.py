@@ -6,12 +6,16 @@ import math
 
 from hophoop._jit import jit, unit_jit
 from hophoop.numerics.double_double import plus
+from hophoop.numerics.trigonometry import sine_cosine
+from hophoop.panels.landing import first_landing
+from hophoop.panels.panel import FLY, HOLD, SKIMMING, no_panel
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.contact import free_acceleration
-from hophoop.physics.flight import first_landing, flight_displacement, flight_gap
+from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_duration, skim_state, strike
 from hophoop.physics.modes import UNDECIDED, can_roll, slip_direction, slip_mode
-from hophoop.physics.panel import FLY, HOLD, SKIMMING, no_panel, sine_cosine
+from hophoop.records.state import at_time, flown, later, moved, time_left, with_losses, with_velocities
+from hophoop.records.writing import Cause, copy_event, quiet, state_of, write_event, write_segment
 from hophoop.rigid.contact_phase import (
     CONE_AHEAD,
     FULL_ANGLE,
@@ -32,21 +36,6 @@ from hophoop.rigid.contact_phase import (
     limits_of,
 )
 from hophoop.rigid.doubts import CLOSE, note_doubt
-from hophoop.rigid.state import (
-    Cause,
-    at_time,
-    copy_event,
-    flown,
-    later,
-    moved,
-    quiet,
-    state_of,
-    time_left,
-    with_losses,
-    with_velocities,
-    write_event,
-    write_segment,
-)
 from hophoop.rigid.transitions import close_bounces, collide, pass_singular, settle
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._collocation import NOT_FOUND, ORDER, coefficients, first_fall
 from hophoop._jit import jit
+from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.double_double import plus
+from hophoop.numerics.roots import NOT_FOUND, first_fall
+from hophoop.numerics.trigonometry import sine_cosine
+from hophoop.panels.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import rolling_forces, slip_motion
 from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state
-from hophoop.physics.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel, sine_cosine
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import flown, moved, whole_angle, with_losses, with_velocities
+from hophoop.records.writing import state_of
 from hophoop.rigid.contact_phase import solve, state_on_panel
-from hophoop.rigid.records import new_scratch
-from hophoop.rigid.state import flown, moved, state_of, whole_angle, with_losses, with_velocities
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import to_body
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from hophoop._jit import jit
-from hophoop.physics.anchor import NONE
+from hophoop.numerics.trigonometry import sine_cosine
+from hophoop.panels.anchor import NONE
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.contact import contact_arms
 from hophoop.physics.impact import impact, singular_angle, singular_slip, stick_rates
@@ -14,9 +15,9 @@ from hophoop.physics.modes import (
     slip_direction,
     slip_mode,
 )
-from hophoop.physics.panel import sine_cosine
+from hophoop.records.state import with_anchor, with_losses, with_velocities
+from hophoop.records.writing import Cause, quiet, write_event
 from hophoop.rigid.doubts import mode_is_in_doubt, note_doubt
-from hophoop.rigid.state import Cause, quiet, with_anchor, with_losses, with_velocities, write_event
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
 STICK, SLIP_REVERSAL, TAKEOFF = int(Event.STICK), int(Event.SLIP_REVERSAL), int(Event.TAKEOFF)

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop.physics.body import Body, Mode
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
 from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, run
-from hophoop.rigid.records import EVENT, SEGMENT, new_scratch
-from hophoop.rigid.state import start_state
 from hophoop.scenario import InputError, Plane
 from hophoop.theory._columns import Columns, Hoops, Planes, body_from
 from hophoop.theory.kernels import critical as kernels

@@ -10,8 +10,8 @@ import math
 
 import numpy as np
 
-from hophoop._collocation import NODES, ORDER, WEIGHTS, coefficients
 from hophoop._jit import jit
+from hophoop.numerics.collocation import NODES, ORDER, WEIGHTS, coefficients
 from hophoop.physics.contact import rolling_acceleration
 from hophoop.physics.roll import rolling_u
 

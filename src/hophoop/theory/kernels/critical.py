@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
-from hophoop.rigid.records import new_scratch
+from hophoop.records.scratch import new_scratch
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
 from hophoop.theory.kernels.rows import body_of

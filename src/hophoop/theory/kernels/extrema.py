@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import math
 
-from hophoop._collocation import NODES, NOT_FOUND, ORDER, coefficients, first_fall_after
 from hophoop._jit import jit
+from hophoop.numerics.collocation import NODES, ORDER, coefficients
+from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.roll import rolling_u
 from hophoop.theory.kernels.arcs import relative_tail

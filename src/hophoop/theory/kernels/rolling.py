@@ -7,7 +7,7 @@ import math
 from hophoop._jit import jit
 from hophoop.physics.contact import cone_weights, rolling_forces, rolling_inertia
 from hophoop.physics.roll import rolling_u
-from hophoop.rigid.records import new_scratch
+from hophoop.records.scratch import new_scratch
 from hophoop.theory.kernels.arcs import TURN, blocking, rocking_time, time_from_top, turning_point
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, highest
 from hophoop.theory.kernels.rows import body_of

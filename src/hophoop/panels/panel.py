@@ -9,27 +9,35 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._collocation import (
-    FAR_SINES,
-    FAR_VERSINES,
-    LEVELS,
-    NODES,
-    ORDER,
-    SINES,
-    VERSINES,
-    antiderivative,
-    versine_of,
-    width_of,
-)
+import numpy as np
+
 from hophoop._jit import inline_jit, lean_jit
+from hophoop.numerics.collocation import NODES, ORDER, antiderivative
 from hophoop.numerics.double_double import plus
+from hophoop.numerics.trigonometry import turn, versine_of
+
+WIDEST = 0.9  # rad
+LEVELS = 96  # widths WIDEST · 2^(−k/2)
+WIDTHS = WIDEST * 0.5 ** (np.arange(LEVELS) / 2)
+_offsets = WIDTHS[:, None] * (1.0 + NODES[None, :]) / 2
+SINES = np.sin(_offsets)
+VERSINES = 2.0 * np.sin(_offsets / 2) ** 2
+FAR_SINES = np.sin(WIDTHS)
+FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
+
+
+@inline_jit
+def width_of(level):
+    """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
+    if level < LEVELS:
+        return WIDTHS[level]
+    return WIDTHS[LEVELS - 1] * math.pow(0.5, 0.5 * (level - (LEVELS - 1)))
+
 
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
-
 # Rows of the scratch array of a panel: values at the nodes.
 SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = range(15)
 ROWS = 15
-
 RESOLVED = 2e-13  # size of the last Chebyshev coefficients at which a panel is accepted
 
 
@@ -128,14 +136,6 @@ class Begin(NamedTuple):
     vt: float
 
 
-@lean_jit
-def sine_cosine(th, low):
-    """(sin, cos) of an angle of two doubles, with all digits of both also beside multiples of π/2."""
-    s = math.sin(th)
-    c = math.cos(th)
-    return s + low * c, c - low * s
-
-
 @inline_jit
 def linear_panel(sigma, level, way, begin):
     """A panel of standard width."""
@@ -178,20 +178,6 @@ def arriving_panel(body, before, ahead):
         stiffness = before.stiffness + body.eps * (ds * arm + before.sine * turned)
     ref, low = plus(before.ref, before.ref_low, before.way * ahead)
     return Panel(before.sigma, ARRIVE, 0, before.way, ref, low, s, before.cosine + dc, ahead, arm, stiffness, 0.0, before.vt)
-
-
-@lean_jit
-def turn(s, c, angle):
-    """(sin, cos) of θ + angle minus those of θ, without cancellation."""
-    sine = math.sin(angle)
-    versine = versine_of(angle)
-    return c * sine - s * versine, -s * sine - c * versine
-
-
-@lean_jit
-def rotated(s, c, sine, versine):
-    """`turn`, where the sine and 1 − cosine of the angle are known."""
-    return c * sine - s * versine, -s * sine - c * versine
 
 
 @inline_jit

@@ -1,9 +1,8 @@
-"""Functions on a panel: 16 Gauss–Legendre nodes, integrals, interpolation and certified roots.
+"""Functions on a panel: 16 Gauss–Legendre nodes, integrals, series and interpolation.
 
 A smooth function on ξ ∈ [−1, 1] is known by its values at the nodes. `antiderivative` gives its
 integral from −1 to every node, `WEIGHTS` the integral over the panel (exact to degree 31), `coefficients`
-its Chebyshev series, and `first_fall` the first place where that series changes from positive to
-negative: intervals are thrown away only when the series proves them free of roots, and halved otherwise.
+its Chebyshev series.
 """
 
 from __future__ import annotations
@@ -29,26 +28,14 @@ def _antiderivative_matrix() -> np.ndarray:
     return (integrals * norms) @ (values[:, :ORDER] * WEIGHTS[:, None]).T
 
 
-def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
-    points = chebyshev.chebpts1(ORDER)
-    to_series = np.linalg.inv(chebyshev.chebvander(points, ORDER - 1))
-    left = to_series @ chebyshev.chebvander((points - 1) / 2, ORDER - 1)
-    right = to_series @ chebyshev.chebvander((points + 1) / 2, ORDER - 1)
-    return left, right
-
-
 # Transposed and contiguous, so that products run as sums of columns, which vectorise without reassociation.
 ANTIDERIVATIVE_T = np.ascontiguousarray(_antiderivative_matrix().T)
 # The integral from every node to the end of the panel.
 REMAINDER_T = np.ascontiguousarray(ANTIDERIVATIVE_T[::-1, ::-1])
 SERIES_T = np.ascontiguousarray(np.linalg.inv(chebyshev.chebvander(NODES, ORDER - 1)).T)
 TAIL = np.ascontiguousarray(SERIES_T.T[ORDER - 3 :])
-LEFT_T, RIGHT_T = (np.ascontiguousarray(matrix.T) for matrix in _halving_matrices())
-
 EXP_3, EXP_4, EXP_5, EXP_6, EXP_7, EXP_8, EXP_9, EXP_10 = (1.0 / math.factorial(k) for k in range(3, 11))
 EXP_11, EXP_12, EXP_13, EXP_14, EXP_15, EXP_16, EXP_17, EXP_18 = (1.0 / math.factorial(k) for k in range(11, 19))
-DEPTH = 60  # halvings of a panel before a multiple root is given up
-NOT_FOUND = 2.0  # a ξ outside the panel
 
 
 @lean_jit
@@ -220,150 +207,3 @@ def value_and_slope(series, xi):
         d1, d2 = double * d1 + (2.0 * b1 - d2), d1
         b1, b2 = double * b1 + (series[k] - b2), b1
     return xi * b1 - b2 + series[0], xi * d1 - d2 + b1
-
-
-@inline_jit
-def _bracketed(series):
-    """Root of a monotone series with series(−1) > 0 ≥ series(1): Newton's steps kept inside the bracket."""
-    low = -1.0
-    high = 1.0
-    f_low = left_value(series)
-    f_high = right_value(series)
-    xi = low + (high - low) * f_low / (f_low - f_high)
-    before = 0.0
-    for _ in range(100):
-        value, slope = value_and_slope(series, xi)
-        if value > 0.0:
-            low = xi
-        else:
-            high = xi
-        better = xi - value / slope
-        halved = not low <= better <= high
-        if halved:
-            better = 0.5 * (low + high)
-        moved = abs(better - xi)
-        # to rounding; or so near that the next step, which is smaller by moved² / before², would be less than that;
-        # or as near as the rounding of the series lets Newton's steps come
-        if (
-            moved <= 2e-16
-            or (moved <= 1e-8 and moved * moved * moved <= 1e-17 * before * before)
-            or (moved < 1e-13 and moved >= 0.5 * before)
-        ):
-            return better
-        before = 0.0 if halved else moved
-        xi = better
-    return xi
-
-
-@lean_jit
-def first_fall(series, floor, stack):
-    """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
-
-    Roots where it rises, and falls that stay above −`floor`, are passed over. `stack` is scratch of
-    shape (DEPTH + 2, ORDER + 2).
-    """
-    return first_fall_after(series, -2.0, floor, stack)
-
-
-@inline_jit
-def first_fall_after(series, begin, floor, stack):
-    """`first_fall`, of those beyond ξ = `begin`."""
-    spread = 0.0
-    for k in range(1, ORDER):
-        spread += abs(series[k])
-    if abs(series[0]) > spread or spread == 0.0 or not spread < math.inf:
-        return NOT_FOUND  # also of nan, which no halving would get rid of
-    for k in range(ORDER):
-        stack[0, k] = series[k]
-    stack[0, ORDER] = -1.0
-    stack[0, ORDER + 1] = 1.0
-    top = 0
-    while top >= 0:
-        row = stack[top]
-        low = row[ORDER]
-        high = row[ORDER + 1]
-        spread = 0.0
-        for k in range(1, ORDER):
-            spread += abs(row[k])
-        if abs(row[0]) > spread or spread == 0.0:
-            top -= 1
-            continue
-        # derivative series, from the top coefficient down
-        d2 = 0.0
-        d1 = 0.0
-        slope = 0.0
-        for k in range(ORDER - 1, 0, -1):
-            d0 = d2 + 2.0 * k * row[k]
-            if k > 1:
-                slope += abs(d0)
-            else:
-                first = 0.5 * d0
-            d2, d1 = d1, d0
-        f_low = left_value(row)
-        f_high = right_value(row)
-        width = high - low
-        if abs(first) > slope or width < 1e-15 or top >= DEPTH:
-            if f_low > 0.0 and f_high <= 0.0 and f_high <= -floor:
-                root = low + 0.5 * (1.0 + _bracketed(row)) * width
-                if root > begin + 1e-14:
-                    return root
-            top -= 1
-            continue
-        middle = 0.5 * (low + high)
-        product(RIGHT_T, row, stack[top + 1])
-        product(LEFT_T, row, stack[top + 2])
-        for k in range(ORDER):
-            left = stack[top + 2, k]
-            stack[top, k] = stack[top + 1, k]
-            stack[top + 1, k] = left
-        stack[top, ORDER] = middle
-        stack[top, ORDER + 1] = high
-        stack[top + 1, ORDER] = low
-        stack[top + 1, ORDER + 1] = middle
-        top += 1
-    return NOT_FOUND
-
-
-WIDEST = 0.9  # rad
-LEVELS = 96  # widths WIDEST · 2^(−k/2)
-WIDTHS = WIDEST * 0.5 ** (np.arange(LEVELS) / 2)
-_offsets = WIDTHS[:, None] * (1.0 + NODES[None, :]) / 2
-SINES = np.sin(_offsets)
-VERSINES = 2.0 * np.sin(_offsets / 2) ** 2
-FAR_SINES = np.sin(WIDTHS)
-FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
-
-
-@inline_jit
-def width_of(level):
-    """Width of a panel, also of those narrower than the tables go; there sin φ = φ to rounding."""
-    if level < LEVELS:
-        return WIDTHS[level]
-    return WIDTHS[LEVELS - 1] * math.pow(0.5, 0.5 * (level - (LEVELS - 1)))
-
-
-_SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
-_COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
-
-
-@inline_jit
-def versine_of(angle):
-    """1 − cos, with all its digits; a product, since a power is rounded otherwise where code is interpreted."""
-    half = math.sin(0.5 * angle)
-    return 2.0 * half * half
-
-
-@lean_jit
-def turn_deficits(phi):
-    """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
-    square = phi * phi
-    if square > 0.81:
-        versine = versine_of(phi)
-        return phi - math.sin(phi), 0.5 * square - versine, versine
-    sine = 0.0
-    cosine = 0.0
-    for k in range(8, -1, -1):
-        sine = sine * square + _SINE_TERMS[k]
-        cosine = cosine * square + _COSINE_TERMS[k]
-    cosine *= square * square
-    return sine * square * phi, cosine, 0.5 * square - cosine

@@ -1,4 +1,4 @@
-r"""What a phase conserves, measured from the equilibrium that it passes (docs/model.md#beside-an-equilibrium).
+"""What a phase conserves, measured from the equilibrium that it passes (docs/model.md#beside-an-equilibrium).
 
 In rolling D θ̇² + 2 V(θ) is conserved, in slip of one direction the difference of θ̇² from the motion that comes to rest
 at the equilibrium grows by a factor that is known. A hoop that passes the top at 1e-8 m/s has θ̇² = 1e-16 there, which
@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._collocation import turn_deficits
 from hophoop._jit import inline_jit, lean_jit
 from hophoop.numerics.double_double import (
     PI,
@@ -29,6 +28,7 @@ from hophoop.numerics.double_double import (
     square_root,
     two_product,
 )
+from hophoop.numerics.trigonometry import turn_deficits
 from hophoop.physics.contact import inertia_at_height, load_height, slip_torque_arm
 
 TERMS = 16

@@ -1,20 +1,13 @@
-"""What the kernel writes: one record an event, one a segment; and its scratch arrays."""
+"""What the kernels write: one record an event, one a segment."""
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
-
-from hophoop._collocation import DEPTH, ORDER
-from hophoop._jit import jit
-from hophoop.physics.panel import ROWS
 
 _STATE = ["x", "height", "angle", "vx", "vy", "omega"]
 # What rounding keeps from time and place, and the angle as whole turns and θ within the turn.
 _PLACE = ["t_low", "x_low", "turns", "theta", "theta_low"]
 _ENERGY = ["friction", "impact_normal", "impact_tangential"]
-
 # Kernel units (R, m, √(R/g)). `slip` is v_t after the event, kept because ẋ − Rθ̇ loses its digits near 0;
 # energies are those dissipated from the start to just after the event; `gain` is Kane's.
 EVENT = np.dtype(
@@ -26,7 +19,6 @@ EVENT = np.dtype(
     + [("gain", "f8"), ("collision", "i8"), ("stable", "i8")]
     + [(name, "f8") for name in _PLACE]
 )
-
 # All that is needed to compute the motion inside the segment again, bit for bit.
 SEGMENT = np.dtype(
     [("t", "f8"), ("t_end", "f8"), ("mode", "i8"), ("kind", "i8"), ("sigma", "i8"), ("level", "i8")]
@@ -37,30 +29,3 @@ SEGMENT = np.dtype(
     + [("ref_low", "f8")]
     + [(name, "f8") for name in _PLACE]
 )
-
-
-STACK_ROWS, STACK_COLUMNS = DEPTH + 3, ORDER + 2  # what `first_fall` needs
-
-
-class Scratch(NamedTuple):
-    """Arrays that the kernel works in; one set a thread."""
-
-    work: np.ndarray
-    values: np.ndarray
-    series: np.ndarray
-    weights: np.ndarray
-    stack: np.ndarray
-    doubt: np.ndarray  # begin and end of the first doubt of a motion, nan while there is none
-
-
-@jit
-def new_scratch():
-    """A fresh set of scratch arrays."""
-    return Scratch(
-        np.zeros((ROWS, ORDER)),
-        np.zeros((2, ORDER)),
-        np.zeros(ORDER),
-        np.zeros(ORDER),
-        np.zeros((STACK_ROWS, STACK_COLUMNS)),
-        np.full(2, np.nan),
-    )

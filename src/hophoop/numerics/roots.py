@@ -1,0 +1,129 @@
+"""Certified roots: the first place where a Chebyshev series falls through zero.
+
+Intervals are thrown away only when the series proves them free of roots, and halved otherwise.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.polynomial import chebyshev
+
+from hophoop._jit import inline_jit, lean_jit
+from hophoop.numerics.collocation import ORDER, left_value, product, right_value, value_and_slope
+
+
+def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
+    points = chebyshev.chebpts1(ORDER)
+    to_series = np.linalg.inv(chebyshev.chebvander(points, ORDER - 1))
+    left = to_series @ chebyshev.chebvander((points - 1) / 2, ORDER - 1)
+    right = to_series @ chebyshev.chebvander((points + 1) / 2, ORDER - 1)
+    return left, right
+
+
+LEFT_T, RIGHT_T = (np.ascontiguousarray(matrix.T) for matrix in _halving_matrices())
+DEPTH = 60  # halvings of a panel before a multiple root is given up
+NOT_FOUND = 2.0  # a ξ outside the panel
+
+
+@inline_jit
+def _bracketed(series):
+    """Root of a monotone series with series(−1) > 0 ≥ series(1): Newton's steps kept inside the bracket."""
+    low = -1.0
+    high = 1.0
+    f_low = left_value(series)
+    f_high = right_value(series)
+    xi = low + (high - low) * f_low / (f_low - f_high)
+    before = 0.0
+    for _ in range(100):
+        value, slope = value_and_slope(series, xi)
+        if value > 0.0:
+            low = xi
+        else:
+            high = xi
+        better = xi - value / slope
+        halved = not low <= better <= high
+        if halved:
+            better = 0.5 * (low + high)
+        moved = abs(better - xi)
+        # to rounding; or so near that the next step, which is smaller by moved² / before², would be less than that;
+        # or as near as the rounding of the series lets Newton's steps come
+        if (
+            moved <= 2e-16
+            or (moved <= 1e-8 and moved * moved * moved <= 1e-17 * before * before)
+            or (moved < 1e-13 and moved >= 0.5 * before)
+        ):
+            return better
+        before = 0.0 if halved else moved
+        xi = better
+    return xi
+
+
+@lean_jit
+def first_fall(series, floor, stack):
+    """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
+
+    Roots where it rises, and falls that stay above −`floor`, are passed over. `stack` is scratch of
+    shape (DEPTH + 2, ORDER + 2).
+    """
+    return first_fall_after(series, -2.0, floor, stack)
+
+
+@inline_jit
+def first_fall_after(series, begin, floor, stack):
+    """`first_fall`, of those beyond ξ = `begin`."""
+    spread = 0.0
+    for k in range(1, ORDER):
+        spread += abs(series[k])
+    if abs(series[0]) > spread or spread == 0.0 or not spread < math.inf:
+        return NOT_FOUND  # also of nan, which no halving would get rid of
+    for k in range(ORDER):
+        stack[0, k] = series[k]
+    stack[0, ORDER] = -1.0
+    stack[0, ORDER + 1] = 1.0
+    top = 0
+    while top >= 0:
+        row = stack[top]
+        low = row[ORDER]
+        high = row[ORDER + 1]
+        spread = 0.0
+        for k in range(1, ORDER):
+            spread += abs(row[k])
+        if abs(row[0]) > spread or spread == 0.0:
+            top -= 1
+            continue
+        # derivative series, from the top coefficient down
+        d2 = 0.0
+        d1 = 0.0
+        slope = 0.0
+        for k in range(ORDER - 1, 0, -1):
+            d0 = d2 + 2.0 * k * row[k]
+            if k > 1:
+                slope += abs(d0)
+            else:
+                first = 0.5 * d0
+            d2, d1 = d1, d0
+        f_low = left_value(row)
+        f_high = right_value(row)
+        width = high - low
+        if abs(first) > slope or width < 1e-15 or top >= DEPTH:
+            if f_low > 0.0 and f_high <= 0.0 and f_high <= -floor:
+                root = low + 0.5 * (1.0 + _bracketed(row)) * width
+                if root > begin + 1e-14:
+                    return root
+            top -= 1
+            continue
+        middle = 0.5 * (low + high)
+        product(RIGHT_T, row, stack[top + 1])
+        product(LEFT_T, row, stack[top + 2])
+        for k in range(ORDER):
+            left = stack[top + 2, k]
+            stack[top, k] = stack[top + 1, k]
+            stack[top + 1, k] = left
+        stack[top, ORDER] = middle
+        stack[top, ORDER + 1] = high
+        stack[top + 1, ORDER] = low
+        stack[top + 1, ORDER + 1] = middle
+        top += 1
+    return NOT_FOUND

@@ -1,0 +1,57 @@
+"""Sines, cosines and what is left of them beside their first terms, without cancellation."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop._jit import inline_jit, lean_jit
+
+_SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
+_COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
+
+
+@inline_jit
+def versine_of(angle):
+    """1 − cos, with all its digits; a product, since a power is rounded otherwise where code is interpreted."""
+    half = math.sin(0.5 * angle)
+    return 2.0 * half * half
+
+
+@lean_jit
+def turn_deficits(phi):
+    """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
+    square = phi * phi
+    if square > 0.81:
+        versine = versine_of(phi)
+        return phi - math.sin(phi), 0.5 * square - versine, versine
+    sine = 0.0
+    cosine = 0.0
+    for k in range(8, -1, -1):
+        sine = sine * square + _SINE_TERMS[k]
+        cosine = cosine * square + _COSINE_TERMS[k]
+    cosine *= square * square
+    return sine * square * phi, cosine, 0.5 * square - cosine
+
+
+@lean_jit
+def sine_cosine(th, low):
+    """(sin, cos) of an angle of two doubles, with all digits of both also beside multiples of π/2."""
+    s = math.sin(th)
+    c = math.cos(th)
+    return s + low * c, c - low * s
+
+
+@lean_jit
+def turn(s, c, angle):
+    """(sin, cos) of θ + angle minus those of θ, without cancellation."""
+    sine = math.sin(angle)
+    versine = versine_of(angle)
+    return c * sine - s * versine, -s * sine - c * versine
+
+
+@lean_jit
+def rotated(s, c, sine, versine):
+    """`turn`, where the sine and 1 − cosine of the angle are known."""
+    return c * sine - s * versine, -s * sine - c * versine

@@ -1,0 +1,140 @@
+"""Slip: θ̇²(θ) from one linear ODE, the rest by quadrature (docs/model.md#slip-as-one-quadrature)."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import inline_jit
+from hophoop.numerics.collocation import (
+    ANTIDERIVATIVE_T,
+    ORDER,
+    REMAINDER_T,
+    antiderivative,
+    exponentials,
+    product,
+    tail,
+    total,
+)
+from hophoop.numerics.trigonometry import rotated
+from hophoop.panels.panel import (
+    ARM,
+    ARRIVE,
+    COSINE,
+    NORMAL,
+    POWER,
+    RATE,
+    RESOLVED,
+    SINE,
+    SLIP,
+    SLIP_RATE,
+    STIFFNESS,
+    STRETCH,
+    TIME,
+    A,
+    B,
+    Totals,
+    U,
+    fill_geometry,
+)
+
+
+@inline_jit
+def _from_reference(panel, values, out):
+    """∫ values dξ from `ref` to each node, signed along θ; returns the integral from `ref` to the far end."""
+    if panel.kind == ARRIVE:
+        product(REMAINDER_T, values, out)
+        way = -panel.way
+    else:
+        product(ANTIDERIVATIVE_T, values, out)
+        way = panel.way
+    for i in range(ORDER):
+        out[i] *= way
+    return way * total(values)
+
+
+@inline_jit
+def solve_slip(body, panel, work):
+    """Fill `work` for a slip panel: du/dθ = a u + b by its integrating factor, then t, v_t and the friction work.
+
+    Where the panel reaches beyond a turning point only the row U is meaningful, and the tail is infinite.
+    """
+    fill_geometry(panel, work)
+    sigma = panel.sigma
+    s0 = panel.sine
+    c0 = panel.cosine
+    eps = body.eps
+    sines = work[SINE]
+    cosines = work[COSINE]
+    stretch = work[STRETCH]
+    damping = work[A]
+    drive = work[B]
+    growth = work[NORMAL]
+    integral = work[TIME]
+    arms = work[ARM]
+    stiffnesses = work[STIFFNESS]
+    pull = sigma * body.mu_k
+    arm0 = panel.arm
+    stiffness0 = panel.stiffness
+    lowest = math.inf
+    for i in range(ORDER):
+        # as changes from `ref`: near p_σ = 0 rounding would else be all that the panel shows
+        ds, dc = rotated(s0, c0, damping[i], drive[i])
+        s = s0 + ds
+        c = c0 + dc
+        turned = eps * (ds + pull * dc)
+        arm = arm0 + turned
+        stiffness = stiffness0 + eps * (ds * arm + s0 * turned)
+        lowest = min(lowest, stiffness)
+        share = 2.0 * arm / stiffness * stretch[i]
+        sines[i] = s
+        cosines[i] = c
+        arms[i] = arm
+        stiffnesses[i] = stiffness
+        damping[i] = -eps * c * share
+        drive[i] = body.gn * share
+    if not lowest > 0.0:
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan)
+    least = lowest
+    size = tail(damping, 0.5)
+    if not size <= RESOLVED:
+        return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan)
+    exponent = _from_reference(panel, damping, integral)
+    exponentials(integral, growth)
+    for i in range(ORDER):
+        drive[i] /= growth[i]
+    driven = _from_reference(panel, drive, integral)
+    us = work[U]
+    lowest = math.inf
+    for i in range(ORDER):
+        u = growth[i] * (panel.u + integral[i])
+        lowest = min(lowest, u)
+        us[i] = u
+    growth_far = math.exp(exponent)
+    u_far = growth_far * (panel.u + driven)
+    if not (lowest > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
+        return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far)
+    rates = work[RATE]
+    normals = work[NORMAL]
+    slip_rates = work[SLIP_RATE]
+    for i in range(ORDER):
+        u = us[i]
+        load = (body.gn - eps * cosines[i] * u) / stiffnesses[i]
+        friction_part = pull * body.kap + (1.0 + eps * cosines[i]) * arms[i]
+        rate = stretch[i] / math.sqrt(u)
+        rates[i] = rate
+        normals[i] = body.kap * load
+        slip_rates[i] = (body.gt + eps * sines[i] * u - load * friction_part) * rate
+    # near p_σ = 0 the rounding of f_n is all that the force shows; it is not asked to be smoother than that
+    weight = body.gn + panel.u
+    size = max(size, tail(rates, 0.0), tail(normals, max(weight, 2e-3 * body.kap * weight / least)))
+    if not size <= RESOLVED:
+        return Totals(size, 0.0, u_far, 0.0, 0.0, growth_far)
+    time = total(rates)
+    slips = work[SLIP]
+    vt = panel.vt + antiderivative(slip_rates, slips)
+    power = work[POWER]
+    for i in range(ORDER):
+        slips[i] += panel.vt
+        # no abs(), so that it stays smooth beyond the end of the slip
+        power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
+    return Totals(size, time, u_far, vt, total(power), growth_far)

@@ -1,0 +1,1 @@
+"""What passes through the kernels and out of them: state, events, segments, scratch arrays."""

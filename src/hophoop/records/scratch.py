@@ -1,0 +1,38 @@
+"""The arrays that a kernel works in."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hophoop._jit import jit
+from hophoop.numerics.collocation import ORDER
+from hophoop.numerics.roots import DEPTH
+from hophoop.panels.panel import ROWS
+
+STACK_ROWS, STACK_COLUMNS = DEPTH + 3, ORDER + 2  # what `first_fall` needs
+
+
+class Scratch(NamedTuple):
+    """Arrays that the kernel works in; one set a thread."""
+
+    work: np.ndarray
+    values: np.ndarray
+    series: np.ndarray
+    weights: np.ndarray
+    stack: np.ndarray
+    doubt: np.ndarray  # begin and end of the first doubt of a motion, nan while there is none
+
+
+@jit
+def new_scratch():
+    """A fresh set of scratch arrays."""
+    return Scratch(
+        np.zeros((ROWS, ORDER)),
+        np.zeros((2, ORDER)),
+        np.zeros(ORDER),
+        np.zeros(ORDER),
+        np.zeros((STACK_ROWS, STACK_COLUMNS)),
+        np.full(2, np.nan),
+    )
