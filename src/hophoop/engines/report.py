@@ -18,7 +18,7 @@ from hophoop.engines import figures
 from hophoop.engines.comparing import COMMON_STEP, LADDER_SCENARIO, Comparison
 from hophoop.engines.recorded import Recorded
 from hophoop.engines.scenarios import BENCHMARK, bench_scenarios
-from hophoop.engines.tables import cells, heads, markdown, scenario_rows, settings_words, summary
+from hophoop.engines.tables import cells, compact, heads, markdown, scenario_rows, settings_words, summary
 from hophoop.engines.task import task_of
 from hophoop.simulation import simulate
 
@@ -61,7 +61,7 @@ def write(comparison: Comparison, folder: Path, film: bool = True, progress: Cal
     folder.mkdir(parents=True, exist_ok=True)
     _write(folder / "scores.json", _json(comparison.to_dict()))
     made = f"\n*{BENCHMARK}, made {comparison.made} with hophoop {hophoop.__version__}.*\n"
-    _write(folder / "summary.md", markdown(*summary(comparison)) + made)
+    _write(folder / "summary.md", markdown(*compact(*summary(comparison))) + made)
     pictures = {}
     plot = need("matplotlib.pyplot", "plots")
     if any(row.scenario == LADDER_SCENARIO and row.states is not None for row in comparison.rows):

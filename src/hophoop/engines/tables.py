@@ -146,8 +146,8 @@ def summary(comparison: Comparison) -> tuple[list[str], list[list[str]]]:
     """
     scored = [name for name, bench in bench_scenarios().items() if bench.scored]
     head = [
-        "engine", "version", "settings", "step (ms)", "sequences right", "take-off (°)", "hop (mm)", "θ at most (°)",
-        "limit of the hop (mm)", "order", "wall ÷ ours",
+        "engine", "version", "settings", "step (ms)", "sequences", "take-off (°)", "hop (mm)", "θ (°)", "limit (mm)", "order",
+        "÷ ours",
     ]  # fmt: skip
     lines = []
     for name, one in comparison.engines.items():
@@ -192,7 +192,7 @@ def _summary_line(
     shown = "–" if limit is None else number(limit.limit - truth / 1e3, COLUMNS[2])
     order = "–" if limit is None else "none" if limit.order is None else f"{limit.order:.1f}"
     if limit is not None and limit.order is None and limit.scatter > 1e-4:
-        shown += f" ± {1e3 * limit.scatter:.1g}"
+        shown += f" ± {float(f'{1e3 * limit.scatter:.1g}'):g}"
     if one.ours or one.name == "scipy":
         order = "–"
     return [*start, ran, *hop_cells, shown, order, relative(hop) if hop is not None else "–"]
@@ -204,6 +204,29 @@ def _true_hop() -> float:
     height = truths()[LADDER_SCENARIO].measures.hop_height
     assert height is not None
     return height
+
+
+def compact(head: Sequence[str], rows: Sequence[Sequence[str]]) -> tuple[list[str], list[list[str]]]:
+    """The short table for a narrow page: the engine with its version once, settings and step in one column.
+
+    Parameters
+    ----------
+    head : sequence of str
+        Of `summary`.
+    rows : sequence of sequence of str
+
+    Returns
+    -------
+    head : list of str
+    rows : list of list of str
+    """
+    lines, before = [], ""
+    for title, version, setting, step, *rest in rows:
+        name = title if version == "–" or "(ours)" in title else f"{title} {version}"
+        name = name.replace("Box2D 2.3 2.3", "Box2D 2.3")
+        lines.append([name if title != before else "", f"{setting}, {step} ms", *rest])
+        before = title
+    return [head[0], "settings, step", *head[4:]], lines
 
 
 def markdown(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
