@@ -12,12 +12,16 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+import hophoop as hh
 from hophoop import engines
+from hophoop.animate.words import draw_state
 from hophoop.cli import app
 from hophoop.engines import comparing, registry, tables
 from hophoop.engines.external import job_text, run_command
 from hophoop.engines.measures import exact_record
+from hophoop.engines.recorded import Recorded
 from hophoop.engines.worker import Worker
+from hophoop.poses import poses_of
 
 ROOT = Path(__file__).parents[2]
 KEPT = ROOT / "docs" / "tables" / "engines.json"
@@ -325,6 +329,26 @@ def test_a_report(tmp_path):
     document = json.loads((tmp_path / "out" / "scores.json").read_text(encoding="utf-8"))
     assert document["declaration"]
     assert document["rows"][0]["scores"]["sequence_right"] is True
+
+
+def test_a_record_can_be_filmed():
+    """The film's poses of a record are those of the exact motion that it samples."""
+    record = Recorded(HOP.scenario, engines.task_of(HOP), exact_record(HOP))
+    times = np.array([0.1, 0.4, 0.9, 1.4, 1.9])
+    mine, right = poses_of(record, times), poses_of(hh.simulate(HOP.scenario), times)
+    assert mine.mode.tolist() == right.mode.tolist() == ["R", "K", "S", "H", "R"]
+    np.testing.assert_allclose(mine.load, right.load, atol=1e-4)
+    np.testing.assert_allclose(mine.normal_force[:3], right.normal_force[:3], rtol=0.02, atol=0.05)
+
+
+def test_words_of_a_narrow_view_stay_in_it():
+    drawn = []
+    canvas = SimpleNamespace(unit=1.0, disc=lambda *_: None, text=lambda x, y, words, *_, **__: drawn.append(words))
+    poses = poses_of(hh.simulate(HOP.scenario), [0.5])
+    for room, count in ((1000.0, 4), (288.0, 2)):
+        drawn.clear()
+        draw_state(canvas, SimpleNamespace(ink="#000000"), (0.0, 0.0), poses, 0, False, "v = 1.00 m/s", room)
+        assert len(drawn) == count
 
 
 def test_settings_are_printed_in_full():
