@@ -55,6 +55,7 @@ _HOMES: dict[str, str | None] = {
     "maps": None,
     "plots": None,
     "precise": None,
+    "engines": None,
     "animate": None,
 }
 
@@ -77,6 +78,7 @@ __all__ = [
     "maps",
     "plots",
     "precise",
+    "engines",
     "animate",
     "show",
     "__version__",

@@ -211,7 +211,7 @@ def test_the_table_of_the_page_is_the_kept_one(kept):
     head, name, listed = rows[0], "", {}
     for row in rows[2:]:
         name = row[0] or name
-        listed[name, row[1]] = row
+        listed[name, row[1].replace("\u00a0", " ")] = row
     for row in kept["rows"]:
         if row["scenario"] != "hop" or row["dt"] != 0.001 or "scores" not in row:
             continue

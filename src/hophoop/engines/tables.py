@@ -146,7 +146,7 @@ def summary(comparison: Comparison) -> tuple[list[str], list[list[str]]]:
     """
     scored = [name for name, bench in bench_scenarios().items() if bench.scored]
     head = [
-        "engine", "version", "settings", "step (ms)", "sequences", "take-off (°)", "hop (mm)", "θ (°)", "limit (mm)", "order",
+        "engine", "version", "settings", "step (ms)", "right", "take-off (°)", "hop (mm)", "θ (°)", "limit (mm)", "order",
         "÷ ours",
     ]  # fmt: skip
     lines = []
@@ -172,13 +172,13 @@ def _steps(comparison: Comparison, name: str, setting: str) -> list[float]:
 def _summary_line(
     comparison: Comparison, one: Engine, setting: str, dt: float, right: dict[str, Row], hop: Row | None
 ) -> list[str]:
-    start = [one.title, one.version or "–", setting, f"{1e3 * dt:.4g}"]
+    start = [one.title, one.version or "–", setting, f"{1e3 * dt:.3g}"]
     done = [row for row in right.values() if row.scores is not None]
     if not done:
         why = next((row.failure for row in right.values()), "not run")
         return [*start, why, *[""] * 6]
     good = sum(row.scores.sequence_right for row in done if row.scores)
-    ran = f"{good} of {len(right)}" if len(done) == len(right) else f"{good} of {len(done)} run"
+    ran = f"{good}/{len(right)}" if len(done) == len(right) else f"{good}/{len(done)} run"
     scores: Scores | None = hop.scores if hop is not None else None
     limit = comparison.limit(one.name, setting, "hop_height")
     truth = 1e3 * _true_hop()
@@ -224,7 +224,7 @@ def compact(head: Sequence[str], rows: Sequence[Sequence[str]]) -> tuple[list[st
     for title, version, setting, step, *rest in rows:
         name = title if version == "–" or "(ours)" in title else f"{title} {version}"
         name = name.replace("Box2D 2.3 2.3", "Box2D 2.3")
-        lines.append([name if title != before else "", f"{setting}, {step} ms", *rest])
+        lines.append([name if title != before else "", f"{setting}, {step}\u00a0ms", *rest])
         before = title
     return [head[0], "settings, step", *head[4:]], lines
 
