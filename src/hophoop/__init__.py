@@ -13,6 +13,7 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     import hophoop.animate as animate
     import hophoop.article as article
+    import hophoop.engines as engines
     import hophoop.maps as maps
     import hophoop.plots as plots
     import hophoop.precise as precise
