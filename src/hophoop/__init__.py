@@ -13,6 +13,7 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     import hophoop.animate as animate
     import hophoop.article as article
+    import hophoop.engines as engines
     import hophoop.maps as maps
     import hophoop.plots as plots
     import hophoop.precise as precise
@@ -57,6 +58,7 @@ _HOMES: dict[str, str | None] = {
     "maps": None,
     "plots": None,
     "precise": None,
+    "engines": None,
     "animate": None,
 }
 
@@ -80,6 +82,7 @@ __all__ = [
     "maps",
     "plots",
     "precise",
+    "engines",
     "animate",
     "show",
     "__version__",
