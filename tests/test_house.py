@@ -1,6 +1,7 @@
 """The rules of the house, kept by machine: lint, types, layers, imports, extras, docstrings, citations."""
 
 import ast
+import functools
 import importlib
 import inspect
 import re
@@ -99,12 +100,18 @@ sys.meta_path.insert(0, Absent())
 """
 
 
+@functools.cache
+def distributions_of_modules():
+    """Which distributions hold each top-level module; it takes a quarter of a second to find out."""
+    return packages_distributions()
+
+
 def import_names(requirements):
     """Top-level modules of these distributions, as far as they are installed."""
     wanted = {re.sub(r"[-_.]+", "-", Requirement(line).name).lower() for line in requirements}
     return {
         module
-        for module, distributions in packages_distributions().items()
+        for module, distributions in distributions_of_modules().items()
         if wanted & {re.sub(r"[-_.]+", "-", name).lower() for name in distributions}
     }
 

@@ -450,9 +450,9 @@ def test_the_energy_panel_shows_what_impacts_take():
     DRAWN["energy"](axes, run, curve(run))
     drawn = {line.get_label(): line.get_ydata() for line in axes.get_lines()}
     lost = drawn["sum"][0] - drawn["sum"]
-    np.testing.assert_allclose(drawn["friction"] + drawn["impacts"], lost, atol=1e-9)
-    assert drawn["impacts"][-1] == pytest.approx(run.ledger.impact_normal, rel=1e-12)
-    assert drawn["impacts"][-1] > 1.0
+    np.testing.assert_allclose(drawn["friction"] + drawn["impacts, normal"], lost, atol=1e-9)
+    assert drawn["impacts, normal"][-1] == pytest.approx(run.ledger.impact_normal, rel=1e-12)
+    assert drawn["impacts, normal"][-1] > 1.0
 
 
 @pytest.mark.parametrize("camera", ["follow", "hold"])

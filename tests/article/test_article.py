@@ -304,3 +304,11 @@ def test_a_failing_statement_is_told_by_the_exit_status(tmp_path, monkeypatch):
     assert "slow_motion" in done.stderr
     page = Page((tmp_path / "index.html").read_text(encoding="utf-8"))
     assert "films/v3.1.mp4" in page.sources
+
+
+def test_the_report_books_losses_as_its_figures_do():
+    """What the landing at 3.1 m/s loses along the plane is friction's, in the table of motions too."""
+    row = next(line for line in module.report._runs().split("<tr>") if line.startswith("<td>3.1"))
+    sample = Runs().sample("hop")
+    assert f"<td>{sample.friction_loss[-1]:.4f}</td><td>{sample.normal_loss[-1]:.4f}</td>" in row
+    assert sample.impact_tangential[-1] > 0.1

@@ -6,6 +6,7 @@ import threading
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 fastapi = pytest.importorskip("fastapi", reason="the extra 'lab' is not installed")
@@ -13,8 +14,11 @@ pytest.importorskip("httpx", reason="httpx is not installed")
 from fastapi.testclient import TestClient  # noqa: E402
 
 import hophoop as hh  # noqa: E402
+from hophoop import maps  # noqa: E402
+from hophoop._jit import policy  # noqa: E402
 from hophoop.lab import api, app, calls, packing  # noqa: E402
 from hophoop.lab.limits import USUAL, TooBusy  # noqa: E402
+from hophoop.maps import evaluate  # noqa: E402
 from hophoop.scenario import InputError  # noqa: E402
 
 
@@ -302,3 +306,65 @@ def test_schemathesis_finds_nothing():
 
         run()
     assert covered == {"/api/v1/simulate", "/api/v1/theory", "/api/v1/map", "/healthz"}
+
+
+def test_time_in_which_code_is_compiled_does_not_count(monkeypatch):
+    busy = True
+    monkeypatch.setattr(api, "compiling", lambda: busy)
+    monkeypatch.setattr(api, "LOOK", 0.01)
+
+    async def wait():
+        nonlocal busy
+        gate = api.Gate(threads=1, waiting=2, patience=0.05)
+        leave = threading.Event()
+        asked = asyncio.create_task(gate.run(lambda: leave.wait(5) and b"done"))
+        await asyncio.sleep(0.3)
+        assert not asked.done()
+        leave.set()
+        assert await asked == b"done"
+        leave.clear()
+        late = asyncio.create_task(gate.run(lambda: leave.wait(5) and b"done"))
+        await asyncio.sleep(0.1)
+        busy = False
+        with pytest.raises(InputError, match=r"longer than 0\.05 s"):
+            await late
+        leave.set()
+        assert gate.inside == 0
+
+    alone(wait())
+
+
+MAP = {
+    "x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 3},
+    "y": {"path": "plane.mu", "from": 0.0, "to": 1.5, "cells": 2},
+}
+
+
+def test_the_page_is_told_how_far_compiling_is(monkeypatch, client):
+    monkeypatch.setattr(calls, "maps_compiling", lambda: (34, 187))
+    reply = client.post("/lab/map", json=MAP)
+    assert reply.status_code == 202
+    assert reply.json() == {"detail": "compiling the kernel of maps, this once: 34 of 187 functions"}
+    assert client.post("/lab/theory", json={}).status_code == 200  # no map, nothing to wait for
+    assert client.post("/api/v1/map", json=MAP).status_code == 200  # a program waits
+    monkeypatch.setattr(calls, "maps_compiling", lambda: None)
+    assert client.post("/lab/map", json=MAP).status_code == 200
+
+
+def test_what_a_map_waits_for(monkeypatch, tmp_path):
+    """On an empty cache the kernel of maps is compiled beside; with compiled code there is nothing to wait for."""
+    assert calls.waits_for(calls.read("film", {})) == ""
+    maps.points(None, {"start.speed": np.linspace(0.1, 5.0, 65)})
+    assert evaluate.compiling() is None
+    started = []
+
+    class Started:
+        done = failed = False
+        progress = (0, 187)
+
+    monkeypatch.setattr(policy.store, "is_ready", lambda kernel, kinds: False)
+    monkeypatch.setattr(policy.beside, "start", lambda wanted: started.extend(wanted) or Started)
+    assert calls.waits_for(calls.read("map", MAP)).endswith("0 of 187 functions")
+    ((kernel, kinds),) = started
+    assert kernel is evaluate.kernel.evaluate_block
+    assert kinds in kernel._loaded  # the very kinds with which a map calls it

@@ -162,6 +162,7 @@ def test_a_hilltop_on_a_slope(slope, gamma, speed):
         assert events[-1]["omega"] == pytest.approx(-way * speed, rel=1e-10)
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("turns", [30, 100, 1000])
 def test_many_turns(turns):
     """θ after many turns of rolling at 2 m/s; it was 1.5e-7 off after 1,000."""
@@ -175,6 +176,7 @@ def test_many_turns(turns):
         assert abs(mpf(float(motion.at(t).x)) - true) < 1.5e-12
 
 
+@pytest.mark.compiled
 def test_the_ledger_of_a_long_motion():
     """2.8 m/s over 600 s and 1,400 events: it was off by 1.5e-10 J, and by 5.6e-8 J after 6,000 s."""
     contact = hh.Rigid(max_events=100_000)

@@ -97,6 +97,7 @@ def test_rising_load_is_undetermined():
     assert not motion.ok
 
 
+@pytest.mark.compiled
 @pytest.mark.parametrize("mu", [1.0, 5.0])
 def test_heavy_rims_come_to_it(mu):
     """γ = 1 − 10⁻ᵏ down to 10⁻¹²: the first slip goes to the massless loss of contact, but as a skid and not a hop.

@@ -218,6 +218,7 @@ def test_energy_keeps_rolling_hoops_from_the_jam():
         hh.maps.least_jam_speed(HOOP, hh.Plane(slope=0.1))
 
 
+@pytest.mark.compiled
 def test_which_natural_starts_jam():
     """Rolling on the level none; thrown, or rolling down 30°, some, and none slower than energy allows."""
     gammas, frictions = [0.85, 0.95, 0.99], [0.3, 0.5, 0.8]

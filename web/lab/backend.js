@@ -2,6 +2,30 @@
 
 import { unpack } from "./packing.js";
 
+/** The answer waits for code that is compiled, this once; the message says how far that is. */
+export class Compiling extends Error {}
+
+const AGAIN = 500; // milliseconds until it is asked for again
+
+/**
+ * Ask until there is an answer, and tell what it waits for.
+ * @param {() => Promise<Reply>} ask
+ * @param {(said: string) => void} tell
+ * @param {AbortSignal} signal
+ */
+export async function patiently(ask, tell, signal) {
+  for (;;) {
+    try {
+      return await ask();
+    } catch (error) {
+      if (!(error instanceof Compiling)) throw error;
+      tell(error.message);
+      await new Promise((resolve) => setTimeout(resolve, AGAIN));
+      signal.throwIfAborted();
+    }
+  }
+}
+
 export class HttpBackend {
   /** @param {URL} base */
   constructor(base) {
@@ -25,6 +49,7 @@ export class HttpBackend {
       const said = await response.json().catch(() => ({}));
       throw new Error(said.detail ?? `The server answered ${response.status}.`);
     }
+    if (response.status === 202) throw new Compiling((await response.json()).detail);
     return unpack(await response.arrayBuffer());
   }
 
@@ -82,7 +107,8 @@ export class KernelBackend {
     if (!waits) return;
     clearTimeout(waits.timer);
     this.waiting.delete(message.number);
-    if (message.error) waits.reject(new Error(message.error));
+    if (message.compiling) waits.reject(new Compiling(message.compiling));
+    else if (message.error) waits.reject(new Error(message.error));
     else waits.resolve(unpack(buffers[0]));
   }
 

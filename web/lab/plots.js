@@ -4,17 +4,6 @@ import { h } from "./dom.js";
 import { Plot } from "./plot.js";
 
 /**
- * @param {Film} film
- * @param {string} name
- * @param {...string} columns
- */
-function sum(film, name, ...columns) {
-  return film.derived(name, (all) =>
-    Float64Array.from(all.t, (_, i) => columns.reduce((total, column) => total + all[column][i], 0)),
-  );
-}
-
-/**
  * @param {Colors} colors
  * @returns {PlotDefinition[]}
  */
@@ -41,15 +30,19 @@ function definitions(colors) {
       curves: (/** @type {Film} */ film) => [
         { name: "kinetic", color: colors.kinetic, values: film.columns.kinetic },
         { name: "potential", color: colors.potential, values: film.columns.potential },
-        { name: "total", values: sum(film, "total", "kinetic", "potential"), dash: "dash" },
-        { name: "friction", color: colors.friction_loss, values: film.columns.friction },
         {
-          name: film.scenario.contact.model === "compliant" ? "damping" : "impacts",
+          name: "total",
+          values: film.derived("total", ({ t, kinetic, potential }) =>
+            Float64Array.from(t, (_, i) => kinetic[i] + potential[i]),
+          ),
+          dash: "dash",
+        },
+        // as in Python's plots: what an impact loses along the plane is friction's
+        { name: "lost to friction", color: colors.friction_loss, values: film.columns.friction_loss },
+        {
+          name: film.scenario.contact.model === "compliant" ? "lost in the damper" : "lost in impacts, normal part",
           color: colors.impact_loss,
-          values:
-            film.scenario.contact.model === "compliant"
-              ? film.columns.damping
-              : sum(film, "impacts", "impact_normal", "impact_tangential"),
+          values: film.columns.normal_loss,
           dash: "dot",
         },
       ],

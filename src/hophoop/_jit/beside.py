@@ -84,6 +84,11 @@ def start(wanted: Wanted) -> Job:
         return _jobs[wanted[-1]]
 
 
+def busy() -> bool:
+    """Whether a process that this one has started compiles now."""
+    return any(not job.done and not job.failed for job in set(_jobs.values()))
+
+
 def launch(code: str, stdin: int = subprocess.DEVNULL) -> subprocess.Popen[bytes]:
     """Start Python on code that compiles kernels into the folder of this process; it goes on when this one ends.
 

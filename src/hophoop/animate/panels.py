@@ -194,7 +194,7 @@ def _energy(axes: Any, motion: Trajectory, sample: Sample) -> None:
         (sample.potential, colors.POTENTIAL, "potential"),
         (sample.total, colors.TOTAL, "sum"),
         (sample.friction_loss, colors.FRICTION_LOSS, "friction"),
-        (sample.normal_loss, colors.IMPACT_LOSS, "impacts"),
+        (sample.normal_loss, colors.IMPACT_LOSS, "impacts, normal" if motion.scenario.contact.model == "rigid" else "damper"),
     ):
         axes.plot(sample.t, values, color=color, linewidth=1.8, label=label)
     axes.set_ylabel(labels.ENERGY)

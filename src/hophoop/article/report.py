@@ -144,7 +144,7 @@ def _runs() -> str:
         motion = simulate(scenario)
         ledger = motion.ledger
         cells = [_degrees(found[0].angle) if (found := motion.find(kind)) else "–" for kind in STARTS]
-        cells += [f"{ledger.friction:.4f}", f"{ledger.impact_normal + ledger.impact_tangential:.4f}"]
+        cells += [f"{ledger.friction + ledger.impact_tangential:.4f}", f"{ledger.impact_normal:.4f}"]
         cells.append(f"{abs(ledger.residual):.0e}")
         numbers = "".join(f"<td>{cell}</td>" for cell in cells)
         rows.append(
@@ -154,7 +154,7 @@ def _runs() -> str:
     return (
         "<h2 id='motions'>The five motions</h2><div class='scroll'><table class='runs'><thead><tr>"
         "<th>v₀ (m/s)</th><th>μ</th><th class='l'>phases</th><th>slips at</th><th>takes off at</th>"
-        "<th>lost in slip (J)</th><th>in impacts (J)</th><th>unaccounted for (J)</th></tr></thead><tbody>"
+        "<th>lost to friction (J)</th><th>in impacts, normal part (J)</th><th>unaccounted for (J)</th></tr></thead><tbody>"
         + "".join(rows)
         + "</tbody></table></div>"
     )

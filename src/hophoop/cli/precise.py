@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool) -> None:
     """Solve in many digits; print or write it, or compare the kernel's motion with it."""
+    from hophoop._files import replacing
     from hophoop.cli import NO_ANSWER, say
     from hophoop.cli.run import unanswered
     from hophoop.simulation import simulate
@@ -39,7 +40,8 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool) 
         if json == "-":
             typer.echo(text)
         else:
-            Path(json).write_text(text + "\n", encoding="utf-8")
+            with replacing(Path(json)) as file:
+                file.write_text(text + "\n", encoding="utf-8")
     if json != "-" and not quiet:
         _show(_events(precise))
         typer.echo(f"phases  {precise.sequence}\nstatus  {precise.status.replace('_', ' ')}")

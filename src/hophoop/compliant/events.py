@@ -27,10 +27,9 @@ def guard(comp, regime, which, y, vt, vn, z):
         return 1.0 - comp.d * vn, 1e-9
     if comp.friction == BRISTLE:
         if regime == 0:
-            pull = abs(comp.k_t * z + comp.c_t * vt)
-            return comp.mu_s * normal - pull, 1e-8 * (pull + comp.mu_s * normal) + 1e-11
+            held = abs(comp.k_t * z + comp.c_t * vt)
+            return comp.mu_s * normal - held, 1e-8 * (held + comp.mu_s * normal) + 1e-11
         rate = bristle_rate(comp, regime, normal, z, vt)
-        size = abs(vt) + abs(rate) + comp.mu_s * abs(normal) / comp.c_t
         size = abs(vt) + abs(rate) + comp.mu_s * abs(normal) / comp.c_t
         return regime * (vt - rate), 1e-8 * size + 1e-11 * comp.v_s
     limit = creep_speed(comp)

@@ -20,6 +20,7 @@ from hophoop.lab.packing import pack
 from hophoop.lab.presets import presets
 from hophoop.lab.python_code import python_code
 from hophoop.lab.regions import regions
+from hophoop.maps.evaluate import compiling as maps_compiling
 from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Frozen
@@ -222,6 +223,23 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
     request = Request(call, checked)
     request.scenario  # noqa: B018 - a link or a change that is not allowed is said now
     return request
+
+
+def waits_for(request: Request) -> str:
+    """What an answer would have to wait for, in a sentence: a map for compiled code, the first time; else empty.
+
+    Parameters
+    ----------
+    request : Request
+
+    Returns
+    -------
+    sentence : str
+    """
+    progress = maps_compiling() if request.call == "map" else None
+    if progress is None:
+        return ""
+    return f"compiling the kernel of maps, this once: {progress[0]} of {progress[1]} functions"
 
 
 def answer(request: Request, limits: Limits = USUAL) -> Reply:

@@ -10,7 +10,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict, Field
 
 
-class Body(BaseModel):
+class MotionState(BaseModel):
     """State of a motion."""
 
     model_config = ConfigDict(extra="forbid", populate_by_name=True)
@@ -24,7 +24,7 @@ class Body(BaseModel):
     omega: float | None = Field(description="Angular velocity [rad/s]")
 
 
-class Final(Body):
+class Final(MotionState):
     """State at the end."""
 
     mode: str = Field(description="Letter of the mode")
@@ -45,7 +45,7 @@ class Impulse(BaseModel):
     tangential: float | None = Field(description="[N s]")
 
 
-class Event(Body):
+class Event(MotionState):
     """An event with the state just after it."""
 
     kind: str = Field(description="Kind of event, such as slip_start or takeoff")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -304,20 +304,10 @@ def chunk_shape(shape: Sequence[int], cells: int) -> tuple[int, ...]:
     return tuple(result)
 
 
-def chunks(shape: Sequence[int], chunk: Sequence[int]) -> Iterator[Chunk]:
-    """The chunks of a grid, in order."""
-    counts = [-(-n // c) for n, c in zip(shape, chunk, strict=True)]
-    for index, place in enumerate(itertools.product(*(range(n) for n in counts))):
-        yield _chunk(index, place, shape, chunk)
-
-
 def chunk_at(index: int, shape: Sequence[int], chunk: Sequence[int]) -> Chunk:
     """One chunk by its number."""
     counts = [-(-n // c) for n, c in zip(shape, chunk, strict=True)]
-    return _chunk(index, [int(i) for i in np.unravel_index(index, counts)], shape, chunk)
-
-
-def _chunk(index: int, place: Sequence[int], shape: Sequence[int], chunk: Sequence[int]) -> Chunk:
+    place = [int(i) for i in np.unravel_index(index, counts)]
     region = tuple(slice(p * c, min((p + 1) * c, n)) for p, c, n in zip(place, chunk, shape, strict=True))
     return Chunk(index, region, tuple(part.stop - part.start for part in region))
 

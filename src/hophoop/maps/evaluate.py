@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 import hophoop
-from hophoop._jit import compiled
+from hophoop._jit import compiled, precompile
 from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, latest, script_until
 from hophoop.maps import kernel
 from hophoop.maps.axes import (
@@ -184,11 +184,7 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     results : Results
     """
     count = cells.shape[1]
-    results = Results(
-        np.empty((count, len(kernel.NUMBERS))),
-        np.empty((count, len(kernel.WORDS)), np.int32),
-        np.empty((count, kernel.KEYS), np.uint64),
-    )
+    results = _empty_results(count)
     if device == "serial":
         kernel.evaluate_block(cells, 0, count, span.angle, span.stop, span.timed, wanted, NO_SCRIPT, *results)
     elif device == "gpu":
@@ -198,6 +194,29 @@ def run_cells(cells: NDArray[np.float64], span: Span, wanted: int, device: str =
     else:
         _on_all_cores(cells, span, wanted, results)
     return results
+
+
+def _empty_results(count: int) -> Results:
+    return Results(
+        np.empty((count, len(kernel.NUMBERS))),
+        np.empty((count, len(kernel.WORDS)), np.int32),
+        np.empty((count, kernel.KEYS), np.uint64),
+    )
+
+
+def compiling() -> tuple[int, int] | None:
+    """How far the kernel of maps is compiled, which is begun where it is not.
+
+    Returns
+    -------
+    progress : (int, int) or None
+        Functions that are compiled, and how many there are [1]; None where a map has nothing to wait for.
+    """
+    cells, span = np.empty((len(kernel.CELL), 1)), make_span("duration")
+    arguments = (cells, 0, 1, span.angle, span.stop, span.timed, 0, NO_SCRIPT, *_empty_results(1))
+    job = precompile([(kernel.evaluate_block, arguments)])
+    # where compiling beside has failed, the map compiles by itself
+    return None if job is None or job.done or job.failed else job.progress
 
 
 def decide(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -74,6 +75,57 @@ APEX, KANE_GAIN, JAM, REST = int(Event.APEX), int(Event.KANE_GAIN), int(Event.JA
 INCONSISTENT, INDETERMINATE = int(Event.PAINLEVE_INCONSISTENT), int(Event.PAINLEVE_INDETERMINATE)
 COMPLETED, AT_REST, JAMMED = int(Status.COMPLETED), int(Status.AT_REST), int(Status.JAMMED)
 UNDETERMINED, EVENT_LIMIT = int(Status.UNDETERMINED), int(Status.EVENT_LIMIT)
+
+
+class Followed(NamedTuple):
+    """A motion that has been followed, or its part up to a limit."""
+
+    body: Body
+    status: int
+    events: Any  # of which `length` are its own
+    length: int
+    cut: bool  # at its take-off at the very start, which the kernel does not look for
+
+
+class Asked(NamedTuple):
+    """What a map asks of a motion."""
+
+    angle_span: float  # turns by this at most, nan for no limit [rad]
+    stop: int  # the events that end it
+    t_end: float
+    wanted: int  # the quantities that cost something
+
+
+class Scales(NamedTuple):
+    """Units of a cell's motion."""
+
+    length: float  # [m]
+    time: float  # [s]
+    energy: float  # [J]
+
+
+class Room(NamedTuple):
+    """Memory of a thread."""
+
+    passing: Any
+    segments: Any
+    scratch: Any
+
+
+class Rows(NamedTuple):
+    """The results, one row a cell."""
+
+    numbers: Any
+    words: Any
+    keys: Any
+
+
+@jit
+def scales_of(cells, k):
+    """Units of a cell."""
+    second = second_of(cells, k)
+    length = cells[RADIUS, k]
+    return Scales(length, second, cells[MASS, k] * (length / second) ** 2)
 
 
 @jit
@@ -205,24 +257,27 @@ def greatest_utilization(body, events, last):
 
 
 @jit
-def reduce_flight(body, row, unit, second, energy, passing, segments, scratch, numbers, k):
+def reduce_flight(motion, hop, scales, room, numbers, k):
     """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
-    numbers[k, TAKEOFF_TIME] = row["t"] * second
+    body = motion.body
+    row = motion.events[hop]
+    numbers[k, TAKEOFF_TIME] = row["t"] * scales.time
     numbers[k, TAKEOFF_ANGLE] = row["angle"]
     state = state_of(row)
     if body.gn == 0.0:
         return
     opening, zeros = opening_of(body, state)
-    log = new_log(passing, segments, scratch)
-    what, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log, scratch)
+    log = new_log(room.passing, room.segments, room.scratch)
+    what, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log, room.scratch)
     if what != STOP:
         return
-    numbers[k, HOP_HEIGHT] = (passing[0]["height"] if log.written[0] > 0 else 0.0) * unit
-    numbers[k, FLIGHT_TIME] = (landed.t - state.t) * second
-    numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * unit
+    numbers[k, HOP_HEIGHT] = (room.passing[0]["height"] if log.written[0] > 0 else 0.0) * scales.length
+    numbers[k, FLIGHT_TIME] = (landed.t - state.t) * scales.time
+    numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * scales.length
     numbers[k, LANDING_ANGLE] = whole_angle(landed)
     after, _ = collide(body, body.rest, landed, IMPACT, FLIGHT, 1)
-    numbers[k, LANDING_LOSS] = ((after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)) * energy
+    loss = (after.impact_n - landed.impact_n) + (after.impact_t - landed.impact_t)
+    numbers[k, LANDING_LOSS] = loss * scales.energy
 
 
 @jit
@@ -236,10 +291,13 @@ def first_beyond(events, count, angle_span):
 
 
 @jit
-def ending_of(status, events, count, stop, cut, t_end):
+def ending_of(motion, asked):
     """Which limit or event ended the span."""
-    if cut:
+    if motion.cut:
         return BY_TAKEOFF
+    status = motion.status
+    events = motion.events
+    count = motion.length
     if status == AT_REST:
         return BY_REST
     if status == JAMMED:
@@ -252,29 +310,29 @@ def ending_of(status, events, count, stop, cut, t_end):
     if count > 1:
         before = events[count - 2]
         if before["t"] == end["t"]:
-            if stop & STOP_AT_TURN and before["kind"] == TURN:
+            if asked.stop & STOP_AT_TURN and before["kind"] == TURN:
                 return BY_REVERSAL
-            if stop & STOP_AT_TAKEOFF and before["after_mode"] == FLIGHT:
+            if asked.stop & STOP_AT_TAKEOFF and before["after_mode"] == FLIGHT:
                 return BY_TAKEOFF
-    return BY_TIME if end["t"] >= t_end else BY_ANGLE
+    return BY_TIME if end["t"] >= asked.t_end else BY_ANGLE
 
 
 @jit
-def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, segments,
-                  scratch, numbers, words, keys, k):  # fmt: skip
-    """Row k of the results, from the events of one motion."""
-    hop = -1
-    cut = False
+def first_hop(events, count):
+    """Index of the event at which the rim first leaves the plane, or -1."""
     for i in range(count):
         if leaves_plane(events[i]):
-            hop = i
-            break
-    # the kernel looks for a take-off after the start only
-    if hop >= 0 and stop & STOP_AT_TAKEOFF and events[hop]["t"] == 0.0:
-        cut = True
-        count = hop + 1
-    last = count - 1
-    ending = ending_of(status, events, count, stop, cut, t_end)
+            return i
+    return -1
+
+
+@jit
+def reduce_motion(motion, asked, hop, scales, room, rows, k):
+    """Row k of the results, from the events of one motion; `hop` is the event at which it takes off first, or -1."""
+    numbers, words, keys = rows
+    events = motion.events
+    last = motion.length - 1
+    ending = ending_of(motion, asked)
     painleve = 0
     first = -1
     rolled = 0.0
@@ -283,7 +341,7 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
     mark = -1
     length = 0
     ended = events[last]["t"]
-    for i in range(count):
+    for i in range(motion.length):
         row = events[i]
         if i > 0 and first < 0 and row["kind"] != APEX:
             first = row["kind"]
@@ -305,24 +363,24 @@ def reduce_motion(body, status, events, count, stop, t_end, unit, second, energy
         length = add_letter(keys, k, length, events[last]["after_mode"])
     begin = events[0]
     end = events[last]
-    words[k, STATUS_WORD] = 0 if cut else status
+    words[k, STATUS_WORD] = COMPLETED if motion.cut else motion.status
     words[k, ENDING_WORD] = ending
-    words[k, FIRST_EVENT_WORD] = TAKEOFF if cut and first < 0 else first
+    words[k, FIRST_EVENT_WORD] = TAKEOFF if motion.cut and first < 0 else first
     words[k, HOP_WORD] = 1 if hop >= 0 else 0
     words[k, PAINLEVE_WORD] = painleve
-    numbers[k, TIME] = ended * second
+    numbers[k, TIME] = ended * scales.time
     numbers[k, END_ANGLE] = end["angle"]
-    numbers[k, END_SPEED] = end["vx"] * unit / second
-    numbers[k, DISTANCE] = (end["x"] - begin["x"]) * unit
-    numbers[k, DISTANCE_ROLLED] = rolled * unit
+    numbers[k, END_SPEED] = end["vx"] * scales.length / scales.time
+    numbers[k, DISTANCE] = (end["x"] - begin["x"]) * scales.length
+    numbers[k, DISTANCE_ROLLED] = rolled * scales.length
     if mode == ROLL and ending <= BY_REST:
         numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin["angle"]) / (2.0 * math.pi)
     lost = end["friction"] + end["impact_normal"] + end["impact_tangential"]
-    numbers[k, ENERGY_LOST] = lost * energy
-    if wanted & UTILIZATION_WANTED:
-        numbers[k, GREATEST_UTILIZATION] = greatest_utilization(body, events, last)
-    if hop >= 0 and wanted & FLIGHT_WANTED:
-        reduce_flight(body, events[hop], unit, second, energy, passing, segments, scratch, numbers, k)
+    numbers[k, ENERGY_LOST] = lost * scales.energy
+    if asked.wanted & UTILIZATION_WANTED:
+        numbers[k, GREATEST_UTILIZATION] = greatest_utilization(motion.body, events, last)
+    if hop >= 0 and asked.wanted & FLIGHT_WANTED:
+        reduce_flight(motion, hop, scales, room, numbers, k)
 
 
 @jit
@@ -340,12 +398,11 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
         keys[k, i] = np.uint64(0)
     if cells[ALLOWED, k] == 0.0:
         return True
-    second = second_of(cells, k)
-    unit = cells[RADIUS, k]
-    energy = cells[MASS, k] * (unit / second) ** 2
+    scales = scales_of(cells, k)
     body = body_of(cells, k)
-    start = start_of(cells, k, second)
-    t_end = cells[DURATION, k] / second if timed else FOREVER
+    start = start_of(cells, k, scales.time)
+    t_end = cells[DURATION, k] / scales.time if timed else FOREVER
+    asked = Asked(angle_span, stop, t_end, wanted)
     most = int(cells[MAX_EVENTS, k])
     if events.shape[0] > most:
         events = events[:most]
@@ -356,10 +413,12 @@ def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, se
         status = COMPLETED
     if status == EVENT_LIMIT and events.shape[0] < most:
         return False
-    reduce_motion(
-        body, status, events, count, stop, t_end, unit, second, energy, wanted, passing, segments, scratch,
-        numbers, words, keys, k,
-    )  # fmt: skip
+    hop = first_hop(events, count)
+    # the kernel looks for a take-off after the start only
+    cut = hop >= 0 and stop & STOP_AT_TAKEOFF != 0 and events[hop]["t"] == 0.0
+    motion = Followed(body, status, events, hop + 1 if cut else count, cut)
+    room = Room(passing, segments, scratch)
+    reduce_motion(motion, asked, hop, scales, room, Rows(numbers, words, keys), k)
     numbers[k, DOUBT_UNTIL] = scratch.doubt[1]
     return True
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from hophoop.precise.jam import NEAR, approach, ending, missing_angle
 from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction
-from hophoop.precise.problem import Body, Number, State
+from hophoop.precise.problem import Body, Number, PreciseState
 from hophoop.precise.rules import cone_margins, direction, tie_exponent
 from hophoop.precise.series import Judge, MorePrecision, sign_changes, stretched, value
 
@@ -31,14 +31,14 @@ class Done(NamedTuple):
     """What ended the advance, and the state there."""
 
     what: Advance
-    state: State
+    state: PreciseState
 
 
 class Stiff(Exception):
     """Slip runs into p_σ = 0: its steps have shrunk to nothing."""
 
 
-def advance(body: Body, judge: Judge, mode: int, state: State, zeros: int, t_end: Number, rolled: bool) -> Done:
+def advance(body: Body, judge: Judge, mode: int, state: PreciseState, zeros: int, t_end: Number, rolled: bool) -> Done:
     """Roll or slip from a fresh phase (or a turning point in one) up to the next event.
 
     Parameters
@@ -100,7 +100,7 @@ def _check_step(body: Body, judge: Judge, exponent: int) -> None:
         raise Stiff
 
 
-def _first_exponent(body: Body, sigma: int, state: State) -> int:
+def _first_exponent(body: Body, sigma: int, state: PreciseState) -> int:
     """A step from the decay of a short series."""
     exponent = tie_exponent(state.om)
     while True:
@@ -121,7 +121,7 @@ def _first_exponent(body: Body, sigma: int, state: State) -> int:
 
 
 def first_event(
-    body: Body, judge: Judge, sigma: int, state: State, step: Step, part: int, fresh: bool, zeros: int
+    body: Body, judge: Judge, sigma: int, state: PreciseState, step: Step, part: int, fresh: bool, zeros: int
 ) -> tuple[Advance, int] | None:
     """(what, s) of the first event with s ≤ part."""
     bits = body.bits
@@ -168,7 +168,7 @@ def first_event(
     return first[2], first[0]
 
 
-def at(body: Body, sigma: int, state: State, step: Step, s: int) -> State:
+def at(body: Body, sigma: int, state: PreciseState, step: Step, s: int) -> PreciseState:
     """State at s of a step."""
     bits, ctx = body.bits, body.ctx
     tau = ctx.ldexp(ctx.mpf(s), step.exponent - bits)
@@ -188,7 +188,7 @@ def at(body: Body, sigma: int, state: State, step: Step, s: int) -> State:
     )
 
 
-def _settled(what: Advance, state: State, body: Body) -> State:
+def _settled(what: Advance, state: PreciseState, body: Body) -> PreciseState:
     """The state with what the event says is zero."""
     if what == Advance.STOP:
         return state._replace(vt=body.zero)
@@ -197,12 +197,14 @@ def _settled(what: Advance, state: State, body: Body) -> State:
     return state
 
 
-def _turned(body: Body, begin: State, state: State) -> bool:
+def _turned(body: Body, begin: PreciseState, state: PreciseState) -> bool:
     """Whether rolling has gone through a whole turn since the phase began; False once that has been used."""
     return bool(begin.om != 0 and abs(state.th - begin.th) >= 2 * body.ctx.pi)
 
 
-def _whole_turns(body: Body, begin: State, state: State, step: Step, part: int, following: State, t_end: Number) -> State:
+def _whole_turns(
+    body: Body, begin: PreciseState, state: PreciseState, step: Step, part: int, following: PreciseState, t_end: Number
+) -> PreciseState:
     """Rolling on the level without an event in a whole turn has none in any: go on by as many turns as there is time for."""
     ctx, bits = body.ctx, body.bits
     way = 1 if begin.om > 0 else -1

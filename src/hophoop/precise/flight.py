@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from hophoop.precise.phases import gap_series
-from hophoop.precise.problem import Body, Number, State
+from hophoop.precise.problem import Body, Number, PreciseState
 from hophoop.precise.rules import free_opening
 from hophoop.precise.series import Judge, sign_changes, slope_at, stretched, value
 
@@ -13,12 +13,12 @@ from hophoop.precise.series import Judge, sign_changes, slope_at, stretched, val
 class Landing(NamedTuple):
     """How a flight ends: the state there, whether it lands, and the state where the centre is highest."""
 
-    state: State
+    state: PreciseState
     lands: bool
-    apex: State | None
+    apex: PreciseState | None
 
 
-def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> Landing:
+def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Number) -> Landing:
     """Fly until the rim meets the plane or time is over.
 
     Parameters
@@ -27,7 +27,7 @@ def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> 
         Whether the hoop has just left the plane from slip with N → 0, so that f_n is zero.
     """
     known = 0 if state.y > 0 else 1 if state.vn != 0 else 3 if lifted else 2
-    apex: State | None = None
+    apex: PreciseState | None = None
     highest = state.y
     while True:
         opening = body.zero if known == 3 else free_opening(body, state.th, state.om)
@@ -65,7 +65,7 @@ def fly(body: Body, judge: Judge, state: State, lifted: bool, t_end: Number) -> 
         state, known = after, 0
 
 
-def _exponent(body: Body, state: State, opening: Number, left: Number) -> int:
+def _exponent(body: Body, state: PreciseState, opening: Number, left: Number) -> int:
     """h = 2^exponent: at most half a turn, and not much beyond where a parabola would land."""
     ctx = body.ctx
     sizes = [left]
@@ -79,7 +79,7 @@ def _exponent(body: Body, state: State, opening: Number, left: Number) -> int:
     return int(ctx.ceil(ctx.log(min(sizes), 2)))
 
 
-def _order(body: Body, state: State, exponent: int, bits: int) -> int:
+def _order(body: Body, state: PreciseState, exponent: int, bits: int) -> int:
     """Terms until those of the cosine are below rounding."""
     turned = float(abs(body.ctx.ldexp(state.om, exponent)))
     k, size = 3, bits
@@ -105,14 +105,14 @@ def _log2(number: float) -> float:
 def _highest(
     body: Body,
     judge: Judge,
-    state: State,
+    state: PreciseState,
     series: list[int],
     known: int,
     where: int,
     bits: int,
     exponent: int,
     best: Number,
-) -> State | None:
+) -> PreciseState | None:
     """The highest top of the gap in this step, if it is higher than the best of the flight so far."""
     rate = [k * series[k] for k in range(1, len(series))]
     scale = max(map(abs, rate))
@@ -132,7 +132,7 @@ def _highest(
     return found
 
 
-def _at(body: Body, state: State, series: list[int], s: int, bits: int, exponent: int) -> State:
+def _at(body: Body, state: PreciseState, series: list[int], s: int, bits: int, exponent: int) -> PreciseState:
     """State at s of a step of flight."""
     ctx = body.ctx
     tau = ctx.ldexp(ctx.mpf(s), exponent - bits)
@@ -141,7 +141,7 @@ def _at(body: Body, state: State, series: list[int], s: int, bits: int, exponent
     return _moved(body, state, tau, y, vn)
 
 
-def _moved(body: Body, state: State, tau: Number, y: Number, vn: Number) -> State:
+def _moved(body: Body, state: PreciseState, tau: Number, y: Number, vn: Number) -> PreciseState:
     """What flight does to the other coordinates: G is a projectile and θ̇ is constant."""
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)

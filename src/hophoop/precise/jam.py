@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from hophoop.precise.problem import Body, Number, State
+from hophoop.precise.problem import Body, Number, PreciseState
 
 NEAR = 0.02  # rad
 EARLY = 40  # natural logarithm of the part of the angle that steps in time still cross
@@ -22,7 +22,7 @@ class Approach:
     """Slip near the singular angle: u(δ) as two series in z = δ/δ₀."""
 
     body: Body
-    state: State
+    state: PreciseState
     sigma: int
     way: int
     singular: Number  # the angle where p_σ = 0
@@ -43,7 +43,7 @@ class Approach:
         ctx = self.body.ctx
         return self.extent * ctx.quad(lambda part: 1 / ctx.sqrt(self.square(part)), [z, 1])
 
-    def at(self, z: Number) -> State:
+    def at(self, z: Number) -> PreciseState:
         """The state where the part z is missing; the friction's work is what the energy lacks."""
         body, before = self.body, self.state
         th = self.singular - self.way * self.extent * z
@@ -53,23 +53,23 @@ class Approach:
         cosine, sine = body.ctx.cos_sin(before.th)
         later_cosine, later_sine = body.ctx.cos_sin(th)
         # ẋ_G + σ μ ẏ_G feels gravity alone
-        pull = body.gt - drag * body.gn
+        steady = body.gt - drag * body.gn
         kept = before.vt + before.om * (1 + body.eps * cosine - drag * body.eps * sine)
-        vt = kept + pull * tau - om * (1 + body.eps * later_cosine - drag * body.eps * later_sine)
+        vt = kept + steady * tau - om * (1 + body.eps * later_cosine - drag * body.eps * later_sine)
         shift = body.eps * (later_sine - sine) + drag * body.eps * (later_cosine - cosine)
-        x = before.x + kept * tau + pull * tau * tau / 2 - shift
+        x = before.x + kept * tau + steady * tau * tau / 2 - shift
         after = before._replace(t=before.t + tau, x=x, th=th, vt=vt, om=om)
         return after._replace(friction=before.friction + _energy(body, before) - _energy(body, after))
 
 
-def _energy(body: Body, state: State) -> Number:
+def _energy(body: Body, state: PreciseState) -> Number:
     cosine, sine = body.ctx.cos_sin(state.th)
     along, up = state.vt + state.om * (1 + body.eps * cosine), -body.eps * state.om * sine
     kinetic = (along * along + up * up + body.kap * state.om * state.om) / 2
     return kinetic + body.gn * body.eps * cosine - body.gt * (state.x + body.eps * sine)
 
 
-def missing_angle(body: Body, state: State, sigma: int) -> Number:
+def missing_angle(body: Body, state: PreciseState, sigma: int) -> Number:
     """Estimate of the angle still missing to p_σ = 0; negative where it does not come nearer."""
     cosine, sine = body.ctx.cos_sin(state.th)
     stiff, rate = _stiffness(body, sigma, cosine, sine)
@@ -84,7 +84,7 @@ def _stiffness(body: Body, sigma: int, cosine: Number, sine: Number) -> tuple[Nu
     return body.kap + eps * sine * torque, eps * (cosine * torque + sine * eps * (cosine - drag * sine))
 
 
-def approach(body: Body, state: State, sigma: int) -> Approach | None:
+def approach(body: Body, state: PreciseState, sigma: int) -> Approach | None:
     """Slip near p_σ = 0 as a series about the singular angle; None where that does not hold, or not yet."""
     ctx = body.ctx
     way = 1 if state.om > 0 else -1
@@ -166,7 +166,7 @@ def _series(
     return None
 
 
-def ending(found: Approach) -> tuple[bool, State] | None:
+def ending(found: Approach) -> tuple[bool, PreciseState] | None:
     """(whether it jams, the state at the end): the jam, or where the slip stops only just before it.
 
     None where it stops so early that steps in time get there too.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from hophoop.physics.body import Event, Mode, Status
-from hophoop.precise.problem import Number, State
+from hophoop.precise.problem import Number, PreciseState
 from hophoop.precise.rules import UNDECIDED, can_roll, slip_mode
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ def skim(run: Run) -> None:
     lie(run)
 
 
-def skimming(run: Run, tau: Number, way: int, along: Number, sink: Number, sine: Number, cosine: Number) -> State:
+def skimming(run: Run, tau: Number, way: int, along: Number, sink: Number, sine: Number, cosine: Number) -> PreciseState:
     """The state of the rim after skimming for the time tau, from the height of the load."""
     body, state, ctx = run.body, run.state, run.body.ctx
     height = 1 + cosine - sink * tau - body.gn * tau * tau / 2  # 1 + cos θ

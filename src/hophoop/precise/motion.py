@@ -9,7 +9,7 @@ from hophoop.physics.body import Event, Mode, Status
 from hophoop.precise import massless
 from hophoop.precise.contact import Advance, advance
 from hophoop.precise.flight import fly
-from hophoop.precise.problem import Body, Number, Problem, State
+from hophoop.precise.problem import Body, Number, PreciseState, Problem
 from hophoop.precise.rules import (
     INCONSISTENT,
     INDETERMINATE,
@@ -34,7 +34,7 @@ class Record:
     kind: Event
     before_mode: int | None
     after_mode: int
-    state: State
+    state: PreciseState
     before_vt: Number
     before_vn: Number
     before_om: Number
@@ -88,7 +88,7 @@ class Run:
         self.lifted = False  # in flight: whether it began with N → 0 in slip
         self.slip_zeros = 0  # of v_t at the begin of a fresh slip phase, as far as known
         self.last_bounce = self.body.zero
-        self.turns: list[State] = []  # turning points of the present phase of rolling
+        self.turns: list[PreciseState] = []  # turning points of the present phase of rolling
         self.status = Status.COMPLETED
 
     # --- events --------------------------------------------------------------------------------
@@ -98,7 +98,7 @@ class Run:
         kind: Event,
         before: int | None,
         after: int,
-        cause: State | None = None,
+        cause: PreciseState | None = None,
         p_n: Number | None = None,
         p_t: Number | None = None,
         gain: Number | None = None,
@@ -201,10 +201,10 @@ class Run:
     def is_last_bounce(self) -> bool:
         """Whether the bounces that would follow take less than the part of the time so far that closes them."""
         state, last = self.state, self.last_bounce
-        pull = -free_opening(self.body, state.th, state.om)
-        if not (state.vn > 0 and pull > 0 and state.vn < last):
+        closing = -free_opening(self.body, state.th, state.om)
+        if not (state.vn > 0 and closing > 0 and state.vn < last):
             return False
-        left: Number = 2 * state.vn / (pull * (1 - state.vn / last))
+        left: Number = 2 * state.vn / (closing * (1 - state.vn / last))
         return bool(left < self.closing * max(state.t, self.body.one))
 
     def close_bounces(self) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from operator import mul
 
-from hophoop.precise.problem import Body, Fixed, Number, State
+from hophoop.precise.problem import Body, Fixed, Number, PreciseState
 from hophoop.precise.series import TooManySteps, integral, product
 
 # The best order spends about this many bits a coefficient: terms that shrink by e² each.
@@ -56,7 +56,7 @@ def scaled(values: Sequence[int], exponent: int) -> list[int]:
     return [value >> -exponent for value in values]
 
 
-def expand(body: Body, sigma: int, state: State, exponent: int, order: int) -> Step | None:
+def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: int) -> Step | None:
     """Rolling (sigma = 0) or slip from a state; None where the coefficients grow beyond any use."""
     body.steps_left -= 1
     if body.steps_left < 0:
@@ -223,7 +223,7 @@ def travel(step: Step, fixed: Fixed, until: int) -> int:
     return total << step.exponent if step.exponent >= 0 else total >> -step.exponent
 
 
-def gap_series(body: Body, state: State, opening: Number, exponent: int, order: int, bits: int) -> list[int]:
+def gap_series(body: Body, state: PreciseState, opening: Number, exponent: int, order: int, bits: int) -> list[int]:
     """The gap in flight as a series in s = τ/h, with a fixed point of its own; `opening` is f_n at the start."""
     ctx = body.ctx
     with ctx.workprec(bits + 20):

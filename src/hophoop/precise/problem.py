@@ -131,7 +131,7 @@ def _own_inertia(part: Any) -> Fraction:
     return Fraction(0)
 
 
-class State(NamedTuple):
+class PreciseState(NamedTuple):
     """As the kernel's: in units of R, m and √(R/g), v_t in place of ẋ, and the energy lost so far."""
 
     t: Number
@@ -211,11 +211,11 @@ class Body:
         """The number of a fixed-point integer."""
         return self.ctx.ldexp(self.ctx.mpf(value), -self.bits)
 
-    def start(self) -> State:
+    def start(self) -> PreciseState:
         """The state at t = 0."""
         problem = self.problem
         speed = self.length / self.time
-        return State(
+        return PreciseState(
             self.zero,
             self.number(problem.x / problem.radius),
             self.number(problem.height / problem.radius),

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from hophoop.physics.body import ImpactLaw, Mode
 from hophoop.precise.phases import expand
-from hophoop.precise.problem import Body, Number, State
+from hophoop.precise.problem import Body, Number, PreciseState
 from hophoop.precise.series import Judge, Series
 
 # Answers of the rule beyond the modes.
@@ -56,15 +56,15 @@ def opening_sign(body: Body, judge: Judge, th: Number, om: Number) -> int:
     """Sign of f_n, or of its first derivative in free motion that is not zero; θ̇ stays what it is."""
     cosine, sine = body.ctx.cos_sin(th)
     u = om * om
-    pull = body.eps * u
-    scale = body.gn + pull
+    centrifugal = body.eps * u
+    scale = body.gn + centrifugal
     if scale == 0:
         return 0
     # f_n = −g + ε u cos(θ + θ̇ τ): with τ in units of 1/θ̇ its derivatives are ε u times −sin, −cos, sin, …
     way = 1 if om > 0 else -1
-    for value in (pull * cosine - body.gn, -pull * sine * way, -pull * cosine, pull * sine * way):
+    for value in (centrifugal * cosine - body.gn, -centrifugal * sine * way, -centrifugal * cosine, centrifugal * sine * way):
         found = sign(body, judge, value, scale)
-        if found or pull == 0:
+        if found or centrifugal == 0:
             return found
     return 0
 
@@ -74,7 +74,7 @@ def tie_exponent(om: Number) -> int:
     return -2 - max(int(abs(om)).bit_length(), 0)
 
 
-def can_roll(body: Body, judge: Judge, state: State) -> bool:
+def can_roll(body: Body, judge: Judge, state: PreciseState) -> bool:
     """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     step = expand(body, 0, state, tie_exponent(state.om), TIE_ORDER)
     if step is None:
@@ -100,7 +100,7 @@ def cone_margins(body: Body, normal: Series, friction: Series) -> list[list[int]
     return [[(a * n - b * f) >> bits for n, f in pairs], [(a * n + b * f) >> bits for n, f in pairs]]
 
 
-def can_start_slip(body: Body, judge: Judge, state: State, sigma: int) -> bool:
+def can_start_slip(body: Body, judge: Judge, state: PreciseState, sigma: int) -> bool:
     """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
     if sign(body, judge, stiffness(body, state.th, sigma), 1 + body.mu_k) <= 0:
         return False
@@ -113,7 +113,7 @@ def can_start_slip(body: Body, judge: Judge, state: State, sigma: int) -> bool:
     return judge.leading(step.slip, scale, 1)[1] == sigma
 
 
-def next_mode(body: Body, judge: Judge, state: State) -> int:
+def next_mode(body: Body, judge: Judge, state: PreciseState) -> int:
     """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4."""
     vt = state.vt
     sigma = 0 if vt == 0 else sign(body, judge, vt, 1 + abs(state.om))

@@ -10,7 +10,7 @@ from typing import Any
 from hophoop.physics.body import Status
 from hophoop.precise.contact import Stiff
 from hophoop.precise.motion import Record, Run
-from hophoop.precise.problem import Body, Number, Problem, State
+from hophoop.precise.problem import Body, Number, PreciseState, Problem
 from hophoop.precise.series import MorePrecision
 from hophoop.scenario import InputError, Scenario
 
@@ -195,7 +195,7 @@ def _signature(run: Run) -> list[Any]:
 
 def numbers(record: Record) -> list[Number]:
     """What is compared of an event: time and state."""
-    state: State = record.state
+    state: PreciseState = record.state
     return [state.t, state.x, state.y, state.th, state.vt, state.vn, state.om, record.p_n, record.p_t]
 
 

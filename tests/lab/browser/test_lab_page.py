@@ -145,7 +145,7 @@ def test_a_click_on_the_map_takes_that_motion(visit):
     # and deep into it
     for _ in range(6):
         page.mouse.wheel(0, -400)
-    wait_for(page, "lab.map.windows.x[1] - lab.map.windows.x[0] < 1")
+    wait_for(page, "lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0] < 1")
     picture(page, "map", full_page=True)
 
 
@@ -323,7 +323,7 @@ def test_two_fingers_zoom_and_take_no_motion(visit, selector):
     target.scroll_into_view_if_needed()
     wait_for(page, "!lab.surrounding")
     width = """() => ({
-      map: hophoopLab.map.windows.x[1] - hophoopLab.map.windows.x[0],
+      map: hophoopLab.map.axes.windows.x[1] - hophoopLab.map.axes.windows.x[0],
       plot: hophoopLab.plots.shared.range ? hophoopLab.plots.shared.range[1] - hophoopLab.plots.shared.range[0] : 6,
       phase: hophoopLab.phase.range[1] - hophoopLab.phase.range[0],
       stage: 1 / hophoopLab.stage.flat.zoom,
@@ -379,6 +379,28 @@ def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     page.locator(".map-body").scroll_into_view_if_needed()
     wait_for(page, "lab.map.level === 3")
     assert page.locator(".map-head .hint").inner_text() == "31104 motions, with rigid contact"
+
+
+def test_a_map_waits_for_its_kernel_and_says_so(visit, monkeypatch):
+    left = [(k, 187) for k in (150, 90, 0)]
+    monkeypatch.setattr("hophoop.lab.calls.maps_compiling", lambda: left.pop() if left else None)
+    page = visit()
+    page.locator(".map-body").scroll_into_view_if_needed()
+    wait_for(page, "document.querySelector('.map-head .hint').textContent.includes('0 of 187 functions')")
+    wait_for(page, "lab.map.level === 3")
+    assert left == []
+    assert page.locator(".map-head .hint").inner_text() == "31104 motions"
+
+
+def test_energies_are_booked_as_in_every_plot(visit):
+    page = visit()
+    drawn = page.evaluate(
+        "hophoopLab.plots.plots[1].curves(hophoopLab.film()).map(({ name, values }) => [name, values.at(-1)])"
+    )
+    ledger = hh.simulate(hh.Scenario()).ledger
+    assert dict(drawn)["lost to friction"] == pytest.approx(ledger.friction + ledger.impact_tangential, rel=1e-6)
+    assert dict(drawn)["lost in impacts, normal part"] == pytest.approx(ledger.impact_normal, rel=1e-6)
+    assert ledger.impact_tangential > 0.1  # what tells one convention from the other
 
 
 def test_real_parts_and_compliant_contact(visit):

@@ -1,0 +1,144 @@
+"""Impacts: against exact fractions, and against the response of a rigid body to impulses."""
+
+import math
+from fractions import Fraction as Q
+
+import pytest
+from scipy.optimize import brentq
+
+from hophoop.physics import impact
+from hophoop.physics.body import Body
+from newton_euler import BODIES, STATES, responses
+from oracles import rational
+
+LAWS = {"newton": 0, "poisson": 1, "stronge": 2}
+CONTACTS = [
+    rational.Contact(Q(1, 2), Q(39, 100), Q(-4, 5), Q(3, 5), Q(1, 4), Q(1, 4)),  # sticks at the limit
+    rational.Contact(Q(1, 2), Q(39, 100), Q(-4, 5), Q(3, 5), Q(1, 8), Q(1, 8)),  # slip turns round
+    rational.Contact(Q(2, 5), Q(3, 5), Q(3, 5), Q(4, 5), Q(2), Q(1)),
+    rational.Contact(Q(2, 3), Q(1, 4), Q(5, 13), Q(-12, 13), Q(1, 3), Q(1, 5)),
+]
+VELOCITIES = [(Q(-1), Q(-3), Q(0)), (Q(2), Q(-1), Q(1)), (Q(1), Q(-2), Q(1)), (Q(0), Q(-1), Q(3))]
+
+
+@pytest.mark.parametrize("contact", CONTACTS)
+@pytest.mark.parametrize("velocity", VELOCITIES)
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("rest", [Q(0), Q(1, 2)])
+def test_against_fractions(contact, velocity, law, rest):
+    exact = rational.collide(contact, velocity, rest, law)
+    body = Body(float(contact.eccentricity), float(contact.inertia_ratio), float(contact.mu_static),
+                float(contact.mu_kinetic), 1.0, 0.0, float(rest), LAWS[law], False, 0.0)  # fmt: skip
+    vx, vy, om = velocity
+    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact.impact(
+        body, float(rest), float(contact.sine), float(contact.cosine), float(vx - om), float(vy)
+    )
+    after = exact["velocity"]
+    near = {"rel": 1e-12, "abs": 1e-12}
+    assert vt == pytest.approx(float(after[0] - after[2]), **near)
+    assert vn == pytest.approx(float(after[1]), **near)
+    assert spin == pytest.approx(float(after[2] - om), **near)
+    assert p_n == pytest.approx(float(exact["impulse"]["normal"]), **near)
+    assert p_t == pytest.approx(float(exact["impulse"]["tangential"]), **near)
+    assert loss_n == pytest.approx(float(exact["loss_normal"]), **near)
+    assert loss_t == pytest.approx(float(exact["loss_tangential"]), **near)
+
+
+@pytest.mark.parametrize("law", [0, 1, 2])
+def test_infinite_friction_is_the_limit_of_high_friction(law):
+    body = BODIES[1]._replace(mu_s=1e9, mu_k=1e9, law=law)
+    s, c = math.sin(2.0), math.cos(2.0)
+    for vt in (0.4, -0.7):
+        limit = impact.impact(body._replace(mu_s=math.inf, mu_k=math.inf), 0.5, s, c, vt, -1.0)
+        assert limit == pytest.approx(impact.impact(body, 0.5, s, c, vt, -1.0), rel=1e-6, abs=1e-7)
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("state", STATES)
+def test_rates(body, state):
+    th, _ = state
+    s, c = math.sin(th), math.cos(th)
+    arm, lever = 1.0 + body.eps * c, body.eps * s
+    along, up = responses(body, th)
+    hold = -up[0] / along[0]  # keeps v_t = 0
+    together = [a * hold + b for a, b in zip(along, up, strict=True)]
+    assert impact.stick_rates(body, arm, lever) == pytest.approx((hold, together[2], together[1]), rel=1e-12, abs=1e-13)
+    for r in (0.6, -0.3):
+        together = [a * r + b for a, b in zip(along, up, strict=True)]
+        expected = (together[2], together[0], together[1])
+        assert impact.slip_rates(body, arm, lever, r) == pytest.approx(expected, rel=1e-12, abs=1e-13)
+    assert impact.impulse_ratio(body, arm, lever, 0.1) == (-body.mu_k, False)
+    assert impact.impulse_ratio(body, arm, lever, -0.1) == (body.mu_k, False)
+    slippery = body._replace(mu_s=0.5 * abs(hold), mu_k=0.4 * abs(hold))
+    ratio, sticks = impact.impulse_ratio(slippery, arm, lever, 0.0)
+    assert (ratio, sticks) == (pytest.approx(0.4 * hold), False)
+    ratio, sticks = impact.impulse_ratio(body._replace(mu_s=2.0 * abs(hold)), arm, lever, 0.0)
+    assert (ratio, sticks) == (pytest.approx(hold, rel=1e-12, abs=1e-14), True)
+
+
+# Painlevé's paradox: the angle at which the plane cannot push the hoop off any more
+
+
+def without_response(body, th, sigma):
+    along, up = responses(body, th)
+    return up[1] - sigma * body.mu_k * along[1]
+
+
+STEEP = Body(0.75, 0.1, 1.5, 1.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+
+
+def singular(sigma, low, high):
+    return brentq(lambda th: without_response(STEEP, th, sigma), low, high, xtol=1e-15, rtol=1e-15)
+
+
+PLACES = [(-1, singular(-1, 0.05, 0.5)), (-1, singular(-1, 0.9, 2.4)), (1, singular(1, -2.4, -0.9))]
+
+
+@pytest.mark.parametrize(("sigma", "th"), PLACES)
+@pytest.mark.parametrize("vt", [0.02, 2.0])
+@pytest.mark.parametrize("om", [0.3, -0.3, 0.9, -0.9])
+@pytest.mark.parametrize("exact", [True, False])
+def test_singular_slip(sigma, th, vt, om, exact):
+    """An impulse at a fixed angle: by the response to it, to whichever end comes first."""
+    body, vt = STEEP, sigma * vt
+    along, up = responses(body, th)
+    turn = up[2] - sigma * body.mu_k * along[2]
+    rate = up[0] - sigma * body.mu_k * along[0]
+    ends = {"stops": -vt / rate if vt * rate < 0 else math.inf}
+    if turn * om > 0:
+        # until θ̇ has grown so far that the centrifugal force lifts the hoop
+        pull = body.eps * math.cos(th)
+        ends["jams"] = (math.copysign(math.sqrt(body.gn / pull), om) - om) / turn if pull > 0 else math.inf
+    else:
+        ends["turns"] = -2.0 * om / turn
+    which = min(ends, key=ends.get)
+    p = ends[which]
+    if math.isinf(p):
+        pytest.skip("no end")
+    ahead = 1e-9 if exact else 0.0
+    at = th - ahead
+    jams, after, spun, p_n, loss = impact.singular_slip(body, math.sin(at), math.cos(at), exact, ahead, vt, om)
+    assert jams == (which == "jams")
+    assert p_n == pytest.approx(p, rel=1e-7)
+    assert spun == pytest.approx(om + turn * p, rel=1e-7, abs=1e-9)
+    assert after == pytest.approx(vt + rate * p, rel=1e-7, abs=1e-9)
+    if which == "stops":
+        assert after == 0.0
+    assert loss == pytest.approx(sigma * body.mu_k * (vt * p + 0.5 * rate * p * p), rel=1e-7)
+
+
+@pytest.mark.parametrize(("sigma", "th"), PLACES)
+def test_singular_angle(sigma, th):
+    def at(distance, u):
+        return impact.singular_angle(STEEP, math.sin(th - distance), math.cos(th - distance), u, sigma)
+
+    for distance in (3e-12, -3e-12):
+        found, exact, ahead = at(distance, 0.5)
+        assert (found, exact) == (True, True)
+        assert ahead == pytest.approx(distance, rel=1e-2)
+    assert at(1e-6, 0.5) == (False, False, 0.0)
+    pull = STEEP.eps * math.cos(th)
+    if pull > 0.0:  # nearly there while the force to press the hoop down vanishes
+        assert at(1e-6, STEEP.gn / pull) == (True, False, 0.0)
+        assert at(-1e-6, STEEP.gn / pull) == (True, False, 0.0)
+        assert at(1e-4, STEEP.gn / pull) == (False, False, 0.0)

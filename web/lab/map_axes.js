@@ -1,0 +1,253 @@
+// The two axes of a map: which parameters, from where to where, and where that is on the canvas.
+
+import { niceStep, show, tickText, ticks, withUnit, clamp } from "./numbers.js";
+
+const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
+const RIGHT = 12;
+const TOP = 10;
+const BOTTOM = 36;
+const DEGREE = Math.PI / 180;
+/** @type {AxisName[]} */
+export const AXES = ["x", "y"];
+
+export class MapAxes {
+  /** @type {Box} */
+  box;
+
+  /** @param {AxisInfo[]} axes */
+  constructor(axes) {
+    this.known = new Map(axes.map((axis) => [axis.path, axis]));
+    /** @type {Record<AxisName, string>} */
+    this.paths = { x: "start.speed", y: "plane.mu" };
+    /** @type {Record<AxisName, number[]>} */
+    this.windows = { x: this.whole("x"), y: this.whole("y") };
+    this.left = LEFT;
+  }
+
+  /**
+   * What is known of the parameter on an axis.
+   * @param {AxisName} name
+   */
+  info(name) {
+    return /** @type {AxisInfo} */ (this.known.get(this.paths[name]));
+  }
+
+  /**
+   * @param {AxisName} name
+   * @returns {number[]}
+   */
+  whole(name) {
+    return [...this.info(name).range];
+  }
+
+  home() {
+    for (const name of AXES) this.windows[name] = this.whole(name);
+  }
+
+  /**
+   * Another parameter on an axis; one that is on the other axis changes places.
+   * @param {AxisName} name
+   * @param {string} path
+   */
+  choose(name, path) {
+    const other = name === "x" ? "y" : "x";
+    if (this.paths[other] === path) this.paths[other] = this.paths[name];
+    this.paths[name] = path;
+    this.home();
+  }
+
+  /**
+   * An axis as the server is asked for it.
+   * @param {AxisName} name
+   * @param {number} cells
+   */
+  asked(name, cells) {
+    const [from, to] = this.windows[name];
+    return { path: this.paths[name], from, to, cells };
+  }
+
+  /**
+   * Whether there is room to zoom so.
+   * @param {number} factor
+   * @param {Place} [center]
+   */
+  zoom(factor, center) {
+    /** @type {Record<AxisName, number[]>} */
+    const next = { x: [], y: [] };
+    for (const name of AXES) {
+      const [low, high] = this.windows[name];
+      const middle = center?.[name] ?? 0.5 * (low + high);
+      next[name] = [middle - (middle - low) * factor, middle + (high - middle) * factor];
+      // as deep as numbers go, and no further
+      const size = Math.max(Math.abs(next[name][0]), Math.abs(next[name][1]), 1e-9);
+      if (next[name][1] - next[name][0] < 400 * Number.EPSILON * size) return false;
+      const { range } = this.info(name);
+      if (next[name][1] - next[name][0] > 4 * (range[1] - range[0])) return false;
+    }
+    this.windows = next;
+    return true;
+  }
+
+  /**
+   * Move what is shown by a part of its width and height.
+   * @param {Record<AxisName, number[]>} from
+   * @param {number} dx in pixels
+   * @param {number} dy
+   */
+  drag(from, dx, dy) {
+    const shift = (/** @type {AxisName} */ name, /** @type {number} */ part) =>
+      from[name].map((value) => value + part * (from[name][1] - from[name][0]));
+    this.windows = { x: shift("x", -dx / this.box.width), y: shift("y", dy / this.box.height) };
+  }
+
+  // The middle of what is shown.
+  middle() {
+    const { x, y } = this.windows;
+    return { x: 0.5 * (x[0] + x[1]), y: 0.5 * (y[0] + y[1]) };
+  }
+
+  /**
+   * Take the room of a canvas.
+   * @param {number} width
+   * @param {number} height
+   */
+  fit(width, height) {
+    this.left = this.deep("y") ? LEFT_DEEP : LEFT;
+    this.box = { width: width - this.left - RIGHT, height: height - TOP - BOTTOM };
+  }
+
+  /** @param {CanvasRenderingContext2D} context */
+  clip(context) {
+    context.beginPath();
+    context.rect(this.left, TOP, this.box.width, this.box.height);
+    context.clip();
+  }
+
+  /** @param {number} value */
+  x(value) {
+    const [low, high] = this.windows.x;
+    return this.left + ((value - low) / (high - low)) * this.box.width;
+  }
+
+  /** @param {number} value */
+  y(value) {
+    const [low, high] = this.windows.y;
+    return TOP + (1 - (value - low) / (high - low)) * this.box.height;
+  }
+
+  /**
+   * The place under a point of the canvas.
+   * @param {number} x
+   * @param {number} y
+   */
+  place(x, y) {
+    const at = (/** @type {number[]} */ [low, high], /** @type {number} */ share) =>
+      low + clamp(share, 0, 1) * (high - low);
+    return {
+      x: at(this.windows.x, (x - this.left) / this.box.width),
+      y: at(this.windows.y, 1 - (y - TOP) / this.box.height),
+    };
+  }
+
+  /**
+   * Whether the numbers on an axis would differ in digits only that have no room.
+   * @param {AxisName} name
+   */
+  deep(name) {
+    const [low, high] = this.windows[name];
+    return high - low < 5e-5 * Math.max(Math.abs(low), Math.abs(high));
+  }
+
+  /**
+   * A place in words.
+   * @param {Place} place
+   */
+  said(place) {
+    const part = (/** @type {AxisName} */ name) => {
+      const info = this.info(name);
+      // as many digits as tell a cell from the next
+      const [low, high] = this.windows[name];
+      const size = Math.max(Math.abs(low), Math.abs(high));
+      const digits = clamp(Math.ceil(Math.log10(size / (high - low))) + 4, 4, 16);
+      return `${info.label} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
+    };
+    return `${part("x")}, ${part("y")}`;
+  }
+
+  /**
+   * Frame, numbers and names.
+   * @param {CanvasRenderingContext2D} context
+   * @param {number} height
+   * @param {Look} look
+   */
+  draw(context, height, look) {
+    context.strokeStyle = look.soft;
+    context.fillStyle = look.soft;
+    context.lineWidth = 1;
+    context.strokeRect(this.left + 0.5, TOP + 0.5, this.box.width - 1, this.box.height - 1);
+    context.font = `11px ${look.font}`;
+    for (const name of AXES) {
+      const info = this.info(name);
+      const scale = info.degrees ? 1 / DEGREE : 1;
+      const [low, high] = this.windows[name].map((value) => value * scale);
+      const count = name === "x" ? this.box.width / 80 : this.box.height / 40;
+      const step = niceStep(high - low, count);
+      // far in, the labels show the distance from a rounded value that stands with the axis' name
+      const deep = this.deep(name);
+      const origin = deep ? Number((0.5 * (low + high)).toPrecision(12)) : 0;
+      const all = deep ? ticks(low - origin, high - origin, count).map((v) => v + origin) : ticks(low, high, count);
+      for (const value of all) {
+        const text = deep ? show(value - origin, 3) : tickText(value, step);
+        if (name === "x") {
+          context.textAlign = "center";
+          context.fillText(text, this.x(value / scale), TOP + this.box.height + 14);
+        } else {
+          context.textAlign = "right";
+          context.textBaseline = "middle";
+          context.fillText(text, this.left - 5, this.y(value / scale));
+          context.textBaseline = "alphabetic";
+        }
+      }
+      const offset = deep ? ` − ${String(origin).replace("-", "−")}` : "";
+      const label = `${info.label}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
+      context.save();
+      context.textAlign = "center";
+      if (name === "x") context.translate(this.left + 0.5 * this.box.width, height - 5);
+      else {
+        context.translate(12, TOP + 0.5 * this.box.height);
+        context.rotate(-Math.PI / 2);
+      }
+      context.fillText(label, 0, 0);
+      context.restore();
+    }
+  }
+}
+
+/**
+ * The mark of a motion.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} x
+ * @param {number} y
+ * @param {string} ink
+ * @param {string} paper
+ */
+export function cross(context, x, y, ink, paper) {
+  for (const [color, line] of /** @type {[string, number][]} */ ([
+    [paper, 4],
+    [ink, 1.8],
+  ])) {
+    context.strokeStyle = color;
+    context.lineWidth = line;
+    context.beginPath();
+    context.arc(x, y, 7, 0, 2 * Math.PI);
+    context.moveTo(x - 13, y);
+    context.lineTo(x - 4, y);
+    context.moveTo(x + 4, y);
+    context.lineTo(x + 13, y);
+    context.moveTo(x, y - 13);
+    context.lineTo(x, y - 4);
+    context.moveTo(x, y + 4);
+    context.lineTo(x, y + 13);
+    context.stroke();
+  }
+}

@@ -1,0 +1,108 @@
+// Mouse, fingers and keys on a map: drag to move, wheel and two fingers to zoom, a click or Enter takes a motion.
+
+import { clamp } from "./numbers.js";
+import { follow, pinch } from "./pointer.js";
+
+/** @typedef {import("./map.js").MotionMap} MotionMap */
+
+/** @type {Record<string, [number, number]>} */
+const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+const STEPS = 48; // of the arrow keys across a map
+
+/** @param {MotionMap} map */
+export function takeHands(map) {
+  const { body } = map;
+  const pinched = pinch(body, (factor, at) => map.axes.box && map.zoom(1 / factor, placeAt(map, at)));
+  let dragging = false;
+  body.addEventListener(
+    "wheel",
+    (event) => {
+      if (!map.axes.box) return;
+      event.preventDefault();
+      map.zoom(Math.exp(clamp(event.deltaY, -200, 200) * 0.0022), placeAt(map, event));
+    },
+    { passive: false },
+  );
+  body.addEventListener("pointerdown", (event) => press(map, event, pinched, (now) => (dragging = now)));
+  body.addEventListener("pointermove", (event) => {
+    if (map.axes.box && !dragging && event.pointerType !== "touch") hover(map, event);
+  });
+  body.addEventListener("pointerleave", () => (map.tip.hidden = true));
+  body.addEventListener("dblclick", () => map.zoom(0.35, map.pointed ?? undefined));
+  body.addEventListener("keydown", (event) => key(map, event));
+}
+
+/**
+ * @param {MotionMap} map
+ * @param {Point} event
+ */
+function placeAt(map, event) {
+  const box = map.body.getBoundingClientRect();
+  return map.axes.place(event.clientX - box.left, event.clientY - box.top);
+}
+
+/**
+ * @param {MotionMap} map
+ * @param {PointerEvent} event
+ */
+function hover(map, event) {
+  map.tip.textContent = map.said(placeAt(map, event));
+  map.tip.hidden = false;
+  const box = map.body.getBoundingClientRect();
+  map.tip.style.left = `${clamp(event.clientX - box.left, 150, Math.max(box.width - 150, 150))}px`;
+  map.tip.style.bottom = `${box.bottom - event.clientY + 16}px`;
+}
+
+/**
+ * @param {MotionMap} map
+ * @param {PointerEvent} event
+ * @param {() => boolean} pinched
+ * @param {(now: boolean) => void} drags
+ */
+function press(map, event, pinched, drags) {
+  event.preventDefault();
+  map.body.focus({ preventScroll: true });
+  const start = [event.clientX, event.clientY];
+  const from = { x: [...map.axes.windows.x], y: [...map.axes.windows.y] };
+  map.pointed = placeAt(map, event);
+  let dragged = false;
+  let twoFingers = pinched();
+  const move = (/** @type {PointerEvent} */ moved) => {
+    twoFingers ||= pinched();
+    if (twoFingers) return;
+    const [dx, dy] = [moved.clientX - start[0], moved.clientY - start[1]];
+    if (Math.hypot(dx, dy) < 5 && !dragged) return;
+    dragged = true;
+    drags(true);
+    map.tip.hidden = true;
+    map.axes.drag(from, dx, dy);
+    map.redraw();
+    map.soon();
+  };
+  follow(map.body, event, move, (_last, lifted) => {
+    if (lifted && !dragged && !twoFingers && map.pointed) map.take(map.pointed);
+    drags(false);
+  });
+}
+
+/**
+ * @param {MotionMap} map
+ * @param {KeyboardEvent} event
+ */
+function key(map, event) {
+  const place = map.pointed ?? map.here() ?? map.axes.middle();
+  map.pointed = place;
+  if (WAYS[event.key]) {
+    const [dx, dy] = WAYS[event.key];
+    const { x, y } = map.axes.windows;
+    map.pointed = { x: place.x + (dx * (x[1] - x[0])) / STEPS, y: place.y + (dy * (y[1] - y[0])) / STEPS };
+    map.state.textContent = map.said(map.pointed);
+  } else if (event.key === "Enter") map.take(place);
+  else if (event.key === "+" || event.key === "=") map.zoom(0.6, place);
+  else if (event.key === "-") map.zoom(1.7, place);
+  else if (event.key === "0") map.home();
+  else return;
+  event.preventDefault();
+  event.stopPropagation();
+  map.redraw();
+}
