@@ -1,150 +1,239 @@
 """Make the catalogue of first revolutions that hophoop ships (src/hophoop/maps/catalogue.json).
 
-    python examples/make_catalogue.py [--levels 7] [--out catalogue.json]
-    python examples/make_catalogue.py --figure docs/figures/catalogue-load-fraction.svg    # draw what is shipped
+    python examples/make_catalogue.py [--out catalogue.json] [--resume]
+    python examples/make_catalogue.py --figures docs/figures    # draw what is shipped
+    python examples/make_catalogue.py --tables                  # print the tables of docs/catalogue.md
 
-For each γ the window of friction and speed is cut into squares of one class, halved again and again where the
-class changes (`hophoop.maps.refine`), so that what counts is how thin a region is, not where a grid's points
-fall. Around every place where three classes meet, smaller and smaller circles are looked at for classes that
-only live there.
+For each γ the borders between classes are followed through the window of friction and speed, and the places where
+classes meet to rounding (`hophoop.maps.survey`). Classes narrower than CHECKED are computed again from Taylor series
+in 40 digits (tests/oracles); what these refute is not counted but listed.
 """
 
 from __future__ import annotations
 
 import argparse
+import itertools
 import json
 import math
+import multiprocessing
+import os
+import sys
 import time
+from collections.abc import Iterable
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 
 import numpy as np
 
 import hophoop as hh
 from hophoop import maps
-from hophoop.maps.classes import Classifier, make_window
-from hophoop.maps.refinement import refine
+from hophoop.maps.evaluate import thread_limit
+from hophoop.maps.survey import NARROWEST, survey
 
-# μ and v0 above 0: on the edges themselves the hoop rests or nothing is friction. The immediate hop begins at
-# √(g R/γ) whatever the friction; beyond it there is nothing but H.
-MU = (1e-3, 2.0)
-FASTEST = 1.06
-RADII = (1e-3, 1e-5, 1e-7, 1e-9)
+ROOT = Path(__file__).resolve().parents[1]
 HOOPS = (0.75, *(k / 50 for k in range(1, 50)), 0.95, 0.99, 0.995, 0.999)
+FINEST = 0.75  # the article's hoop is looked at more closely
+CHECKED = 1e-9  # narrower classes are checked in 40 digits, in parts of the window
+WIDTHS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)
 
 
-def catalogue_of(gamma: float, levels: int, cells: int) -> dict:
-    base = hh.Scenario().replace("hoop.load_fraction", gamma)
-    ranges = {"plane.mu": MU, "start.speed": (1e-3, FASTEST * math.sqrt(9.81 / gamma))}
-    quantities = ("sequence", "ending")
-    refined = refine(base, ranges, levels, cells, quantities)
-    examples = examples_of(refined)
-    shares = refined.shares()
-    window = make_window(base, ranges)
-    looked = around_junctions(Classifier(base, window, quantities, "first_revolution"), refined)
-    for name, place in looked.items():
-        if name not in examples:
-            examples[name] = tuple(float(value[0]) for value in window.values(*place))
-    entries = []
-    for name in sorted(examples, key=lambda name: -shares.get(name, (0.0, 0.0))[0]):
-        sequence, ending = name.split(" ")
-        area, doubt = shares.get(name, (0.0, 0.0))
-        mu, speed = examples[name]
-        entries.append(
-            {
-                "sequence": sequence,
-                "ending": ending,
-                "area": float(f"{area:.4g}"),
-                "uncertainty": float(f"{doubt:.2g}"),
-                "mu": float(f"{mu:.12g}"),
-                "speed": float(f"{speed:.12g}"),
-            }
-        )
-    return {
-        "mu_range": list(MU),
-        "speed_range": list(ranges["start.speed"]),
-        "smallest_square": 1.0 / (cells << levels),
-        "motions": refined.evaluated,
+def class_in_digits(gamma: float, mu: float, speed: float, digits: int = 40) -> tuple[str, str]:
+    """Sequence and ending of the first revolution, from Taylor series in so many digits."""
+    sys.path.insert(0, str(ROOT / "tests"))
+    from oracles.cases import rolling
+    from oracles.precise import solve
+
+    sys.path.pop(0)
+    hoop = hh.Hoop.ideal(gamma)
+    place = {"hoop.load_fraction": gamma, "plane.mu": mu, "start.speed": speed}
+    duration = 1.1 * float(maps.points(None, place, ["time"])["time"]) + 0.5
+    letters = {"roll": "R", "spin": "S", "skid": "K", "flight": "H"}
+    for _ in range(8):
+        case = rolling("checked", speed, mu, eccentricity=gamma, inertia_ratio=hoop.inertia_ratio, duration=duration)
+        sequence = ""
+        for event in solve(case, digits).events:
+            if event["angle"] > 2 * math.pi:
+                return sequence, "revolutions"
+            if event["kind"] == "turn":
+                return sequence, "reversal"
+            if event["kind"] != "end":
+                mode = event["to"]
+                sequence += letters.get(mode, mode)
+                if sequence[-1] == "H":
+                    return sequence, "takeoff"
+        duration *= 1.5
+    return sequence, "unended"
+
+
+def hoop_of(task: tuple[float, int, float, bool]) -> dict:
+    """The catalogue of one γ, as it is stored."""
+    gamma, lines, part, check = task
+    began = time.perf_counter()
+    with thread_limit(1):  # a process a core
+        done = survey(gamma, lines, part)
+    entries, refuted = [], []
+    for one in done.found:
+        entry = {
+            "sequence": one.sequence,
+            "ending": one.ending,
+            "area": float(f"{one.area:.4g}"),
+            "width": float(f"{one.width:.3g}"),
+            "mu": one.mu,
+            "speed": one.speed,
+        }
+        if check and one.width < CHECKED:
+            truth = class_in_digits(gamma, one.mu, one.speed)
+            if truth != (one.sequence, one.ending):
+                refuted.append({**entry, "truth": " ".join(truth)})
+                continue
+        entries.append(entry)
+    known = {(entry["sequence"], entry["ending"]) for entry in entries}
+    too_narrow = [{**one._asdict(), "log10_width": round(one.log10_width, 2)} for one in done.too_narrow]
+    hoop = {
+        "load_fraction": gamma,
+        "mu_range": list(done.mu_range),
+        "speed_range": list(done.speed_range),
+        "lines": lines,
+        "part": part,
+        "motions": done.motions,
+        "complete": done.complete,
+        "strips": [" ".join(strip) for strip in done.strips],
+        "too_narrow": too_narrow,
+        "refuted": refuted,
+        "unexplained": [[" ".join(a), " ".join(b), x, y] for a, b, x, y in done.unexplained],
         "entries": entries,
+        "seconds": time.perf_counter() - began,
     }
-
-
-def examples_of(refined) -> dict[str, tuple[float, float]]:
-    """The middle of the largest pure square of each class, or a corner where there is none."""
-    found = {}
-    mixed = refined.mixed
-    for code, name in enumerate(refined.classes):
-        pure = np.flatnonzero(~mixed & (refined.codes[:, 0] == code))
-        if pure.size:
-            # of the squares that are largest, the one amid the others
-            best = pure[refined.level[pure] == refined.level[pure].min()]
-            k = best[best.size // 2]
-            found[name] = (
-                float(refined.x[k] + refined.width[k] / 2),
-                float(refined.y[k] + refined.height[k] / 2),
-            )
-            continue
-        squares, corners = np.nonzero(refined.codes == code)
-        if squares.size:
-            k, corner = squares[0], corners[0]
-            found[name] = (
-                float(refined.x[k] + refined.width[k] * (corner & 1)),
-                float(refined.y[k] + refined.height[k] * (corner >> 1)),
-            )
-    return found
-
-
-def around_junctions(classify, refined) -> dict[str, tuple[np.ndarray, np.ndarray]]:
-    """Classes on small circles around the squares in which three or more classes meet, each with a place."""
-    found = {}
-    count = np.array([np.unique(row).size for row in refined.codes])
-    window = refined.window
-    phi = 2 * math.pi * np.arange(64) / 64
-    for k in np.flatnonzero(count >= 3):
-        u, v = window.places(refined.x[k] + refined.width[k] / 2, refined.y[k] + refined.height[k] / 2)
-        for radius in RADII:
-            ring = np.clip(u + radius * np.cos(phi), 0, 1), np.clip(v + radius * np.sin(phi), 0, 1)
-            codes = classify(*ring)
-            for code in np.unique(codes):
-                m = int(np.flatnonzero(codes == code)[0])
-                found.setdefault(classify.names[code], (ring[0][m : m + 1], ring[1][m : m + 1]))
-            # towards where most classes meet
-            kinds = np.array([np.unique(codes[np.arange(i - 4, i + 5) % 64]).size for i in range(64)])
-            best = int(np.argmax(kinds))
-            if kinds[best] >= 3:
-                u, v = ring[0][best], ring[1][best]
-    return found
+    if gamma == FINEST:
+        known = {(entry["sequence"], entry["ending"]) for entry in entries}
+        met = [[x, y, [" ".join(pair) for pair in classes if pair in known]] for x, y, classes in done.meetings]
+        hoop["meetings"] = [one for one in met if len(one[2]) > 1]
+    return hoop
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--levels", type=int, default=7)
-    parser.add_argument("--cells", type=int, default=96)
-    parser.add_argument("--fewer", type=int, default=3, help="levels less for the hoops other than γ = 3/4")
-    parser.add_argument("--out", type=Path, default=Path("src/hophoop/maps/catalogue.json"))
-    parser.add_argument("--figure", type=Path, help="only draw the shipped catalogue over γ, into this file")
+    parser.add_argument("--lines", type=int, default=50, help="lines laid by ratio, and as many by difference")
+    parser.add_argument("--part", type=float, default=1e-10, help="part of μ to which meeting classes are followed")
+    parser.add_argument("--finer", type=float, default=3.0, help="times the lines for γ = 3/4")
+    parser.add_argument("--no-check", action="store_true", help="leave out the computation in 40 digits")
+    parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("--resume", action="store_true", help="keep the hoops that the file has already")
+    parser.add_argument("--out", type=Path, default=ROOT / "src" / "hophoop" / "maps" / "catalogue.json")
+    parser.add_argument("--figures", type=Path, help="only draw the shipped catalogue, into this folder")
+    parser.add_argument("--tables", action="store_true", help="only print the tables of the page")
     options = parser.parse_args()
-    if options.figure:
-        draw(options.figure)
+    if options.figures or options.tables:
+        if options.figures:
+            draw(options.figures)
+        if options.tables:
+            print_tables()
         return
+    began = time.perf_counter()
     hoops = {}
-    for gamma in HOOPS:
-        began = time.perf_counter()
-        levels = options.levels if gamma == 0.75 else max(options.levels - options.fewer, 0)
-        hoops[repr(gamma)] = catalogue_of(gamma, levels, options.cells)
-        found = hoops[repr(gamma)]["entries"]
-        sequences = {entry["sequence"] for entry in found}
+    if options.resume and options.out.exists():
+        hoops = json.loads(options.out.read_text(encoding="utf-8"))["hoops"]
+    left = [gamma for gamma in HOOPS if repr(gamma) not in hoops]
+    tasks = []
+    for gamma in left:
+        finest = gamma == FINEST
+        lines = round(options.lines * options.finer) if finest else options.lines
+        part = max(options.part * 1e-3, 1e-13) if finest else options.part
+        tasks.append((gamma, lines, part, not options.no_check))
+    if tasks:  # compiled once, before the workers ask for it
+        maps.points(None, {"start.speed": 1.0}, ["sequence", "ending"])
+    workers = min(options.workers, len(tasks))
+    if workers > 1:
+        with ProcessPoolExecutor(workers, multiprocessing.get_context("spawn")) as pool:
+            running = as_completed([pool.submit(hoop_of, task) for task in tasks])
+            collect(options.out, hoops, len(left), (future.result() for future in running), began)
+    else:
+        collect(options.out, hoops, len(left), map(hoop_of, tasks), began)
+
+
+def collect(out: Path, hoops: dict, left: int, found: Iterable[dict], began: float) -> None:
+    """Write each hoop as it comes, and say so."""
+    for done, hoop in enumerate(found, 1):
+        seconds, gamma = hoop.pop("seconds"), hoop.pop("load_fraction")
+        hoops[repr(gamma)] = hoop
+        sequences = {entry["sequence"] for entry in hoop["entries"]}
+        notes = "".join(f", {len(hoop[name])} {name}" for name in ("refuted", "unexplained") if hoop[name]) + (
+            "" if hoop["complete"] else ", not complete"
+        )
         print(
-            f"γ = {gamma}: {len(sequences)} sequences, {len(found)} with their endings, "
-            f"{hoops[repr(gamma)]['motions']:,} motions in {time.perf_counter() - began:.0f} s",
+            f"{done}/{left} γ = {gamma}: {len(sequences)} sequences, {len(hoop['entries'])} with their endings, "
+            f"{hoop['motions']:,} motions in {seconds:.0f} s{notes}; {time.perf_counter() - began:.0f} s so far",
             flush=True,
         )
         # a line a hoop
-        lines = [f"{json.dumps(key)}:{json.dumps(value, separators=(',', ':'))}" for key, value in hoops.items()]
+        ordered = {repr(one): hoops[repr(one)] for one in HOOPS if repr(one) in hoops}
+        lines = [f"{json.dumps(key)}:{json.dumps(value, separators=(',', ':'))}" for key, value in ordered.items()]
         text = f'{{"hophoop":{json.dumps(hh.__version__)},"hoops":{{\n' + ",\n".join(lines) + "\n}}\n"
-        options.out.write_text(text, encoding="utf-8")
+        out.write_text(text, encoding="utf-8")
 
 
-def draw(path: Path) -> None:
+def counts(gamma: float, width: float) -> tuple[int, int]:
+    """Sequences, and sequences with their endings, of a width at least."""
+    entries = maps.catalogue(gamma, width)
+    return len({entry.sequence for entry in entries}), len(entries)
+
+
+def print_tables() -> None:
+    """The tables of docs/catalogue.md."""
+    print("| sequence | ending | share of the window | width | example μ | example v0 (m/s) |")
+    print("| --- | --- | --- | --- | --- | --- |")
+    for entry in maps.catalogue():
+        print(
+            f"| {entry.sequence} | {entry.ending} | {100 * entry.area:.3g} % | {entry.width:.2g} "
+            f"| {entry.mu:.10g} | {entry.speed:.10g} |"
+        )
+    shown = (0.2, 0.48, 0.6, 0.75, 0.9)
+    print("\n| width at least | " + " | ".join(f"γ = {gamma}" for gamma in shown) + " | all γ |")
+    print("| --- |" + " --- |" * (len(shown) + 1))
+    for width in WIDTHS:
+        row = [f"{a} ({b})" for a, b in (counts(gamma, width) for gamma in shown)]
+        row.append("{} ({})".format(*union(width)))
+        print(f"| {width:.0e} | " + " | ".join(row) + " |")
+    data = json.loads((ROOT / "src" / "hophoop" / "maps" / "catalogue.json").read_text(encoding="utf-8"))["hoops"]
+    print_strips({gamma: data[repr(gamma)] for gamma in (0.2, 0.48, 0.52, 0.6, 0.75, 0.9)})
+    print("\n| γ | sequences | with their endings | motions |\n| --- | --- | --- | --- |")
+    for gamma in (0.02, 0.1, 0.2, 0.3, 0.4, 0.48, 0.5, 0.6, 0.7, 0.75, 0.8, 0.9, 0.95, 0.99, 0.999):
+        a, b = counts(gamma, 0.0)
+        print(f"| {gamma} | {a} | {b} | {data[repr(gamma)]['motions']:,} |")
+
+
+def print_strips(hoops: dict[float, dict]) -> None:
+    """How wide the strips beside skids are: as found, or by theory in powers of ten."""
+    names = {strip.split(" ")[0] for hoop in hoops.values() for strip in hoop["strips"]}
+    print("\n| strip | " + " | ".join(f"γ = {gamma}" for gamma in hoops) + " |")
+    print("| --- |" + " --- |" * len(hoops))
+    for name in sorted(names, key=lambda name: (len(name), name)):
+        row = []
+        for hoop in hoops.values():
+            found = {entry["ending"]: f"{entry['width']:.2g}" for entry in hoop["entries"] if entry["sequence"] == name}
+            for one in hoop["too_narrow"]:
+                if one["sequence"] == name:
+                    found[one["ending"]] = f"10^{one['log10_width']:.1f}"
+            endings = [ending for ending in ("reversal", "revolutions") if f"{name} {ending}" in hoop["strips"]]
+            row.append(", ".join(found[ending] for ending in endings) or "–")
+        print(f"| {name} | " + " | ".join(row) + " |")
+
+
+def union(width: float) -> tuple[int, int]:
+    """Sequences, and with their endings, that one hoop or another shows at this width."""
+    pairs = {(entry.sequence, entry.ending) for gamma in maps.catalogued() for entry in maps.catalogue(gamma, width)}
+    return len({sequence for sequence, _ in pairs}), len(pairs)
+
+
+def draw(folder: Path) -> None:
+    """All figures of the page."""
+    folder.mkdir(parents=True, exist_ok=True)
+    draw_over_gamma(folder / "catalogue-load-fraction.png")
+    draw_counts(folder / "catalogue-counts.png")
+    draw_plane(folder / "catalogue-plane.png")
+
+
+def draw_over_gamma(path: Path) -> None:
     """Which sequences a hoop shows, over γ, and how much of the window each fills."""
     import matplotlib.pyplot as plt
 
@@ -159,27 +248,105 @@ def draw(path: Path) -> None:
     # from the first that appear to the last
     order = sorted(areas, key=lambda name: (-len(areas[name]), min(areas[name])))
     edges = np.concatenate(([0.0], 0.5 * (np.array(hoops[1:]) + np.array(hoops[:-1])), [1.0]))
-    fig, (count, ax) = plt.subplots(2, 1, figsize=(8.2, 9.6), sharex=True, height_ratios=(1, 6), layout="constrained")
+    fig, (count, ax) = plt.subplots(
+        2, 1, figsize=(8.2, 2.4 + 0.165 * len(order)), sharex=True, height_ratios=(1, 6), layout="constrained"
+    )
     for row, name in enumerate(order):
         for k, gamma in enumerate(hoops):
             if gamma in areas[name]:
-                size = math.log10(max(areas[name][gamma], 1e-7))
-                thick = 0.16 + 0.74 * (size + 7) / 7
+                size = math.log10(max(areas[name][gamma], 1e-14))
+                thick = 0.16 + 0.74 * (size + 14) / 14
                 ax.barh(row, edges[k + 1] - edges[k], thick, left=edges[k], color=class_color(name), lw=0)
     ax.set_yticks(range(len(order)), order, fontsize=7.5)
     ax.set_ylim(len(order) - 0.4, -0.6)
     ax.set_xlim(0.0, 1.0)
     ax.set_xlabel("Load fraction γ")
-    ax.set_ylabel("Sequence; a bar's thickness is the logarithm of its share, from $10^{-7}$ to 1")
+    ax.set_ylabel("Sequence; a bar's thickness is the logarithm of its share, from $10^{-14}$ to 1")
     for values, label, line in (
-        ([len({e.sequence for e in maps.catalogue(g)}) for g in hoops], "sequences", "-"),
-        ([len(maps.catalogue(g)) for g in hoops], "with their endings", "--"),
+        ([counts(g, 0.0)[0] for g in hoops], "sequences", "-"),
+        ([counts(g, 0.0)[1] for g in hoops], "with their endings", "--"),
     ):
         count.step(hoops, values, line, where="mid", color="black", label=label)
     count.set_ylabel("Number")
     count.set_ylim(0, None)
     count.legend(frameon=False, ncols=2, loc="lower center")
-    fig.savefig(path)
+    fig.savefig(path, dpi=110)
+    plt.close(fig)
+    print(path)
+
+
+def draw_counts(path: Path) -> None:
+    """How many classes there are, over the width from which on they count."""
+    import matplotlib.pyplot as plt
+
+    widths = np.geomspace(NARROWEST, 1.0, 561)
+    fig, ax = plt.subplots(figsize=(8.2, 4.6), layout="constrained")
+    for gamma, color in ((0.2, "tab:green"), (0.48, "tab:orange"), (0.75, "black"), (0.9, "tab:blue")):
+        pairs = [counts(gamma, float(width)) for width in widths]
+        ax.plot(widths, [b for _, b in pairs], color=color, drawstyle="steps-post", label=f"γ = {gamma}")
+        ax.plot(widths, [a for a, _ in pairs], color=color, drawstyle="steps-post", ls=":")
+    ax.axhline(36, color="0.6", lw=0.8)
+    ax.text(0.8, 36.4, "36", color="0.4")
+    ax.set_xscale("log")
+    ax.set_xlim(1.0, NARROWEST)
+    ax.set_ylim(0, None)
+    ax.set_xlabel("Least width of a class that counts, as part of the window")
+    ax.set_ylabel("Classes: with their endings (full), sequences (dotted)")
+    ax.legend(frameon=False, loc="lower right")
+    fig.savefig(path, dpi=110)
+    plt.close(fig)
+    print(path)
+
+
+def draw_plane(path: Path, lines: int = 220) -> None:
+    """The borders of γ = 3/4 and the places where classes meet."""
+    import matplotlib.pyplot as plt
+    from matplotlib.collections import PolyCollection
+    from matplotlib.patheffects import withStroke
+
+    from hophoop.plots import class_color
+
+    done = survey(FINEST, lines, 1e-9)
+    slices = done.arrangement.slices
+    fig, axes = plt.subplots(1, 2, figsize=(11.0, 5.6), layout="constrained")
+    for ax in axes:
+        quads, colors = [], []
+        for left, right in itertools.pairwise(slices):
+            half = 0.5 * (left.x + right.x)
+            same = left.codes.size == right.codes.size and (left.codes == right.codes).all()
+            for one, ends in ((left, (left.x, half)), (right, (half, right.x))):
+                for k, code in enumerate(one.codes):
+                    low = np.array([one.y[k], one.y[k]])
+                    high = np.array([one.y[k + 1], one.y[k + 1]])
+                    if same:
+                        a, b = (0.0, 0.5) if one is left else (0.5, 1.0)
+                        low = left.y[k] + (right.y[k] - left.y[k]) * np.array([a, b])
+                        high = left.y[k + 1] + (right.y[k + 1] - left.y[k + 1]) * np.array([a, b])
+                    quads.append([(ends[0], low[0]), (ends[1], low[1]), (ends[1], high[1]), (ends[0], high[0])])
+                    colors.append(class_color(done.classes[code][0]))
+        ax.add_collection(PolyCollection(quads, facecolors=colors, edgecolors="none", antialiased=False))
+        borders = done.arrangement.borders
+        ax.plot(borders.x, borders.y, ",", color="black", alpha=0.5)
+        places = [one[:2] for one in done.meetings]
+        ax.plot(*zip(*places, strict=True), "o", ms=3.2, mfc="white", mec="black", mew=0.7)
+        ax.set_xlabel("μ")
+    labels = {(one.sequence, one.ending): (one.mu, one.speed) for one in done.found if one.width > 0.0135 and one.mu < 0.4}
+    right = min(slices, key=lambda one: abs(one.x - 0.4))
+    for code, low, high in zip(right.codes, right.y[:-1], right.y[1:], strict=True):
+        if high - low > 0.1:
+            labels.setdefault(done.classes[code], (right.x, 0.5 * (low + high)))
+    white = [withStroke(linewidth=1.6, foreground="white")]
+    for (sequence, ending), (mu, speed) in labels.items():
+        text = sequence + "\nreversal" * (ending == "reversal")
+        axes[0].text(mu, speed, text, fontsize=6, ha="center", va="center", linespacing=0.9, path_effects=white)
+    axes[0].set_ylabel("v0 (m/s)")
+    axes[0].set_xlim(done.mu_range[0], 0.45)
+    axes[0].set_ylim(*done.speed_range)
+    axes[1].set_xscale("log")
+    axes[1].set_yscale("log")
+    axes[1].set_xlim(*done.mu_range)
+    axes[1].set_ylim(*done.speed_range)
+    fig.savefig(path, dpi=110)
     plt.close(fig)
     print(path)
 

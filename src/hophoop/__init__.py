@@ -13,10 +13,12 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     import hophoop.animate as animate
     import hophoop.article as article
+    import hophoop.engines as engines
     import hophoop.maps as maps
     import hophoop.plots as plots
     import hophoop.precise as precise
     import hophoop.theory as theory
+    from hophoop.explanation import phases
     from hophoop.io import load
     from hophoop.lab.widget import show
     from hophoop.scenario import (
@@ -49,12 +51,14 @@ _HOMES: dict[str, str | None] = {
     "simulate": "hophoop.simulation",
     "Trajectory": "hophoop.trajectory",
     "load": "hophoop.io",
+    "phases": "hophoop.explanation",
     "show": "hophoop.lab.widget",
     "theory": None,
     "article": None,
     "maps": None,
     "plots": None,
     "precise": None,
+    "engines": None,
     "animate": None,
 }
 
@@ -71,12 +75,14 @@ __all__ = [
     "Scenario",
     "simulate",
     "Trajectory",
+    "phases",
     "load",
     "theory",
     "article",
     "maps",
     "plots",
     "precise",
+    "engines",
     "animate",
     "show",
     "__version__",

@@ -14,7 +14,7 @@ from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
-from hophoop.records.state import start_state
+from hophoop.records.state import State, start_state
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
@@ -110,7 +110,7 @@ def simulate(
     if isinstance(scenario.contact, Compliant):
         status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario)
     else:
-        status, events, segments = _simulate_rigid(scenario, scenario.contact)
+        status, events, segments, _ = _simulate_rigid(scenario, scenario.contact)
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
 
 
@@ -133,12 +133,22 @@ def compile_beside() -> None:
     )
 
 
-def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray]:
-    hoop, plane = scenario.hoop, scenario.plane
-    second = time_unit(hoop, plane)
+def start_of(scenario: Scenario) -> State:
+    """The start of a motion in the kernel's units.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    start : State
+    """
+    hoop = scenario.hoop
+    second = time_unit(hoop, scenario.plane)
     given = scenario.start.state(hoop)
     speed = hoop.radius / second
-    start = start_state(
+    start: State = start_state(
         given.x / hoop.radius,
         given.height / hoop.radius,
         given.angle,
@@ -146,7 +156,30 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
         given.vy / speed,
         given.omega * second,
     )
-    body = to_body(hoop, plane)
+    return start
+
+
+def script_of(scenario: Scenario, contact: Rigid) -> np.ndarray:
+    """The first events of a motion that more digits have to decide.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    contact : Rigid
+        Its contact.
+
+    Returns
+    -------
+    script : ndarray of records.EVENT, shape (n,)
+        In kernel units; of length 0 where doubles decide everything [1].
+    """
+    return _simulate_rigid(scenario, contact)[3]
+
+
+def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray, np.ndarray]:
+    start = start_of(scenario)
+    t_end = scenario.duration / time_unit(scenario.hoop, scenario.plane)
+    body = to_body(scenario.hoop, scenario.plane)
     scratch = new_scratch()
     events_size = min(FIRST_EVENTS, contact.max_events)
     segments_size = FIRST_SEGMENTS
@@ -155,7 +188,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     while True:
         events = np.empty(events_size, EVENT)
         segments = np.empty(segments_size, SEGMENT)
-        status, count, pieces = run(body, start, scenario.duration / second, math.nan, 0, events, segments, scratch, script)
+        status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
         if status == Status.BUFFER:
             segments_size *= 4
         elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
@@ -172,7 +205,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state
         pieces = 1
         _hold_at(events[0], segments[0])
-    return status, events[:count].copy(), segments[:pieces].copy()
+    return status, events[:count].copy(), segments[:pieces].copy(), script
 
 
 def _hold_at(event: np.void, segment: np.void) -> None:

@@ -318,3 +318,23 @@ def test_help_loads_no_numbers():
     assert done.stderr.strip() == "[]"
     assert all(name in done.stdout for name in ("run", "theory", "reproduce"))
     assert seconds < 5.0  # half a second on a machine of its own; this only catches a heavy import
+
+
+# Why
+
+
+def test_explain():
+    result = run("run", *HOP, "--explain")
+    assert result.exit_code == 0, result.output
+    assert "0.000000 to 0.266393 s: roll (R), θ from 0.000 to" in result.output
+    assert "Slip ends: v_t = 0. It rolls: that needs F = " in result.output
+    assert "Contact is lost: N = 0, and the rim is free to leave the plane. It flies" in result.output
+
+
+def test_explain_is_refused_where_it_has_no_rules():
+    result = run("run", "--explain", "-", text='[contact]\nmodel = "compliant"\n')
+    assert result.exit_code == 2, result.output
+    assert "contact.model = 'compliant' must be 'rigid'" in result.output
+    result = run("run", *HOP, "--digits", "20", "--explain")
+    assert result.exit_code == 2, result.output
+    assert "--explain cannot be given together with --digits" in result.output

@@ -1,5 +1,29 @@
 """The decorators of the kernels: interpreted until compiled code is there, or worth its wait (see `policy`)."""
 
-from hophoop._jit.policy import compiled, forced, inline_jit, jit, lean_jit, mode, precompile, unit_jit
+from hophoop._jit.policy import (
+    apart_jit,
+    aside_jit,
+    compiled,
+    forced,
+    inline_jit,
+    jit,
+    lean_jit,
+    mode,
+    outer_jit,
+    precompile,
+    unit_jit,
+)
 
-__all__ = ["compiled", "forced", "inline_jit", "jit", "lean_jit", "mode", "precompile", "unit_jit"]
+__all__ = [
+    "apart_jit",
+    "aside_jit",
+    "compiled",
+    "forced",
+    "inline_jit",
+    "jit",
+    "lean_jit",
+    "mode",
+    "outer_jit",
+    "precompile",
+    "unit_jit",
+]

@@ -21,13 +21,32 @@ from numba.core import config, event
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, _LowerResult
 from numba.core.compiler_machinery import register_pass
+from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
 from hophoop._jit import beside, store
 from hophoop._jit.kernels import Namespaces, Source
 
 
-class _PartLibrary(JITCodeLibrary):  # type: ignore[misc]
+class _Library(JITCodeLibrary):  # type: ignore[misc]
+    """Code that is linked with all that it calls, also through outer kernels."""
+
+    _linking_libraries: list[Any]
+
+    def finalize(self) -> None:
+        found: dict[Any, None] = {}
+        waiting: list[Any] = list(self._linking_libraries)
+        while waiting:
+            library = waiting.pop(0)
+            if library not in found:
+                found[library] = None
+                if isinstance(library, _OuterLibrary):
+                    waiting += library._linking_libraries
+        self._linking_libraries = list(found)
+        super().finalize()
+
+
+class _PartLibrary(_Library):
     """Code that is only ever linked into that of a caller: of it alone no machine code is made."""
 
     def _finalize_final_module(self) -> None:
@@ -36,13 +55,30 @@ class _PartLibrary(JITCodeLibrary):  # type: ignore[misc]
         self._finalized = True
 
 
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _PartLowering(NativeLowering):  # type: ignore[misc]
-    _name = "part_lowering"
+class _OuterLibrary(_Library):
+    """Code of the outer loops, which is not optimised before it is a part of the whole."""
+
+    def finalize(self) -> None:
+        self._raise_if_finalized()
+        self._finalized = True
+
+
+class _ApartLower(Lower):  # type: ignore[misc]
+    def setup_function(self, fndesc: Any) -> None:
+        super().setup_function(fndesc)
+        self.function.attributes.add("noinline")
+
+
+class _Lowering(NativeLowering):  # type: ignore[misc]
+    library: type[_Library]
+    part = True
 
     def run_pass(self, state: Any) -> bool:
-        library = _PartLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
+        library = self.library(state.targetctx.codegen(), state.func_id.func_qualname)
         state.library = library
+        if not self.part:
+            library.enable_object_caching()
+            return bool(super().run_pass(state))
         state.flags.no_compile = True
         super().run_pass(state)
         made = state["cr"]
@@ -53,25 +89,94 @@ class _PartLowering(NativeLowering):  # type: ignore[misc]
         return True
 
 
-class _PartCompiler(CompilerBase):  # type: ignore[misc]
-    """Numba's compiler, with the lowering of parts: making machine code of each one took a sixth of the time."""
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _PartLowering(_Lowering):
+    _name = "part_lowering"
+    library = _PartLibrary
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _ApartLowering(_PartLowering):
+    _name = "apart_lowering"
+
+    @property
+    def lowering_class(self) -> Any:
+        return _ApartLower
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _OuterLowering(_Lowering):
+    _name = "outer_lowering"
+    library = _OuterLibrary
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _AsideLowering(_OuterLowering):
+    _name = "aside_lowering"
+
+    @property
+    def lowering_class(self) -> Any:
+        return _ApartLower
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)
+class _EntryLowering(_Lowering):
+    _name = "entry_lowering"
+    library = _Library
+    part = False
+
+
+class _Compiler(CompilerBase):  # type: ignore[misc]
+    """Numba's compiler, with another lowering: making machine code of each part took a sixth of the time."""
+
+    lowering: type[_Lowering]
 
     def define_pipelines(self) -> list[Any]:
         pipeline = DefaultPassBuilder.define_nopython_pipeline(self.state)
-        pipeline.passes = [(_PartLowering if step is NativeLowering else step, text) for step, text in pipeline.passes]
+        pipeline.passes = [(self.lowering if step is NativeLowering else step, text) for step, text in pipeline.passes]
         pipeline.finalize()
         return [pipeline]
+
+
+class _PartCompiler(_Compiler):
+    lowering = _PartLowering
+
+
+class _ApartCompiler(_Compiler):
+    lowering = _ApartLowering
+
+
+class _OuterCompiler(_Compiler):
+    lowering = _OuterLowering
+
+
+class _AsideCompiler(_Compiler):
+    lowering = _AsideLowering
+
+
+class _EntryCompiler(_Compiler):
+    lowering = _EntryLowering
+
+
+_PART_COMPILERS = {
+    (False, False): _PartCompiler,
+    (False, True): _ApartCompiler,
+    (True, False): _OuterCompiler,
+    (True, True): _AsideCompiler,
+}
 
 
 def _dispatcher(kernel: Source, function: FunctionType, entry: bool) -> Any:
     options: dict[str, Any] = {"error_model": "numpy", "nogil": True, "cache": entry}
     if not kernel.options.nrt:
         options["_nrt"] = False
-    if kernel.options.forceinline:
-        options["forceinline"] = True
+    # what is first called by a part that is inlined would be so everywhere
+    if kernel.options.forceinline or kernel.options.outer or kernel.options.apart:
+        options["forceinline"] = kernel.options.forceinline
+    options["pipeline_class"] = _EntryCompiler if entry else _PART_COMPILERS[kernel.options.outer, kernel.options.apart]
     if not entry:
         # Python calls it through no one but an entry: what would translate its arguments is half of all code
-        options |= {"no_cpython_wrapper": True, "no_cfunc_wrapper": True, "pipeline_class": _PartCompiler}
+        options |= {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
     before = config.CACHE_DIR
     # Read by Numba at decoration only, so other packages keep their own setting.
     config.CACHE_DIR = str(store.folder_of(kernel)) if entry else before

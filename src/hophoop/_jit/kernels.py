@@ -17,6 +17,8 @@ class Options(NamedTuple):
     nrt: bool = True  # reference counts
     forceinline: bool = False
     unit: bool = False  # compiled by itself, whoever calls it
+    outer: bool = False  # optimised only as a part of the whole
+    apart: bool = False  # never inlined
 
 
 class Source:

@@ -256,6 +256,24 @@ def lean_jit(function: Function) -> Function:
     return _kernel(function, nrt=False)
 
 
+def apart_jit(function: Function) -> Function:
+    """`lean_jit` that is never made a part of its callers: small code stays in the processor's cache.
+
+    A motion runs through all of the kernel, so that its size decides about its speed.
+    """
+    return _kernel(function, nrt=False, apart=True)
+
+
+def outer_jit(function: Function) -> Function:
+    """`inline_jit` for the outer loops, from which all else is called: to optimise them by themselves takes long."""
+    return _kernel(function, nrt=False, forceinline=True, outer=True)
+
+
+def aside_jit(function: Function) -> Function:
+    """`apart_jit` for what is called once a motion and itself calls much of the kernel."""
+    return _kernel(function, nrt=False, outer=True, apart=True)
+
+
 def inline_jit(function: Function) -> Function:
     """`lean_jit` for what is called at each panel: always part of its caller.
 

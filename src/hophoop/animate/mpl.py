@@ -356,7 +356,8 @@ class Film2D:
             extra = actor.label
         else:
             extra = speed_words(poses, k % BLOCK) if width / u > 500.0 or not several else ""
-        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, ended, extra)
+        room = width / u - 22.0 if several and self.look.layout == "side" else math.inf
+        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, ended, extra, room)
 
     def _draw_heading(self) -> None:
         """What stays: labels and keys."""

@@ -42,8 +42,12 @@ def draw_state(
     i: int,
     ended: bool,
     extra: str,
+    room: float = math.inf,
 ) -> None:
-    """The mode in words, time and angle, and one thing more, in a line from a place on [pixels]."""
+    """The mode in words, time and angle, and one thing more, in a line from a place on [pixels].
+
+    What would reach beyond `room` units of the canvas is left out: many views in one picture are narrow.
+    """
     u = canvas.unit
     x, y = place
     word = str(poses.words[i])
@@ -51,7 +55,8 @@ def draw_state(
     canvas.text(x + 22.0 * u, y, "ended" if ended else PARTICIPLES[word], theme.ink, 18.0, weight="bold")
     turned = f"θ = {math.degrees(poses.angle[i]):.1f}°"
     for offset, words in ((140.0, f"t = {poses.t[i]:.3f} s"), (268.0, turned), (396.0, extra)):
-        canvas.text(x + offset * u, y, minus(words), theme.ink, 15.0)
+        if offset + 8.0 * len(words) <= room:
+            canvas.text(x + offset * u, y, minus(words), theme.ink, 15.0)
 
 
 def speed_words(poses: Poses, i: int) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json as json_text
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -16,6 +16,7 @@ from hophoop.cli._options import with_scenario
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from hophoop.explanation import Margins, PhaseRecord
     from hophoop.results import EventRecord
     from hophoop.trajectory import Trajectory
 
@@ -141,6 +142,10 @@ def run(
         bool,
         typer.Option("--errors", help="Print also how sure each event is: estimated errors.", rich_help_panel=OUTPUT),
     ] = False,
+    explain: Annotated[
+        bool,
+        typer.Option("--explain", help="Say also why each phase begins and ends, with the margins.", rich_help_panel=OUTPUT),
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
     digits: Annotated[
         int | None,
@@ -179,13 +184,17 @@ def run(
         for option, path in (("--csv", csv), ("--save", save), ("--plot", plot), ("--json", result if check else None)):
             if path is not None:
                 raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
+        if explain:
+            raise InputError(f"--explain cannot be given together with {'--check' if check else '--digits'}.")
         from hophoop.cli import precise
 
         precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet)
         return
 
+    from hophoop.explanation import phases
     from hophoop.simulation import simulate
 
+    explained = phases(scenario) if explain else None  # says at once what it cannot explain
     motion = simulate(scenario)
     if json == "-":
         text = json_text.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
@@ -207,6 +216,8 @@ def run(
         _print(motion, everything)
         if errors:
             _print_errors(motion)
+        if explained is not None:
+            _print_phases(explained, everything)
     if not motion.ok:
         say(unanswered(motion.duration, motion.status))
         raise typer.Exit(NO_ANSWER)
@@ -249,6 +260,35 @@ def _print_errors(motion: Trajectory) -> None:
         numbers = (found.t[i], found.angle[i], found.x[i], found.vx[i], found.omega[i])
         table.add_row(f"{event.t:.15g}", plain(event.kind), *(f"{number:.0e}" for number in numbers))
     Console(highlight=False, width=120).print(table)
+
+
+def _print_phases(phases: Iterator[PhaseRecord], everything: bool) -> None:
+    from itertools import islice
+
+    from rich.console import Console
+
+    console = Console(highlight=False, soft_wrap=True)
+    for phase in islice(phases, None if everything else FIRST_ROWS):
+        console.print(
+            f"{phase.t_begin:.6f} to {phase.t_end:.6f} s: {phase.word} ({phase.mode}), "
+            f"θ from {math.degrees(phase.angle_begin):.3f} to {math.degrees(phase.angle_end):.3f}°"
+        )
+        for name, found in (("begins", phase.begin), ("ends", phase.end)):
+            console.print(f"    {name:6s} with {_margins(found)}")
+        console.print(f"    {phase.ended_by} {phase.then}")
+
+
+def _margins(found: Margins) -> str:
+    slip = f"v_t = {_rounded(found.slip)} m/s"
+    if found.height > 0.0 or (found.normal_force == 0.0 and found.friction_limit == 0.0):
+        return f"gap {found.height:.6g} m, {slip}, f_n = {_rounded(found.free_acceleration)} m/s²"
+    limit = _rounded(found.friction_limit)
+    text = f"N = {_rounded(found.normal_force)} N, F = {_rounded(found.friction_force)} N of {limit} N"
+    return text if math.isnan(found.p_sigma) else f"{text}, {slip}, p_σ = {found.p_sigma:.6g}"
+
+
+def _rounded(number: float) -> str:
+    return f"{0.0 if abs(number) < 1e-12 else number:.6g}"
 
 
 def _events(events: Sequence[EventRecord], left_out: int) -> Table:

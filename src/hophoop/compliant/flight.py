@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from hophoop._jit import jit
-from hophoop.compliant.records import DAMPING, FRICTION, OM, TH, VN, VT, X, Y, Z
+from hophoop.compliant.phase import FLIGHT, IMPACT, begun, keep, mode_of, note
+from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.numerics.collocation import NODES, ORDER, coefficients
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.landing import PHASE, first_landing
-from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT
+from hophoop.physics.body import Event
+from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force
+from hophoop.physics.contact import free_acceleration
 from hophoop.physics.flight import flight_displacement, flight_gap
 
+APEX = np.int64(Event.APEX)
 LANDED, CLEAR, LASTS = 0, 1, 2
 
 
@@ -91,3 +97,36 @@ def fly_above(body, begin, opening, zeros, limit, work):
     if 0.0 <= landing <= limit:
         return LANDED, landing, apex
     return LASTS, limit, apex
+
+
+@jit
+def flight_step(body, comp, phase, t_end, log, rows, work):
+    """(the phase after a flight, segments)."""
+    u = work.state
+    t = phase.t
+    opening = free_acceleration(body, math.sin(u[TH]), math.cos(u[TH]), u[OM] * u[OM])[1]
+    apex = -1.0
+    if u[Y] < 0.0:
+        what, tau = fly_below(body, comp, u, opening, t_end - t, work)
+    elif u[Y] == 0.0 and u[VN] < 0.0:  # a start that lands at once
+        what, tau = LANDED, 0.0
+    else:
+        zeros = 0 if u[Y] > 0.0 else 1 if u[VN] > 0.0 else 2
+        what, tau, apex = fly_above(body, u, opening, zeros, t_end - t, work)
+    if 0.0 < apex < tau:
+        fly_state(body, comp, u, opening, apex, work.start)
+        work.start[VN] = 0.0
+        note(log, APEX, FLIGHT, FLIGHT, t + apex, work.start)
+    after = t + tau if what in (LANDED, CLEAR) else t_end
+    rows = keep(log, rows, t, after, FLY, phase.mode, phase.regime, opening, work)
+    fly_state(body, comp, u, opening, tau, work.start)
+    if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
+        work.start[Y] = 0.0
+    for m in range(SIZE):
+        u[m] = work.start[m]
+    if what != LANDED:
+        return begun(phase, after, FLIGHT, phase.regime), rows
+    regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
+    mode = mode_of(regime)
+    note(log, IMPACT, FLIGHT, mode, after, u)
+    return begun(phase, after, mode, regime), rows

@@ -32,6 +32,7 @@ SEGMENT = np.dtype(
 class Work(NamedTuple):
     """Arrays that a step works in."""
 
+    state: np.ndarray
     stages: np.ndarray  # Z_i, increments of the dynamic variables
     integrals: np.ndarray  # their counterparts of the integrals
     rates: np.ndarray  # f at the stages
@@ -61,6 +62,7 @@ class Work(NamedTuple):
 def new_work():
     """A fresh set of arrays."""
     return Work(
+        np.zeros(SIZE),
         np.zeros((STAGES, DYNAMIC)),
         np.zeros((STAGES, SIZE - DYNAMIC)),
         np.zeros((STAGES, DYNAMIC)),

@@ -1,8 +1,9 @@
-"""The catalogue: every sequence of the first revolution, with an example and the area that it fills."""
+"""The catalogue: every sequence of the first revolution, with an example, its share of the window and its width."""
 
 from __future__ import annotations
 
 import json
+from functools import cache
 from importlib.resources import files
 from typing import Any, NamedTuple
 
@@ -24,8 +25,9 @@ class Entry(NamedTuple):
         γ of the ideal hoops among which it was found [1].
     area : float
         Share of the window of friction and speed that it fills [1].
-    uncertainty : float
-        How far the area may be off [1].
+    width : float
+        Twice the way from the example to the nearest end of the class, along friction and along speed, as parts of the
+        window's sides [1].
     mu, speed : float
         Friction [1] and speed at the start [m/s] of an example, as far inside as was seen.
     """
@@ -34,7 +36,7 @@ class Entry(NamedTuple):
     ending: str
     load_fraction: float
     area: float
-    uncertainty: float
+    width: float
     mu: float
     speed: float
 
@@ -49,13 +51,15 @@ class Entry(NamedTuple):
         return base.replace("plane.mu", self.mu).replace("start.speed", self.speed)
 
 
-def catalogue(load_fraction: float = 0.75) -> list[Entry]:
+def catalogue(load_fraction: float = 0.75, width: float = 0.0) -> list[Entry]:
     """Classes of the first revolution of an ideal hoop, greatest area first.
 
     Parameters
     ----------
     load_fraction : float, default 0.75
         γ, one of `catalogued`, which are 0.75 and some fifty from 0.02 to 0.999 [1].
+    width : float, default 0
+        Only classes at least so wide. A count of classes is one at a width: narrower ones can always be there [1].
 
     Returns
     -------
@@ -70,12 +74,15 @@ def catalogue(load_fraction: float = 0.75) -> list[Entry]:
     --------
     >>> catalogue()[0].sequence
     'R'
+    >>> len(catalogue(width=0.01)) < len(catalogue())
+    True
     """
     hoops = _data()["hoops"]
     key = repr(float(load_fraction))
     if key not in hoops:
         raise InputError(f"load_fraction = {load_fraction!r} must be one of {', '.join(hoops)}.")
-    return [Entry(load_fraction=float(load_fraction), **entry) for entry in hoops[key]["entries"]]
+    entries = [Entry(load_fraction=float(load_fraction), **entry) for entry in hoops[key]["entries"]]
+    return [entry for entry in entries if entry.width >= width]
 
 
 def catalogued() -> list[float]:
@@ -89,6 +96,7 @@ def catalogued() -> list[float]:
     return sorted(float(key) for key in _data()["hoops"])
 
 
+@cache
 def _data() -> dict[str, Any]:
     text = files("hophoop.maps").joinpath(DATA).read_text(encoding="utf-8")
     data: dict[str, Any] = json.loads(text)

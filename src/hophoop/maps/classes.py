@@ -105,12 +105,15 @@ class Classifier:
     def __call__(self, u: Any, v: Any) -> NDArray[np.int64]:
         """Codes at places, each from 0 to 1."""
         u, v = np.broadcast_arrays(np.asarray(u, float), np.asarray(v, float))
-        x, y = self.window.values(u.reshape(-1), v.reshape(-1))
+        return self.at(*self.window.values(u.reshape(-1), v.reshape(-1))).reshape(u.shape)
+
+    def at(self, x: Floats, y: Floats) -> NDArray[np.int64]:
+        """Codes at values of the two parameters themselves, arrays of one length."""
         values = {self.window.x: x, self.window.y: y}
         cells = make_cells(self.base, {path: values[path] for path in ordered(list(values))}, x.size)
         results = run_cells(cells, self.span, 0, "serial" if x.size <= 2 * BLOCK else "cpu")
         self.evaluated += x.size
-        return self._encode(results).reshape(u.shape)
+        return self._encode(results)
 
     def _encode(self, results: Results) -> NDArray[np.int64]:
         columns = [results.keys if quantity.name == "sequence" else _as_keys(results, quantity) for quantity in self.quantities]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba import cuda, float64
+from numba import cuda, float64, int64
 from numba.core import config
 
 from hophoop.maps import kernel as cells_kernel
@@ -46,6 +46,7 @@ def evaluate_thread(
             cuda.local.array(ORDER, float64),
             cuda.local.array((STACK_ROWS, STACK_COLUMNS), float64),
             cuda.local.array(2, float64),
+            cuda.local.array(3, int64),
         )
         room = events.shape[1] - PASSING
         done = evaluate_cell(

@@ -15,9 +15,12 @@ from hophoop.physics.roll import rolling_u
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state, whole_angle
-from hophoop.records.writing import state_of
-from hophoop.rigid.contact_phase import STOP, limits_of
-from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, fly, opening_of, run
+from hophoop.records.writing import new_log, state_of
+from hophoop.rigid.flight_phase import fly
+from hophoop.rigid.kernel import run
+from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN, limits_of
+from hophoop.rigid.panel_events import STOP
+from hophoop.rigid.phase import opening_of
 from hophoop.rigid.transitions import collide
 
 # Rows of the array of cells, in SI units; `allowed` is 0 where the values do not go together.
@@ -264,11 +267,11 @@ def reduce_flight(motion, hop, scales, room, numbers, k):
     if body.gn == 0.0:
         return
     opening, zeros = opening_of(body, state)
-    limits = limits_of(state, FOREVER, math.nan)
-    what, landed, apexes, _ = fly(body, state, opening, zeros, limits, room.passing, 0, room.segments, 0, room.scratch)
+    log = new_log(room.passing, room.segments, room.scratch)
+    what, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log, room.scratch)
     if what != STOP:
         return
-    numbers[k, HOP_HEIGHT] = (room.passing[0]["height"] if apexes > 0 else 0.0) * scales.length
+    numbers[k, HOP_HEIGHT] = (room.passing[0]["height"] if log.written[0] > 0 else 0.0) * scales.length
     numbers[k, FLIGHT_TIME] = (landed.t - state.t) * scales.time
     numbers[k, FLIGHT_DISTANCE] = (landed.x - state.x) * scales.length
     numbers[k, LANDING_ANGLE] = whole_angle(landed)

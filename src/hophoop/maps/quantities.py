@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from hophoop.maps import kernel
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
-from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN
+from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.scenario import InputError
 
 NOT_ALLOWED = "not_allowed"

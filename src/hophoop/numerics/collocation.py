@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit, lean_jit
 
 ORDER = 16
 NODES, WEIGHTS = legendre.leggauss(ORDER)
@@ -38,9 +38,12 @@ EXP_3, EXP_4, EXP_5, EXP_6, EXP_7, EXP_8, EXP_9, EXP_10 = (1.0 / math.factorial(
 EXP_11, EXP_12, EXP_13, EXP_14, EXP_15, EXP_16, EXP_17, EXP_18 = (1.0 / math.factorial(k) for k in range(11, 19))
 
 
-@lean_jit
+@inline_jit
 def product(matrix_t, values, out):
-    """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers."""
+    """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers.
+
+    Part of its callers, each of which has one matrix, known when it is compiled.
+    """
     for j in range(0, ORDER, 8):
         v0, v1, v2, v3 = values[j], values[j + 1], values[j + 2], values[j + 3]
         v4, v5, v6, v7 = values[j + 4], values[j + 5], values[j + 6], values[j + 7]
@@ -123,14 +126,26 @@ def total(values):
     return dot(WEIGHTS, values)
 
 
+@apart_jit
+def integrals(values, out):
+    """Integrals of the function from −1 to every node."""
+    product(ANTIDERIVATIVE_T, values, out)
+
+
+@apart_jit
+def remainders(values, out):
+    """Integrals of the function from every node to 1."""
+    product(REMAINDER_T, values, out)
+
+
 @inline_jit
 def antiderivative(values, out):
     """Integrals of the function from −1 to every node; returns the one over the whole panel."""
-    product(ANTIDERIVATIVE_T, values, out)
+    integrals(values, out)
     return total(values)
 
 
-@lean_jit
+@apart_jit
 def coefficients(values, out):
     """Chebyshev coefficients of the function with these values at the nodes."""
     product(SERIES_T, values, out)
@@ -163,7 +178,7 @@ def series_value(series, xi):
     return xi * b1 - b2 + series[0]
 
 
-@lean_jit
+@inline_jit
 def left_value(series):
     """The series at ξ = −1."""
     result = 0.0
@@ -172,7 +187,7 @@ def left_value(series):
     return result
 
 
-@lean_jit
+@inline_jit
 def right_value(series):
     """The series at ξ = 1."""
     result = 0.0

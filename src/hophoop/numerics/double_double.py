@@ -57,7 +57,7 @@ def plus(high, low, value):
     return quick_sum(total, error + low)
 
 
-@lean_jit
+@inline_jit
 def add(a, b):
     """Sum of two such numbers."""
     total, error = two_sum(a[0], b[0])

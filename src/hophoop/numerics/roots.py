@@ -10,7 +10,7 @@ import math
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import ORDER, left_value, product, right_value, value_and_slope
 
 
@@ -25,6 +25,13 @@ def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
 LEFT_T, RIGHT_T = (np.ascontiguousarray(matrix.T) for matrix in _halving_matrices())
 DEPTH = 60  # halvings of a panel before a multiple root is given up
 NOT_FOUND = 2.0  # a ξ outside the panel
+
+
+@apart_jit
+def halves(series, left, right):
+    """The series on the left and on the right half of its interval."""
+    product(RIGHT_T, series, right)
+    product(LEFT_T, series, left)
 
 
 @inline_jit
@@ -60,7 +67,7 @@ def _bracketed(series):
     return xi
 
 
-@lean_jit
+@apart_jit
 def first_fall(series, floor, stack):
     """First ξ in [−1, 1] where the series falls through zero, or `NOT_FOUND`.
 
@@ -70,7 +77,7 @@ def first_fall(series, floor, stack):
     return first_fall_after(series, -2.0, floor, stack)
 
 
-@inline_jit
+@apart_jit
 def first_fall_after(series, begin, floor, stack):
     """`first_fall`, of those beyond ξ = `begin`."""
     spread = 0.0
@@ -115,8 +122,7 @@ def first_fall_after(series, begin, floor, stack):
             top -= 1
             continue
         middle = 0.5 * (low + high)
-        product(RIGHT_T, row, stack[top + 1])
-        product(LEFT_T, row, stack[top + 2])
+        halves(row, stack[top + 2], stack[top + 1])
         for k in range(ORDER):
             left = stack[top + 2, k]
             stack[top, k] = stack[top + 1, k]

@@ -35,7 +35,7 @@ def turn_deficits(phi):
     return sine * square * phi, cosine, 0.5 * square - cosine
 
 
-@lean_jit
+@inline_jit
 def sine_cosine(th, low):
     """(sin, cos) of an angle of two doubles, with all digits of both also beside multiples of π/2."""
     s = math.sin(th)
@@ -43,7 +43,7 @@ def sine_cosine(th, low):
     return s + low * c, c - low * s
 
 
-@lean_jit
+@inline_jit
 def turn(s, c, angle):
     """(sin, cos) of θ + angle minus those of θ, without cancellation."""
     sine = math.sin(angle)
@@ -51,7 +51,7 @@ def turn(s, c, angle):
     return c * sine - s * versine, -s * sine - c * versine
 
 
-@lean_jit
+@inline_jit
 def rotated(s, c, sine, versine):
     """`turn`, where the sine and 1 − cosine of the angle are known."""
     return c * sine - s * versine, -s * sine - c * versine

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit, lean_jit
 from hophoop.numerics.double_double import (
     PI,
     PI_LOW,
@@ -30,6 +30,7 @@ from hophoop.numerics.double_double import (
 )
 from hophoop.numerics.trigonometry import turn_deficits
 from hophoop.physics.contact import inertia_at_height, load_height, slip_torque_arm
+from hophoop.physics.roll import rest_curvature
 
 TERMS = 16
 LARGEST_PSI = 0.1  # rad from a hilltop within which the series of slip is used
@@ -57,13 +58,13 @@ def rolling_hilltop(body):
     return add(negative(arc_sine(sine)), (-body.slope, 0.0))
 
 
-@lean_jit
+@inline_jit
 def offset_from(th, low, base, base_low):
     """ψ = θ − θ_base of two angles of two doubles, with all its digits."""
     return (th - base) + (low - base_low)
 
 
-@lean_jit
+@inline_jit
 def fallen(body, bend, psi):
     """B (1 − cos ψ) + g_t (ψ − sin ψ): by how much V is lower at ψ than at the equilibrium."""
     if body.gt == 0.0:
@@ -73,7 +74,7 @@ def fallen(body, bend, psi):
     return bend * versine + body.gt * bent
 
 
-@lean_jit
+@apart_jit
 def rolling_anchor(body, th, low, u):
     """The anchor of a rolling phase that begins at θ with θ̇² = u."""
     if body.eps == 0.0 or body.gn == 0.0 or abs(body.gt) >= body.eps:
@@ -82,7 +83,7 @@ def rolling_anchor(body, th, low, u):
     base_low = 0.0
     if body.gt != 0.0:
         base, base_low = rolling_hilltop(body)
-    bend = body.eps * (body.gn * math.cos(base) - body.gt * math.sin(base))
+    bend = -rest_curvature(body, math.sin(base), math.cos(base))
     s = math.sin(th) + low * math.cos(th)
     c = math.cos(th) - low * math.sin(th)
     psi = offset_from(th, low, base, base_low)
@@ -103,7 +104,7 @@ def rolling_anchor(body, th, low, u):
 def rolling_begin(body, anchor, th, low, s, c, u):
     """(−dV/dθ, d²V/dθ², θ̇²) where a rolling panel begins; the last is as it was without an anchor."""
     torque = body.eps * (body.gn * s + body.gt * c) + body.gt
-    bend = body.eps * (body.gn * c - body.gt * s)
+    bend = -rest_curvature(body, s, c)
     if anchor.kind != ROLLING:
         return torque, bend, u
     psi = 0.0
@@ -134,7 +135,7 @@ def slip_hilltop(body, sigma):
     return negative(add(arc_sine(sine), arc_sine(divide(sine, (body.eps, 0.0)))))
 
 
-@lean_jit
+@apart_jit
 def separatrix(body, sigma, base, out):
     """Series in ψ of θ̇² of the slip that comes to rest at its hilltop; returns up to which ψ it is good to rounding."""
     eps = body.eps
@@ -184,7 +185,7 @@ def frictionless_value(body, th, low):
     return 4.0 * body.eps * body.gn * half * half / (body.kap + body.eps * s * body.eps * s)
 
 
-@lean_jit
+@apart_jit
 def slip_anchor(body, sigma, th, low, s, c, u, series):
     """The anchor of slip that begins, with θ̇² = u, beside its hilltop; `series` is scratch."""
     if body.gn == 0.0 or body.eps == 0.0 or math.isinf(body.mu_k):
@@ -203,7 +204,7 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
     return Anchor(SLIPPING, u - separatrix_value(series, psi), base, base_low, slope)
 
 
-@lean_jit
+@apart_jit
 def slip_begin(body, anchor, sigma, th, low, arm, u, series):
     """(q, θ̇²) where a slip panel begins, from what they are but for rounding: with all digits also beside the hilltop."""
     if body.mu_k == 0.0:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import lean_jit
+from hophoop._jit import apart_jit
 from hophoop.numerics.collocation import NODES, ORDER, coefficients, left_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.physics.flight import flight_gap
@@ -12,7 +12,7 @@ from hophoop.physics.flight import flight_gap
 PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J₁₆(1.5), is 5e-16
 
 
-@lean_jit
+@apart_jit
 def polished(body, s, c, om, y, vn, fn, tau, reach):
     """A landing time improved on the gap itself, by Newton; left alone where a step would be large."""
     for _ in range(3):
@@ -28,7 +28,7 @@ def polished(body, s, c, om, y, vn, fn, tau, reach):
     return tau
 
 
-@lean_jit
+@apart_jit
 def grazes(body, s, c, th, om, y, vn, fn, tau):
     """Whether the gap has a minimum at or beside tau that is zero but for rounding: a touch without approach."""
     gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
@@ -39,7 +39,7 @@ def grazes(body, s, c, th, om, y, vn, fn, tau):
     return gap - 0.5 * rate * rate / bend > -4e-16 * size
 
 
-@lean_jit
+@apart_jit
 def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
     """First contact of a flight and its highest centre.
 

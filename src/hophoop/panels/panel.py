@@ -15,6 +15,7 @@ from hophoop._jit import inline_jit, lean_jit
 from hophoop.numerics.collocation import NODES, ORDER, antiderivative
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import turn, versine_of
+from hophoop.physics.roll import rest_curvature
 
 WIDEST = 0.9  # rad
 LEVELS = 96  # widths WIDEST · 2^(−k/2)
@@ -102,7 +103,7 @@ def fill_geometry(panel, work):
         stretch[i] = panel.extent * part
 
 
-@lean_jit
+@inline_jit
 def angle_at(panel, xi):
     """θ − ref at ξ."""
     if panel.kind == LINEAR:
@@ -114,7 +115,7 @@ def angle_at(panel, xi):
     return panel.way * panel.extent * part * part
 
 
-@lean_jit
+@inline_jit
 def place_of(panel, offset):
     """ξ where abs(θ − ref) = offset."""
     if panel.kind == LINEAR:
@@ -145,13 +146,13 @@ def linear_panel(sigma, level, way, begin):
     )  # fmt: skip
 
 
-@lean_jit
+@inline_jit
 def no_panel(kind, sigma, way):
     """What stands for the panel in a piece that needs none: FLY, HOLD or SKIMMING."""
     return Panel(sigma, kind, 0, way, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-@lean_jit
+@inline_jit
 def leaving_panel(sigma, way, extent, begin):
     """A panel that begins at rest."""
     return Panel(
@@ -171,7 +172,7 @@ def arriving_panel(body, before, ahead):
     s = before.sine + ds
     if before.sigma == 0:
         arm = before.arm + body.eps * (body.gn * ds + body.gt * dc)
-        stiffness = before.stiffness + body.eps * (body.gn * dc - body.gt * ds)
+        stiffness = before.stiffness - rest_curvature(body, ds, dc)
     else:
         turned = body.eps * (ds + before.sigma * body.mu_k * dc)
         arm = before.arm + turned

@@ -5,16 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import inline_jit
-from hophoop.numerics.collocation import (
-    ANTIDERIVATIVE_T,
-    ORDER,
-    REMAINDER_T,
-    antiderivative,
-    exponentials,
-    product,
-    tail,
-    total,
-)
+from hophoop.numerics.collocation import ORDER, antiderivative, exponentials, integrals, remainders, tail, total
 from hophoop.numerics.trigonometry import rotated
 from hophoop.panels.panel import (
     ARM,
@@ -42,10 +33,10 @@ from hophoop.panels.panel import (
 def _from_reference(panel, values, out):
     """∫ values dξ from `ref` to each node, signed along θ; returns the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
-        product(REMAINDER_T, values, out)
+        remainders(values, out)
         way = -panel.way
     else:
-        product(ANTIDERIVATIVE_T, values, out)
+        integrals(values, out)
         way = panel.way
     for i in range(ORDER):
         out[i] *= way

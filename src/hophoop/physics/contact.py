@@ -4,68 +4,68 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
+from hophoop._jit import inline_jit
 
 
-@jit
+@inline_jit
 def free_acceleration(body, s, c, u):
     """(f_t, f_n): acceleration of the lowest rim point without contact force; u = θ̇²."""
     return body.gt + body.eps * s * u, -body.gn + body.eps * c * u
 
 
-@jit
+@inline_jit
 def delassus(body, s, c):
     """(W_tt, W_nn, W_tn): acceleration of the lowest rim point per unit force; needs κ > 0."""
     arm, lever = contact_arms(body, s, c)
     return 1.0 + arm * arm / body.kap, 1.0 + lever * lever / body.kap, -lever * arm / body.kap
 
 
-@jit
+@inline_jit
 def contact_arms(body, s, c):
     """(1 + ε cos θ, ε sin θ): the arms of a tangential and a normal force about G, with all their digits."""
     return (1.0 - body.eps) + body.eps * load_height(s, c), body.eps * s
 
 
-@jit
+@inline_jit
 def slip_torque_arm(body, s, c, sigma):
     """q = ε sin θ + σ μk (1 + ε cos θ): torque about G over N in slip."""
     arm, lever = contact_arms(body, s, c)
     return lever + sigma * body.mu_k * arm
 
 
-@jit
+@inline_jit
 def slip_stiffness(body, s, c, sigma):
     """κ p_σ = κ + ε sin θ · q; Painlevé's paradox where it is not positive."""
     return body.kap + body.eps * s * slip_torque_arm(body, s, c, sigma)
 
 
-@jit
+@inline_jit
 def load_height(s, c):
     """1 + cos θ, with all its digits also near θ = π."""
     return s * s / (1.0 - c) if c < 0.0 else 1.0 + c
 
 
-@jit
+@inline_jit
 def inertia_at_height(body, height):
     """D = 1 + κ + ε² + 2 ε cos θ, the moment of inertia about the contact point, from 1 + cos θ."""
     gap = 1.0 - body.eps
     return (body.kap + gap * gap) + 2.0 * body.eps * height
 
 
-@jit
+@inline_jit
 def rolling_inertia(body, c):
     """`inertia_at_height` from cos θ: near θ = π only as exact as that is."""
     return inertia_at_height(body, 1.0 + c)
 
 
-@jit
+@inline_jit
 def rolling_acceleration(body, s, c, u):
     """θ̈ in rolling."""
     torque = body.eps * s * (u + body.gn) + body.gt * (1.0 + body.eps * c)
     return torque / inertia_at_height(body, load_height(s, c))
 
 
-@jit
+@inline_jit
 def rolling_forces(body, s, c, u):
     """(F, N) in rolling, without division by κ."""
     alpha = rolling_acceleration(body, s, c, u)
@@ -75,7 +75,7 @@ def rolling_forces(body, s, c, u):
     return friction, normal
 
 
-@jit
+@inline_jit
 def cone_weights(mu):
     """(a, b) with a N ≥ b abs(F) inside the friction cone; (1, 0) where μ is infinite."""
     if math.isinf(mu):
@@ -84,7 +84,7 @@ def cone_weights(mu):
     return mu / norm, 1.0 / norm
 
 
-@jit
+@inline_jit
 def slip_motion(body, s, c, u, sigma):
     """(θ̈, N, v̇_t) in slip of direction σ."""
     q = slip_torque_arm(body, s, c, sigma)

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
+from hophoop._jit import apart_jit, lean_jit
 from hophoop.physics.body import ImpactLaw
 from hophoop.physics.contact import contact_arms, slip_stiffness, slip_torque_arm
 
 NEWTON, POISSON = int(ImpactLaw.NEWTON), int(ImpactLaw.POISSON)
 
 
-@jit
+@lean_jit
 def stick_rates(body, arm, lever):
     """(r, dθ̇/dp, dv_n/dp) while the contact sticks; r is the tangential per normal impulse.
 
@@ -27,7 +27,7 @@ def stick_rates(body, arm, lever):
     return arm * spin, spin, 1.0 + lever * spin
 
 
-@jit
+@lean_jit
 def slip_rates(body, arm, lever, r):
     """(dθ̇/dp, dv_t/dp, dv_n/dp) while the contact slips with the impulses in the ratio r."""
     torque = lever - arm * r
@@ -35,7 +35,7 @@ def slip_rates(body, arm, lever, r):
     return spin, r - arm * spin, (body.kap + lever * torque) / body.kap
 
 
-@jit
+@lean_jit
 def impulse_ratio(body, arm, lever, vt):
     """(r, sticks): tangential per normal impulse in the present state, and whether that state is stick."""
     if vt > 0.0:
@@ -48,7 +48,7 @@ def impulse_ratio(body, arm, lever, vt):
     return (-body.mu_k if stick < 0.0 else body.mu_k), False
 
 
-@jit
+@apart_jit
 def impact(body, rest, s, c, vt, vn):
     """Velocities after an impact at angle θ.
 
@@ -139,7 +139,7 @@ def impact(body, rest, s, c, vt, vn):
     return vt, vn, spin, p_n, p_t, -work_n, -work_t
 
 
-@jit
+@lean_jit
 def singular_slip(body, s, c, exact, ahead, vt, om):
     """Slip that has run into p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
 
@@ -185,7 +185,7 @@ def singular_slip(body, s, c, exact, ahead, vt, om):
     return False, after, om + turn * length, length, sigma * body.mu_k * 0.5 * (vt + after) * length
 
 
-@jit
+@lean_jit
 def singular_angle(body, s, c, u, sigma):
     """(found, exact, ahead): whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam).
 

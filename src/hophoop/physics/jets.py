@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import lean_jit
+from hophoop._jit import apart_jit, lean_jit
 from hophoop.physics.contact import cone_weights
 
 TERMS = 5
@@ -74,7 +74,7 @@ def _sine_cosine(th, rate):
     return (s0, s1, s2, s3, s4), (c0, c1, c2, c3, c4)
 
 
-@lean_jit
+@apart_jit
 def candidate_series(body, th, om, sigma):
     """Taylor coefficients of (N, cone margin at F > 0, at F < 0, v̇_t) in rolling (sigma = 0) or slip."""
     eps = body.eps

@@ -8,17 +8,17 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
+from hophoop._jit import lean_jit
 from hophoop.numerics.trigonometry import versine_of
 
 
-@jit
+@lean_jit
 def skim_duration(body, c, sink):
     """Time until the load strikes the plane, from cos θ and its rate of sinking."""
     return (-sink + math.sqrt(sink * sink + 2.0 * body.gn * (1.0 + c))) / body.gn
 
 
-@jit
+@lean_jit
 def skim_state(body, x, th, vt, om, way, tau):
     """(x, θ, v_t, θ̇) after skimming for the time tau; θ̇ is infinite where the load strikes the plane."""
     s = math.sin(th)
@@ -45,7 +45,7 @@ def skim_state(body, x, th, vt, om, way, tau):
     return x_end, th_end, along - om_end * (2.0 - versine), om_end
 
 
-@jit
+@lean_jit
 def strike(body, vx, vy):
     """(v_x after, p_n, p_t) of the load that strikes the plane without rebound: a particle with friction."""
     p_n = -vy

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit
+from hophoop._jit import apart_jit, lean_jit
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import (
@@ -23,13 +23,13 @@ INCONSISTENT, INDETERMINATE, UNDECIDED = 10, 11, 12
 TIE = 1e-13  # below this, beside gravity and centrifugal acceleration, a quantity counts as zero
 
 
-@jit
+@lean_jit
 def slip_mode(sigma):
     """SKID for sliding ahead (v_t > 0), SPIN for over-rotating."""
     return SKID if sigma > 0 else SPIN
 
 
-@jit
+@lean_jit
 def slip_direction(mode):
     """σ = sign(v_t) of a slip mode, 0 of any other."""
     if mode == SKID:
@@ -39,7 +39,7 @@ def slip_direction(mode):
     return 0
 
 
-@jit
+@apart_jit
 def opening_sign(body, th, om):
     """Sign of f_n, or of its first derivative in free motion that is not zero."""
     s = math.sin(th)
@@ -58,7 +58,7 @@ def opening_sign(body, th, om):
     return 0
 
 
-@jit
+@apart_jit
 def can_roll(body, th, om):
     """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
     s = math.sin(th)
@@ -77,7 +77,7 @@ def can_roll(body, th, om):
     return leading_sign(series_n, scale) > 0 and leading_sign(series_p, scale) >= 0 and leading_sign(series_m, scale) >= 0
 
 
-@jit
+@apart_jit
 def can_start_slip(body, th, om, sigma):
     """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
     s = math.sin(th)
@@ -99,7 +99,7 @@ def can_start_slip(body, th, om, sigma):
     return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0
 
 
-@jit
+@apart_jit
 def frictionless_mode(body, th, th_low, om):
     """Mode from v_t = 0 without friction: the sign of the coming v_t, exact also beside a hilltop or a valley.
 
@@ -117,7 +117,7 @@ def frictionless_mode(body, th, th_low, om):
     return slip_mode(1 if drive > 0.0 else -1)
 
 
-@jit
+@apart_jit
 def next_mode(body, th, th_low, om, vt):
     """Mode that follows a state in contact (y = 0, v_n = 0): rules 1, 3 and 4.
 

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit, lean_jit
 from hophoop.numerics.trigonometry import rotated, turn_deficits, versine_of
 from hophoop.physics.contact import inertia_at_height, load_height
+
+
+@inline_jit
+def rest_curvature(body, s, c):
+    """V″(θ) of rolling contact, V = ε (g_n cos θ − g_t sin θ) − g_t θ; negative at a hilltop."""
+    return body.eps * (body.gt * s - body.gn * c)
 
 
 @lean_jit

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from hophoop._jit import lean_jit
+from hophoop._jit import inline_jit
 from hophoop.physics.contact import load_height
 
 
-@lean_jit
+@inline_jit
 def slip_displacement(body, sigma, vt, om, s, c, ds, dc, tau):
     """Change of x over the time tau from a state of slip: gravity alone changes ẋ_G + σ μk ẏ_G."""
     pull = sigma * body.mu_k

@@ -23,6 +23,7 @@ class Scratch(NamedTuple):
     weights: np.ndarray
     stack: np.ndarray
     doubt: np.ndarray  # begin and end of the first doubt of a motion, nan while there is none
+    written: np.ndarray  # numbers of events, segments and panels of the motion
 
 
 @jit
@@ -35,4 +36,5 @@ def new_scratch():
         np.zeros(ORDER),
         np.zeros((STACK_ROWS, STACK_COLUMNS)),
         np.full(2, np.nan),
+        np.zeros(3, np.int64),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop._jit import inline_jit, jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.double_double import PI, TWO_PI, TWO_PI_LOW, add, plus, turns_and_rest
 from hophoop.panels.anchor import NONE, Anchor
 
@@ -33,7 +33,7 @@ class State(NamedTuple):
     anchor: Anchor
 
 
-@jit
+@apart_jit
 def start_state(x, y, angle, vt, vn, om):
     """A state at t = 0, from the whole angle."""
     turns, th, th_low = turns_and_rest(angle)
@@ -100,7 +100,7 @@ def time_left(state, t_end):
     return (t_end - state.t) - state.t_low
 
 
-@jit
+@apart_jit
 def turned_by(state, angle):
     """(turns, θ, its low part) after turning by an angle of any size, with θ within half a turn of 0."""
     more, th, low = turns_and_rest(angle)
@@ -115,7 +115,7 @@ def turned_by(state, angle):
     return turns, th, low
 
 
-@jit
+@apart_jit
 def flown(state, along, y, tau, vt, vn):
     """The state in flight, with θ̇ unchanged, after the time tau."""
     t, t_low = later(state, tau)

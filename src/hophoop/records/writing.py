@@ -1,12 +1,45 @@
-"""How events and segments are written."""
+"""How events and segments are written, and read back as states."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop._jit import jit
+import numpy as np
+
+from hophoop._jit import apart_jit, inline_jit, jit, lean_jit
 from hophoop.panels.anchor import NONE
 from hophoop.records.state import State, whole_angle
+
+MOST_PANELS = 4_000_000
+
+
+class Log(NamedTuple):
+    """Where the events and segments of a motion are written."""
+
+    events: np.ndarray  # of records.EVENT
+    segments: np.ndarray  # of records.SEGMENT; of length 0 where none are wanted
+    written: np.ndarray  # how many of each, −1 where the array was too short; and how many panels
+
+
+@jit
+def new_log(events, segments, scratch):
+    """A log in which nothing is written."""
+    scratch.written[0] = 0
+    scratch.written[1] = 0
+    scratch.written[2] = 0
+    return Log(events, segments, scratch.written)
+
+
+@inline_jit
+def has_room(log):
+    """Whether the arrays have been long enough so far, and the panels are not used up."""
+    return log.written[0] >= 0 and log.written[1] >= 0 and log.written[2] < MOST_PANELS
+
+
+@inline_jit
+def count_panel(log):
+    """Count a panel, or another step of a loop that must end."""
+    log.written[2] += 1
 
 
 class Cause(NamedTuple):
@@ -23,18 +56,21 @@ class Cause(NamedTuple):
     collision: int
 
 
-@jit
+@lean_jit
 def quiet(kind, mode, state):
     """A cause without a jump."""
     return Cause(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
 
 
-@jit
-def write_event(events, count, cause, mode, state, gain, stable):
-    """Append an event; returns the new count, or -1 where the array is full."""
-    if count < 0 or count >= events.shape[0]:
-        return -1
-    row = events[count]
+@apart_jit
+def write_event(log, cause, mode, state, gain, stable):
+    """Append an event."""
+    count = log.written[0]
+    if count < 0 or count >= log.events.shape[0]:
+        log.written[0] = -1
+        return
+    log.written[0] = count + 1
+    row = log.events[count]
     row["t"] = state.t
     row["t_low"] = state.t_low
     row["x_low"] = state.x_low
@@ -63,26 +99,36 @@ def write_event(events, count, cause, mode, state, gain, stable):
     row["gain"] = gain
     row["collision"] = cause.collision
     row["stable"] = stable
-    return count + 1
 
 
-@jit
-def copy_event(events, count, row):
-    """Append an event that is known; returns the new count, or -1 where the array is full."""
-    if count < 0 or count >= events.shape[0]:
-        return -1
-    events[count] = row
-    return count + 1
+@lean_jit
+def note(log, kind, before, after, state):
+    """Append an event without a jump."""
+    write_event(log, quiet(kind, before, state), after, state, 0.0, -1)
 
 
-@jit
-def write_segment(segments, count, mode, panel, xi, opening, state, t_end):
-    """Append a segment that starts in `state`; an array of length 0 keeps none; -1 where it is full."""
-    if segments.shape[0] == 0:
-        return count
-    if count < 0 or count >= segments.shape[0]:
-        return -1
-    row = segments[count]
+@apart_jit
+def copy_event(log, row):
+    """Append an event that is known."""
+    count = log.written[0]
+    if count < 0 or count >= log.events.shape[0]:
+        log.written[0] = -1
+        return
+    log.events[count] = row
+    log.written[0] = count + 1
+
+
+@inline_jit
+def write_segment(log, mode, panel, xi, opening, state, t_end):
+    """Append a segment that starts in `state`; an array of length 0 keeps none."""
+    if log.segments.shape[0] == 0:
+        return
+    count = log.written[1]
+    if count < 0 or count >= log.segments.shape[0]:
+        log.written[1] = -1
+        return
+    log.written[1] = count + 1
+    row = log.segments[count]
     row["t"] = state.t
     row["t_low"] = state.t_low
     row["t_end"] = t_end
@@ -114,10 +160,9 @@ def write_segment(segments, count, mode, panel, xi, opening, state, t_end):
     row["friction"] = state.friction
     row["impact_normal"] = state.impact_n
     row["impact_tangential"] = state.impact_t
-    return count + 1
 
 
-@jit
+@apart_jit
 def state_of(row):
     """The state just after an event, or where a segment begins."""
     return State(

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import jit, lean_jit
+from hophoop._jit import apart_jit, lean_jit
 from hophoop.numerics.collocation import ORDER, coefficients, series_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.numerics.trigonometry import sine_cosine
@@ -27,7 +27,7 @@ def note_doubt(scratch, begin, end):
         scratch.doubt[1] = end
 
 
-@jit
+@apart_jit
 def mode_is_in_doubt(body, state):
     """Whether the mode that follows a state in contact depends on the rounding of the state."""
     if body.kap == 0.0 or body.mu_s == 0.0 or math.isinf(body.mu_s):
@@ -49,7 +49,7 @@ def mode_is_in_doubt(body, state):
     return margin < 0.0 and opening <= CLOSE * scale
 
 
-@lean_jit
+@apart_jit
 def grazes_zero(row, scale, scratch):
     """Whether the smallest value of a margin on a panel is zero but for rounding."""
     series = scratch.series
@@ -76,7 +76,7 @@ def grazes_zero(row, scale, scratch):
     return False
 
 
-@lean_jit
+@apart_jit
 def has_graze(body, panel, state, scratch):
     """Whether a margin of the phase has a smallest value on the panel that is zero but for rounding."""
     speed = abs(panel.vt) + abs(state.om)

@@ -17,7 +17,8 @@ from hophoop.physics.massless import skim_state
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.records.writing import state_of
-from hophoop.rigid.contact_phase import solve, state_on_panel
+from hophoop.rigid.contact_phase import state_on_panel
+from hophoop.rigid.panel_choice import solve
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import to_body
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from hophoop._jit import jit
+import math
+
+from hophoop._jit import apart_jit, lean_jit
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.anchor import NONE
 from hophoop.physics.body import Event, Mode
-from hophoop.physics.contact import contact_arms
+from hophoop.physics.contact import contact_arms, free_acceleration
 from hophoop.physics.impact import impact, singular_angle, singular_slip, stick_rates
 from hophoop.physics.modes import (
     INDETERMINATE,
@@ -16,11 +18,13 @@ from hophoop.physics.modes import (
     slip_mode,
 )
 from hophoop.records.state import with_anchor, with_losses, with_velocities
-from hophoop.records.writing import Cause, quiet, write_event
-from hophoop.rigid.doubts import mode_is_in_doubt, note_doubt
+from hophoop.records.writing import Cause, note, quiet, write_event
+from hophoop.rigid.doubts import CLOSE, mode_is_in_doubt, note_doubt
 
 ROLL, FLIGHT, SKIM = int(Mode.ROLL), int(Mode.FLIGHT), int(Mode.SKIM)
-STICK, SLIP_REVERSAL, TAKEOFF = int(Event.STICK), int(Event.SLIP_REVERSAL), int(Event.TAKEOFF)
+SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF = (
+    int(kind) for kind in (Event.SLIP_START, Event.STICK, Event.SLIP_REVERSAL, Event.TAKEOFF)
+)
 IMPACT, KANE_GAIN, JAM = int(Event.IMPACT), int(Event.KANE_GAIN), int(Event.JAM)
 BOUNCE_LIMIT = int(Event.BOUNCE_LIMIT)
 PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
@@ -29,7 +33,7 @@ PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
 GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
 
 
-@jit
+@lean_jit
 def collide(body, rest, state, kind, mode, collision):
     """(state after, cause) of an impact."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -45,7 +49,7 @@ def collide(body, rest, state, kind, mode, collision):
     return with_losses(after, state.friction, losses_n, losses_t), cause
 
 
-@jit
+@apart_jit
 def close_bounces(body, state):
     """(state after, cause) of the impact that ends endless bounces: e = 0, and no jerk along the plane lifts it again."""
     after, cause = collide(body, 0.0, state, BOUNCE_LIMIT, FLIGHT, 1)
@@ -65,24 +69,24 @@ def close_bounces(body, state):
     return still, Cause(BOUNCE_LIMIT, FLIGHT, state.vt, state.vn, state.om, p_n, p_t, 0.0, 1)
 
 
-@jit
-def write_cause(events, count, cause, mode, state):
+@apart_jit
+def write_cause(log, cause, mode, state):
     """The event, and Kane's gain after it where there is one."""
-    count = write_event(events, count, cause, mode, state, 0.0, -1)
+    write_event(log, cause, mode, state, 0.0, -1)
     if cause.gain > 0.0:
-        count = write_event(events, count, quiet(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
-    return count
+        write_event(log, quiet(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
 
 
-@jit
-def settle(body, state, cause, events, count, scratch):
+@lean_jit
+def settle(body, state, cause, log, scratch):
     """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
 
-    Returns (mode, state, count); the mode is UNDECIDED where the model has no answer.
+    Returns (mode, state); the mode is UNDECIDED where the model has no answer.
     """
     for _ in range(8):
         if state.vn > 0.0:
-            return FLIGHT, state, write_cause(events, count, cause, FLIGHT, state)
+            write_cause(log, cause, FLIGHT, state)
+            return FLIGHT, state
         if mode_is_in_doubt(body, state):
             note_doubt(scratch, state.t, state.t)
         mode = next_mode(body, state.th, state.th_low, state.om, state.vt)
@@ -93,25 +97,23 @@ def settle(body, state, cause, events, count, scratch):
             named = ROLL if state.vt == 0.0 else slip_mode(1 if state.vt > 0.0 else -1)
         if cause.kind == STICK and named != ROLL:
             cause = quiet(TAKEOFF if named == FLIGHT else SLIP_REVERSAL, cause.mode, state)
-        count = write_cause(events, count, cause, named, state)
+        write_cause(log, cause, named, state)
         if mode <= SKIM or mode == UNDECIDED:
-            return mode, state, count
+            return mode, state
         if mode == INDETERMINATE:
             after = named if body.strike else FLIGHT
-            paradox = quiet(PAINLEVE_INDETERMINATE, named, state)
-            count = write_event(events, count, paradox, after, state, 0.0, -1)
+            note(log, PAINLEVE_INDETERMINATE, named, after, state)
             if not body.strike:
-                return FLIGHT, state, count
+                return FLIGHT, state
         else:
-            paradox = quiet(PAINLEVE_INCONSISTENT, named, state)
-            count = write_event(events, count, paradox, named, state, 0.0, -1)
+            note(log, PAINLEVE_INCONSISTENT, named, named, state)
         state, cause = collide(body, body.rest, state, IMPACT, named, 0)
-    return UNDECIDED, state, count
+    return UNDECIDED, state
 
 
-@jit
-def pass_singular(body, mode, state, events, count, scratch):
-    """What follows slip whose panels have shrunk to nothing: (jams, mode, state, count).
+@apart_jit
+def pass_singular(body, mode, state, log, scratch):
+    """What follows slip whose panels have shrunk to nothing: (jams, mode, state).
 
     That happens where p_σ → 0 with N → ∞. Anything else is a failure of the program, and UNDECIDED says so.
     """
@@ -119,17 +121,40 @@ def pass_singular(body, mode, state, events, count, scratch):
     sigma = slip_direction(mode)
     found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma)
     if not found:
-        return False, UNDECIDED, state, count
+        return False, UNDECIDED, state
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss
     after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses)
     if jams:
         cause = Cause(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
-        return True, mode, after, write_event(events, count, cause, mode, after, 0.0, -1)
-    count = write_event(events, count, quiet(PAINLEVE_INCONSISTENT, mode, state), mode, state, 0.0, -1)
+        write_event(log, cause, mode, after, 0.0, -1)
+        return True, mode, after
+    note(log, PAINLEVE_INCONSISTENT, mode, mode, state)
     cause = Cause(IMPACT, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, 0)
     if vt != 0.0:  # turned round, and still slipping
-        return False, mode, after, write_event(events, count, cause, mode, after, 0.0, -1)
-    mode, after, count = settle(body, after, cause, events, count, scratch)
-    return False, mode, after, count
+        write_event(log, cause, mode, after, 0.0, -1)
+        return False, mode, after
+    mode, after = settle(body, after, cause, log, scratch)
+    return False, mode, after
+
+
+@apart_jit
+def leave_cone(body, state, ahead, log, scratch):
+    """Rule 2: the mode after rolling that needs all friction there is; `ahead` says whether F > 0.
+
+    Slip goes against the friction that was at its limit, unless the rim is free to leave the plane.
+    """
+    u = state.om * state.om
+    opens = free_acceleration(body, math.sin(state.th), math.cos(state.th), u)[1]
+    if abs(opens) <= CLOSE * (body.gn + u) and not math.isinf(body.mu_s):
+        note_doubt(scratch, state.t, state.t)
+    if opens >= 0.0:
+        mode = FLIGHT
+        note(log, TAKEOFF, ROLL, FLIGHT, state)
+    elif math.isinf(body.mu_s):
+        mode = UNDECIDED  # the quasi-jump: N = 0, but free motion would enter the plane
+    else:
+        mode = slip_mode(-1 if ahead else 1)
+        note(log, SLIP_START, ROLL, mode, state)
+    return mode

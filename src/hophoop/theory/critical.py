@@ -12,7 +12,8 @@ from hophoop.physics.body import Body, Mode
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
-from hophoop.rigid.kernel import STOP_AT_TAKEOFF, STOP_AT_TURN, run
+from hophoop.rigid.kernel import run
+from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.scenario import InputError, Plane
 from hophoop.theory._columns import Columns, Hoops, Planes, body_from
 from hophoop.theory.kernels import critical as kernels

@@ -1,0 +1,75 @@
+"""hophoop itself: the exact motion, solved from event to event. We are the authors of this row."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from hophoop.engines.task import SPACING, States, Task
+from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
+from hophoop.simulation import simulate
+
+PACKAGE = "hophoop"
+STEP = SPACING
+TITLE = "hophoop (ours)"
+CONTACT = "Coulomb friction and rigid contact taken exactly: no time step; events are located to rounding."
+MODEL = "2D; rigid contact, closed forms and one quadrature between located events. dt only says how densely it is sampled"
+SETTINGS: dict[str, dict[str, Any]] = {"default": {}}
+
+
+def scenario_of(task: Task, contact: Rigid | Compliant) -> Scenario:
+    """The scenario of a task; where engines state a restitution, it is Newton's.
+
+    Parameters
+    ----------
+    task : Task
+    contact : Rigid or Compliant
+
+    Returns
+    -------
+    scenario : Scenario
+    """
+    law: dict[str, Any] = {"impact_law": "newton"} if task.restitution and contact.model == "rigid" else {}
+    rolling = task.vx == task.radius * task.omega and task.vy == 0.0 and task.height == 0.0
+    start = (
+        Start.rolling(task.vx, angle=task.angle, x=task.x)
+        if rolling
+        else Start(x=task.x, height=task.height, angle=task.angle, vx=task.vx, vy=task.vy, omega=task.omega)
+    )
+    return Scenario(
+        hoop=Hoop(
+            radius=task.radius,
+            mass=task.mass,
+            eccentricity=task.eccentricity,
+            inertia_ratio=task.inertia / (task.mass * task.radius**2),
+        ),
+        plane=Plane(gravity=task.gravity, slope=task.slope, mu=task.mu, restitution=task.restitution, **law),
+        start=start,
+        duration=task.duration,
+        contact=contact,
+    )
+
+
+def sampled(scenario: Scenario, dt: float) -> States:
+    """A motion of hophoop as an adapter returns it.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    dt : float
+        Between two states [s].
+
+    Returns
+    -------
+    states : States
+    """
+    motion = simulate(scenario)
+    t = np.arange(0.0, motion.duration * (1.0 + 1e-12), max(dt, SPACING))
+    at = motion.at(np.minimum(t, motion.duration))
+    return States(t, at.x, at.height, at.angle, at.vx, at.vy, at.omega)
+
+
+def run(task: Task, dt: float) -> States:
+    """Run a task with rigid contact."""
+    return sampled(scenario_of(task, Rigid()), dt)

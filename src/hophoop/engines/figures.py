@@ -1,0 +1,176 @@
+"""Pictures of a comparison: the hop of every engine over the exact one, and error against work."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from hophoop._extras import need
+from hophoop.engines.comparing import COMMON_STEP, LADDER_SCENARIO, Comparison, Row
+from hophoop.engines.measures import exact_record
+from hophoop.engines.scenarios import bench_scenarios
+from hophoop.vocabulary import colors
+
+COLUMNS = 4
+SPAN = (0.95, 1.95)  # s: the hop and a little of what is around it
+FLOOR = 1e-3  # mm: what the record resolves
+
+
+def _panels(count: int, size: tuple[float, float]) -> tuple[Any, list[Any]]:
+    rows = -(-count // COLUMNS)
+    figure, axes = need("matplotlib.pyplot", "plots").subplots(
+        rows,
+        COLUMNS,
+        figsize=(COLUMNS * size[0], rows * size[1]),
+        sharex=True,
+        sharey=True,
+        layout="constrained",
+        squeeze=False,
+    )
+    flat = [ax for line in axes for ax in line]
+    for ax in flat[count:]:
+        ax.set_axis_off()
+    for ax in flat[:count]:
+        ax.grid(True, color="#000000", alpha=0.1, linewidth=0.6)
+        for side in ("top", "right"):
+            ax.spines[side].set_visible(False)
+    return figure, flat[:count]
+
+
+def _label_below(axes: list[Any], words: str) -> None:
+    for k, ax in enumerate(axes):
+        lowest = k + COLUMNS >= len(axes)
+        ax.tick_params(labelbottom=lowest)
+        if k >= COLUMNS * ((len(axes) - 1) // COLUMNS):  # a label in a higher row would push the rows apart
+            ax.set_xlabel(words)
+
+
+def hops(comparison: Comparison, dt: float = COMMON_STEP) -> Any:
+    """The height of the rim over time in the hop, one panel for each engine, over the exact motion.
+
+    Parameters
+    ----------
+    comparison : Comparison
+    dt : float
+        The time step that is shown [s].
+
+    Returns
+    -------
+    figure : Figure
+
+    Raises
+    ------
+    ImportError
+        If Matplotlib is missing.
+    """
+    exact = exact_record(bench_scenarios()[LADDER_SCENARIO])
+    shown = [name for name in comparison.engines if any(row.states is not None for row in _hop_rows(comparison, name))]
+    figure, axes = _panels(len(shown), (2.55, 1.95))
+    for ax, name in zip(axes, shown, strict=True):
+        one = comparison.engines[name]
+        ax.fill_between(exact.t[::5], 0.0, 1e3 * exact.y[::5], color=colors.LIGHT_GRAY, linewidth=0)
+        words = []
+        for setting, color, dashes in zip(one.settings, (colors.VERMILION, colors.BLUE), ("-", (0, (4, 2))), strict=False):
+            row = comparison.row(name, setting, LADDER_SCENARIO, dt)
+            if row is None or row.states is None or row.scores is None:
+                continue
+            inside = np.flatnonzero((row.states.t >= SPAN[0]) & (row.states.t <= SPAN[1]))
+            inside = inside[:: max(1, len(inside) // 400)]
+            ax.plot(row.states.t[inside], 1e3 * row.states.y[inside], color=color, lw=1.6, ls=dashes)
+            words.append((_height_words(row), color))
+        ax.set_title(one.title, fontsize=10, loc="left", pad=4)
+        for k, (text, color) in enumerate(words):
+            ax.text(0.985, 0.97 - 0.15 * k, text, transform=ax.transAxes, ha="right", va="top", fontsize=8, color=color)
+        ax.set_xlim(*SPAN)
+        ax.set_ylim(-20.0, 420.0)
+    for ax in axes[::COLUMNS]:
+        ax.set_ylabel("gap (mm)")
+    _label_below(axes, "time (s)")
+    figure.suptitle(
+        f"The hop as each engine has it, time step {1e3 * dt:g} ms: gray the exact motion, red the manual’s settings, "
+        "blue dashed the best we found",
+        fontsize=10.5, x=0.01, ha="left",
+    )  # fmt: skip
+    return figure
+
+
+def _hop_rows(comparison: Comparison, name: str) -> list[Row]:
+    return [row for row in comparison.rows if row.engine == name and row.scenario == LADDER_SCENARIO]
+
+
+def _height_words(row: Row) -> str:
+    assert row.scores is not None
+    error = row.scores.hop_height
+    if error is None or np.isnan(error):
+        return "no hop"
+    return f"{1e3 * error:+.1f} mm".replace("-", "−") if abs(error) >= 5e-5 else "exact"
+
+
+def work_precision(comparison: Comparison) -> Any:
+    """Error of the hop's height against wall time, over the time step, one panel for each engine.
+
+    Parameters
+    ----------
+    comparison : Comparison
+
+    Returns
+    -------
+    figure : Figure
+
+    Raises
+    ------
+    ImportError
+        If Matplotlib is missing.
+    """
+    curves = {
+        (name, setting): [(row, _error(row)) for row in comparison.ladder(name, setting) if row.scores]
+        for name, one in comparison.engines.items()
+        for setting in one.settings
+    }
+    shown = [name for name in comparison.engines if any(curves[name, s] for s in comparison.engines[name].settings)]
+    figure, axes = _panels(len(shown), (2.55, 2.1))
+    for ax, name in zip(axes, shown, strict=True):
+        for (other, _), points in curves.items():
+            if other != name:
+                ax.plot([_wall(row) for row, _ in points], [e for _, e in points], color="#000000", alpha=0.07, lw=0.8)
+        one = comparison.engines[name]
+        marks = zip(one.settings, (colors.VERMILION, colors.BLUE), ("o", "s"), (5, -11), strict=False)
+        for setting, color, mark, offset in marks:
+            points = curves[name, setting]
+            if not points:
+                continue
+            work, errors = [_wall(row) for row, _ in points], [e for _, e in points]
+            ax.plot(work, errors, color=color, marker=mark, ms=3.2, lw=1.4)
+            for k in {0, len(points) - 1}:
+                if 0.5 * FLOOR < errors[k] < 900.0:
+                    ax.annotate(
+                        f"{1e3 * points[k][0].dt:.3g} ms", (work[k], errors[k]), textcoords="offset points",
+                        xytext=(0, offset), fontsize=6.5, color=color, ha="center", annotation_clip=True,
+                    )  # fmt: skip
+        ax.set_title(one.title, fontsize=10, loc="left", pad=4)
+        ax.set_xscale("log")
+        ax.set_yscale("log")
+        ax.set_ylim(0.2 * FLOOR, 2000.0)
+    for ax in axes[::COLUMNS]:
+        ax.set_ylabel("error of hop (mm)")
+    _label_below(axes, "wall time (s)")
+    figure.suptitle(
+        "Error of the hop’s height against work, from 10 ms to 0.01 ms: red the manual’s settings, blue the best we found. "
+        "At the top: no hop",
+        fontsize=10.5, x=0.01, ha="left",
+    )  # fmt: skip
+    return figure
+
+
+def _wall(row: Row) -> float:
+    assert row.scores is not None
+    return row.scores.wall_seconds or float("nan")
+
+
+def _error(row: Row) -> float:
+    assert row.scores is not None
+    error = row.scores.hop_height
+    if error is None or np.isnan(error):
+        return 292.0
+    return max(1e3 * abs(error), FLOOR)

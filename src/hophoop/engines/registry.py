@@ -1,0 +1,188 @@
+"""Which engines there are: those of the package, those of entry points, and commands."""
+
+from __future__ import annotations
+
+import platform
+import re
+import shlex
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+from importlib.metadata import PackageNotFoundError, entry_points, version
+from typing import Any
+
+from hophoop.engines.adapters.npm import NODE_ENGINES
+
+GROUP = "hophoop.engines"
+PYTHON_ENGINES = (
+    "hophoop", "compliant", "scipy", "exudyn", "drake", "mujoco", "dart", "pybullet", "pymunk", "box2d", "newton",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Engine:
+    """An engine as the comparison sees it.
+
+    Attributes
+    ----------
+    name : str
+        Key on the command line and in files.
+    title : str
+        What tables call it.
+    run : callable or None
+        ``run(task, dt, **settings)`` gives states; None for a command.
+    command : tuple of str
+        What runs it, empty for Python.
+    package : str
+        The distribution that holds it.
+    version : str
+        Empty where it is not installed.
+    step : float
+        Its manual's time step [s].
+    model, contact : str
+        How the hoop is represented, and how the engine solves contact.
+    settings : dict
+        Sets of settings by name; the first is the manual's.
+    ours : bool
+        Whether the authors of the benchmark wrote it.
+    """
+
+    name: str
+    title: str
+    run: Callable[..., Any] | None = None
+    command: tuple[str, ...] = ()
+    package: str = ""
+    version: str = ""
+    step: float = 0.001
+    model: str = ""
+    contact: str = ""
+    settings: Mapping[str, Mapping[str, Any]] = field(default_factory=lambda: {"default": {}})
+    ours: bool = False
+
+
+def engine_of(name: str, adapter: Any, ours: bool = False) -> Engine:
+    """The engine of an adapter: a module or any object with ``run``, and what else it says of itself.
+
+    Parameters
+    ----------
+    name : str
+    adapter : module or object
+    ours : bool, default False
+
+    Returns
+    -------
+    engine : Engine
+
+    Raises
+    ------
+    ValueError
+        If it has no ``run``.
+    """
+    run = getattr(adapter, "run", adapter if callable(adapter) else None)
+    if run is None:
+        raise ValueError(f"the adapter {name!r} has no run(task, dt).")
+    package = getattr(adapter, "PACKAGE", "")
+    return Engine(
+        name=name,
+        title=getattr(adapter, "TITLE", name),
+        run=run,
+        package=package,
+        version=_version(package),
+        step=getattr(adapter, "STEP", 0.001),
+        model=getattr(adapter, "MODEL", ""),
+        contact=getattr(adapter, "CONTACT", ""),
+        settings=getattr(adapter, "SETTINGS", {"default": {}}),
+        ours=ours,
+    )
+
+
+def command_engine(text: str) -> Engine:
+    """An engine from ``NAME=COMMAND``.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    engine : Engine
+
+    Raises
+    ------
+    ValueError
+        If the text is not of that form.
+    """
+    name, _, command = text.partition("=")
+    words = tuple(shlex.split(command))
+    if not re.fullmatch(r"[\w.-]+", name) or not words:
+        raise ValueError(f"command = {text!r} must be NAME=COMMAND, such as mine='node mine.mjs'.")
+    return Engine(name=name, title=name, command=words, model="a command")
+
+
+def engines() -> dict[str, Engine]:
+    """All engines that there are adapters for, installed or not.
+
+    Returns
+    -------
+    engines : dict of str to Engine
+        hophoop first, then the package's other adapters, then those of entry points.
+
+    Raises
+    ------
+    ValueError
+        If an entry point has no ``run``.
+    """
+    found = {name: _own(name) for name in (*PYTHON_ENGINES, *NODE_ENGINES)}
+    for point in entry_points(group=GROUP):
+        if point.name not in found:
+            found[point.name] = engine_of(point.name, point.load())
+    return found
+
+
+def engine(name: str) -> Engine:
+    """One engine by name.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    engine : Engine
+
+    Raises
+    ------
+    ValueError
+        If there is no such engine.
+    """
+    if name in PYTHON_ENGINES or name in NODE_ENGINES:
+        return _own(name)
+    known = engines()
+    if name not in known:
+        raise ValueError(f"engine = {name!r} is not one of {', '.join(known)}.")
+    return known[name]
+
+
+def _own(name: str) -> Engine:
+    if name in NODE_ENGINES:
+        node = NODE_ENGINES[name]
+        return Engine(
+            name=name,
+            title=node.title,
+            command=tuple(node.command()),
+            package=node.package,
+            step=node.step,
+            model=node.model,
+            contact=node.contact,
+            settings=node.settings,
+        )
+    return engine_of(name, import_module(f"hophoop.engines.adapters.{name}"), ours=name in ("hophoop", "compliant"))
+
+
+def _version(package: str) -> str:
+    if package == "python":
+        return platform.python_version()
+    try:
+        return version(package) if package else ""
+    except PackageNotFoundError:
+        return ""

@@ -1,0 +1,284 @@
+"""Why each phase of a rigid motion begins and ends: the steps of the kernel, one at a time, with their margins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+import hophoop
+from hophoop.numerics.trigonometry import sine_cosine
+from hophoop.physics.body import MODE_LETTERS, Body, Mode, Status
+from hophoop.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness
+from hophoop.physics.modes import slip_direction
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import State, whole_angle
+from hophoop.records.writing import has_room, new_log
+from hophoop.results import EventRecord
+from hophoop.rigid.kernel import begin, step
+from hophoop.rigid.limits import limits_of
+from hophoop.rigid.panel_events import CONE_AHEAD, CONE_BACK, FULL_ANGLE, LIFT, LIMIT, STILL, STOP, STUCK, TURNED
+from hophoop.rigid.phase import GOING, Phase
+from hophoop.rigid.script import repeat
+from hophoop.scenario import InputError, Rigid, Scenario
+from hophoop.scenario.scenario import to_body
+from hophoop.simulation import script_of, start_of
+from hophoop.trajectory import Trajectory
+from hophoop.units import Units
+from hophoop.vocabulary.words import VERBS, mode_word
+
+_FEW_SEGMENTS = 256
+
+
+@dataclass(frozen=True)
+class Margins:
+    """What decides whether a mode lasts.
+
+    Attributes
+    ----------
+    normal_force, friction_force : float
+        N and F in the mode; in rolling F is what rolling needs [N].
+    friction_limit : float
+        μ N with μs in rolling and μk in slip [N].
+    free_acceleration : float
+        f_n, at which the lowest point of the rim would move away from the plane without a contact force [m/s²].
+    slip : float
+        v_t [m/s].
+    height : float
+        Gap between rim and plane [m].
+    p_sigma : float
+        Normal acceleration per normal force in slip, times the mass; Painlevé's paradox where it is not positive.
+        nan outside of slip [1].
+    """
+
+    normal_force: float
+    friction_force: float
+    friction_limit: float
+    free_acceleration: float
+    slip: float
+    height: float
+    p_sigma: float
+
+
+@dataclass(frozen=True)
+class PhaseRecord:
+    """One phase, or the part of one up to a turning point.
+
+    Attributes
+    ----------
+    mode : str
+        Letter: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
+    word : str
+        The mode in a word, which follows the rotation: roll, spin, skid, flight or skim.
+    t_begin, t_end : float
+        [s].
+    angle_begin, angle_end : float
+        θ [rad].
+    begin, end : Margins
+        Where the phase begins, and where it ends before anything has changed.
+    ended_by : str
+        Why it ends, in a sentence with numbers.
+    then : str
+        What follows and why, in a sentence; empty where the motion ends.
+    events : tuple of EventRecord
+        What is written at its end, and inside it at an apex.
+    """
+
+    mode: str
+    word: str
+    t_begin: float
+    t_end: float
+    angle_begin: float
+    angle_end: float
+    begin: Margins
+    end: Margins
+    ended_by: str
+    then: str
+    events: tuple[EventRecord, ...]
+
+
+def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
+    """The phases of a motion, one after the other, and why each of them ends.
+
+    These are the steps of the kernel that `simulate` runs, taken one at a time.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+
+    Yields
+    ------
+    phase : PhaseRecord
+
+    Raises
+    ------
+    ValueError
+        If the contact is compliant, whose phases have no such rules.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> scenario = hh.Scenario(start=hh.Start.rolling(3.1), duration=2.0)
+    >>> for phase in hh.phases(scenario):
+    ...     print(phase.mode, phase.ended_by)
+    R Rolling needs the friction F = -0.940603 N, all of μs N.
+    K Slip ends: v_t = 0.
+    R Rolling needs the friction F = 11.8112 N, all of μs N.
+    S Contact is lost: N = 0, and the rim is free to leave the plane.
+    H The gap closes, with v_n = -3.21948 m/s.
+    R The time is over.
+    """
+    contact = scenario.contact
+    if not isinstance(contact, Rigid):
+        raise InputError(f"contact.model = {contact.model!r} must be 'rigid': a compliant contact has no such rules.")
+    return _phases(scenario, contact)
+
+
+def _phases(scenario: Scenario, contact: Rigid) -> Iterator[PhaseRecord]:
+    body = to_body(scenario.hoop, scenario.plane)
+    units = Units.of_scenario(scenario)
+    scratch = new_scratch()
+    start = start_of(scenario)
+    script = script_of(scenario, contact)
+    log = new_log(np.empty(contact.max_events, EVENT), np.empty(0, SEGMENT), scratch)
+    limits = limits_of(start, scenario.duration / units.time, math.nan, 0)
+    if len(script) > 1:
+        phase = repeat(body, script, log, scratch)
+    else:
+        phase = begin(body, start, log, scratch)
+    # what more digits had to decide: its events say what happened, and the steps begin after them
+    seen = int(log.written[0]) if len(script) > 1 else 0
+    while phase.status == GOING and has_room(log):
+        after = step(body, phase, limits, log, scratch)
+        count = int(log.written[0]) if has_room(log) else len(log.events)
+        found = Trajectory(scenario, 0, log.events[seen:count], log.segments, hophoop.__version__).events
+        yield _record(body, units, phase, after, found)
+        seen = count
+        phase = after
+
+
+def _record(body: Body, units: Units, phase: Phase, after: Phase, events: tuple[EventRecord, ...]) -> PhaseRecord:
+    letter = MODE_LETTERS[phase.mode]
+    reached = _before(after.state, events, units) if after.what == STOP and phase.mode == Mode.FLIGHT else after.state
+    last = margins(body, units, phase.mode, reached)
+    state = phase.state
+    turning = state.om if state.om != 0.0 else after.state.om
+    return PhaseRecord(
+        mode=letter,
+        word=mode_word(letter, turning),
+        t_begin=state.t * units.time,
+        t_end=after.state.t * units.time,
+        angle_begin=whole_angle(state),
+        angle_end=whole_angle(after.state),
+        begin=margins(body, units, phase.mode, state),
+        end=last,
+        ended_by=_ended_by(phase, after, last, events),
+        then=_then(body, units, after),
+        events=events,
+    )
+
+
+def _before(state: State, events: tuple[EventRecord, ...], units: Units) -> State:
+    """The state with the velocities before the impact."""
+    hit = next(event for event in events if event.kind in ("impact", "bounce_limit"))
+    speed = units.length / units.time
+    return state._replace(vt=hit.before.slip / speed, vn=hit.before.vy / speed, om=hit.before.omega * units.time)
+
+
+def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
+    """What decides about a mode, in a state.
+
+    Parameters
+    ----------
+    body : Body
+    units : Units
+    mode : int
+        A Mode.
+    state : State
+        In kernel units.
+
+    Returns
+    -------
+    margins : Margins
+    """
+    s, c = sine_cosine(state.th, state.th_low)
+    u = state.om * state.om
+    normal = friction = p_sigma = math.nan
+    mu = body.mu_s
+    sigma = slip_direction(mode)
+    if mode == Mode.ROLL:
+        friction, normal = rolling_forces(body, s, c, u)
+    elif sigma != 0 and body.kap > 0.0 and math.isfinite(body.mu_k):
+        normal = slip_motion(body, s, c, u, sigma)[1]
+        friction = -sigma * body.mu_k * normal
+        p_sigma = slip_stiffness(body, s, c, sigma) / body.kap
+        mu = body.mu_k
+    elif mode in (Mode.FLIGHT, Mode.SKIM):
+        friction = normal = 0.0
+    force = units.of("normal_force")
+    return Margins(
+        normal_force=normal * force,
+        friction_force=friction * force,
+        friction_limit=math.inf if math.isinf(mu) and normal > 0.0 else mu * normal * force if normal != 0.0 else 0.0,
+        free_acceleration=free_acceleration(body, s, c, u)[1] * units.length / units.time**2,
+        slip=state.vt * units.of("slip"),
+        height=state.y * units.length,
+        p_sigma=p_sigma,
+    )
+
+
+def _ended_by(phase: Phase, after: Phase, last: Margins, events: tuple[EventRecord, ...]) -> str:
+    what = after.what
+    kinds = [event.kind for event in events]
+    if after.status == GOING and what == STUCK:
+        return "Slip comes to p_σ = 0, where N grows without bound: an impulse follows."
+    sentences = {
+        LIMIT: "The time is over.",
+        FULL_ANGLE: "The span of angle is over.",
+        TURNED: "θ̇ = 0: the hoop turns back, in the same mode.",
+        LIFT: "Contact is lost: N = 0, and the rim is free to leave the plane.",
+        STUCK: "The motion cannot be followed any further here.",
+    }
+    if after.status == Status.JAMMED:
+        return "Slip comes to p_σ = 0 with N growing without bound: it jams."
+    if what in (CONE_AHEAD, CONE_BACK):
+        if phase.mode == Mode.ROLL and not last.normal_force > 1e-9 * abs(last.friction_force):
+            return "Rolling would need the plane to pull: N = 0."
+        return f"Rolling needs the friction F = {last.friction_force:.6g} N, all of μs N."
+    if what == STILL:
+        stable = next((event.stable for event in events if event.kind == "rest"), None)
+        return f"The hoop rests in {'a stable' if stable else 'an unstable'} equilibrium."
+    if what == STOP and phase.mode == Mode.FLIGHT:
+        hit = next(event for event in events if event.kind in ("impact", "bounce_limit"))
+        return f"The gap closes, with v_n = {hit.before.vy:.6g} m/s."
+    if what == STOP and phase.mode == Mode.SKIM:
+        return "The load strikes the plane."
+    if what == STOP:
+        return "Slip turns round: v_t = 0." if "slip_reversal" in kinds else "Slip ends: v_t = 0."
+    return sentences[what]
+
+
+def _then(body: Body, units: Units, after: Phase) -> str:
+    if after.status != GOING or after.what == TURNED:
+        return ""
+    letter = MODE_LETTERS[after.mode]
+    found = margins(body, units, after.mode, after.state)
+    verb = VERBS[mode_word(letter, after.state.om)]
+    if after.mode == Mode.ROLL:
+        limit = "infinite friction" if math.isinf(body.mu_s) else f"μs N = {found.friction_limit:.6g} N"
+        return f"It {verb}: that needs F = {found.friction_force:.6g} N of {limit}, with N > 0."
+    if after.mode == Mode.FLIGHT:
+        if after.state.vn > 0.0:
+            return f"It {verb}: the rim leaves the plane with v_n = {after.state.vn * units.of('vy'):.6g} m/s."
+        opening = 0.0 if after.what == LIFT else found.free_acceleration  # 0 but for rounding
+        return f"It {verb}: without contact the rim does not enter the plane, f_n = {opening:.6g} m/s²."
+    if after.mode == Mode.SKIM:
+        return f"It {verb}: the load falls freely, and the rim has no mass."
+    need = margins(body, units, int(Mode.ROLL), after.state)
+    if after.state.vt == 0.0 and need.normal_force > 0.0:
+        return f"It {verb}: rolling would need F/N = {need.friction_force / need.normal_force:.6g}, with μs = {body.mu_s:.6g}."
+    return f"It {verb}: v_t = {found.slip:.6g} m/s, with p_σ = {found.p_sigma:.6g} > 0 and N = {found.normal_force:.6g} N."

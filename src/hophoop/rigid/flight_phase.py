@@ -1,0 +1,121 @@
+"""Flight up to the landing, and the impact there."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import apart_jit, outer_jit
+from hophoop.numerics.trigonometry import sine_cosine
+from hophoop.panels.landing import first_landing
+from hophoop.panels.panel import FLY, no_panel
+from hophoop.physics.body import Event, Mode, Status
+from hophoop.physics.contact import free_acceleration
+from hophoop.physics.flight import flight_displacement, flight_gap
+from hophoop.records.state import at_time, flown, time_left
+from hophoop.records.writing import note, write_segment
+from hophoop.rigid.limits import STOP_AT_TAKEOFF, angle_left, at_span
+from hophoop.rigid.panel_events import FULL_ANGLE, LIMIT, STOP
+from hophoop.rigid.phase import ended, entered
+from hophoop.rigid.transitions import close_bounces, collide, settle
+
+FLIGHT, IMPACT, APEX = int(Mode.FLIGHT), int(Event.IMPACT), int(Event.APEX)
+COMPLETED = int(Status.COMPLETED)
+
+# A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
+CLOSING = 1e-12
+SLOWEST_BOUNCE = 1e-100  # heights of slower ones are on the way to underflow
+
+
+@apart_jit
+def highest(body, state, opening, apex):
+    """The state at the apex of a flight."""
+    s, c = sine_cosine(state.th, state.th_low)
+    y, _ = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)
+    along, vt = flight_displacement(body, state.vt, state.om, s, c, apex)
+    return flown(state, along, y, apex, vt, 0.0)
+
+
+@apart_jit
+def fly(body, state, opening, zeros, limits, log, scratch):
+    """Fly until the landing, the limit of time or of angle.
+
+    `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
+    derivatives of the gap that vanish there.
+
+    Returns (what, state just before the impact): what is STOP for a landing.
+    """
+    limit = time_left(state, limits.t_end)
+    what = LIMIT
+    way = 1.0 if state.om > 0.0 else -1.0
+    if not math.isnan(limits.span) and state.om != 0.0:
+        until = max(angle_left(limits, state, way) / abs(state.om), 0.0)
+        if until < limit:
+            limit = until
+            what = FULL_ANGLE
+    landing, apex = first_landing(
+        body,
+        state.th,
+        state.om,
+        state.y,
+        state.vn,
+        opening,
+        zeros,
+        limit,
+        scratch.values,
+        scratch.series,
+        scratch.stack,
+    )
+    tau = limit
+    if 0.0 <= landing <= limit:
+        tau = landing
+        what = STOP
+    if 0.0 < apex < tau:
+        note(log, APEX, FLIGHT, FLIGHT, highest(body, state, opening, apex))
+    s, c = sine_cosine(state.th, state.th_low)
+    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, tau)
+    along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
+    if what == STOP:
+        y = 0.0
+        vn = min(vn, 0.0)
+    after = flown(state, along, y, tau, vt, vn)
+    if what == LIMIT:
+        after = at_time(after, limits.t_end)
+    elif what == FULL_ANGLE:
+        after = at_span(limits, after, way)
+    write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)
+    return what, after
+
+
+@apart_jit
+def is_last_bounce(body, state, after, last):
+    """Whether the bounces that would follow take less than `CLOSING` of the time so far."""
+    fall = -free_acceleration(body, math.sin(state.th), math.cos(state.th), after.om * after.om)[1]
+    if not (after.vn > 0.0 and fall > 0.0):
+        return False
+    if after.vn < SLOWEST_BOUNCE:
+        return True
+    if not after.vn < last:
+        return False
+    ratio = after.vn / last
+    return 2.0 * after.vn / (fall * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)
+
+
+@outer_jit
+def land(body, state, last, log, scratch):
+    """The phase after an impact on landing; `last` is v_n after the bounce before."""
+    after, cause = collide(body, body.rest, state, IMPACT, FLIGHT, 1)
+    if is_last_bounce(body, state, after, last):
+        after, cause = close_bounces(body, state)
+    mode, settled = settle(body, after, cause, log, scratch)
+    return entered(body, mode, settled, after.vn, STOP, scratch)
+
+
+@outer_jit
+def flight_step(body, phase, limits, log, scratch):
+    """The whole flight, and its landing."""
+    if limits.stop & STOP_AT_TAKEOFF and phase.state.t > 0.0:
+        return ended(phase, FLIGHT, phase.state, LIMIT, COMPLETED)
+    what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log, scratch)
+    if what != STOP:
+        return ended(phase, FLIGHT, state, what, COMPLETED)
+    return land(body, state, phase.bounce, log, scratch)

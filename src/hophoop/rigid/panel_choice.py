@@ -1,0 +1,216 @@
+"""The next panel of rolling or slip: as wide as is resolved, up to a turning point where one is near."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop.numerics.collocation import ORDER, coefficients
+from hophoop.numerics.roots import NOT_FOUND, first_fall
+from hophoop.numerics.trigonometry import sine_cosine, versine_of
+from hophoop.panels.anchor import (
+    SLIPPING,
+    rolling_anchor,
+    rolling_begin,
+    slip_anchor,
+    slip_begin,
+)
+from hophoop.panels.panel import (
+    LEAVE,
+    LEVELS,
+    RESOLVED,
+    A,
+    Begin,
+    U,
+    arriving_panel,
+    leaving_panel,
+    linear_panel,
+    width_of,
+)
+from hophoop.panels.roll import solve_roll, u_on_panel
+from hophoop.panels.slip import solve_slip
+from hophoop.physics.contact import (
+    slip_torque_arm,
+)
+from hophoop.records.state import with_anchor
+
+START_LEVEL = 2
+GAIN_OF_A_LEVEL = 8.0  # a panel narrower by √2 has a last coefficient smaller by about 2^8
+WIDEN = RESOLVED / 200.0
+FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
+SMALLEST_EXTENT = 1e-300
+MOST_MOVES = 8  # of a turning point
+START_ROUNDING = 1e-15  # of θ̇² at the start of a panel that arrives at one
+# Below this speed panels may be narrower than the tables go: a hoop that starts or turns at the speed θ̇ has a
+# scale of θ̇²/θ̈.
+SLOW = 1e-3
+LONG = 64.0  # times the time left, or the unit of time: longer panels than this are cut
+NARROWEST = 2000
+
+
+@apart_jit
+def anchored(body, sigma, state, scratch):
+    """The state at the begin of a phase, with the anchor of the phase."""
+    u = state.om * state.om
+    if sigma == 0:
+        return with_anchor(state, rolling_anchor(body, state.th, state.th_low, u))
+    if body.mu_k == 0.0 and state.anchor.kind == SLIPPING:
+        return state  # without friction the direction of slip changes nothing
+    s, c = sine_cosine(state.th, state.th_low)
+    return with_anchor(state, slip_anchor(body, sigma, state.th, state.th_low, s, c, u, scratch.values[0]))
+
+
+@inline_jit
+def begin_of(body, sigma, state, scratch):
+    """Where the next panel begins."""
+    s, c = sine_cosine(state.th, state.th_low)
+    u = state.om * state.om
+    if sigma == 0:
+        arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
+    else:
+        arm = slip_torque_arm(body, s, c, sigma)
+        if state.anchor.kind == SLIPPING:
+            arm, u = slip_begin(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
+        stiffness = body.kap + body.eps * s * arm
+    return Begin(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
+
+
+@inline_jit
+def solve(body, panel, work):
+    """Fill the panel in its mode."""
+    if panel.sigma == 0:
+        return solve_roll(body, panel, work)
+    return solve_slip(body, panel, work)
+
+
+@lean_jit
+def narrower(level, size):
+    """Level to try after a panel whose last coefficients were `size`."""
+    if not size < 1.0:
+        return level + 3
+    more = int(math.ceil(math.log2(size / RESOLVED) / GAIN_OF_A_LEVEL))
+    return level + max(1, min(4, more))
+
+
+@apart_jit
+def turns_within(body, panel, reach):
+    """Whether rolling on from the panel's start has θ̇² < 0 at one of a few angles up to `reach`."""
+    while reach >= 0.5 * panel.extent:
+        versine = versine_of(reach)
+        if u_on_panel(body, panel, panel.way * math.sin(reach), versine, panel.way * reach) < 0.0:
+            return True
+        reach *= 0.5
+    return False
+
+
+@apart_jit
+def turning_point_ahead(body, panel, totals, scratch):
+    """Angle from here to the first zero of θ̇², or 0 where none is near.
+
+    Where a panel loses most of θ̇² but does not reach the zero, wider ones are searched: panels that
+    fit before it would shrink towards it for ever.
+    """
+    if panel.sigma == 0 and not turns_within(body, panel, 8.0 * panel.extent):
+        return 0.0
+    for _ in range(4):
+        if panel.sigma == 0:
+            coefficients(scratch.work[A], scratch.series)
+        elif math.isnan(totals.u):
+            return 0.0
+        else:
+            coefficients(scratch.work[U], scratch.series)
+        xi = first_fall(scratch.series, 0.0, scratch.stack)
+        if xi != NOT_FOUND:
+            return panel.extent * 0.5 * (1.0 + xi)
+        if panel.level == 0:
+            return 0.0
+        begin = Begin(panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt)
+        panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, begin)
+        totals = solve(body, panel, scratch.work)
+    return 0.0
+
+
+@apart_jit
+def solve_arrival(body, before, ahead, work):
+    """A panel up to the turning point about `ahead` from the start of a linear one; returns (panel, totals).
+
+    `ahead` is as good as a panel that is not resolved. The turning point is moved to where this one, which goes back
+    from there, finds θ̇² at the start as it is.
+    """
+    power = 1.0  # of `ahead` in θ̇² at the start
+    panel = arriving_panel(body, before, ahead)
+    totals = solve(body, panel, work)
+    for _ in range(MOST_MOVES):
+        if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:
+            break
+        moved = ahead * math.pow(before.u / totals.u, 1.0 / power)
+        panel = arriving_panel(body, before, moved)
+        u = totals.u
+        totals = solve(body, panel, work)
+        if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:
+            power = min(max(math.log(totals.u / u) / math.log(moved / ahead), 0.25), 4.0)
+        ahead = moved
+    return panel, totals
+
+
+@inline_jit
+def choose_panel(body, sigma, state, level, extent, scratch):
+    """A panel from here, as wide as is resolved.
+
+    Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
+    """
+    work = scratch.work
+    begin = begin_of(body, sigma, state, scratch)
+    if state.om == 0.0:
+        way = 1.0 if begin.arm > 0.0 else -1.0
+        while True:
+            panel = leaving_panel(sigma, way, extent, begin)
+            totals = solve(body, panel, work)
+            if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
+                return panel, totals, START_LEVEL
+            extent *= 0.5
+    u = begin.u
+    way = 1.0 if state.om > 0.0 else -1.0
+    finest = LEVELS
+    if u < SLOW * SLOW:
+        finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
+    while True:
+        panel = linear_panel(sigma, level, way, begin)
+        totals = solve(body, panel, work)
+        if totals.tail <= RESOLVED:
+            return panel, totals, max(level - 1, 0) if totals.tail < WIDEN else level
+        size = totals.tail
+        if not work[U, ORDER - 1] > 0.8 * u:
+            ahead = turning_point_ahead(body, panel, totals, scratch)
+            if ahead > 0.0 and ahead < panel.extent / 16.0:
+                # a place known to the rounding of a panel this wide is not known well enough
+                level = min(level + int(math.floor(2.0 * math.log2(panel.extent / ahead))) - 3, finest)
+                continue
+            if ahead > 0.0:
+                arrival, totals = solve_arrival(body, panel, ahead, work)
+                if totals.tail <= RESOLVED:
+                    return arrival, totals, START_LEVEL
+        level = narrower(level, size)
+        if level >= finest:
+            return panel, totals, level
+
+
+@inline_jit
+def outlasts(totals, left):
+    """Whether a panel would last so long beside the time left that its end would be lost in it."""
+    return totals.time > LONG * max(left, 1.0) and left > 0.0
+
+
+@apart_jit
+def shortened(body, panel, totals, state, left, scratch):
+    """A narrower panel, for one that `outlasts` the time left."""
+    begin = begin_of(body, panel.sigma, state, scratch)
+    if panel.kind == LEAVE:
+        part = 4.0 * left / totals.time
+        extent = panel.extent * part * part
+        short = leaving_panel(panel.sigma, panel.way, extent, begin)
+    else:
+        wide = width_of(0) / (4.0 * left * abs(state.om))
+        level = min(max(int(math.floor(2.0 * math.log2(wide))), 0), NARROWEST)
+        short = linear_panel(panel.sigma, level, panel.way, begin)
+    return short, solve(body, short, scratch.work)

@@ -1,0 +1,138 @@
+"""What ends a panel of rolling or slip: the friction cone, lift-off, the end of slip, a limit."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import inline_jit
+from hophoop.numerics.collocation import NODES, ORDER, antiderivative, coefficients, extremes, left_value
+from hophoop.numerics.roots import NOT_FOUND, first_fall
+from hophoop.panels.panel import (
+    ARRIVE,
+    COSINE,
+    RATE,
+    SLIP,
+    TIME,
+    A,
+    B,
+    U,
+    place_of,
+)
+from hophoop.panels.roll import roll_margins
+from hophoop.records.state import time_left
+from hophoop.rigid.doubts import CLOSE, NEARBY, has_graze, note_doubt
+from hophoop.rigid.limits import angle_left
+
+# What ended a panel.
+ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
+MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
+GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
+
+
+@inline_jit
+def fall_of(row, state_is_fresh, floor, scratch):
+    """Where in the panel a margin falls through zero; at its very start if it is negative there already.
+
+    A margin that stays above −`floor` counts as the zero that it would be without rounding.
+
+    Returns
+    -------
+    xi : float
+    near : bool
+        Whether the margin may touch zero between the nodes: a parabola that does has a node beside it as near as that.
+    """
+    lowest, highest = extremes(row)
+    # between its nodes and at the ends a function that the panel resolves goes beyond their range by a part of it
+    if lowest > highest - lowest:
+        return NOT_FOUND, False
+    near = abs(lowest) < NEARBY * (highest - lowest)
+    coefficients(row, scratch.series)
+    if not state_is_fresh and left_value(scratch.series) <= 0.0:
+        if floor == 0.0:
+            return -1.0, near
+        for i in range(ORDER):
+            if row[i] < -floor:
+                return -1.0, near
+        return NOT_FOUND, near
+    return first_fall(scratch.series, floor, scratch.stack), near
+
+
+@inline_jit
+def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch):
+    """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
+
+    Simultaneous events: the cone (roll), then lift-off before the end of slip, then the limits.
+    """
+    work = scratch.work
+    xi = NOT_FOUND
+    what = ON
+    doubtful = False
+    if blind:
+        pass
+    elif panel.sigma == 0:
+        roll_margins(body, work)
+        rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
+        found, near_ahead = fall_of(work[A], fresh, rounding, scratch)
+        if found < xi:
+            xi = found
+            what = CONE_AHEAD  # F > 0
+        found, near_back = fall_of(work[B], fresh, rounding, scratch)
+        if found < xi:
+            xi = found
+            what = CONE_BACK
+        doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
+    else:
+        for i in range(ORDER):
+            work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
+            value = panel.sigma * work[SLIP, i]
+            if fresh:
+                for _ in range(zeros):
+                    value /= 0.5 * (1.0 + NODES[i])
+            work[B, i] = value
+        speed = abs(panel.vt) + abs(state.om)
+        found, near_lift = fall_of(work[A], fresh, 0.0, scratch)
+        if found < xi:
+            xi = found
+            what = LIFT
+        # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
+        rounding = GRAZE_ROUNDING * speed if body.mu_k == 0.0 else 0.0
+        found, near_stop = fall_of(work[B], fresh, rounding, scratch)
+        doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
+        if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
+            found = -1.0  # slip that ends before it can be told from none on the panel
+        elif fresh and zeros > 0 and body.mu_k == 0.0 and found == NOT_FOUND and extremes(work[B])[1] < 0.0:
+            found = -1.0  # the other direction: without friction the rounding of θ may decide where slip begins
+        if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:
+            note_doubt(scratch, state.t, state.t + totals.time)
+        if found < xi:
+            xi = found
+            what = STOP
+    if doubtful and has_graze(body, panel, state, scratch):
+        note_doubt(scratch, state.t, state.t + totals.time)
+    if not math.isnan(limits.span):
+        ahead = angle_left(limits, state, panel.way)
+        if ahead <= panel.extent:
+            found = -1.0  # an event fell on the angle itself
+            if ahead > 0.0:
+                found = place_of(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
+            if found < xi:
+                xi = found
+                what = FULL_ANGLE
+    left = time_left(state, limits.t_end)
+    if totals.time >= left:
+        antiderivative(work[RATE], work[TIME])
+        for i in range(ORDER):
+            work[A, i] = left - work[TIME, i]
+        coefficients(work[A], scratch.series)
+        found = first_fall(scratch.series, 0.0, scratch.stack)
+        if left <= 0.0:
+            found = -1.0
+        elif found == NOT_FOUND:
+            found = 1.0
+        if found < xi:
+            xi = found
+            what = LIMIT
+    if xi == NOT_FOUND:
+        xi = 1.0
+        what = TURNED if panel.kind == ARRIVE else ON
+    return xi, what

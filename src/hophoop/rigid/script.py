@@ -1,0 +1,57 @@
+"""The first events of a motion where they are known: repeated, with the phases between them."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import aside_jit
+from hophoop.panels.panel import FLY, HOLD, no_panel
+from hophoop.physics.body import Event, Mode
+from hophoop.physics.modes import slip_direction
+from hophoop.records.writing import copy_event, has_room, state_of, write_segment
+from hophoop.rigid.contact_phase import advance_contact, frozen_end
+from hophoop.rigid.limits import limits_of
+from hophoop.rigid.panel_choice import anchored
+from hophoop.rigid.panel_events import ON, STILL, STUCK
+from hophoop.rigid.phase import Phase, entered, gone_on, slipping
+
+FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
+
+
+@aside_jit
+def fill_phase(body, mode, state, until, log, scratch):
+    """Write the segments of a phase that is known to last until a time."""
+    if mode == FLIGHT:
+        opening = entered(body, mode, state, 0.0, ON, scratch).opening
+        write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening, state, until)
+        return
+    limits = limits_of(state, until, math.nan, 0)
+    phase = entered(body, mode, state, 0.0, ON, scratch)
+    while phase.state.t < until and has_room(log):
+        what, state, level = advance_contact(body, phase, True, limits, log, scratch)
+        if what in (STILL, STUCK):
+            sigma = slip_direction(mode)
+            rate = frozen_end(body, sigma, state.vt)[0] if sigma != 0 else 0.0
+            write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, until)
+            return
+        phase = gone_on(phase, state, level, what)
+
+
+@aside_jit
+def repeat(body, script, log, scratch):
+    """Write the events of a script, and the segments between them; returns the phase in which its last one is."""
+    last = script.shape[0] - 1
+    for row in range(last):
+        copy_event(log, script[row])
+        if script[row]["t"] < script[row + 1]["t"]:
+            fill_phase(body, script[row]["after_mode"], state_of(script[row]), script[row + 1]["t"], log, scratch)
+    mode = script[last]["after_mode"]
+    state = state_of(script[last])
+    phase = entered(body, mode, state, 0.0, ON, scratch)
+    if script[last]["t"] > script[last - 1]["t"]:  # inside a phase
+        if mode != FLIGHT:
+            state = anchored(body, slip_direction(mode), state, scratch)
+        return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, 0.0, ON, phase.status)
+    if script[last - 1]["kind"] == SLIP_START:
+        return slipping(body, phase, mode, state, ON)
+    return phase

@@ -1,0 +1,127 @@
+"""The truth of the benchmark: its file, its schema, and two solutions that were not used to make it."""
+
+import itertools
+import json
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop import engines
+from hophoop.engines import truth as truth_file
+from hophoop.engines.measures import exact_record
+from hophoop.engines.phases import phases, thinned
+from oracles import hybrid
+from oracles.cases import Case
+
+SCENARIOS = engines.bench_scenarios()
+SCORED = [name for name, bench in SCENARIOS.items() if bench.scored]
+
+
+@pytest.fixture(scope="module")
+def document():
+    return json.loads(truth_file.truth_text())
+
+
+def test_the_file_keeps_to_its_schema(document):
+    jsonschema = pytest.importorskip("jsonschema")
+    validator = jsonschema.Draft202012Validator(engines.schema())
+    validator.check_schema(engines.schema())
+    validator.validate(document)
+    for change in (
+        lambda d: d["scenarios"]["hop"]["task"].pop("inertia"),
+        lambda d: d["scenarios"]["hop"]["states"]["x"].append("1,5"),
+        lambda d: d["scenarios"]["hop"].update(sequence="RXH"),
+        lambda d: d.update(license="MIT"),
+    ):
+        broken = json.loads(json.dumps(document))
+        change(broken)
+        assert not validator.is_valid(broken)
+
+
+def test_a_changed_file_is_noticed(monkeypatch):
+    monkeypatch.setattr(truth_file.hashlib, "sha256", lambda content: _Digest())
+    with pytest.raises(ValueError, match="not the file that its checksum was made of"):
+        truth_file.truth_text()
+
+
+class _Digest:
+    def hexdigest(self):
+        return "0" * 64
+
+
+def test_it_has_every_scenario_with_its_own_numbers(document):
+    assert list(document["scenarios"]) == list(SCENARIOS)
+    for name, entry in document["scenarios"].items():
+        assert entry["task"] == engines.task_of(SCENARIOS[name]).to_dict()
+        assert entry["scored"] is SCENARIOS[name].scored
+
+
+def test_two_solutions_agree_on_at_least_28_digits(document):
+    for entry in document["scenarios"].values():
+        assert min(entry["states"]["digits"]) >= 28
+        assert min(event["digits"] for event in entry["events"]) >= 28
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_states_are_those_of_the_kernel(name):
+    motion, right = hh.simulate(SCENARIOS[name].scenario), engines.truths()[name].states
+    sample = motion.at(right.t)
+    for column, mine in zip(
+        right[1:], (sample.x, sample.height, sample.angle, sample.vx, sample.vy, sample.omega), strict=True
+    ):
+        np.testing.assert_allclose(mine, column, rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize("name", ["slip", "hop", "drop"])
+def test_states_are_those_of_an_independent_integrator(name):
+    task, scenario = engines.task_of(SCENARIOS[name]), SCENARIOS[name].scenario
+    case = Case(
+        name, inertia_ratio=scenario.hoop.inertia_ratio, mu_static=task.mu, mu_kinetic=task.mu, height=task.height,
+        angle=task.angle, vx=task.vx, omega=task.omega, rolling=scenario.start.speed is not None, duration=task.duration,
+    )  # fmt: skip
+    end, right = hybrid.solve(case).events[-1], engines.truths()[name].states
+    for key, column in zip(("x", "height", "angle", "vx", "vy", "omega"), right[1:], strict=True):
+        assert end[key] == pytest.approx(column[-1], abs=1e-9)
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_energy_adds_up(name, document):
+    energy = {key: float(value) for key, value in document["scenarios"][name]["energy"].items()}
+    task = engines.task_of(SCENARIOS[name])
+    body = task.body()
+    start = 0.5 * task.mass * (body.vx**2 + body.vy**2) + 0.5 * task.inertia * body.spin**2
+    start -= task.mass * (task.pull[0] * body.x + task.pull[1] * (body.y - task.radius - task.arm))
+    assert sum(energy.values()) == pytest.approx(start, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", SCORED)
+def test_the_rule_finds_the_phases_of_the_exact_motion(name):
+    """Phases of at least 20 ms, from the exact events, are those that the rule finds in samples."""
+    task, right = engines.task_of(SCENARIOS[name]), engines.truths()[name]
+    found, _ = phases(task, thinned(exact_record(SCENARIOS[name])))
+    marks = [event for event in right.events if event["kind"] not in ("turn", "apex", "kane_gain", "rest")]
+    longer = []
+    for event, following in itertools.pairwise(marks):
+        begin, end = float(event["t"]), float(following["t"])
+        same = longer and longer[-1][0] == event["to"]
+        if end - begin >= 0.02 and not same:
+            longer.append((event["to"], begin))
+    assert "".join(letter for letter, _ in longer) == "".join(phase.letter for phase in found) == right.measures.sequence
+    for (_, begin), phase in zip(longer, found, strict=True):
+        # slip is told from rolling by 1 cm/s, which it reaches some milliseconds after it begins; flight by N
+        assert phase.begin == pytest.approx(begin, abs=0.04)
+
+
+def test_the_task_is_the_start_seen_from_the_centre_of_gravity():
+    task = engines.task_of(SCENARIOS["drop"])
+    body = task.body()
+    states = task.states([0.0], [body])
+    for value, expected in zip(states, (0.0, task.x, task.height, task.angle, task.vx, task.vy, task.omega), strict=True):
+        assert value[0] == pytest.approx(expected, abs=1e-15)
+    slope = engines.task_of(SCENARIOS["slope"])
+    assert slope.pull == pytest.approx((9.81 * math.sin(math.radians(10)), -9.81 * math.cos(math.radians(10))))
+    turned = [list(body)]
+    turned[0][2] = math.remainder(body.turn + 4 * math.pi, 2 * math.pi)
+    assert task.states([0.0], turned, unwrap=True).angle[0] == pytest.approx(task.angle)

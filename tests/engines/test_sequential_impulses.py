@@ -1,0 +1,63 @@
+"""Why sequential impulses let go too early: the iteration alone, against pymunk and against its own condition."""
+
+import importlib.util
+import math
+from pathlib import Path
+
+import pytest
+
+from hophoop import engines
+
+SOURCE = Path(__file__).parents[2] / "benchmarks" / "sequential_impulses.py"
+SPEC = importlib.util.spec_from_file_location("sequential_impulses", SOURCE)
+impulses = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(impulses)
+
+TASK = engines.task_of(engines.bench_scenarios()["hop"])
+
+
+def test_the_sweeps_stop_settling_where_the_formula_says():
+    # for the ideal hoop and μ = 1, r = 1 is γ (abs(sin θ) + cos θ) = 1
+    edge = 2.0 * math.pi - (0.25 * math.pi + math.acos(1.0 / (0.75 * math.sqrt(2.0))))
+    assert math.degrees(edge) == pytest.approx(295.53, abs=0.01)
+    assert impulses.settles(TASK, edge) == pytest.approx(1.0, abs=1e-12)
+    assert impulses.settles(TASK, edge - 0.01) < 1.0 < impulses.settles(TASK, edge + 0.01)
+
+
+@pytest.mark.parametrize(("angle", "settles"), [(4.8, True), (5.3, False)])
+def test_one_contact_settles_or_cycles(angle, settles):
+    """Slip that friction keeps up: N after each sweep goes to a/(1 + r), or to 0 and a in turn."""
+    sine, cosine = math.sin(angle), math.cos(angle)
+    levers = -(TASK.radius + TASK.arm * cosine), TASK.arm * sine
+    push = (1.0 + levers[0] ** 2 / TASK.inertia, 1.0 + levers[1] ** 2 / TASK.inertia, levers[0] * levers[1] / TASK.inertia)
+    contact = [0.0, 0.0, -1e3, -1.0]  # slipping behind, and a blow that is small beside the slip
+    seen = []
+    for _ in range(60):
+        impulses.together(contact, push, TASK.mu)
+        seen.append(contact[1])
+    free, ratio = 1.0 / push[1], impulses.settles(TASK, angle)
+    if settles:
+        assert seen[-1] == pytest.approx(free / (1.0 + ratio), rel=1e-3)
+    else:
+        assert sorted(seen[-2:]) == pytest.approx([0.0, free], abs=1e-9)
+
+
+def test_parity_decides():
+    right = engines.truths()["hop"].measures.hop_height
+    even, odd, finer = (
+        engines.measure(TASK, impulses.run(TASK, dt, sweeps, impulses.together))
+        for dt, sweeps in ((2e-4, 10), (2e-4, 11), (1e-4, 11))
+    )
+    assert even.penetration > 2.5e-3  # it sinks
+    assert odd.penetration < 1.5e-3
+    assert (finer.hop_height - right) / (odd.hop_height - right) == pytest.approx(0.5, abs=0.05)
+
+
+@pytest.mark.parametrize("sweeps", [10, 11, 100, 101])
+def test_pymunk_is_this_iteration(sweeps):
+    pytest.importorskip("pymunk")
+    adapter = engines.engine("pymunk")
+    theirs = engines.measure(TASK, adapter.run(TASK, 2e-4, iterations=sweeps))
+    ours = engines.measure(TASK, impulses.run(TASK, 2e-4, sweeps, impulses.together))
+    assert ours.hop_height == pytest.approx(theirs.hop_height, abs=3e-3)
+    assert ours.penetration == pytest.approx(theirs.penetration, rel=0.1, abs=1e-4)

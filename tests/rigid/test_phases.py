@@ -1,0 +1,82 @@
+"""`hh.phases`: the kernel's steps one at a time tell the same motion as `simulate`, and why."""
+
+import itertools
+import math
+
+import pytest
+
+import hophoop as hh
+from hophoop import article
+from random_scenarios import draw
+
+
+def split(motion):
+    """Beginnings of the phases of a motion, also from turning points on."""
+    marks = [event for event in motion.events if event.kind not in ("apex", "kane_gain", "rest")]
+    return [(event.t, event.to_mode) for event, after in itertools.pairwise(marks) if after.t > event.t]
+
+
+def check(scenario):
+    motion = hh.simulate(scenario)
+    found = list(hh.phases(scenario))
+    lasting = [phase for phase in found if phase.t_end > phase.t_begin]
+    assert [(phase.t_begin, phase.mode) for phase in lasting] == split(motion)
+    written = [event for phase in found for event in phase.events]
+    times = [event.t for event in motion.events if event.kind != "end"]
+    assert [event.t for event in written] == times[len(times) - len(written) :]
+    return motion, found
+
+
+@pytest.mark.parametrize("name", sorted(article.scenarios()))
+def test_the_articles_motions(name):
+    check(article.scenarios()[name])
+
+
+def test_random_motions():
+    seen = set()
+    for index in range(60):
+        scenario = hh.Scenario.model_validate({**draw(11, index)[1], "duration": 3.0})
+        if scenario.contact.model != "rigid":
+            continue
+        motion = hh.simulate(scenario)
+        if not motion.ok or len(motion.events) > 60:
+            continue
+        _, found = check(scenario)
+        seen |= {phase.ended_by.split(":")[0].split(" F =")[0].split(", with")[0] for phase in found}
+    assert len(seen) >= 6, seen
+
+
+def test_margins_are_those_of_the_motion():
+    """N and F at both ends of each phase, and the reason is the margin that is used up."""
+    scenario = hh.Scenario(start=hh.Start.rolling(3.1), duration=2.0)
+    motion = hh.simulate(scenario)
+    found = list(hh.phases(scenario))
+    for phase in found:
+        at = motion.at(phase.t_begin)
+        assert phase.begin.normal_force == pytest.approx(at.normal_force, rel=1e-12, abs=1e-12)
+        assert phase.begin.friction_force == pytest.approx(at.friction_force, rel=1e-12, abs=1e-12)
+        assert phase.begin.slip == pytest.approx(at.slip, abs=1e-15)
+    rolling, sliding, _, lifting, flying, _ = found
+    assert abs(rolling.end.friction_force) == pytest.approx(rolling.end.friction_limit, rel=1e-12)
+    assert sliding.end.slip == 0.0
+    assert lifting.end.normal_force == pytest.approx(0.0, abs=1e-12)
+    assert lifting.end.free_acceleration == pytest.approx(0.0, abs=1e-12)
+    assert flying.end.slip == pytest.approx(motion.find("impact")[0].before.slip, rel=1e-14)
+    # p_σ = W_nn − σ μk W_tn, with W from the model page
+    hoop = scenario.hoop
+    s, c = math.sin(sliding.angle_begin), math.cos(sliding.angle_begin)
+    eps, kappa = hoop.eccentricity, hoop.inertia_ratio
+    expected = 1.0 + eps**2 * s**2 / kappa + eps * s * (1.0 + eps * c) / kappa
+    assert sliding.begin.p_sigma == pytest.approx(expected, rel=1e-13)
+
+
+def test_what_more_digits_decide_is_not_explained_again():
+    scenario = hh.Scenario(start=hh.Start.rolling(3.6166282640049716), duration=1.0)
+    motion = hh.simulate(scenario)
+    found = list(hh.phases(scenario))
+    assert [phase.mode for phase in found] == list(motion.sequence)[-len(found) :]
+
+
+def test_a_compliant_contact_is_refused():
+    with pytest.raises(ValueError, match=r"contact\.model = 'compliant' must be 'rigid'"):
+        hh.phases(hh.Scenario(contact=hh.Compliant()))
