@@ -35,6 +35,7 @@ SIGNS = {ast.Add: "+", ast.Sub: "−", ast.Mult: "·", ast.Div: "/"}
 
 # Why a change cannot be seen: by module, function, the line as it stands and what is changed in it.
 TOLERANCE = "a tolerance, of which the order counts"
+SEARCH = "where a search begins, which finds the same from either"
 SAME_SIGN = "a quotient has the sign of the product"
 EXPLAINED: dict[tuple[str, str, str, str], str] = {
     ("impact", "singular_slip", "stop = -vt / rate if vt * rate < 0.0 else math.inf", "· → / before rate"): SAME_SIGN,
@@ -44,6 +45,8 @@ EXPLAINED: dict[tuple[str, str, str, str], str] = {
         "if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):",
         "· → / before abs(slope)",
     ): TOLERANCE,
+    ("compliant", "hunt_crossley_number", "low = 0.5 * pole", "· → / before pole"): SEARCH,
+    ("compliant", "static_excess", "high = mu_static - mu_kinetic", "− → + before mu_kinetic"): SEARCH,
     **{
         (
             "impact",
