@@ -5,6 +5,7 @@ import json
 import re
 import shutil
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -255,6 +256,12 @@ def test_a_command_that_fails_says_why(tmp_path):
         run_command(echo(tmp_path, "import time; time.sleep(30)"), task, 0.01, limit=0.5)
     with pytest.raises(ValueError, match="must begin with the header"):
         run_command(echo(tmp_path, "print('hello')"), task, 0.01)
+
+
+@pytest.mark.skipif(find_spec("warp") is not None, reason="Newton is installed")
+def test_an_engine_that_is_not_installed_says_what_to_install(tmp_path):
+    result = call("newton", "--scenario", "rolling", "--dt", "0.001", "--out", str(tmp_path / "out"))
+    assert "pip install 'hophoop[engines]'" in result.output
 
 
 @pytest.mark.parametrize("name", registry.NODE_ENGINES)

@@ -111,6 +111,7 @@ def _run(known: Sequence[Engine], scenarios: Any, dt: list[float] | None, ladder
 def _show(result: Any) -> None:
     from rich import box
     from rich.console import Console
+    from rich.markup import escape
     from rich.table import Table
 
     from hophoop.engines.tables import cells, heads, scenario_rows, summary
@@ -124,7 +125,7 @@ def _show(result: Any) -> None:
         for k, name in enumerate(head):
             shown.add_column(name, justify="left" if k < 3 else "right", no_wrap=k < 3)
         for row in rows:
-            shown.add_row(*row)
+            shown.add_row(*(escape(cell) for cell in row))  # [engines] is no markup
         console.print(shown)
 
     names = list(dict.fromkeys(row.scenario for row in result.rows))
