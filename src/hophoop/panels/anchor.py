@@ -127,11 +127,11 @@ def rolling_begin(body, anchor, th, low, s, c, u):
 @lean_jit
 def slip_hilltop(body, sigma):
     """θ, in two doubles, where slip has no torque and θ̇ = 0 is unstable; needs σ μ/√(1 + μ²) < ε."""
-    pull = sigma * body.mu_k
-    if pull == 0.0:
+    signed_mu = sigma * body.mu_k
+    if signed_mu == 0.0:
         return 0.0, 0.0
-    length = square_root(add(two_product(pull, pull), (1.0, 0.0)))
-    sine = divide((pull, 0.0), length)
+    length = square_root(add(two_product(signed_mu, signed_mu), (1.0, 0.0)))
+    sine = divide((signed_mu, 0.0), length)
     return negative(add(arc_sine(sine), arc_sine(divide(sine, (body.eps, 0.0)))))
 
 
@@ -139,7 +139,7 @@ def slip_hilltop(body, sigma):
 def separatrix(body, sigma, base, out):
     """Series in ψ of θ̇² of the slip that comes to rest at its hilltop; returns up to which ψ it is good to rounding."""
     eps = body.eps
-    pull = sigma * body.mu_k
+    signed_mu = sigma * body.mu_k
     s = math.sin(base)
     c = math.cos(base)
     s2 = 2.0 * s * c
@@ -156,10 +156,10 @@ def separatrix(body, sigma, base, out):
             double *= 2.0 / j
             sine, cosine = cosine, -sine
             sine2, cosine2 = cosine2, -sine2
-            stiffness = 0.5 * eps * eps * double * (pull * sine2 - cosine2) + eps * pull * single * sine
-            damping = eps * (eps * double * (sine2 + pull * cosine2) + 2.0 * pull * single * cosine)
+            stiffness = 0.5 * eps * eps * double * (signed_mu * sine2 - cosine2) + eps * signed_mu * single * sine
+            damping = eps * (eps * double * (sine2 + signed_mu * cosine2) + 2.0 * signed_mu * single * cosine)
             total -= damping * out[k - j] + stiffness * (k - j + 1) * out[k - j + 1]
-        total += 2.0 * body.gn * eps * single * (sine + pull * cosine)
+        total += 2.0 * body.gn * eps * single * (sine + signed_mu * cosine)
         out[k + 1] = total / (body.kap * (k + 1))
     reach = LARGEST_PSI
     for k in range(TERMS - 3, TERMS):
@@ -190,11 +190,11 @@ def slip_anchor(body, sigma, th, low, s, c, u, series):
     """The anchor of slip that begins, with θ̇² = u, beside its hilltop; `series` is scratch."""
     if body.gn == 0.0 or body.eps == 0.0 or math.isinf(body.mu_k):
         return NONE
-    pull = sigma * body.mu_k
-    if pull == 0.0:
+    signed_mu = sigma * body.mu_k
+    if signed_mu == 0.0:
         return Anchor(SLIPPING, u - frictionless_value(body, th, low), 0.0, 0.0, body.eps * c)
     torque = slip_torque_arm(body, s, c, sigma)
-    slope = body.eps * (c - pull * s)
+    slope = body.eps * (c - signed_mu * s)
     if not (slope > 0.0 and abs(torque) < 2.0 * LARGEST_PSI * slope):
         return NONE
     base, base_low = slip_hilltop(body, sigma)
@@ -216,9 +216,9 @@ def slip_begin(body, anchor, sigma, th, low, arm, u, series):
         return arm, u
     top = math.sin(anchor.base)
     side = math.cos(anchor.base)
-    pull = sigma * body.mu_k
+    signed_mu = sigma * body.mu_k
     half = math.sin(0.5 * psi)
-    arm = body.eps * ((side - pull * top) * math.sin(psi) - 2.0 * (top + pull * side) * half * half)
+    arm = body.eps * ((side - signed_mu * top) * math.sin(psi) - 2.0 * (top + signed_mu * side) * half * half)
     if u != 0.0 and abs(psi) <= separatrix(body, sigma, anchor.base, series):
         high = separatrix_value(series, psi)
         found = anchor.excess + high

@@ -63,7 +63,7 @@ def solve_slip(body, panel, work):
     integral = work[TIME]
     arms = work[ARM]
     stiffnesses = work[STIFFNESS]
-    pull = sigma * body.mu_k
+    signed_mu = sigma * body.mu_k
     arm0 = panel.arm
     stiffness0 = panel.stiffness
     lowest = math.inf
@@ -72,7 +72,7 @@ def solve_slip(body, panel, work):
         ds, dc = rotated(s0, c0, damping[i], drive[i])
         s = s0 + ds
         c = c0 + dc
-        turned = eps * (ds + pull * dc)
+        turned = eps * (ds + signed_mu * dc)
         arm = arm0 + turned
         stiffness = stiffness0 + eps * (ds * arm + s0 * turned)
         lowest = min(lowest, stiffness)
@@ -110,7 +110,7 @@ def solve_slip(body, panel, work):
     for i in range(ORDER):
         u = us[i]
         load = (body.gn - eps * cosines[i] * u) / stiffnesses[i]
-        friction_part = pull * body.kap + (1.0 + eps * cosines[i]) * arms[i]
+        friction_part = signed_mu * body.kap + (1.0 + eps * cosines[i]) * arms[i]
         rate = stretch[i] / math.sqrt(u)
         rates[i] = rate
         normals[i] = body.kap * load

@@ -118,10 +118,10 @@ def friction_force(comp, regime, normal, z, vt):
 def first_regime(comp, normal, z, vt):
     """Regime of the friction where a contact begins: 0 in stick or creep, else the direction of slip."""
     if comp.friction == BRISTLE:
-        pull = comp.k_t * z + comp.c_t * vt
-        if abs(pull) <= comp.mu_s * normal:
+        bristle_force = comp.k_t * z + comp.c_t * vt
+        if abs(bristle_force) <= comp.mu_s * normal:
             return 0
-        return 1 if pull > 0.0 else -1
+        return 1 if bristle_force > 0.0 else -1
     if abs(vt) <= creep_speed(comp):
         return 0
     return 1 if vt > 0.0 else -1

@@ -169,10 +169,10 @@ def singular_slip(body, s, c, exact, ahead, vt, om):
         arm, lever = contact_arms(body, s, c)
         turn, rate, _ = slip_rates(body, arm, lever, -sigma * body.mu_k)
     stop = -vt / rate if vt * rate < 0.0 else math.inf
-    pull = body.eps * c
+    outward = body.eps * c
     if turn * om > 0.0:
         # θ̇² grows until f_n = 0
-        limit = (math.copysign(math.sqrt(body.gn / pull), om) - om) / turn if pull > 0.0 else math.inf
+        limit = (math.copysign(math.sqrt(body.gn / outward), om) - om) / turn if outward > 0.0 else math.inf
         if limit <= stop:
             limit = max(limit, 0.0)
             after = vt + rate * limit
@@ -191,9 +191,9 @@ def singular_angle(body, s, c, u, sigma):
 
     In the first case, the exact one, `ahead` is the angle to go, some 10⁻¹⁴ rad.
     """
-    pull = sigma * body.mu_k
+    signed_mu = sigma * body.mu_k
     torque = slip_torque_arm(body, s, c, sigma)
-    slope = body.eps * c * torque + body.eps * s * body.eps * (c - pull * s)
+    slope = body.eps * c * torque + body.eps * s * body.eps * (c - signed_mu * s)
     distance = slip_stiffness(body, s, c, sigma)
     if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):
         return True, True, -distance / slope

@@ -88,12 +88,12 @@ def candidate_series(body, th, om, sigma):
         s, c = _sine_cosine(th, rate)
         u = _times(rate, rate)
         arm = _shifted(1.0, eps, c)
-        pull = _shifted(0.0, eps, _times(s, u))
+        centrifugal = _shifted(0.0, eps, _times(s, u))
         if sigma == 0:
             inertia = _shifted(1.0 + body.kap + eps * eps, 2.0 * eps, c)
-            torque = _sum(1.0, _sum(1.0, pull, eps * body.gn, s), body.gt, arm)
+            torque = _sum(1.0, _sum(1.0, centrifugal, eps * body.gn, s), body.gt, arm)
             alpha = _over(torque, inertia)
-            friction = _shifted(-body.gt, 1.0, _sum(1.0, _times(alpha, arm), -1.0, pull))
+            friction = _shifted(-body.gt, 1.0, _sum(1.0, _times(alpha, arm), -1.0, centrifugal))
             normal = _shifted(body.gn, -eps, _sum(1.0, _times(s, alpha), 1.0, _times(c, u)))
         else:
             q = _sum(eps, s, drag, arm)
@@ -102,7 +102,7 @@ def candidate_series(body, th, om, sigma):
             alpha = _times(q, load)
             normal = _shifted(0.0, body.kap, load)
             part = _shifted(drag * body.kap, 1.0, _times(arm, q))
-            slip = _shifted(body.gt, 1.0, _sum(1.0, pull, -1.0, _times(load, part)))
+            slip = _shifted(body.gt, 1.0, _sum(1.0, centrifugal, -1.0, _times(load, part)))
         rate = om, alpha[0], alpha[1] / 2, alpha[2] / 3, alpha[3] / 4
     return normal, _sum(a, normal, -b, friction), _sum(a, normal, b, friction), slip
 

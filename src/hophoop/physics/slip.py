@@ -9,8 +9,8 @@ from hophoop.physics.contact import load_height
 @inline_jit
 def slip_displacement(body, sigma, vt, om, s, c, ds, dc, tau):
     """Change of x over the time tau from a state of slip: gravity alone changes ẋ_G + σ μk ẏ_G."""
-    pull = sigma * body.mu_k
+    signed_mu = sigma * body.mu_k
     arm = (1.0 - body.eps) + body.eps * load_height(s, c)
-    speed = vt + om * arm - pull * body.eps * om * s
-    steady = body.gt - pull * body.gn
-    return speed * tau + 0.5 * steady * tau * tau - pull * body.eps * dc - body.eps * ds
+    speed = vt + om * arm - signed_mu * body.eps * om * s
+    steady = body.gt - signed_mu * body.gn
+    return speed * tau + 0.5 * steady * tau * tau - signed_mu * body.eps * dc - body.eps * ds
