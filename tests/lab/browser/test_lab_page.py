@@ -418,6 +418,7 @@ def test_real_parts_and_compliant_contact(visit):
     picture(page, "parts")
 
 
+@pytest.mark.slow  # asks for speed, which a machine where others are at work, or that compiles, does not have
 def test_the_picture_follows_the_hand(visit):
     page = visit()
     page.evaluate(
