@@ -418,23 +418,27 @@ def test_real_parts_and_compliant_contact(visit):
     picture(page, "parts")
 
 
-@pytest.mark.slow  # asks for speed, which a machine where others are at work, or that compiles, does not have
 def test_the_picture_follows_the_hand(visit):
+    """While the slider moves pictures come, as fast as they are computed, and the last one is of where it stopped.
+
+    How fast that is, is measured by benchmarks/lab.py: here the kernel may be compiling, and others may be at work.
+    """
     page = visit()
-    page.evaluate(
+    last = page.evaluate(
         """async () => {
           const slider = document.querySelector("input[data-path='start.speed']");
-          for (let k = 0; k < 25; k++) {
-            slider.value = String(2 + 0.05 * k);
+          let speed = 2;
+          for (let k = 0; k < 25 || (hophoopLab.latencies.length <= 5 && k < 300); k++) {
+            speed = (200 + 5 * (k % 25)) / 100;
+            slider.value = String(speed);
             slider.dispatchEvent(new Event("input", { bubbles: true }));
             await new Promise((resolve) => setTimeout(resolve, 60));
           }
+          return speed;
         }"""
     )
-    wait_for(page, "!lab.motions.lanes[0].busy && lab.latencies.length > 5")
-    latencies = sorted(page.evaluate("hophoopLab.latencies"))
-    # 50 ms on a machine that has nothing else to do (benchmarks/lab.py); here others may be at work
-    assert latencies[len(latencies) // 2] < 400
+    wait_for(page, f"!lab.motions.lanes[0].busy && lab.film().values['start.speed'] === {last}")
+    assert page.evaluate("hophoopLab.latencies.length") > 5
 
 
 def test_the_widget_is_the_same_player(visit):
