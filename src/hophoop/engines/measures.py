@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from hophoop.engines.phases import FREE, SHORT, Phase, normal_force, phases, thinned
+from hophoop.engines.phases import FREE, SHORT, Phase, normal_force, phases, slip_velocity, thinned
 from hophoop.engines.scenarios import BenchScenario
 from hophoop.engines.task import SPACING, Floats, States, Task, task_of
+from hophoop.physics.body import Body
+from hophoop.physics.energy import kinetic_energy, potential_energy
 
 BACK = 0.010  # s of contact before a take-off from which it is found
 BEFORE, AFTER = 0.005, 0.020  # s around a landing
@@ -76,12 +78,15 @@ def energy(task: Task, states: States) -> Floats:
     energy : ndarray
         [J].
     """
-    sine, cosine = np.sin(states.angle), np.cos(states.angle)
     along, off = task.pull
-    speed = (states.vx + task.arm * states.omega * cosine) ** 2 + (states.vy - task.arm * states.omega * sine) ** 2
-    height = off * (states.y + task.arm * (cosine - 1.0)) + along * (states.x + task.arm * sine)
-    result: Floats = 0.5 * task.mass * speed + 0.5 * task.inertia * states.omega**2 - task.mass * height
-    return result
+    size = task.radius
+    kappa = task.inertia / (task.mass * size**2)
+    # lengths in radii, times in seconds
+    body = Body(task.arm / size, kappa, task.mu, task.mu, -off / size, along / size, task.restitution, 0, False, task.slope)
+    slip = slip_velocity(task, states) / size
+    kinetic = kinetic_energy(body, states.angle, states.omega, slip, states.vy / size)
+    result: Floats = kinetic + potential_energy(body, states.x / size, states.y / size, states.angle)
+    return task.mass * size**2 * result
 
 
 def between(t: Floats, value: Floats, rate: Floats, when: float) -> float:
