@@ -64,21 +64,18 @@ class _OuterLibrary(_Library):
 
 
 class _ApartLower(Lower):  # type: ignore[misc]
+    """Lowering of code that is never inlined."""
+
     def setup_function(self, fndesc: Any) -> None:
         super().setup_function(fndesc)
         self.function.attributes.add("noinline")
 
 
-class _Lowering(NativeLowering):  # type: ignore[misc]
+class _PartLowering(NativeLowering):  # type: ignore[misc]
     library: type[_Library]
-    part = True
 
     def run_pass(self, state: Any) -> bool:
-        library = self.library(state.targetctx.codegen(), state.func_id.func_qualname)
-        state.library = library
-        if not self.part:
-            library.enable_object_caching()
-            return bool(super().run_pass(state))
+        library = state.library = self.library(state.targetctx.codegen(), state.func_id.func_qualname)
         state.flags.no_compile = True
         super().run_pass(state)
         made = state["cr"]
@@ -89,80 +86,37 @@ class _Lowering(NativeLowering):  # type: ignore[misc]
         return True
 
 
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _PartLowering(_Lowering):
-    _name = "part_lowering"
-    library = _PartLibrary
+class _EntryLowering(NativeLowering):  # type: ignore[misc]
+    library: type[_Library]
+
+    def run_pass(self, state: Any) -> bool:
+        state.library = self.library(state.targetctx.codegen(), state.func_id.func_qualname)
+        state.library.enable_object_caching()
+        return bool(super().run_pass(state))
 
 
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _ApartLowering(_PartLowering):
-    _name = "apart_lowering"
-
-    @property
-    def lowering_class(self) -> Any:
-        return _ApartLower
-
-
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _OuterLowering(_Lowering):
-    _name = "outer_lowering"
-    library = _OuterLibrary
-
-
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _AsideLowering(_OuterLowering):
-    _name = "aside_lowering"
-
-    @property
-    def lowering_class(self) -> Any:
-        return _ApartLower
-
-
-@register_pass(mutates_CFG=True, analysis_only=False)
-class _EntryLowering(_Lowering):
-    _name = "entry_lowering"
-    library = _Library
-    part = False
-
-
-class _Compiler(CompilerBase):  # type: ignore[misc]
+def _compiler(kind: type[NativeLowering], library: type[_Library], lower: type[Lower]) -> type[CompilerBase]:
     """Numba's compiler, with another lowering: making machine code of each part took a sixth of the time."""
+    name = f"{kind.__name__}{library.__name__}{lower.__name__}"
+    made = type(name, (kind,), {"_name": name, "library": library, "lowering_class": lower})
+    lowering = register_pass(mutates_CFG=True, analysis_only=False)(made)
 
-    lowering: type[_Lowering]
+    class Compiler(CompilerBase):  # type: ignore[misc]
+        def define_pipelines(self) -> list[Any]:
+            pipeline = DefaultPassBuilder.define_nopython_pipeline(self.state)
+            pipeline.passes = [(lowering if step is NativeLowering else step, text) for step, text in pipeline.passes]
+            pipeline.finalize()
+            return [pipeline]
 
-    def define_pipelines(self) -> list[Any]:
-        pipeline = DefaultPassBuilder.define_nopython_pipeline(self.state)
-        pipeline.passes = [(self.lowering if step is NativeLowering else step, text) for step, text in pipeline.passes]
-        pipeline.finalize()
-        return [pipeline]
-
-
-class _PartCompiler(_Compiler):
-    lowering = _PartLowering
-
-
-class _ApartCompiler(_Compiler):
-    lowering = _ApartLowering
+    return Compiler
 
 
-class _OuterCompiler(_Compiler):
-    lowering = _OuterLowering
-
-
-class _AsideCompiler(_Compiler):
-    lowering = _AsideLowering
-
-
-class _EntryCompiler(_Compiler):
-    lowering = _EntryLowering
-
-
+_ENTRY_COMPILER = _compiler(_EntryLowering, _Library, Lower)
+# by (outer, apart)
 _PART_COMPILERS = {
-    (False, False): _PartCompiler,
-    (False, True): _ApartCompiler,
-    (True, False): _OuterCompiler,
-    (True, True): _AsideCompiler,
+    (outer, apart): _compiler(_PartLowering, _OuterLibrary if outer else _PartLibrary, _ApartLower if apart else Lower)
+    for outer in (False, True)
+    for apart in (False, True)
 }
 
 
@@ -170,10 +124,9 @@ def _dispatcher(kernel: Source, function: FunctionType, entry: bool) -> Any:
     options: dict[str, Any] = {"error_model": "numpy", "nogil": True, "cache": entry}
     if not kernel.options.nrt:
         options["_nrt"] = False
-    # what is first called by a part that is inlined would be so everywhere
-    if kernel.options.forceinline or kernel.options.outer or kernel.options.apart:
-        options["forceinline"] = kernel.options.forceinline
-    options["pipeline_class"] = _EntryCompiler if entry else _PART_COMPILERS[kernel.options.outer, kernel.options.apart]
+    # also where it is False: what is first called by a part that is inlined would inherit it, everywhere
+    options["forceinline"] = kernel.options.forceinline
+    options["pipeline_class"] = _ENTRY_COMPILER if entry else _PART_COMPILERS[kernel.options.outer, kernel.options.apart]
     if not entry:
         # Python calls it through no one but an entry: what would translate its arguments is half of all code
         options |= {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._jit import inline_jit
 
 _SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
 _COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
@@ -19,7 +19,7 @@ def versine_of(angle):
     return 2.0 * half * half
 
 
-@lean_jit
+@inline_jit
 def turn_deficits(phi):
     """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
     square = phi * phi

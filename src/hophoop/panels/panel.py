@@ -190,7 +190,7 @@ def chord(panel, xi):
     return math.sin(angle), versine_of(angle)
 
 
-@lean_jit
+@inline_jit
 def fill_inside(panel, work):
     """The rows TIME and LOSS of a solved panel, which only a place inside it needs."""
     antiderivative(work[RATE], work[TIME])

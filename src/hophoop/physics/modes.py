@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit, lean_jit
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import (
@@ -29,7 +29,7 @@ def slip_mode(sigma):
     return SKID if sigma > 0 else SPIN
 
 
-@lean_jit
+@inline_jit
 def slip_direction(mode):
     """σ = sign(v_t) of a slip mode, 0 of any other."""
     if mode == SKID:

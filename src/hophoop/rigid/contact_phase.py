@@ -106,7 +106,7 @@ def is_still(body, sigma, state):
     return abs(angular_acceleration(body, sigma, th, 0.0)) <= rounding
 
 
-@lean_jit
+@inline_jit
 def stays(body, sigma, state):
     """Whether a hoop that does not turn goes on so."""
     if body.kap == 0.0 and (sigma != 0 or math.cos(state.th) <= -1.0):

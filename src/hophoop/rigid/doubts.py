@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import ORDER, coefficients, series_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.numerics.trigonometry import sine_cosine
@@ -19,7 +19,7 @@ CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be
 NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel
 
 
-@lean_jit
+@inline_jit
 def note_doubt(scratch, begin, end):
     """Keep the times of the first doubt of a motion."""
     if math.isnan(scratch.doubt[0]):

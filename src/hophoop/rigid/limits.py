@@ -46,7 +46,7 @@ def angle_left(limits, state, way):
     return turns * TWO_PI + (rest + turns * TWO_PI_LOW)
 
 
-@lean_jit
+@inline_jit
 def at_span(limits, state, way):
     """The state at exactly the angle where the span ends."""
     th, low = plus(limits.th, limits.th_low, way * limits.span_rest)

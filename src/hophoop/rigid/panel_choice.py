@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.numerics.trigonometry import sine_cosine, versine_of
@@ -83,7 +83,7 @@ def solve(body, panel, work):
     return solve_slip(body, panel, work)
 
 
-@lean_jit
+@inline_jit
 def narrower(level, size):
     """Level to try after a panel whose last coefficients were `size`."""
     if not size < 1.0:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._jit import inline_jit
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode, Status
 from hophoop.physics.contact import free_acceleration
@@ -33,7 +33,7 @@ class Phase(NamedTuple):
     status: int  # GOING, or how the motion ended
 
 
-@lean_jit
+@inline_jit
 def opening_of(body, state):
     """(f_n at the start of a flight, exactly 0 after a lift-off from slip; how many derivatives of the gap vanish)."""
     s, c = sine_cosine(state.th, state.th_low)

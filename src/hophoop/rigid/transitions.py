@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.anchor import NONE
 from hophoop.physics.body import Event, Mode
@@ -33,7 +33,7 @@ PAINLEVE_INDETERMINATE = int(Event.PAINLEVE_INDETERMINATE)
 GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
 
 
-@lean_jit
+@inline_jit
 def collide(body, rest, state, kind, mode, collision):
     """(state after, cause) of an impact."""
     s, c = sine_cosine(state.th, state.th_low)
@@ -77,7 +77,7 @@ def write_cause(log, cause, mode, state):
         write_event(log, quiet(KANE_GAIN, mode, state), mode, state, cause.gain, -1)
 
 
-@lean_jit
+@inline_jit
 def settle(body, state, cause, log, scratch):
     """Apply the mode rule after `cause`, writing its event and every paradox met on the way.
 
