@@ -12,6 +12,7 @@ import hophoop as hh
 from oracles.cases import Case
 
 DATA = Path(__file__).resolve().parent / "data"
+HOOP = hh.Hoop.ideal(0.75)
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 
 
@@ -58,3 +59,11 @@ def events_of(motion: Any) -> list[dict[str, Any]]:
                 }
             )
     return listed
+
+
+def precise(hoop=HOOP, plane=None, start=None, duration=2.0, digits=30):
+    return hh.simulate(hoop, plane or hh.Plane(), start or hh.Start(), duration=duration, digits=digits)
+
+
+def rolling(speed, mu=1.0, hoop=HOOP, angle=0.0, **rest):
+    return precise(hoop, hh.Plane(mu=mu), hh.Start.rolling(speed, angle=angle), **rest)

@@ -3,50 +3,30 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 import math
-from decimal import Decimal, localcontext
+from decimal import Decimal
 from fractions import Fraction
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 from mpmath import mp, mpf
-from typer.testing import CliRunner
 
 import hophoop as hh
-from hophoop.cli import app
 from hophoop.physics.body import Mode
 from hophoop.precise import solve
 from hophoop.precise.contact import advance
 from hophoop.precise.jam import approach, ending
 from hophoop.precise.problem import Body, Problem
-from hophoop.precise.series import Judge, MorePrecision, sign_changes
+from hophoop.precise.series import Judge
 from oracle_program import essential, highest_apexes
 from oracles import elliptic
 from oracles import precise as oracle
 from oracles.cases import CASES, JAM, by_name
 from oracles.cases import rolling as rolling_case
-from precise_tools import STATE, events_of, scenario_of, stored
+from precise_tools import HOOP, STATE, events_of, precise, rolling, scenario_of, stored
 
-HOOP = hh.Hoop.ideal(0.75)
 COUNTED = [case.name for case in CASES if not case.rest_below]
 ENDLESS = [case.name for case in CASES if case.rest_below]
-
-
-@pytest.fixture(autouse=True)
-def sixty_digits():
-    with mp.workdps(60), localcontext() as context:
-        context.prec = 60
-        yield
-
-
-def precise(hoop=HOOP, plane=None, start=None, duration=2.0, digits=30):
-    return hh.simulate(hoop, plane or hh.Plane(), start or hh.Start(), duration=duration, digits=digits)
-
-
-def rolling(speed, mu=1.0, hoop=HOOP, angle=0.0, **rest):
-    return precise(hoop, hh.Plane(mu=mu), hh.Start.rolling(speed, angle=angle), **rest)
 
 
 def same(ours, true, digits, names=("t", *STATE)):
@@ -380,152 +360,6 @@ def test_doubles_are_exact_numbers():
     assert float(problem.mass) == hoop.mass
     start = Problem.of(hh.Scenario(hoop=hoop, start=hh.Start.rolling(0.1)))
     assert (start.slip, start.omega) == (0, Fraction(0.1) / Fraction(0.3))
-
-
-# Roots
-
-
-def polynomial(coefficients, bits=200):
-    return [int(Fraction(c) * 2**bits) for c in coefficients]
-
-
-def test_close_pairs_of_roots_are_found_or_excluded():
-    """(x − 1/3)² ∓ 1e-30: two roots 1e-15 apart, or none, told by the sign of the minimum alone."""
-    third = Fraction(1, 3)
-    for shift, count in ((Fraction(1, 10**30), 2), (-Fraction(1, 10**30), 0)):
-        series = polynomial([third**2 - shift, -2 * third, 1])
-        roots = sign_changes(series, 1, 200, Judge(200, False), first=False)
-        assert len(roots) == count
-        if roots:
-            gap = Fraction(roots[1] - roots[0], 2**200)
-            assert abs(gap - Fraction(2, 10**15)) < Fraction(1, 10**40)
-
-
-def test_a_root_that_cannot_be_told_asks_for_more_digits():
-    """An exact double root: more precision is asked for, and where there is none it is no crossing."""
-    series = polynomial([Fraction(1, 9), -Fraction(2, 3), 1])
-    with pytest.raises(MorePrecision):
-        sign_changes(series, 1, 200, Judge(200, False))
-    assert sign_changes(series, 1, 200, Judge(200, True)) == []
-
-
-def test_many_roots_in_order():
-    """Every sign change of a polynomial with roots at 1/7, 2/7 … 6/7."""
-    coefficients = [Fraction(1)]
-    for k in range(1, 7):
-        root = Fraction(k, 7)
-        coefficients = [
-            (coefficients[i - 1] if i else 0) - root * (coefficients[i] if i < len(coefficients) else 0)
-            for i in range(len(coefficients) + 1)
-        ]
-    roots = sign_changes(polynomial(coefficients), 1, 200, Judge(200, False), first=False)
-    assert [round(root / 2**200 * 7) for root in roots] == [1, 2, 3, 4, 5, 6]
-
-
-# The public face
-
-
-def test_digits_asked_are_digits_got():
-    """15, 30 and 50 digits of one motion begin alike."""
-    texts = [str(rolling(2.8, 0.3, digits=digits).events[-1].angle) for digits in (15, 30, 50)]
-    assert texts[2].startswith(texts[1][:-2])
-    assert texts[1].startswith(texts[0][:-2])
-    assert len(texts[2]) > 45
-
-
-def test_result_as_text_and_json():
-    motion = rolling(3.1, duration=1.0, digits=20)
-    assert "RKR" in repr(motion)
-    assert "slip_start" in repr(motion)
-    data = json.loads(json.dumps(motion.to_dict()))
-    assert (data["schema"], data["digits"], data["sequence"]) == ("hophoop/1", 20, "RKRS")
-    assert data["events"][1]["t"] == "0.26639349087571672725"
-    assert data["events"][1]["digits_right"] >= 20
-    assert motion.find("stick")[0].to_mode == "R"
-    with pytest.raises(ValueError, match="stik"):
-        motion.find("stik")
-
-
-@pytest.mark.parametrize("digits", [14, 1001, 2.5, True, "30"])
-def test_digits_out_of_range(digits):
-    with pytest.raises(ValueError, match=r"digits = .* must be a whole number from 15 to 1000\.") as caught:
-        rolling(1.0, digits=digits)
-    assert "\n" not in str(caught.value)
-
-
-def test_compliant_contact_has_no_more_digits():
-    with pytest.raises(ValueError, match="needs rigid contact"):
-        hh.simulate(HOOP, hh.Plane(), hh.Start(), contact=hh.Compliant(), digits=30)
-
-
-def test_state_for_the_kernel():
-    """`solve` stops after so many events or at a time in units of √(R/g), with states that the kernel can go on from."""
-    scenario = hh.Scenario(start=hh.Start.rolling(3.1))
-    solution = solve(scenario, 20, max_events=3)
-    assert [record.kind.name for record in solution.records] == ["START", "SLIP_START", "STICK"]
-    kernel = hh.simulate(scenario).events[2]
-    state = solution.records[2].state
-    assert float(state.t * solution.body.time) == pytest.approx(kernel.t, rel=1e-13)
-    assert float(state.th) == pytest.approx(kernel.angle, rel=1e-13)
-    assert state.vt == 0
-    high, low = solution.pair(state.th)
-    assert high == float(state.th)
-    assert abs(Fraction(high) + Fraction(low) - Fraction(str(solution.body.ctx.nstr(state.th, 40)))) < Fraction(1, 10**30)
-    turns, rest = solution.turns(state.th)
-    assert (turns, float(rest)) == (0, float(state.th))
-    short = solve(scenario, 20, until=0.5)
-    assert float(short.records[-1].state.t) == 0.5
-
-
-def run(*arguments):
-    return CliRunner().invoke(app, [str(one) for one in arguments])
-
-
-def test_run_with_digits():
-    done = run("run", "--v0", "3.1", "--duration", "2", "--digits", "30")
-    assert done.exit_code == 0
-    assert "0.266393490875716727249363892232" in done.stdout
-    data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--json").stdout)
-    assert data["events"][1]["t"] == "0.26639349087571672725"
-
-
-def test_a_write_of_digits_that_fails_leaves_the_old_file(tmp_path, monkeypatch):
-    """The file is whole or as it was; nothing else is left beside it."""
-    file = tmp_path / "hop.json"
-    words = ("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--json", file)
-    assert run(*words).exit_code == 0
-    before = file.read_text(encoding="utf-8")
-    assert json.loads(before)["events"][1]["t"] == "0.26639349087571672725"
-
-    def half(self, text, **options):
-        self.write_bytes(text[: len(text) // 2].encode())
-        raise OSError(28, "No space left on device", str(self))
-
-    monkeypatch.setattr(Path, "write_text", half)
-    assert run(*words).exit_code != 0
-    assert file.read_text(encoding="utf-8") == before
-    assert [path.name for path in tmp_path.iterdir()] == ["hop.json"]
-
-
-def test_run_check():
-    """Every event has at least 13 digits right here."""
-    done = run("run", "--v0", "3.1", "--duration", "2", "--check")
-    assert done.exit_code == 0, done.output
-    assert "digits of every number are right" in done.stdout
-    data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--check", "--json").stdout)
-    assert data["difference"] == ""
-    assert all(event["digits"]["t"] > 13 for event in data["events"])
-
-
-def test_run_refuses_what_does_not_go_together():
-    for arguments, words in (
-        (("--digits", "3"), "digits = 3 must be a whole number from 15 to 1000."),
-        (("--digits", "30", "--csv", "x.csv"), "--csv cannot be given together with --digits."),
-        (("--check", "--plot", "x.png"), "--plot cannot be given together with --check."),
-    ):
-        done = run("run", *arguments)
-        assert done.exit_code == 2
-        assert words in done.output
 
 
 @pytest.mark.parametrize("hair", [0.3, 1e-3, 1e-5])

@@ -62,40 +62,55 @@ def quiet(kind, mode, state):
     return Cause(kind, mode, state.vt, state.vn, state.om, 0.0, 0.0, 0.0, -1)
 
 
-@apart_jit
-def write_event(log, cause, mode, state, gain, stable):
-    """Append an event."""
-    count = log.written[0]
-    if count < 0 or count >= log.events.shape[0]:
-        log.written[0] = -1
-        return
-    log.written[0] = count + 1
-    row = log.events[count]
+@inline_jit
+def next_row(written, which, length):
+    """Where the next event (0) or segment (1) goes; −1 from then on where there is no room."""
+    count = written[which]
+    if count < 0 or count >= length:
+        written[which] = -1
+        return -1
+    written[which] = count + 1
+    return count
+
+
+@inline_jit
+def write_state(row, state):
+    """What events and segments hold of a state."""
     row["t"] = state.t
     row["t_low"] = state.t_low
+    row["x"] = state.x
     row["x_low"] = state.x_low
+    row["height"] = state.y
+    row["angle"] = whole_angle(state)
     row["turns"] = state.turns
     row["theta"] = state.th
     row["theta_low"] = state.th_low
-    row["kind"] = cause.kind
-    row["before_mode"] = cause.mode
-    row["after_mode"] = mode
-    row["x"] = state.x
-    row["height"] = state.y
-    row["angle"] = whole_angle(state)
-    row["vx"] = state.vt + state.om
     row["vy"] = state.vn
     row["omega"] = state.om
     row["slip"] = state.vt
+    row["friction"] = state.friction
+    row["impact_normal"] = state.impact_n
+    row["impact_tangential"] = state.impact_t
+
+
+@apart_jit
+def write_event(log, cause, mode, state, gain, stable):
+    """Append an event."""
+    count = next_row(log.written, 0, log.events.shape[0])
+    if count < 0:
+        return
+    row = log.events[count]
+    write_state(row, state)
+    row["kind"] = cause.kind
+    row["before_mode"] = cause.mode
+    row["after_mode"] = mode
+    row["vx"] = state.vt + state.om
     row["before_vx"] = cause.vt + cause.om
     row["before_vy"] = cause.vn
     row["before_omega"] = cause.om
     row["before_slip"] = cause.vt
     row["impulse_normal"] = cause.p_n
     row["impulse_tangential"] = cause.p_t
-    row["friction"] = state.friction
-    row["impact_normal"] = state.impact_n
-    row["impact_tangential"] = state.impact_t
     row["gain"] = gain
     row["collision"] = cause.collision
     row["stable"] = stable
@@ -110,12 +125,9 @@ def note(log, kind, before, after, state):
 @apart_jit
 def copy_event(log, row):
     """Append an event that is known."""
-    count = log.written[0]
-    if count < 0 or count >= log.events.shape[0]:
-        log.written[0] = -1
-        return
-    log.events[count] = row
-    log.written[0] = count + 1
+    count = next_row(log.written, 0, log.events.shape[0])
+    if count >= 0:
+        log.events[count] = row
 
 
 @inline_jit
@@ -123,14 +135,11 @@ def write_segment(log, mode, panel, xi, opening, state, t_end):
     """Append a segment that starts in `state`; an array of length 0 keeps none."""
     if log.segments.shape[0] == 0:
         return
-    count = log.written[1]
-    if count < 0 or count >= log.segments.shape[0]:
-        log.written[1] = -1
+    count = next_row(log.written, 1, log.segments.shape[0])
+    if count < 0:
         return
-    log.written[1] = count + 1
     row = log.segments[count]
-    row["t"] = state.t
-    row["t_low"] = state.t_low
+    write_state(row, state)
     row["t_end"] = t_end
     row["mode"] = mode
     row["kind"] = panel.kind
@@ -147,19 +156,6 @@ def write_segment(log, mode, panel, xi, opening, state, t_end):
     row["u"] = panel.u
     row["xi"] = xi
     row["opening"] = opening
-    row["x"] = state.x
-    row["x_low"] = state.x_low
-    row["height"] = state.y
-    row["angle"] = whole_angle(state)
-    row["turns"] = state.turns
-    row["theta"] = state.th
-    row["theta_low"] = state.th_low
-    row["vy"] = state.vn
-    row["omega"] = state.om
-    row["slip"] = state.vt
-    row["friction"] = state.friction
-    row["impact_normal"] = state.impact_n
-    row["impact_tangential"] = state.impact_t
 
 
 @apart_jit

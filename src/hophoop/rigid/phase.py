@@ -76,7 +76,7 @@ def slipping(body, phase, mode, state, what):
 
 @inline_jit
 def gone_on(phase, state, level, what):
-    """The same phase, a panel later."""
+    """The same phase, from where it has come to."""
     return Phase(phase.mode, state, False, phase.zeros, phase.opening, level, phase.bounce, what, GOING)
 
 

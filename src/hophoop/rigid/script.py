@@ -13,7 +13,7 @@ from hophoop.rigid.contact_phase import advance_contact, frozen_end
 from hophoop.rigid.limits import limits_of
 from hophoop.rigid.panel_choice import anchored
 from hophoop.rigid.panel_events import ON, STILL, STUCK
-from hophoop.rigid.phase import Phase, entered, gone_on, slipping
+from hophoop.rigid.phase import Phase, entered, gone_on, opening_of, slipping
 
 FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
 
@@ -22,8 +22,7 @@ FLIGHT, SLIP_START = int(Mode.FLIGHT), int(Event.SLIP_START)
 def fill_phase(body, mode, state, until, log, scratch):
     """Write the segments of a phase that is known to last until a time."""
     if mode == FLIGHT:
-        opening = entered(body, mode, state, 0.0, ON, scratch).opening
-        write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening, state, until)
+        write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening_of(body, state)[0], state, until)
         return
     limits = limits_of(state, until, math.nan, 0)
     phase = entered(body, mode, state, 0.0, ON, scratch)

@@ -1,0 +1,118 @@
+"""What a caller sees of motions in many digits: results, text, JSON, refusals, the command line."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import hophoop as hh
+from hophoop.cli import app
+from hophoop.precise import solve
+from precise_tools import HOOP, rolling
+
+
+def test_digits_asked_are_digits_got():
+    """15, 30 and 50 digits of one motion begin alike."""
+    texts = [str(rolling(2.8, 0.3, digits=digits).events[-1].angle) for digits in (15, 30, 50)]
+    assert texts[2].startswith(texts[1][:-2])
+    assert texts[1].startswith(texts[0][:-2])
+    assert len(texts[2]) > 45
+
+
+def test_result_as_text_and_json():
+    motion = rolling(3.1, duration=1.0, digits=20)
+    assert "RKR" in repr(motion)
+    assert "slip_start" in repr(motion)
+    data = json.loads(json.dumps(motion.to_dict()))
+    assert (data["schema"], data["digits"], data["sequence"]) == ("hophoop/1", 20, "RKRS")
+    assert data["events"][1]["t"] == "0.26639349087571672725"
+    assert data["events"][1]["digits_right"] >= 20
+    assert motion.find("stick")[0].to_mode == "R"
+    with pytest.raises(ValueError, match="stik"):
+        motion.find("stik")
+
+
+@pytest.mark.parametrize("digits", [14, 1001, 2.5, True, "30"])
+def test_digits_out_of_range(digits):
+    with pytest.raises(ValueError, match=r"digits = .* must be a whole number from 15 to 1000\.") as caught:
+        rolling(1.0, digits=digits)
+    assert "\n" not in str(caught.value)
+
+
+def test_compliant_contact_has_no_more_digits():
+    with pytest.raises(ValueError, match="needs rigid contact"):
+        hh.simulate(HOOP, hh.Plane(), hh.Start(), contact=hh.Compliant(), digits=30)
+
+
+def test_state_for_the_kernel():
+    """`solve` stops after so many events or at a time in units of √(R/g), with states that the kernel can go on from."""
+    scenario = hh.Scenario(start=hh.Start.rolling(3.1))
+    solution = solve(scenario, 20, max_events=3)
+    assert [record.kind.name for record in solution.records] == ["START", "SLIP_START", "STICK"]
+    kernel = hh.simulate(scenario).events[2]
+    state = solution.records[2].state
+    assert float(state.t * solution.body.time) == pytest.approx(kernel.t, rel=1e-13)
+    assert float(state.th) == pytest.approx(kernel.angle, rel=1e-13)
+    assert state.vt == 0
+    high, low = solution.pair(state.th)
+    assert high == float(state.th)
+    assert abs(Fraction(high) + Fraction(low) - Fraction(str(solution.body.ctx.nstr(state.th, 40)))) < Fraction(1, 10**30)
+    turns, rest = solution.turns(state.th)
+    assert (turns, float(rest)) == (0, float(state.th))
+    short = solve(scenario, 20, until=0.5)
+    assert float(short.records[-1].state.t) == 0.5
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, [str(one) for one in arguments])
+
+
+def test_run_with_digits():
+    done = run("run", "--v0", "3.1", "--duration", "2", "--digits", "30")
+    assert done.exit_code == 0
+    assert "0.266393490875716727249363892232" in done.stdout
+    data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--json").stdout)
+    assert data["events"][1]["t"] == "0.26639349087571672725"
+
+
+def test_a_write_of_digits_that_fails_leaves_the_old_file(tmp_path, monkeypatch):
+    """The file is whole or as it was; nothing else is left beside it."""
+    file = tmp_path / "hop.json"
+    words = ("run", "--v0", "3.1", "--duration", "2", "--digits", "20", "--json", file)
+    assert run(*words).exit_code == 0
+    before = file.read_text(encoding="utf-8")
+    assert json.loads(before)["events"][1]["t"] == "0.26639349087571672725"
+
+    def half(self, text, **options):
+        self.write_bytes(text[: len(text) // 2].encode())
+        raise OSError(28, "No space left on device", str(self))
+
+    monkeypatch.setattr(Path, "write_text", half)
+    assert run(*words).exit_code != 0
+    assert file.read_text(encoding="utf-8") == before
+    assert [path.name for path in tmp_path.iterdir()] == ["hop.json"]
+
+
+def test_run_check():
+    """Every event has at least 13 digits right here."""
+    done = run("run", "--v0", "3.1", "--duration", "2", "--check")
+    assert done.exit_code == 0, done.output
+    assert "digits of every number are right" in done.stdout
+    data = json.loads(run("run", "--v0", "3.1", "--duration", "2", "--check", "--json").stdout)
+    assert data["difference"] == ""
+    assert all(event["digits"]["t"] > 13 for event in data["events"])
+
+
+def test_run_refuses_what_does_not_go_together():
+    for arguments, words in (
+        (("--digits", "3"), "digits = 3 must be a whole number from 15 to 1000."),
+        (("--digits", "30", "--csv", "x.csv"), "--csv cannot be given together with --digits."),
+        (("--check", "--plot", "x.png"), "--plot cannot be given together with --check."),
+    ):
+        done = run("run", *arguments)
+        assert done.exit_code == 2
+        assert words in done.output
