@@ -103,7 +103,8 @@ class PhaseRecord:
 def phases(scenario: Scenario) -> Iterator[PhaseRecord]:
     """The phases of a motion, one after the other, and why each of them ends.
 
-    These are the steps of the kernel that `simulate` runs, taken one at a time.
+    These are the steps of the kernel that `simulate` runs, taken one at a time. Where more digits than doubles have
+    decide the first events, the steps begin after them: the first phase then begins later than at 0.
 
     Parameters
     ----------

@@ -338,3 +338,11 @@ def test_explain_is_refused_where_it_has_no_rules():
     result = run("run", *HOP, "--digits", "20", "--explain")
     assert result.exit_code == 2, result.output
     assert "--explain cannot be given together with --digits" in result.output
+
+
+def test_explain_says_where_it_begins():
+    """The first events of this start are decided in 20 digits, and the steps begin after them."""
+    result = run("run", "--v0", "3.6166282640049716", "--duration", "1", "--explain")
+    assert result.exit_code == 0, result.output
+    assert re.search(r"Until t = 0\.\d+ s the events are decided in more digits than doubles have\.", result.output)
+    assert "Until t" not in run("run", *HOP, "--explain").output

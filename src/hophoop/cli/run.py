@@ -268,7 +268,9 @@ def _print_phases(phases: Iterator[PhaseRecord], everything: bool) -> None:
     from rich.console import Console
 
     console = Console(highlight=False, soft_wrap=True)
-    for phase in islice(phases, None if everything else FIRST_ROWS):
+    for number, phase in enumerate(islice(phases, None if everything else FIRST_ROWS)):
+        if number == 0 and phase.t_begin > 0.0:
+            console.print(f"Until t = {phase.t_begin:.6f} s the events are decided in more digits than doubles have.")
         console.print(
             f"{phase.t_begin:.6f} to {phase.t_end:.6f} s: {phase.word} ({phase.mode}), "
             f"θ from {math.degrees(phase.angle_begin):.3f} to {math.degrees(phase.angle_end):.3f}°"
