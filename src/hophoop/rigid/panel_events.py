@@ -58,81 +58,97 @@ def fall_of(row, state_is_fresh, floor, scratch):
 
 
 @inline_jit
+def end_of_rolling(body, panel, fresh, scratch):
+    """(ξ, what, whether it may depend on rounding) where rolling needs all friction; NOT_FOUND where it does not."""
+    work = scratch.work
+    roll_margins(body, work)
+    rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
+    ahead, near_ahead = fall_of(work[A], fresh, rounding, scratch)
+    back, near_back = fall_of(work[B], fresh, rounding, scratch)
+    doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
+    if back < ahead:
+        return back, CONE_BACK, doubtful
+    return ahead, CONE_AHEAD, doubtful  # F > 0
+
+
+@inline_jit
+def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
+    """(ξ, what, whether it may depend on rounding) where N or v_t comes to zero; lift-off before the end of slip."""
+    work = scratch.work
+    for i in range(ORDER):
+        work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
+        value = panel.sigma * work[SLIP, i]
+        if fresh:
+            for _ in range(zeros):
+                value /= 0.5 * (1.0 + NODES[i])
+        work[B, i] = value
+    lift, near_lift = fall_of(work[A], fresh, 0.0, scratch)
+    # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
+    rounding = GRAZE_ROUNDING * (abs(panel.vt) + abs(state.om)) if body.mu_k == 0.0 else 0.0
+    stop, near_stop = fall_of(work[B], fresh, rounding, scratch)
+    doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
+    if fresh and zeros == 0 and work[B, 0] < 0.0 and stop > NODES[0]:
+        stop = -1.0  # slip that ends before it can be told from none on the panel
+    elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] < 0.0:
+        stop = -1.0  # the other direction: without friction the rounding of θ may decide where slip begins
+    if stop != NOT_FOUND and lift != NOT_FOUND and abs(stop - lift) < CLOSE and body.mu_k > 0.0:
+        note_doubt(scratch, state.t, state.t + totals.time)
+    if stop < lift:
+        return stop, STOP, doubtful
+    return lift, LIFT, doubtful
+
+
+@inline_jit
+def end_of_span(panel, state, limits):
+    """ξ where the motion has turned by its span, or NOT_FOUND."""
+    ahead = angle_left(limits, state, panel.way)
+    if not ahead <= panel.extent:  # also without a span
+        return NOT_FOUND
+    if not ahead > 0.0:
+        return -1.0  # an event fell on the angle itself
+    return place_of(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
+
+
+@inline_jit
+def end_of_time(left, scratch):
+    """ξ where the time is over on a panel that lasts that long."""
+    if left <= 0.0:
+        return -1.0
+    work = scratch.work
+    antiderivative(work[RATE], work[TIME])
+    for i in range(ORDER):
+        work[A, i] = left - work[TIME, i]
+    coefficients(work[A], scratch.series)
+    found = first_fall(scratch.series, 0.0, scratch.stack)
+    return 1.0 if found == NOT_FOUND else found
+
+
+@inline_jit
 def earliest_event(body, panel, totals, state, fresh, blind, zeros, limits, scratch):
     """(ξ, what) of the first event on the panel; ξ = 1 with ON or TURNED where there is none.
 
-    Simultaneous events: the cone (roll), then lift-off before the end of slip, then the limits.
+    Of simultaneous events those of the contact come before the limits of angle and time.
     """
-    work = scratch.work
     xi = NOT_FOUND
     what = ON
-    doubtful = False
-    if blind:
-        pass
-    elif panel.sigma == 0:
-        roll_margins(body, work)
-        rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
-        found, near_ahead = fall_of(work[A], fresh, rounding, scratch)
-        if found < xi:
-            xi = found
-            what = CONE_AHEAD  # F > 0
-        found, near_back = fall_of(work[B], fresh, rounding, scratch)
-        if found < xi:
-            xi = found
-            what = CONE_BACK
-        doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
-    else:
-        for i in range(ORDER):
-            work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
-            value = panel.sigma * work[SLIP, i]
-            if fresh:
-                for _ in range(zeros):
-                    value /= 0.5 * (1.0 + NODES[i])
-            work[B, i] = value
-        speed = abs(panel.vt) + abs(state.om)
-        found, near_lift = fall_of(work[A], fresh, 0.0, scratch)
-        if found < xi:
-            xi = found
-            what = LIFT
-        # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
-        rounding = GRAZE_ROUNDING * speed if body.mu_k == 0.0 else 0.0
-        found, near_stop = fall_of(work[B], fresh, rounding, scratch)
-        doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
-        if fresh and zeros == 0 and work[B, 0] < 0.0 and found > NODES[0]:
-            found = -1.0  # slip that ends before it can be told from none on the panel
-        elif fresh and zeros > 0 and body.mu_k == 0.0 and found == NOT_FOUND and extremes(work[B])[1] < 0.0:
-            found = -1.0  # the other direction: without friction the rounding of θ may decide where slip begins
-        if found != NOT_FOUND and xi != NOT_FOUND and abs(found - xi) < CLOSE and body.mu_k > 0.0:
+    if not blind:
+        if panel.sigma == 0:
+            xi, what, doubtful = end_of_rolling(body, panel, fresh, scratch)
+        else:
+            xi, what, doubtful = end_of_slip(body, panel, totals, state, fresh, zeros, scratch)
+        if doubtful and has_graze(body, panel, state, scratch):
             note_doubt(scratch, state.t, state.t + totals.time)
+    if not math.isnan(limits.span):
+        found = end_of_span(panel, state, limits)
         if found < xi:
             xi = found
-            what = STOP
-    if doubtful and has_graze(body, panel, state, scratch):
-        note_doubt(scratch, state.t, state.t + totals.time)
-    if not math.isnan(limits.span):
-        ahead = angle_left(limits, state, panel.way)
-        if ahead <= panel.extent:
-            found = -1.0  # an event fell on the angle itself
-            if ahead > 0.0:
-                found = place_of(panel, panel.extent - ahead if panel.kind == ARRIVE else ahead)
-            if found < xi:
-                xi = found
-                what = FULL_ANGLE
+            what = FULL_ANGLE
     left = time_left(state, limits.t_end)
     if totals.time >= left:
-        antiderivative(work[RATE], work[TIME])
-        for i in range(ORDER):
-            work[A, i] = left - work[TIME, i]
-        coefficients(work[A], scratch.series)
-        found = first_fall(scratch.series, 0.0, scratch.stack)
-        if left <= 0.0:
-            found = -1.0
-        elif found == NOT_FOUND:
-            found = 1.0
+        found = end_of_time(left, scratch)
         if found < xi:
             xi = found
             what = LIMIT
     if xi == NOT_FOUND:
-        xi = 1.0
-        what = TURNED if panel.kind == ARRIVE else ON
+        return 1.0, TURNED if panel.kind == ARRIVE else ON
     return xi, what
