@@ -87,6 +87,7 @@ def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
         "slip": sign * slip,
         "duration": sections["duration"],
         "max_events": EVENTS,
+        "ideal": "load_fraction" in hoop,
         "allowed": 1,
     }
     return np.array([float(values[name]) for name in CELL]) + 0.0
