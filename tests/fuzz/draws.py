@@ -150,16 +150,25 @@ def contact(source: Source, compliant: bool, body: dict[str, Any], where: dict[s
     return {name: value for name, value in keys.items() if value is not None}
 
 
-def scenario(source: Source, share_compliant: int = 3) -> dict[str, Any]:
-    """The keys of a scenario; every third or so is compliant."""
+def scenario(source: Source, share_compliant: int = 3, turns: float | None = None) -> dict[str, Any]:
+    """The keys of a scenario; one in so many is compliant, and `turns` bounds the work by a shorter duration."""
     body = hoop(source)
     massless = body.get("inertia_ratio") == 0.0
     compliant = not massless and source.choice(range(share_compliant)) == 0
     where = plane(source, massless, compliant)
-    return {
+    begin = start(source)
+    keys = {
         "hoop": body,
         "plane": where,
-        "start": start(source),
+        "start": begin,
         "duration": source.choice([1.0, 6.0, of_range(source, RANGES["duration"], 6.0)]),
         "contact": contact(source, compliant, body, where),
     }
+    if turns is not None:
+        rate = abs(begin.get("omega", 0.0)) + (abs(begin.get("speed", 0.0)) + abs(begin.get("vx", 0.0))) / body["radius"]
+        rate += 10.0 * math.sqrt(where["gravity"] / body["radius"])
+        if compliant:
+            rate += 0.01 * math.sqrt(keys["contact"].get("stiffness", 0.0) / body["mass"])
+        most = 2.0 * math.pi * turns / rate if rate > 0.0 else math.inf
+        keys["duration"] = min(keys["duration"], max(most, RANGES["duration"].least))
+    return keys

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
-from strategies import said
 
 import hophoop as hh
 from hophoop.scenario.ranges import RANGES
+from strategies import said
 
 # how a scenario with this value is built; what is not here follows the path itself
 BUILDERS = {

@@ -100,7 +100,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
 
 
 FIRST_EVENTS = 256
-MAX_STEPS = 250_000  # some seconds, and some 120 MB
+MAX_STEPS = 500_000  # some seconds, and some 240 MB
 
 
 def simulate_compliant(scenario: Scenario) -> tuple[int, np.ndarray, np.ndarray]:
