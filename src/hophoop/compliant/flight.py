@@ -54,7 +54,7 @@ def _regain(comp, y, vn):
 
 @jit
 def fly_below(body, comp, begin, opening, limit, work):
-    """(what, τ): how a flight below the plane's level goes on: CLEAR of the plane, LANDED again, or LASTS; GIVEN_UP after so many turns."""
+    """(what, τ): a flight below the plane's level gets CLEAR of it, has LANDED again, or LASTS; GIVEN_UP after many turns."""
     s = math.sin(begin[TH])
     c = math.cos(begin[TH])
     om = begin[OM]
