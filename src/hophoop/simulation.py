@@ -11,7 +11,7 @@ import numpy as np
 import hophoop
 from hophoop._jit import precompile
 from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until, steps_allowed
-from hophoop.physics.body import Mode, Status
+from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import State, start_state
@@ -217,10 +217,10 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
 
 
 def _hold_at(event: np.void, segment: np.void) -> None:
-    from hophoop.panels.panel import FLY, HOLD
+    from hophoop.panels.panel import FLY
 
     for name in segment.dtype.names or ():
         segment[name] = event[name] if name in (event.dtype.names or ()) else 0
     segment["t_end"] = event["t"]
     segment["mode"] = event["after_mode"]
-    segment["kind"] = FLY if event["after_mode"] == Mode.FLIGHT else HOLD  # in the air nothing holds it
+    segment["kind"] = FLY  # as it is, without forces: what they would be is not known

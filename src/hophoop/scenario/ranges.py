@@ -73,7 +73,7 @@ RANGES: dict[str, Range] = {
     "hoop.parts.length": _LENGTH,
     "plane.gravity": Range(1e-6, 1e6, (0.0,)),
     "plane.slope": Range(-1.57, 1.57),
-    "plane.mu": Range(0.0, 1e9, (float("inf"),)),
+    "plane.mu": Range(0.0, 1e6, (float("inf"),)),
     "plane.restitution": Range(0.0, 1.0),
     "start.x": Range(-1e9, 1e9),
     "start.height": Range(0.0, 1e6),

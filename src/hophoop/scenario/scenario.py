@@ -337,6 +337,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         law=int(ImpactLaw[plane.impact_law.upper()]),
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
+        ideal=hoop.load_fraction is not None,
     )
 
 
