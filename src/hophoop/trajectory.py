@@ -188,13 +188,13 @@ class Trajectory:
         friction, normal, tangential = (
             float(last[name]) * unit.energy for name in ("friction", "impact_normal", "impact_tangential")
         )
-        begin, end = self.at(0.0, side="left"), self.at(self.duration)
+        begin, end = self.at(0.0, side="left"), self.at(self._seconds(float(last["t"])))
         residual = (kinetic + potential + end.spring + end.damping + friction + normal + tangential) - (
             begin_kinetic + begin_potential + begin.spring
         )
         hoop, plane = self.scenario.hoop, self.scenario.plane
         weight = hoop.mass * plane.gravity * hoop.radius
-        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, weight)
+        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, weight, end.spring, abs(end.damping))
         return Ledger(kinetic, potential, friction, normal, tangential, end.spring, end.damping, residual, size)
 
     @property

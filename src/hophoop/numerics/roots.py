@@ -23,6 +23,7 @@ def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
 
 
 LEFT_T, RIGHT_T = (np.ascontiguousarray(matrix.T) for matrix in _halving_matrices())
+MOST_INTERVALS = 4096  # looked at in one search; a polynomial that is more than noise needs some tens
 DEPTH = 60  # halvings of a panel before a multiple root is given up
 NOT_FOUND = 2.0  # a ξ outside the panel
 
@@ -96,7 +97,9 @@ def first_fall_after(series, begin, floor, stack):
     stack[0, ORDER] = -1.0
     stack[0, ORDER + 1] = 1.0
     top = 0
-    while top >= 0:
+    for _ in range(MOST_INTERVALS):
+        if top < 0:
+            break
         row = stack[top]
         low = row[ORDER]
         high = row[ORDER + 1]

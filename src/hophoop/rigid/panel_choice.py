@@ -172,7 +172,8 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     begin = begin_of(body, sigma, state, scratch)
     if state.om == 0.0:
         way = 1.0 if begin.arm > 0.0 else -1.0
-        while True:
+        while True:  # at most a thousand times: the extent is halved from below 1 rad
+            scratch.written[2] += 1
             panel = leaving_panel(sigma, way, extent, begin)
             totals = solve(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
@@ -185,7 +186,8 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
     if sigma != 0 and begin.stiffness < BESIDE_SINGULAR:
         finest += levels_away(body, sigma, way, begin)
-    while True:
+    while True:  # at most `finest` times: each time a finer level
+        scratch.written[2] += 1
         panel = linear_panel(sigma, level, way, begin)
         totals = solve(body, panel, work)
         if totals.tail <= RESOLVED:
@@ -193,7 +195,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         size = totals.tail
         if not work[U, ORDER - 1] > 0.8 * u:
             ahead = turning_point_ahead(body, panel, totals, scratch)
-            if ahead > 0.0 and ahead < panel.extent / 16.0:
+            if ahead > 0.0 and ahead < panel.extent / 16.0 and level < finest:
                 # a place known to the rounding of a panel this wide is not known well enough
                 level = min(level + int(math.floor(2.0 * math.log2(panel.extent / ahead))) - 3, finest)
                 continue
