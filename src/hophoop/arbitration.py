@@ -18,6 +18,7 @@ DIGITS = 20
 MOST = 12  # decisions of one motion that are taken so
 # Beyond this time, in units of √(R/g), the doubles decide: solving so far in more digits would take minutes.
 LATEST = 100.0
+FAST = 100.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
 MOST_STEPS = 4000  # of one longer computation, some seconds: what needs more is left as the doubles have it
@@ -46,7 +47,10 @@ def latest(scenario: Scenario) -> float:
     light = scenario.hoop.inertia_ratio
     if scenario.contact.model != "rigid" or light == 0.0 or not 0.0 < scenario.plane.mu_static < math.inf:
         return -1.0
-    return LATEST * min(1.0, math.sqrt(light / LIGHT))
+    given, radius = scenario.start.state(scenario.hoop), scenario.hoop.radius
+    rate = (abs(given.vx) + abs(given.vy)) / radius + abs(given.omega)
+    speed = rate * time_unit(scenario.hoop, scenario.plane)
+    return LATEST * min(1.0, math.sqrt(light / LIGHT), FAST / max(speed, FAST))
 
 
 def steps_allowed(scenario: Scenario) -> int:
