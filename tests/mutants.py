@@ -67,7 +67,9 @@ def mutants(path: Path) -> list[Mutant]:
             except SyntaxError:
                 continue
             # what stands on one line for us may stand on several for Python
-            line = next(i for i, pair in enumerate(itertools.zip_longest(text.split("\n"), source.split("\n")), 1) if len(set(pair)) > 1)
+            line = next(
+                i for i, pair in enumerate(itertools.zip_longest(text.split("\n"), source.split("\n")), 1) if len(set(pair)) > 1
+            )
             before, after = text.split("\n")[line - 1], source.split("\n")[line - 1]
             found.append(Mutant(path, places.get(line, ""), line, before.strip(), " ".join(after.split()), source))
     return sorted(found, key=lambda one: one.line)
@@ -87,7 +89,11 @@ def _meaning(source: str) -> str:
             node.returns = None
             for argument in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs):
                 argument.annotation = None
-        if isinstance(node, ast.If) and isinstance(node.test, ast.Name | ast.UnaryOp) and "TYPE_CHECKING" in ast.unparse(node.test):
+        if (
+            isinstance(node, ast.If)
+            and isinstance(node.test, ast.Name | ast.UnaryOp)
+            and "TYPE_CHECKING" in ast.unparse(node.test)
+        ):
             node.test, node.body = ast.Constant(False), [ast.Pass()]
     return ast.dump(tree)
 

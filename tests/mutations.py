@@ -42,7 +42,9 @@ ROOMS = {
     "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics")),
     "scenario": Room(("scenario/*.py",), ("tests/scenario",)),
     "io": Room(("io.py", "export.py", "_files.py", "_digest.py"), ("tests/test_io.py", "tests/files")),
-    "maps/store": Room(("maps/store.py", "maps/lock.py"), ("tests/maps/test_maps_store.py", "tests/maps/test_maps_lock.py"), False),
+    "maps/store": Room(
+        ("maps/store.py", "maps/lock.py"), ("tests/maps/test_maps_store.py", "tests/maps/test_maps_lock.py"), False
+    ),
 }
 
 
@@ -59,7 +61,17 @@ def try_room(name: str, modules: list[str], sample: int | None, results: Path) -
     os.chdir(ROOT)
     sys.path[:0] = [str(ROOT / "src"), str(ROOT / "tests")]
     # what takes long to import, once for all processes
-    for heavy in ("pytest", "numpy", "scipy.integrate", "scipy.optimize", "mpmath", "sympy", "hypothesis", "pydantic", "xarray"):
+    for heavy in (
+        "pytest",
+        "numpy",
+        "scipy.integrate",
+        "scipy.optimize",
+        "mpmath",
+        "sympy",
+        "hypothesis",
+        "pydantic",
+        "xarray",
+    ):
         importlib.import_module(heavy)
     paths = [path for path in paths_of(room) if not modules or path.stem in modules]
     made = [mutant for path in paths for mutant in mutants(path)]
