@@ -82,7 +82,8 @@ def _load(file: Path, kind: str) -> Trajectory:
         motion = Trajectory(
             Scenario.from_dict(json.loads(attributes["scenario"])),
             int(Status[attributes["status"].upper()]),
-            *(_unpacked(groups[name]) for name in TABLES),
+            _unpacked(groups["events"]),
+            _unpacked(groups["segments"]),
             str(attributes["version"]),
         )
     except (KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
