@@ -134,8 +134,7 @@ def sweep(
         dataset = store.open_map(file)
         return dataset
     place = file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
-    with thread_limit(threads):
-        plan, todo = store.begin(place, plan, resume)
+    with thread_limit(threads), store.begun(place, plan, resume) as (plan, todo):
         with _reporter(progress, plan) as report:
             report(_cells_of(plan, set(range(plan.parts)) - todo))
             if clustered:
@@ -196,8 +195,9 @@ def _in_memory(plan: Plan, device: str, report: Callable[[int], None]) -> Any:
 def _to_netcdf(place: Path, file: Path) -> None:
     need("netCDF4", "maps")
     dataset = need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False)
+    checked = {name: {"fletcher32": True} for name in dataset.data_vars}
     with replacing(file) as fresh:
-        dataset.to_netcdf(fresh, engine="netcdf4")
+        dataset.to_netcdf(fresh, engine="netcdf4", encoding=checked)
     store.remove(place)
 
 
