@@ -69,6 +69,10 @@ class Commands(TyperGroup):
         """Run with arguments, those of the process by default, and exit."""
         if not standalone_mode:
             return super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+        for stream in (sys.stdout, sys.stderr):
+            # a letter that a terminal does not know is no reason to end
+            if hasattr(stream, "reconfigure") and (stream.encoding or "").lower().replace("-", "") != "utf8":
+                stream.reconfigure(errors="replace")
         try:
             with _terminable():
                 status = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)

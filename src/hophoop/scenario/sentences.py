@@ -80,6 +80,8 @@ def sentence(error: BaseException) -> str:
     """
     if isinstance(error, OSError) and error.strerror and error.filename is not None:
         return f"{error.filename}: {error.strerror}."
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.strerror}."
     if not isinstance(error, ValidationError):
         # KeyError and the like show their argument only; a name says more than nothing.
         return str(error) or type(error).__name__
