@@ -33,3 +33,9 @@ def damaged(whole: Path, copy: Path, count: int, seed: int = 2026) -> Iterator[s
             done = f"bit {bit} of byte {place} turned"
         (copy if whole.is_file() else copy / file.relative_to(whole)).write_bytes(content)
         yield f"{file.name}: {done}"
+
+
+def unseal(file: Path) -> None:
+    """Take the checksum from the end of a netCDF file."""
+    content = file.read_bytes()
+    file.write_bytes(content[: content.rindex(b"\nhophoop sha256 ")])

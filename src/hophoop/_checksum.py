@@ -1,10 +1,11 @@
-"""A checksum of datasets, by what they say and not by how a format writes it."""
+"""Checksums: of datasets, by what they say and not by how a format writes it, and of the bytes of a file."""
 
 from __future__ import annotations
 
 import hashlib
 import json
 from collections.abc import Collection, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -49,3 +50,50 @@ def checksum(groups: Mapping[str, Any], without: Collection[str] = ()) -> str:
 def _attributes(thing: Any) -> list[Any]:
     # a format may give a list of one number back as the number
     return [(name, np.ravel(np.asarray(thing.attrs[name])).tolist()) for name in sorted(thing.attrs) if name not in _OF_FORMATS]
+
+
+# A line at the end of a file, behind what HDF5 reads: its library can crash on bytes that are not its own.
+_SEAL, _DIGITS = b"\nhophoop sha256 ", 64
+_LENGTH = len(_SEAL) + _DIGITS + 1
+
+
+def seal(file: Path) -> None:
+    """Write the checksum of a file's bytes behind them.
+
+    Parameters
+    ----------
+    file : Path
+    """
+    with file.open("r+b") as stream:
+        found = hashlib.file_digest(stream, "sha256").hexdigest()
+        stream.seek(0, 2)
+        stream.write(_SEAL + found.encode() + b"\n")
+
+
+def is_broken(file: Path) -> bool:
+    """Whether a file has a seal that is not that of its bytes.
+
+    Parameters
+    ----------
+    file : Path
+
+    Returns
+    -------
+    broken : bool
+        False also for a file that has no seal.
+    """
+    with file.open("rb") as stream:
+        length = stream.seek(0, 2) - _LENGTH
+        if length < 0:
+            return False
+        stream.seek(length)
+        line = stream.read()
+        if not line.startswith(_SEAL):
+            return False
+        stream.seek(0)
+        digest = hashlib.sha256()
+        while length > 0:
+            piece = stream.read(min(length, 1 << 20))
+            digest.update(piece)
+            length -= len(piece)
+        return line != _SEAL + digest.hexdigest().encode() + b"\n"

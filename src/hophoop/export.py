@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop._checksum import CHECKSUM, checksum
+from hophoop._checksum import CHECKSUM, checksum, seal
 from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES
@@ -218,6 +218,7 @@ def _write_netcdf(groups: dict[str, Any], file: Path) -> None:
             group.to_netcdf(file, mode="w" if name == "/" else "a", group=name, engine="netcdf4", encoding=exact)
     except RuntimeError as error:  # what netCDF raises where the disk is full
         raise OSError(f"{file} cannot be written, perhaps because the disk is full: {error}.") from None
+    seal(file)
 
 
 def _zip(folder: Path, target: Path) -> None:

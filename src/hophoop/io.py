@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 import hophoop
-from hophoop._checksum import CHECKSUM, checksum
+from hophoop._checksum import CHECKSUM, checksum, is_broken
 from hophoop._extras import need
 from hophoop.export import SCHEMA, TABLES, format_of, save, to_xarray, write_csv, write_events_csv, write_json
 from hophoop.physics.body import Status
@@ -63,6 +63,7 @@ def load(path: str | Path) -> Trajectory:
 # --- inside ----------------------------------------------------------------------------------------
 
 MOST_READS = 100
+DAMAGED = "{} is damaged: its checksum is not that of its content."
 
 
 def _identity(file: Path) -> tuple[int, int] | None:
@@ -102,7 +103,7 @@ def _check_whole(file: Path, groups: dict[str, Any]) -> None:
     said = {group.attrs.get(CHECKSUM) for group in groups.values()}
     # files of before there were checksums have none
     if said != {None} and said != {checksum(groups)}:
-        raise InputError(f"{file} is damaged: its checksum is not that of its content.")
+        raise InputError(DAMAGED.format(file))
 
 
 def _first_line(error: BaseException) -> str:
@@ -126,6 +127,8 @@ def _read(file: Path, kind: str) -> dict[str, Any]:
     xr = need("xarray", "maps")
     need("netCDF4" if kind == "netcdf" else "zarr", "maps")
     words = "netCDF" if kind == "netcdf" else "Zarr"
+    if kind == "netcdf" and is_broken(file):
+        raise InputError(DAMAGED.format(file))
     groups: dict[str, Any] = {}
     store: Any = str(file)
     if kind == "zip":

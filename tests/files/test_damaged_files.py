@@ -17,7 +17,7 @@ import xarray as xr
 import zarr
 
 import hophoop as hh
-from damage import damaged
+from damage import damaged, unseal
 from hophoop import io
 from hophoop.cli import app
 from map_tools import contents
@@ -71,6 +71,7 @@ def test_a_number_that_was_changed_is_noticed(motion, tmp_path, name, group):
     path = tmp_path / name
     motion.save(path)
     if name.endswith(".nc"):
+        unseal(path)
         with netCDF4.Dataset(path, "a") as file:
             table = file if group == "/" else file[group]
             table["angle"][1] = np.nextafter(table["angle"][1], 9.0)
@@ -83,6 +84,7 @@ def test_a_number_that_was_changed_is_noticed(motion, tmp_path, name, group):
 
 def without_checksum(path):
     """As hophoop wrote it before there were checksums."""
+    unseal(path)
     with netCDF4.Dataset(path, "a") as file:
         for group in (file, *file.groups.values()):
             group.delncattr("checksum")
@@ -96,6 +98,7 @@ def test_a_file_of_before_there_were_checksums_is_read(motion, tmp_path):
 
 def test_a_checksum_that_is_missing_in_part_is_noticed(motion, tmp_path):
     motion.save(tmp_path / "hop.nc")
+    unseal(tmp_path / "hop.nc")
     with netCDF4.Dataset(tmp_path / "hop.nc", "a") as file:
         file.delncattr("checksum")
     with pytest.raises(ValueError, match="is damaged"):
@@ -118,6 +121,23 @@ def test_a_future_schema_is_refused_by_name_whatever_is_inside(tmp_path, name):
     dataset.to_netcdf(tmp_path / name) if name.endswith(".nc") else dataset.to_zarr(tmp_path / name, consolidated=False)
     with pytest.raises(ValueError, match=r"has the schema 'hophoop/7', but this version of hophoop reads 'hophoop/1' only\.$"):
         hh.load(tmp_path / name)
+
+
+def test_a_file_that_hdf5_must_not_see_is_refused_before(motion, tmp_path, monkeypatch):
+    # its library has been seen to crash on a bit that was turned
+    motion.save(tmp_path / "hop.nc")
+    content = bytearray((tmp_path / "hop.nc").read_bytes())
+    content[len(content) // 2] ^= 4
+    (tmp_path / "hop.nc").write_bytes(content)
+    monkeypatch.setattr(xr, "open_dataset", None)
+    with pytest.raises(ValueError, match=r"hop\.nc is damaged: its checksum is not that of its content\.$"):
+        hh.load(tmp_path / "hop.nc")
+
+
+def test_a_file_that_was_changed_by_others_keeps_no_seal(motion, tmp_path):
+    motion.save(tmp_path / "hop.nc")
+    unseal(tmp_path / "hop.nc")
+    assert same(hh.load(tmp_path / "hop.nc"), motion)
 
 
 # --- a disk that is full ---------------------------------------------------------------------------

@@ -122,7 +122,8 @@ import numpy as np
 from hophoop import maps
 axes = {"plane.mu": np.linspace(0.05, 1.95, 80), "start.speed": np.linspace(0.05, 5.0, 80)}
 came = []
-threads = [threading.Thread(target=lambda: came.append(maps.sweep(None, axes, ["sequence", "hop_height"], threads=2))) for _ in "ab"]
+def make(): came.append(maps.sweep(None, axes, ["sequence", "hop_height"], threads=2))
+threads = [threading.Thread(target=make) for _ in "ab"]
 for thread in threads: thread.start()
 for thread in threads: thread.join()
 assert len(came) == 2 and came[0].identical(came[1])

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop._checksum import seal
 from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop.maps import store
@@ -195,9 +196,9 @@ def _in_memory(plan: Plan, device: str, report: Callable[[int], None]) -> Any:
 def _to_netcdf(place: Path, file: Path) -> None:
     need("netCDF4", "maps")
     dataset = need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False)
-    checked = {name: {"fletcher32": True} for name in dataset.data_vars}
     with replacing(file) as fresh:
-        dataset.to_netcdf(fresh, engine="netcdf4", encoding=checked)
+        dataset.to_netcdf(fresh, engine="netcdf4")
+        seal(fresh)
     store.remove(place)
 
 
