@@ -38,7 +38,7 @@ class Room(NamedTuple):
 
 
 ROOMS = {
-    "physics": Room(("physics/*.py",), ("tests/physics", "tests/rigid")),
+    "physics": Room(("physics/*.py",), ("tests/physics",)),
     "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics")),
     "scenario": Room(("scenario/*.py",), ("tests/scenario",)),
     "io": Room(("io.py", "export.py", "_files.py", "_digest.py"), ("tests/test_io.py", "tests/files")),
