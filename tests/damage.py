@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import random
 import shutil
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 
 def damaged(whole: Path, copy: Path, count: int, seed: int = 2026) -> Iterator[str]:
@@ -39,3 +41,22 @@ def unseal(file: Path) -> None:
     """Take the checksum from the end of a netCDF file."""
     content = file.read_bytes()
     file.write_bytes(content[: content.rindex(b"\nhophoop sha256 ")])
+
+
+SAME, REFUSED = "the same", "one sentence"
+
+
+def tally(load: Callable[[Path], Any], alike: Callable[[Any], bool], whole: Path, copy: Path, count: int) -> Counter[str]:
+    """How often a damaged copy was read as the same, or refused by one sentence; what else came is under its own name."""
+    came: Counter[str] = Counter()
+    for done in damaged(whole, copy, count):
+        try:
+            loaded = load(copy)
+        except ValueError as error:
+            text = str(error)
+            came[REFUSED if text.isprintable() and text.endswith((".", "?")) else f"{done}: {text}"] += 1
+        except Exception as error:
+            came[f"{done}: {error!r}"] += 1
+        else:
+            came[SAME if alike(loaded) else f"{done}: another"] += 1
+    return came
