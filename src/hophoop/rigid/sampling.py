@@ -26,7 +26,7 @@ FLIGHT = int(Mode.FLIGHT)
 # Columns of a sample, in kernel units.
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
-    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta",
+    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta", "theta_low",
 )  # fmt: skip
 
 
@@ -131,7 +131,8 @@ def sample(body, segments, times, left, out):
         row[10] = now.friction
         row[11] = now.impact_n
         row[12] = now.impact_t
-        row[13] = now.th + now.th_low
+        row[13] = now.th
+        row[14] = now.th_low
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:
