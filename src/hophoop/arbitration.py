@@ -18,7 +18,7 @@ DIGITS = 20
 MOST = 12  # decisions of one motion that are taken so
 # Beyond this time, in units of √(R/g), the doubles decide: solving so far in more digits would take minutes.
 LATEST = 100.0
-FAST = 100.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
+FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
 MOST_STEPS = 4000  # of one longer computation, some seconds: what needs more is left as the doubles have it
