@@ -26,4 +26,5 @@ def work_ahead(scenario: Scenario) -> str | None:
     words = f"The first {100 * share:.2g} % of the motion take {steps:,} steps: about {steps / share:,.0f} in all"
     if steps / share <= MAX_STEPS:
         return words + "."
-    return f"{words}, of which {MAX_STEPS:,} are computed; a shorter duration, a lower contact.stiffness or more damping needs fewer."
+    fewer = "a shorter duration, a lower contact.stiffness or more damping needs fewer"
+    return f"{words}, of which {MAX_STEPS:,} are computed; {fewer}."
