@@ -12,8 +12,8 @@ import hophoop
 from hophoop._jit import precompile
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Status
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
+from hophoop.records.layout import EVENT, SEGMENT, first_rows
+from hophoop.records.scratch import new_scratch, thread_scratch
 from hophoop.records.state import State, start_state
 from hophoop.records.writing import MOST_PANELS
 from hophoop.rigid import sampling
@@ -181,7 +181,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     start = start_of(scenario)
     t_end = scenario.duration / time_unit(scenario.hoop, scenario.plane)
     body = to_body(scenario.hoop, scenario.plane)
-    scratch = new_scratch()
+    scratch = thread_scratch()
     events_size = min(FIRST_EVENTS, contact.max_events)
     segments_size = FIRST_SEGMENTS
     script = NO_SCRIPT
@@ -193,7 +193,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
         status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
         if status == Status.BUFFER:
             segments_size = min(16 * segments_size, MOST_PANELS)
-        elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
+        elif scratch.written[0] < 0 and events_size < contact.max_events:  # not where the panels are used up
             events_size = min(4 * events_size, contact.max_events)
         elif scratch.written[2] >= MOST_PANELS:
             if not script.size:
@@ -213,7 +213,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state
         pieces = 1
         _hold_at(events[0], segments[0])
-    return status, events[:count].copy(), segments[:pieces].copy(), script
+    return status, first_rows(events, count), first_rows(segments, pieces), script
 
 
 def _hold_at(event: np.void, segment: np.void) -> None:

@@ -250,3 +250,13 @@ def test_slip_from_the_threshold_itself(index):
         assert float(row["t"]) == pytest.approx(float(record.state.t), rel=1e-12, abs=2e-14)
         assert float(row["omega"]) == pytest.approx(float(record.state.om), rel=1e-12)
         assert float(row["slip"]) == pytest.approx(float(record.state.vt), rel=1e-12, abs=1e-13)
+
+
+def test_force_at_the_threshold():
+    """As doubles compute κ p_σ it is negative there, and so would be N."""
+    scenario = scenario_of(draw_beside_a_border(2026, 111379)[1])
+    forces = hh.simulate(scenario).at(0.0)
+    assert forces.mode in ("S", "K")
+    assert forces.normal_force > 0.0
+    sign = -1.0 if forces.slip > 0.0 else 1.0
+    assert forces.friction_force == pytest.approx(sign * scenario.plane.mu_kinetic * forces.normal_force, rel=1e-14)

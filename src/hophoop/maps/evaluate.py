@@ -282,8 +282,13 @@ def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: 
         work()
         return
     with ThreadPoolExecutor(threads) as pool:
-        for done in [pool.submit(work) for _ in range(threads)]:
-            done.result()
+        try:
+            for done in [pool.submit(work) for _ in range(threads)]:
+                done.result()
+        except BaseException:  # Ctrl-C, too: the others end with the block they are at
+            with lock:
+                begins = iter(())
+            raise
 
 
 def cores() -> int:

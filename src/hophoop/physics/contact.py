@@ -86,10 +86,16 @@ def cone_weights(mu):
 
 
 @inline_jit
+def slip_load(body, c, u, stiffness):
+    """N/κ = −f_n/(κ p_σ) in slip."""
+    return (body.gn - body.eps * c * u) / stiffness
+
+
+@inline_jit
 def slip_motion(body, s, c, u, sigma):
     """(θ̈, N, v̇_t) in slip of direction σ."""
     arm, lever = contact_arms(body, s, c)
     q = lever + sigma * body.mu_k * arm
-    load = (body.gn - body.eps * c * u) / (body.kap + lever * q)
+    load = slip_load(body, c, u, body.kap + lever * q)
     friction_part = sigma * body.mu_k * body.kap + arm * q
     return q * load, body.kap * load, body.gt + body.eps * s * u - load * friction_part

@@ -11,9 +11,10 @@ from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel
 from hophoop.physics.body import Mode
-from hophoop.physics.contact import rolling_forces, slip_motion
+from hophoop.physics.contact import rolling_forces, slip_load
 from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state
+from hophoop.physics.painleve import slip_coefficients
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.records.writing import state_of
@@ -65,7 +66,8 @@ def contact_force(body, sigma, th, th_low, om):
     s, c = sine_cosine(th, th_low)
     if sigma == 0:
         return rolling_forces(body, s, c, om * om)
-    normal = slip_motion(body, s, c, om * om, sigma)[1]
+    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma)
+    normal = body.kap * slip_load(body, c, om * om, stiffness)
     return -sigma * body.mu_k * normal, normal
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
@@ -14,7 +13,7 @@ from pydantic import Field, ValidationError, model_validator
 from hophoop._files import replacing
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
-from hophoop.scenario.formats import query_text, read_query, read_text, toml_text
+from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
 from hophoop.scenario.paths import parameter, paths, with_replaced
 from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
@@ -85,17 +84,14 @@ class Scenario(Frozen):
         Raises
         ------
         ValueError
-            If the text is not TOML or JSON, or not a scenario.
+            If the text is not TOML or JSON, longer than a million bytes, or not a scenario.
         OSError
             If the file cannot be read.
         """
         if str(path) == "-":
-            return cls.loads(sys.stdin.read(), name="standard input")
+            return cls.loads(read_standard_input(), name="standard input")
         file = Path(path)
-        try:
-            text = file.read_text(encoding="utf-8-sig")
-        except UnicodeDecodeError:
-            raise InputError(f"{file} is not a text file in UTF-8.") from None
+        text = read_file(file)
         known = {".toml": "toml", ".json": "json"}
         return cls.loads(text, known.get(file.suffix.lower()), name=str(file))
 
