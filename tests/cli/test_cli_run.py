@@ -346,3 +346,19 @@ def test_explain_says_where_it_begins():
     assert result.exit_code == 0, result.output
     assert re.search(r"Until t = 0\.\d+ s the events are decided in more digits than doubles have\.", result.output)
     assert "Until t" not in run("run", *HOP, "--explain").output
+
+
+def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monkeypatch):
+    """From the steps of its first part; with few of them nothing is said, and standard output stays a result."""
+    from hophoop.cli import _work
+
+    path = tmp_path / "soft.toml"
+    path.write_text('duration = 0.5\n[contact]\nmodel = "compliant"\n', encoding="utf-8")
+    assert run("run", path, "--json").stderr == ""
+    monkeypatch.setattr(_work, "MANY", 10)
+    told = run("run", path, "--json")
+    assert re.fullmatch(r"The first 5 % of the motion take \d+ steps: about [\d,]+ in all\.\n", told.stderr)
+    assert json.loads(told.stdout)["status"] == "completed"
+    assert run("run", path, "--quiet").stderr == ""
+    monkeypatch.setattr("hophoop.compliant.kernel.MAX_STEPS", 30)
+    assert "of which 30 are computed; a shorter duration" in run("run", path, "--json").stderr

@@ -192,10 +192,14 @@ def run(
         precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet)
         return
 
+    from hophoop.cli._work import work_ahead
     from hophoop.explanation import phases
     from hophoop.simulation import simulate
 
     explained = phases(scenario) if explain else None  # says at once what it cannot explain
+    ahead = work_ahead(scenario)
+    if ahead is not None and not quiet:
+        say(ahead)
     motion = simulate(scenario)
     if json == "-":
         text = json_text.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
