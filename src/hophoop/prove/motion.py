@@ -15,6 +15,7 @@ from hophoop.prove.phases import Ended, Limits, roll, slip
 from hophoop.prove.rule import (
     INCONSISTENT,
     INDETERMINATE,
+    TIE_ORDER,
     UNDETERMINED,
     free_opening,
     impact,
@@ -181,7 +182,10 @@ class Run:
             else:
                 self.zeros = 2 if sign(free_opening(self.model, state.th, state.om), "f_n at a take-off") > 0 else 3
         else:
-            self.zeros = 1 if state.vt.is_zero() else 0
+            self.zeros = 0
+            if mode != Mode.ROLL and state.vt.is_zero():
+                _, _, slips, _ = self.model.candidate(state.th, state.om, 1 if mode == Mode.SKID else -1, TIE_ORDER)
+                self.zeros = 1 + next((k for k, value in enumerate(slips) if not value.is_zero()), 0)
 
     def collide(self, rest: Ball) -> dict[str, Any]:
         """Go through an impact; what its event says."""
@@ -250,7 +254,10 @@ class Run:
         tau = flight.lands(longest, arb(0))
         if tau is not None and not tau < longest:
             raise Undecided("a landing and the end of the time come together")
-        top = flight.apex(longest if tau is None else tau)
+        try:
+            top = flight.apex(longest if tau is None else tau)
+        except Undecided:  # an apex is no change of mode: one that cannot be told is left out
+            top = None
         if top is not None:
             after = top
             self.state = replace(after, vn=arb(0))

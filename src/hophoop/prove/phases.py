@@ -148,12 +148,13 @@ def slip(run: Phase, sigma: int) -> Iterator[Ended]:
         x, begun = arb(0), True
     else:
         centre = exact(state.th)
-        u = square_at(the_slip, state.th, state.om * state.om, centre)
-        x = way * (state.th - centre)
-        piece = _panel(the_slip, centre, way, u, state.t)
-        piece.t = state.t - (piece.time(x) - piece.t)
+        square = state.om * state.om
+        u = square_at(the_slip, state.th, square, centre)
+        t = state.t + way * (centre - state.th) * u.union(square).rsqrt()
+        piece = _panel(the_slip, centre, way, u, t)
+        turning = isinstance(piece, TurnPanel)
+        x = -(way * (piece.turn - state.th)).sqrt() if turning else way * (state.th - centre)
         begun = False
-    pieces: list[dict[str, Any]] = []
     for _ in range(MOST_PIECES):
         if isinstance(piece, TurnPanel):
             if not begun:
@@ -185,7 +186,7 @@ def slip(run: Phase, sigma: int) -> Iterator[Ended]:
         piece = _panel(the_slip, centre, way, u, t)
         if isinstance(piece, TurnPanel):
             x = -(way * (piece.turn - centre)).sqrt()
-    raise Undecided(f"slip takes more than {MOST_PIECES} panels; {len(pieces)}")
+    raise Undecided(f"slip takes more than {MOST_PIECES} panels")
 
 
 def _panel(the_slip: Slip, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
@@ -202,7 +203,7 @@ def _panel(the_slip: Slip, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | 
 def _turn_ahead(the_slip: Slip, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
     """A panel about the turning point ahead, None where it does not reach back to the centre."""
     radius = arb(LARGEST)
-    while (found := disc(the_slip, centre, radius)) is None:
+    while (found := disc(the_slip, centre, radius)) is None or not found.decay * radius < 1:
         radius = radius / 2
         if radius < SMALLEST:
             raise Undecided("slip comes too close to p_σ = 0")
@@ -217,10 +218,13 @@ def _turn_ahead(the_slip: Slip, centre: Ball, way: int, u: Ball) -> TurnPanel | 
         value = polynomial(squares, x) + rest
         return [[value, way * the_slip.slope(centre + way * x, value)][:wanted]]
 
-    root = first_root(evaluate, [0], arb(0), exact(radius / SHARE))
-    if root is None:
+    try:
+        root = first_root(evaluate, [0], arb(0), exact(radius / SHARE))
+        if root is None:
+            return None
+        panel = TurnPanel(the_slip, centre + way * root.x, way)
+    except Undecided:  # not yet: from nearer by it may
         return None
-    panel = TurnPanel(the_slip, centre + way * root.x, way)
     return panel if root.x < panel.reach else None
 
 

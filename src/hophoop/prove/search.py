@@ -56,7 +56,10 @@ def first_root(
         to = exact(at + width)
         if not to < end:
             to = end
-        verdict = _judge(evaluate, known, at, to)
+        try:
+            verdict = _judge(evaluate, known, at, to)
+        except (ValueError, ZeroDivisionError):  # a divisor may vanish on so wide an interval
+            verdict = None
         if verdict is None:
             width = exact((to - at) / 2)
             if not width > least:
