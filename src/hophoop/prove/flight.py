@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
 from hophoop.prove.model import Model, State
-from hophoop.prove.search import exact, first_root
+from hophoop.prove.search import Root, exact, first_root
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ class Flight:
         bare = self.begin.y.is_zero() and self.begin.vn.is_zero() and self.model.gn.is_zero()
         return bool(bare and (self.begin.om.is_zero() or self.model.eps.is_zero()))
 
-    def lands(self, longest: Ball, margin: Ball) -> Ball | None:
-        """τ of the first landing, None where there is none within `longest`."""
+    def lands(self, longest: Ball) -> Root | None:
+        """The first landing, None where there is none within `longest`."""
         if not longest > 0:
             raise Undecided("an event and the end of the time come together")
         step = exact((longest / 64).union(arb(0)).upper())
@@ -67,10 +67,10 @@ class Flight:
             return None
         if not self.gap(root.x, 2)[1] < 0:
             raise Undecided("the rim grazes the plane")
-        return root.x
+        return root
 
-    def apex(self, until: Ball) -> State | None:
-        """The state where the gap is largest inside the flight."""
+    def apex(self, until: Ball) -> tuple[State, Root] | None:
+        """The state, and τ, where the gap is largest inside the flight."""
         end = exact(until.lower())
         way = 1
         at, zeros = arb(0), max(self.zeros - 1, 0)
@@ -78,7 +78,7 @@ class Flight:
             zeros, way = 0, sign(self.begin.vn, "ẏ at the begin of a flight")
             if way == 0:
                 zeros, way = 1, sign(self.gap(arb(0), 3)[2], "ÿ at the begin of a flight")
-        best: State | None = None
+        best: tuple[State, Root] | None = None
         while True:
             root = first_root(
                 lambda tau, terms, way=way: [_rate(self.gap(tau, terms + 1), way, terms)], [zeros], at, end, arb(0.125)
@@ -87,9 +87,9 @@ class Flight:
                 return best
             if way > 0:
                 top = self.state(root.x)
-                if best is None or top.y > best.y:
-                    best = top
-                elif not top.y < best.y:
+                if best is None or top.y > best[0].y:
+                    best = top, root
+                elif not top.y < best[0].y:
                     raise Undecided("two tops of a flight are equally high")
             # just beyond the bracket of the only root the rate has the other sign
             at, way, zeros = root.high, -way, 0

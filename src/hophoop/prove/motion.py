@@ -23,6 +23,8 @@ from hophoop.prove.rule import (
     opening_sign,
     slip_mode,
 )
+from hophoop.prove.witness import bracket
+
 
 CLOSING = "1e-12"  # bounces are closed when what is left of them takes less than this part of the time so far
 GAIN_FLOOR = "1e-14"  # beside the energy of an impact: less is no gain
@@ -249,9 +251,11 @@ class Run:
             self.end(Status.COMPLETED, "takeoff")
             return
         if flight.hovers():
+            self.witnesses.append({"mode": "H", "to": None, "apex": None})
             self.finish_flight(flight, longest)
             return
-        tau = flight.lands(longest, arb(0))
+        landing = flight.lands(longest)
+        tau = None if landing is None else landing.x
         if tau is not None and not tau < longest:
             raise Undecided("a landing and the end of the time come together")
         try:
@@ -259,10 +263,10 @@ class Run:
         except Undecided:  # an apex is no change of mode: one that cannot be told is left out
             top = None
         if top is not None:
-            after = top
-            self.state = replace(after, vn=arb(0))
+            self.state = replace(top[0], vn=arb(0))
             self.note(Event.APEX, int(Mode.FLIGHT), int(Mode.FLIGHT))
-        self.witnesses.append({"mode": "H", "tau": tau})
+        brackets = [None if root is None else bracket(root.x, root.low, root.high) for root in (landing, top and top[1])]
+        self.witnesses.append({"mode": "H", "to": brackets[0], "apex": brackets[1]})
         if tau is None:
             self.finish_flight(flight, longest)
             return
@@ -278,7 +282,8 @@ class Run:
         """Roll or slip up to the next event."""
         for ended in roll(self) if sigma == 0 else slip(self, sigma):
             self.state = ended.state
-            self.witnesses.append(ended.witness)
+            if ended.witness:
+                self.witnesses.append(ended.witness)
             if ended.what == "turn":
                 self.note(Event.TURN, self.mode, self.mode)
                 if self.until == REVOLUTION:

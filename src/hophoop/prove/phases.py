@@ -9,8 +9,9 @@ from typing import Any, Protocol
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, pi, polynomial, precision, sign, symmetric
 from hophoop.prove.model import Model, State
 from hophoop.prove.rolling import TURN, Rolling, still
-from hophoop.prove.search import exact, first_root
+from hophoop.prove.search import Root, exact, first_root
 from hophoop.prove.slipping import LARGEST, SHARE, SMALLEST, Panel, Slip, TurnPanel, disc, square_at, terms_for
+from hophoop.prove.witness import Trail, bracket
 
 LIFT, STOP, LIMIT, SPAN, REST = "lift", "stop", "limit", "span", "rest"
 MOST_PIECES = 20_000
@@ -59,19 +60,20 @@ def roll(run: Phase) -> Iterator[Ended]:
             yield Ended(REST, state, {"mode": "R", "way": 0})
             return
         rolling = Rolling(model, state, way, at_turn)
-        what, state = _roll_on(rolling, limits)
-        witness = {"mode": "R", "way": way, "what": what}
+        what, state, around, turns = _roll_on(rolling, limits)
+        witness = {"mode": "R", "way": way, "what": what, "angle": around, "turns": turns}
         yield Ended(what, state, witness)
         if what != TURN:
             return
 
 
-def _roll_on(rolling: Rolling, limits: Limits) -> tuple[str, State]:
-    """The next event or turning point, with its state."""
+def _roll_on(rolling: Rolling, limits: Limits) -> tuple[str, State, list[str] | None, int]:
+    """(what comes next, the state there, a bracket of its angle, whole turns before it that are not looked at)."""
     model, begin, way = rolling.model, rolling.begin, rolling.way
     turn = 2 * pi()
     base, t, fresh = begin.th, begin.t, True
     known = len(rolling.names) - 1
+    turns = 0
     while True:
         zeros = [0] * known + [1 if fresh and rolling.at_turn else 0]
         rolled = rolling.first(turn.upper(), zeros, base, limits.left(base, way))
@@ -82,16 +84,18 @@ def _roll_on(rolling: Rolling, limits: Limits) -> tuple[str, State]:
                 if not after > limits.t_end:
                     raise Undecided("an event and the end of the time come together")
                 th = _angle_at(rolling, base, rolled.th, limits.t_end - t, fresh and rolling.at_turn)
-                return LIMIT, _rolled(rolling, limits.t_end, th)
+                return LIMIT, _rolled(rolling, limits.t_end, th), bracket(th), turns
             t = after
         if rolled.what is not None:
             state = _rolled(rolling, t, rolled.th)
-            return rolled.what, replace(state, om=arb(0)) if ends else state
+            around = None if rolled.bracket is None else bracket(rolled.th, *rolled.bracket)
+            return rolled.what, replace(state, om=arb(0)) if ends else state, around, turns
         base, fresh = rolled.th, False
         if model.level and limits.t_end is not None:  # what does not happen in a whole turn happens in none
             period = rolling.duration(base, base + way * turn)
             count = int(((limits.t_end - t) / period).lower().floor().unique_fmpz() or 0)
             if count > 1:
+                turns += count
                 base, t = base + way * turn * count, t + period * count
 
 
@@ -155,29 +159,35 @@ def slip(run: Phase, sigma: int) -> Iterator[Ended]:
         turning = isinstance(piece, TurnPanel)
         x = -(way * (piece.turn - state.th)).sqrt() if turning else way * (state.th - centre)
         begun = False
+    trail = Trail(the_slip, state.th)
     for _ in range(MOST_PIECES):
         if isinstance(piece, TurnPanel):
             if not begun:
                 root = _search(piece, zeros, x.lower(), arb(0), limits)
-                if root is None:
-                    yield Ended(TURN, replace(piece.state(arb(0)), om=arb(0)), {})
-                    zeros, x = [-1, -1], arb(0)
-                    way = -way
-                else:
-                    yield _ended(piece, root)
+                trail.turn(piece)
+                if root is not None:
+                    yield _ended(piece, root, trail)
                     return
+                last_turn = limits.origin is not None
+                found = trail.record(TURN, None) if last_turn else {}
+                yield Ended(TURN, replace(piece.state(arb(0)), om=arb(0)), found)
+                zeros, x, way = [-1, -1], arb(0), -way
+            else:
+                trail.turn(piece)
             root = _search(piece, zeros, arb(0), exact(piece.reach.sqrt().lower() * 15 / 16), limits)
-            last = exact(piece.reach.sqrt().lower() * 7 / 8)
+            last = arb(float(piece.reach.sqrt().lower() * 7 / 8))
             if root is not None:
-                yield _ended(piece, root)
+                yield _ended(piece, root, trail)
                 return
+            trail.leave(last)
             centre = exact(piece.angle(last))
             w = (way * (centre - piece.turn)).sqrt()
             u, t = w * w * piece.over(w), piece.time(w)
         else:
             root = _search(piece, zeros, x.lower(), piece.reach, limits)
+            trail.panel(piece)
             if root is not None:
-                yield _ended(piece, root)
+                yield _ended(piece, root, trail)
                 return
             centre = exact(piece.angle(piece.reach))
             x = way * (centre - piece.centre)
@@ -228,8 +238,8 @@ def _turn_ahead(the_slip: Slip, centre: Ball, way: int, u: Ball) -> TurnPanel | 
     return panel if root.x < panel.reach else None
 
 
-def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits) -> tuple[str, Ball] | None:
-    """(what, x) of the first event on a piece."""
+def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits) -> tuple[str, Root] | None:
+    """(what, where) of the first event on a piece."""
     names, known = [LIFT, STOP], list(zeros)
     if limits.t_end is not None:
         names, known = [*names, LIMIT], [*known, 0]
@@ -249,16 +259,16 @@ def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, 
     if not begin < end:
         return None
     root = first_root(evaluate, known, exact(begin), exact(end), exact((end - begin) / 2))
-    return None if root is None else (names[root.index], root.x)
+    return None if root is None else (names[root.index], root)
 
 
 def _padded(jet: Jet, terms: int) -> Jet:
     return jet[:terms] + [arb(0)] * (terms - len(jet))
 
 
-def _ended(piece: Panel | TurnPanel, root: tuple[str, Ball]) -> Ended:
-    what, x = root
-    return Ended(what, piece.state(x, what == STOP), {})
+def _ended(piece: Panel | TurnPanel, found: tuple[str, Root], trail: Trail) -> Ended:
+    what, root = found
+    return Ended(what, piece.state(root.x, what == STOP), trail.record(what, root))
 
 
 def _slide(the_slip: Slip, limits: Limits) -> Ended:

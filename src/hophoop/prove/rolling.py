@@ -20,6 +20,7 @@ class Rolled:
 
     what: str | None
     th: Ball
+    bracket: tuple[Ball, Ball] | None = None
 
 
 class Rolling:
@@ -86,7 +87,8 @@ class Rolling:
         if root is None:
             return Rolled(None, origin + self.way * exact(reach))
         names = [*self.names, SPAN]
-        return Rolled(names[root.index], origin + self.way * root.x)
+        ends = tuple(origin + self.way * x for x in (root.low, root.high))
+        return Rolled(names[root.index], origin + self.way * root.x, (ends[0], ends[1]))
 
     # --- time ------------------------------------------------------------------------------------
 
