@@ -54,11 +54,16 @@ class Run:
         Balls in the place of parameters.
     until : str, optional
         'duration', or 'revolution': the first of a whole turn, a turning point and a take-off.
+    timed : bool, optional
+        Whether times are wanted; a revolution can do without those of rolling.
+    max_events : int, optional
+        More are not looked at.
     """
 
     problem: Problem
     free: Mapping[str, Ball] | None = None
     until: str = DURATION
+    timed: bool = True
     max_events: int = 4000
     model: Model = field(init=False)
     facts: list[Fact] = field(init=False, default_factory=list)
@@ -76,7 +81,7 @@ class Run:
         self.zeros = 0  # slip: known zeros of v_t at its begin; flight: of the gap
         self.last_bounce: Ball = arb(0)
         duration = self.until == DURATION
-        self.limits = Limits(self.model.t_end if duration else None, None if duration else self.origin)
+        self.limits = Limits(self.model.t_end if duration else None, None if duration else self.origin, self.timed)
 
     @property
     def proved(self) -> bool:

@@ -28,10 +28,14 @@ class Ended:
 
 @dataclass(frozen=True)
 class Limits:
-    """Where a motion ends at the latest: a time (None: no matter), and a whole turn from an angle (None: no matter)."""
+    """Where a motion ends at the latest: a time (None: no matter), and a whole turn from an angle (None: no matter).
+
+    Without `timed` the time that rolling takes is left out, where nothing depends on it.
+    """
 
     t_end: Ball | None
     origin: Ball | None
+    timed: bool = True
 
     def left(self, th: Ball, way: int) -> Ball | None:
         """Angle to go."""
@@ -78,9 +82,9 @@ def _roll_on(rolling: Rolling, limits: Limits) -> tuple[str, State, list[str] | 
         zeros = [0] * known + [1 if fresh and rolling.at_turn else 0]
         rolled = rolling.first(turn.upper(), zeros, base, limits.left(base, way))
         ends = rolled.what == TURN
-        if limits.t_end is not None:
+        if limits.timed:
             after = t + rolling.duration(base, rolled.th, fresh and rolling.at_turn, ends)
-            if not after < limits.t_end:
+            if limits.t_end is not None and not after < limits.t_end:
                 if not after > limits.t_end:
                     raise Undecided("an event and the end of the time come together")
                 th = _angle_at(rolling, base, rolled.th, limits.t_end - t, fresh and rolling.at_turn)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
 from itertools import pairwise
@@ -14,6 +14,7 @@ from hophoop._files import replacing
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, precision
+from hophoop.prove.checker import Verdict, check
 from hophoop.prove.model import Model
 from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
 from hophoop.scenario import InputError, Scenario
@@ -138,6 +139,11 @@ class Proof:
         """Whether the whole motion is proved."""
         return self.verdict == "proved"
 
+    @property
+    def rank(self) -> tuple[bool, int, int]:
+        """What makes one attempt better than another."""
+        return self.proved, len(self.events), self.digits_proved
+
     def save(self, path: str | Path) -> None:
         """Write the certificate as JSON.
 
@@ -158,6 +164,8 @@ class Proof:
 
 def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_events: int = 4000) -> Proof:
     """Prove the sequence of events of a rigid motion, with an enclosure of each.
+
+    It is proved where the enclosures are found and the checker, which shares no solver with them, accepts the certificate.
 
     Parameters
     ----------
@@ -190,20 +198,28 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
         raise InputError("A proof needs rigid contact; this scenario has a compliant one.")
     problem = Problem.of(scenario)
     bits = int(digits * BITS_A_DIGIT) + GUARD + min(problem.tiny(), 200)
-    best: tuple[int, int, Run, int] | None = None
+    best: Proof | None = None
     for _ in range(TRIES):
         with precision(bits):
             run = Run(problem, until=until, max_events=max_events).run()
             right = _digits_of(run)
-        if best is None or (run.proved, len(run.facts), right) > (best[2].proved, len(best[2].facts), best[3]):
-            best = (digits, bits, run, right)
-        if run.proved and right > digits:
-            break
-        bits = 2 * bits if not run.proved else bits + int((digits - right + 4) * BITS_A_DIGIT)
+            found = _proof(scenario, run, digits, max(0, min(digits, right - 1)), bits)
+        if found.certificate is not None:
+            verdict = check(found.certificate)
+            if verdict.accepted and right > digits:
+                return found
+            if not verdict.accepted:
+                found = _refused(found, verdict)
+        if best is None or found.rank > best.rank:
+            best = found
+        bits = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT)) if run.proved else 2 * bits
     assert best is not None
-    _, bits, run, right = best
-    with precision(bits):
-        return _proof(scenario, run, digits, min(digits, right - 1), bits)
+    return best
+
+
+def _refused(proof: Proof, verdict: Verdict) -> Proof:
+    why = f"the checker does not accept the certificate, for it cannot show that {verdict.why}"
+    return replace(proof, verdict="undecided", why=why, certificate=None, events=proof.events[: verdict.events])
 
 
 def _values(fact: Fact, model: Model) -> dict[str, tuple[Ball, Ball]]:
@@ -254,10 +270,12 @@ def enclosure(value: Ball, unit: Ball, digits: int) -> Enclosure:
     return Enclosure(middle, Context(prec=1, rounding=ROUND_CEILING).plus(radius))
 
 
-def sequence_of(facts: list[Fact]) -> str:
-    """One letter a phase that lasts."""
+def sequence_of(facts: list[Fact], ending: str = DURATION) -> str:
+    """One letter a phase that lasts, and the flight that a take-off begins where it ends the motion."""
     marks = [fact for fact in facts if fact.kind not in PASSING]
     letters = [_letter(a.after_mode) for a, b in pairwise(marks) if a.state.t < b.state.t]
+    if ending == "takeoff":
+        letters.append("H")
     return "".join(letters) or (_letter(marks[-1].after_mode) if marks else "")
 
 
@@ -272,7 +290,7 @@ def _proof(scenario: Scenario, run: Run, digits: int, right: int, bits: int) -> 
         before = None if fact.before_mode is None else _letter(fact.before_mode)
         events.append(ProvedEvent(EVENT_NAMES[fact.kind], before, _letter(fact.after_mode), **numbers))
     status = Status(run.status).name.lower() if run.proved else ""
-    sequence = sequence_of(run.facts)
+    sequence = sequence_of(run.facts, run.ending)
     certificate = None
     if run.proved:
         from hophoop import __version__

@@ -183,7 +183,8 @@ class Walk:
         need(bool(self.over), "the motion comes to its end")
         need(self.seen == len(self.events) and not self.phases, "nothing follows the end")
         pairs = zip(self.letters, self.letters[1:], strict=False)
-        found = "".join(a[0] for a, b in pairs if a[1] < b[1]) or self.letters[-1][0]
+        found = "".join(a[0] for a, b in pairs if a[1] < b[1]) + ("H" if self.claim["ending"] == "takeoff" else "")
+        found = found or self.letters[-1][0]
         need(self.claim["sequence"] == found, "the sequence is that of the events")
 
     def record(self, mode: str) -> dict[str, Any]:

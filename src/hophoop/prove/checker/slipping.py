@@ -89,14 +89,8 @@ class Piece:
         value = flint.arb_poly(self.value_terms)
         rate = value.derivative()
         left, stiff = left_over(model, sigma, self.centre, self.way, reach, value, rate)
-        whole = self.angle(symmetric(reach))
-        s, c = whole.sin_cos()
-        drag = sigma * model.mu_k
-        torque = model.eps * s + drag * (1 + model.eps * c)
-        firm = stiff
-        decay = abs(2 * torque * model.eps * c / firm).abs_upper()
-        eta = left / firm.abs_lower()
-        grown = (decay * length).exp()
+        eta = left / stiff.abs_lower()
+        grown = growth(model, sigma, self.centre, self.way, x.union(end)).exp()
         first = abs(polynomial(self.value_terms, x) - u).abs_upper()
         self.error_u = symmetric(grown * (first + length * eta))
         if self.time_terms is None:
@@ -112,15 +106,10 @@ class Piece:
 
     def lowest(self, whole: Ball) -> Ball:
         """A positive bound of θ̇² from below on a stretch."""
-        parts, low = 16, whole.lower()
-        width = (whole.upper() - low) / parts
-        values = [self.square((low + width * k).union(low + width * (k + 1))).lower() for k in range(parts)]
+        values = [self.square(part).lower() for part in parts(whole)]
         for value in values:
             need(bool(value > 0), "θ̇ stays away from zero on a panel")
-        least = values[0]
-        for value in values[1:]:
-            least = least.min(value)
-        return least
+        return least_of(values)
 
     def square(self, x: Ball) -> Ball:
         """θ̇²; on an interval about its middle."""
@@ -175,16 +164,14 @@ class Turn(Piece):
         along = flint.arb_poly([0, 1])
         value = along * ratio
         left, firm = left_over(model, sigma, turn, -way, self.reach, value, value.derivative())
-        s, c = (turn + symmetric(self.reach)).sin_cos()
-        torque = model.eps * s + sigma * model.mu_k * (1 + model.eps * c)
-        decay = abs(2 * torque * model.eps * c / firm).abs_upper()
-        self.error_g = symmetric(left / firm.abs_lower() * (decay * self.reach).exp())
+        grown = growth(model, sigma, turn, -way, arb(0).union(self.reach)).exp()
+        self.error_g = symmetric(left / firm.abs_lower() * grown)
         timing = flint.arb_poly(self.time_terms)
         slow = timing + 2 * along * timing.derivative()
         rest = largest(coefficients_of(slow * slow * ratio - 4), self.reach)
         speed = largest(coefficients_of(slow), self.reach)
         spoilt = rest + speed * speed * self.error_g.abs_upper()
-        least = self.over((arb(0).union(self.reach)).sqrt()).lower()
+        least = least_of([(polynomial(self.value_terms, part) + self.error_g).lower() for part in parts(arb(0).union(self.reach))])
         need(bool(least > 0) and bool(spoilt < 1), "θ̇² has a simple zero at a turning point")
         self.error_t = symmetric(spoilt * least.rsqrt() * self.reach.sqrt())
         self.offset = arb(0)
@@ -228,6 +215,33 @@ class Turn(Piece):
     def limits(self, w: Ball, t_end: Ball) -> Jet:
         """What is left of the time."""
         return [t_end - self.time(w), -2 * self.over(w).rsqrt()]
+
+
+def parts(whole: Ball, count: int = 16) -> list[Ball]:
+    """Intervals that cover one."""
+    low = whole.lower()
+    width = (whole.upper() - low) / count
+    return [(low + width * k).union(low + width * (k + 1)) for k in range(count)]
+
+
+def least_of(values: list[Ball]) -> Ball:
+    """The smallest."""
+    least = values[0]
+    for value in values[1:]:
+        least = least.min(value)
+    return least
+
+
+def growth(model: Equations, sigma: int, centre: Ball, way: int, whole: Ball) -> Ball:
+    """Bound of −∫ a over any part of a stretch, where the error e of θ̇² has e' = −a e + …, a = 2 way ε cos θ q/(κ p_σ)."""
+    drag, total, stretch = sigma * model.mu_k, arb(0), parts(whole)
+    for part in stretch:
+        s, c = (centre + way * part).sin_cos()
+        torque = model.eps * s + drag * (1 + model.eps * c)
+        decay = 2 * way * model.eps * c * torque / (model.kap + model.eps * s * torque)
+        total += (-decay).upper().max(arb(0))
+    width = (whole.upper() - whole.lower()) / len(stretch)
+    return (total * width).upper()
 
 
 def left_over(
