@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
 from hophoop.prove.model import Model, State
@@ -80,9 +81,7 @@ class Flight:
                 zeros, way = 1, sign(self.gap(arb(0), 3)[2], "ÿ at the begin of a flight")
         best: tuple[State, Root] | None = None
         while True:
-            root = first_root(
-                lambda tau, terms, way=way: [_rate(self.gap(tau, terms + 1), way, terms)], [zeros], at, end, arb(0.125)
-            )
+            root = first_root(partial(self._rate, way), [zeros], at, end, arb(0.125))
             if root is None:
                 return best
             if way > 0:
@@ -94,7 +93,7 @@ class Flight:
             # just beyond the bracket of the only root the rate has the other sign
             at, way, zeros = root.high, -way, 0
 
-
-def _rate(gap: Jet, way: int, terms: int) -> Jet:
-    """The derivative of a gap with the sign that makes it positive."""
-    return [way * k * gap[k] for k in range(1, min(terms, len(gap) - 1) + 1)]
+    def _rate(self, way: int, tau: Ball, terms: int) -> list[Jet]:
+        """The derivative of the gap with the sign that makes it positive."""
+        gap = self.gap(tau, terms + 1)
+        return [[way * k * gap[k] for k in range(1, min(terms, len(gap) - 1) + 1)]]

@@ -59,7 +59,7 @@ class Model:
         self.mu_s, self.mu_k = self._friction("static", problem.mu_s), self._friction("kinetic", problem.mu_k)
         self.equal_friction = problem.mu_s == problem.mu_k and not {"plane.mu_static", "plane.mu_kinetic"} & set(self.free)
         self.rest = rational(problem.rest)
-        slope = self.free.get("plane.slope", rational(problem.slope))
+        slope: Ball = self.free.get("plane.slope", rational(problem.slope))
         weight = 1 if problem.gravity else 0
         self.gn, self.gt = slope.cos() * weight, slope.sin() * weight
         self.level = bool(self.gt.is_zero())
@@ -68,7 +68,7 @@ class Model:
         self.speed = self.length / self.time
         self.t_end = rational(problem.duration) / self.time
 
-    def _friction(self, kind: str, value: Fraction | None) -> Ball | None:
+    def _friction(self, kind: str, value: Fraction | None) -> Ball:
         for name in (f"plane.mu_{kind}", "plane.mu"):
             if name in self.free:
                 return self.free[name]

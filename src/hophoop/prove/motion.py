@@ -25,7 +25,6 @@ from hophoop.prove.rule import (
 )
 from hophoop.prove.witness import bracket
 
-
 CLOSING = "1e-12"  # bounces are closed when what is left of them takes less than this part of the time so far
 GAIN_FLOOR = "1e-14"  # beside the energy of an impact: less is no gain
 DURATION, REVOLUTION = "duration", "revolution"

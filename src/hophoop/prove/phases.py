@@ -6,7 +6,20 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
-from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, pi, polynomial, precision, sign, symmetric
+from hophoop.prove._flint import (
+    Ball,
+    Jet,
+    Undecided,
+    arb,
+    bits,
+    coefficients,
+    order,
+    pi,
+    polynomial,
+    precision,
+    sign,
+    symmetric,
+)
 from hophoop.prove.model import Model, State
 from hophoop.prove.rolling import TURN, Rolling, still
 from hophoop.prove.search import Root, exact, first_root

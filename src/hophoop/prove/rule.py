@@ -1,4 +1,4 @@
-"""Impacts and the mode rule of docs/model.md: every inequality shown, every tie decided by the first derivative that is not zero.
+"""Impacts and the mode rule of docs/model.md: every inequality shown, ties by the first derivative that is not zero.
 
 A quantity is in a tie only where it is zero exactly: an enclosure that merely contains zero decides nothing.
 """
@@ -148,9 +148,7 @@ def impact(model: Model, rest: Ball, state: State) -> Blow:
     todo = target = arb(0)
     for _ in range(8):
         sigma = sign(vt, "v_t in an impact")
-        stick = sigma == 0 and (
-            model.mu_s is None or sign(model.mu_s - abs(hold), "the friction that an impact needs") >= 0
-        )
+        stick = sigma == 0 and (model.mu_s is None or sign(model.mu_s - abs(hold), "the friction that an impact needs") >= 0)
         if model.mu_k is None and not stick:  # infinite friction stops the slip with a tangential impulse alone
             turned, side = arm * vt / firm, -vt * model.kap / firm
             work_t, p_t, spin, vn = work_t + vt * side / 2, p_t + side, spin + turned, vn + lever * turned

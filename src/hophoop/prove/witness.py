@@ -47,7 +47,9 @@ def digits36(number: int) -> str:
 def packed(values: list[Ball], reach: float, precise: int) -> str:
     """A polynomial in x/reach, to 2^−precise each."""
     scale, step = arb(2) ** precise, arb(reach)
-    numbers = [int((value.mid() * scale * step**k + arb(0.5)).floor().mid().unique_fmpz() or 0) for k, value in enumerate(values)]
+    numbers = [
+        int((value.mid() * scale * step**k + arb(0.5)).floor().mid().unique_fmpz() or 0) for k, value in enumerate(values)
+    ]
     while len(numbers) > 1 and numbers[-1] == 0:
         numbers.pop()
     return " ".join(map(digits36, numbers))
@@ -160,12 +162,12 @@ class Trail:
 
     def _square(self, th: float) -> Ball:
         """θ̇² at an angle that the pieces cover."""
+        found = self.pieces[-1]
         for piece in self.pieces:
-            x = piece.way * (arb(th) - piece.centre)
-            if not x > piece.reach:
-                return piece.square(x.mid()).mid()
-        last = self.pieces[-1]
-        return last.square(last.reach).mid()
+            if not piece.way * (arb(th) - piece.centre) > piece.reach:
+                found = piece
+                break
+        return found.square((found.way * (arb(th) - found.centre)).mid()).mid()
 
     def _series(self, way: int, centre: float) -> dict[str, Any]:
         """Polynomials about an angle, as far as they go."""

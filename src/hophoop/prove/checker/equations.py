@@ -135,7 +135,7 @@ class Equations:
             return {name: coefficients(series([0]) + value, terms) for name, value in wanted.items()}
 
 
-def _friction(value: Any) -> Ball | None:
+def _friction(value: Any) -> Ball:
     number = float(value)
     return None if math.isinf(number) else rational(Fraction(number))
 

@@ -67,14 +67,10 @@ def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> 
     def others(x: Ball, terms: int) -> list[Jet]:
         return [jet for k, jet in enumerate(functions(x, terms)) if k != index]
 
-    def falls(x: Ball, terms: int) -> list[Jet]:
-        jet = functions(x, terms + 1)[index]
-        return [[-(k + 1) * jet[k + 1] for k in range(terms)]]
-
     need(bool(functions(low, 1)[index][0] > 0), f"{what}: not before its bracket")
     need(bool(functions(high, 1)[index][0] < 0), f"{what}: not within its bracket")
     positive(others, low, high, f"{what}: something else comes in its bracket")
-    positive(falls, low, high, f"{what}: only one in its bracket")
+    _falling(functions, index, low, high, f"{what}: only one in its bracket")
     x = low.union(high)
     for _ in range(100):
         middle = x.mid()
@@ -82,10 +78,29 @@ def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> 
             step = middle - functions(middle, 1)[index][0] / functions(x, 2)[index][1]
         except (ValueError, ZeroDivisionError):
             break
-        if not step.is_finite() or not x.overlaps(step):
+        if not step.is_finite():
             break
+        need(bool(x.overlaps(step)), f"{what}: it is in its bracket")
         closer = x.intersection(step)
         if not closer.rad() < x.rad() * 3 / 4:
             return closer
         x = closer
     return x
+
+
+def _falling(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> None:
+    """Refuse unless one function falls from low to high."""
+    work = [(low.lower(), high.upper())]
+    for _ in range(MOST_PARTS):
+        if not work:
+            return
+        a, b = work.pop()
+        try:
+            clear = bool(functions(a.union(b), 2)[index][1] < 0)
+        except (ValueError, ZeroDivisionError):
+            clear = False
+        if not clear:
+            middle = ((a + b) / 2).mid()
+            need(bool(a < middle) and bool(middle < b), what)
+            work += [(middle, b), (a, middle)]
+    raise Refused(what)

@@ -68,7 +68,9 @@ class Rolling:
             return self.duration(a, middle, True, False) + self.duration(middle, b, False, True)
         if from_turn or to_turn:
             turn, other, way = (a, b, self.way) if from_turn else (b, a, -self.way)
-            return integral(lambda w, analytic: self._slowness_at_turn(turn, way, w, analytic), arb(0), (way * (other - turn)).sqrt())
+            return integral(
+                lambda w, analytic: self._slowness_at_turn(turn, way, w, analytic), arb(0), (way * (other - turn)).sqrt()
+            )
         return self.way * integral(self._slowness, a, b)
 
     def _slowness(self, z: Ball, analytic: bool) -> Ball:

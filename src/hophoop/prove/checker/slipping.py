@@ -171,7 +171,9 @@ class Turn(Piece):
         rest = largest(coefficients_of(slow * slow * ratio - 4), self.reach)
         speed = largest(coefficients_of(slow), self.reach)
         spoilt = rest + speed * speed * self.error_g.abs_upper()
-        least = least_of([(polynomial(self.value_terms, part) + self.error_g).lower() for part in parts(arb(0).union(self.reach))])
+        least = least_of(
+            [(polynomial(self.value_terms, part) + self.error_g).lower() for part in parts(arb(0).union(self.reach))]
+        )
         need(bool(least > 0) and bool(spoilt < 1), "θ̇² has a simple zero at a turning point")
         self.error_t = symmetric(spoilt * least.rsqrt() * self.reach.sqrt())
         self.offset = arb(0)
@@ -244,9 +246,7 @@ def growth(model: Equations, sigma: int, centre: Ball, way: int, whole: Ball) ->
     return (total * width).upper()
 
 
-def left_over(
-    model: Equations, sigma: int, centre: Ball, way: int, reach: Ball, value: Any, rate: Any
-) -> tuple[Ball, Ball]:
+def left_over(model: Equations, sigma: int, centre: Ball, way: int, reach: Ball, value: Any, rate: Any) -> tuple[Ball, Ball]:
     """(bound of κ p_σ U' + 2 way q f_n on the stretch, κ p_σ there): zero for θ̇² itself."""
     flint = _flint
     terms = max(value.length() + 8, 24)
