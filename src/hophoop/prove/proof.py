@@ -189,9 +189,7 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
     ImportError
         If python-flint is not installed.
     """
-    whole = isinstance(digits, int) and not isinstance(digits, bool)
-    if not whole or not LEAST_DIGITS <= digits <= MOST_DIGITS:
-        raise InputError(f"digits = {digits!r} must be a whole number from {LEAST_DIGITS} to {MOST_DIGITS}.")
+    check_digits(digits)
     if until not in (DURATION, REVOLUTION):
         raise InputError(f"until = {until!r} must be {DURATION} or {REVOLUTION}.")
     if scenario.contact.model != "rigid":
@@ -215,6 +213,13 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
         bits = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT)) if run.proved else 2 * bits
     assert best is not None
     return best
+
+
+def check_digits(digits: int) -> None:
+    """Refuse a number of digits that cannot be asked for."""
+    whole = isinstance(digits, int) and not isinstance(digits, bool)
+    if not whole or not LEAST_DIGITS <= digits <= MOST_DIGITS:
+        raise InputError(f"digits = {digits!r} must be a whole number from {LEAST_DIGITS} to {MOST_DIGITS}.")
 
 
 def _refused(proof: Proof, verdict: Verdict) -> Proof:

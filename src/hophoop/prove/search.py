@@ -66,7 +66,7 @@ def first_root(
                 raise Undecided("an event comes too close to not happening")
             continue
         if verdict:
-            return _earliest(evaluate, [Root(k, _refined(evaluate, k, at, to), at, to) for k in verdict])
+            return _earliest(evaluate, [Root(k, refined(evaluate, k, at, to), at, to) for k in verdict])
         at, known = to, [-1] * len(known)
         width = exact((width * 3) / 2)
     return None
@@ -116,7 +116,7 @@ def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball) -> list
     return roots
 
 
-def _refined(evaluate: Evaluate, k: int, low: Ball, high: Ball) -> Ball:
+def refined(evaluate: Evaluate, k: int, low: Ball, high: Ball) -> Ball:
     """The root in a bracket on which the function falls, by the interval Newton method."""
     x = low.union(high)
     for _ in range(200):

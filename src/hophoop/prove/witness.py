@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from hophoop.prove._flint import Ball, arb, bits, coefficients, order, precision
+from hophoop.prove._flint import Ball, arb, bits, coefficients, order, polynomial, precision
 from hophoop.prove.search import Root
 from hophoop.prove.slipping import Panel, Slip, TurnPanel
 
@@ -94,7 +94,7 @@ class Trail:
         }
         distance = way * (piece.turn - arb(self.at))
         if not (at_begin and self.slip.begin.om.is_zero()):
-            one["link"] = self._link(way, distance)
+            one["link"] = self._link(way, distance, self._begin_square())
         self.panels.append(one)
         self.about, self.pieces = piece, []
 
@@ -185,11 +185,21 @@ class Trail:
             times = coefficients(found.rsqrt().integral(), terms) if square > 0 else middles
         return middles, [value.mid() for value in times]
 
-    def _link(self, way: int, distance: Ball) -> dict[str, Any]:
+    def _begin_square(self) -> Ball:
+        """θ̇² where the record has come to."""
+        if self.pieces:
+            return self._square(self.at)
+        if self.about is not None:
+            w = arb(self.panels[-1]["to"])
+            return (w * w * self.about.over(w)).mid()
+        begin = self.slip.begin
+        with order(8):  # the record goes on from a double beside the angle of the begin
+            near = coefficients(self.slip.square(begin.th.mid(), (begin.om * begin.om).mid(), 1, 8), 8)
+        return polynomial(near, arb(self.at) - begin.th.mid()).mid()
+
+    def _link(self, way: int, distance: Ball, square: Ball) -> dict[str, Any]:
         """θ̇² alone, from where the record has come to until it vanishes."""
         with precision(self.precise + 40):
-            begin = self.slip.begin
-            square = self._square(self.at) if self.pieces else (begin.om * begin.om).mid()
             u, _ = self._terms(way, self.at, square)
             reach = float(distance.mid()) * 1.0625
             return {

@@ -205,6 +205,8 @@ class Walk:
 
     def record(self, mode: str) -> dict[str, Any]:
         """What the certificate says of the present phase."""
+        if not self.phases and self.seen == len(self.events) and self.claim["status"] == "event_limit":
+            raise Stopped
         need(bool(self.phases) and self.phases[0]["mode"] == mode, "every phase has its record")
         return self.phases.pop(0)
 

@@ -8,7 +8,7 @@ from hophoop.prove._flint import Ball, Jet
 from hophoop.prove.checker.equations import Refused
 
 Functions = Callable[[Ball, int], Sequence[Jet]]  # (x, terms) → Taylor coefficients of each, valid on the ball x
-MOST_PARTS = 20_000
+MOST_PARTS = 4000
 
 
 def need(fact: bool, what: str) -> None:
