@@ -46,10 +46,12 @@ def digits36(number: int) -> str:
 
 def packed(values: list[Ball], reach: float, precise: int) -> str:
     """A polynomial in x/reach, to 2^−precise each."""
-    scale, step = arb(2) ** precise, arb(reach)
-    numbers = [
-        int((value.mid() * scale * step**k + arb(0.5)).floor().mid().unique_fmpz() or 0) for k, value in enumerate(values)
-    ]
+    numbers = []
+    with precision(2 * precise + 300):  # so that the middle is rounded to an integer and to no other number
+        scale, step = arb(2) ** precise, arb(reach)
+        for k, value in enumerate(values):
+            whole = ((value.mid() * scale * step**k).mid() + arb(0.5)).floor()
+            numbers.append(int(whole.unique_fmpz()))
     while len(numbers) > 1 and numbers[-1] == 0:
         numbers.pop()
     return " ".join(map(digits36, numbers))
