@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits
 from hophoop.prove.search import exact, refined
@@ -39,7 +40,7 @@ def highest(function: Function, low: Ball, high: Ball) -> Highest:
     for mark in marks[1:]:
         best = best.max(function(mark, 1)[0])
     tops: list[Ball] = []
-    work = list(zip(marks, marks[1:], strict=False))
+    work = list(pairwise(marks))
     while work:
         a, b = work.pop()
         if not b - a > arb(2) ** (-bits() // 2):

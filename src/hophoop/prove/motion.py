@@ -79,6 +79,7 @@ class Run:
         self.mode = int(Mode.FLIGHT)
         self.zeros = 0  # slip: known zeros of v_t at its begin; flight: of the gap
         self.last_bounce: Ball = arb(0)
+        self.energy: Ball | None = None
         duration = self.until == DURATION
         self.limits = Limits(self.model.t_end if duration else None, None if duration else self.origin, self.timed)
 
@@ -195,7 +196,7 @@ class Run:
 
     def collide(self, rest: Ball) -> dict[str, Any]:
         """Go through an impact; what its event says."""
-        before = self.state
+        before, self.energy = self.state, None
         blow = impact(self.model, rest, before)
         self.state = replace(before, vt=blow.vt, vn=blow.vn, om=before.om + blow.spin, y=arb(0))
         excess = blow.gain - arb(GAIN_FLOOR) * blow.size
@@ -246,6 +247,7 @@ class Run:
 
     def fly(self) -> None:
         """A flight and its landing."""
+        self.energy = None
         if self.until == REVOLUTION and self.state.t > 0:
             self.end(Status.COMPLETED, "takeoff")
             return
@@ -285,7 +287,7 @@ class Run:
     def contact(self, sigma: int) -> None:
         """Roll or slip up to the next event."""
         for ended in roll(self) if sigma == 0 else slip(self, sigma):
-            self.state = ended.state
+            self.state, self.energy = ended.state, ended.energy
             if ended.witness:
                 self.witnesses.append(ended.witness)
             if ended.what == "turn":

@@ -23,7 +23,7 @@ from hophoop.prove._flint import (
 from hophoop.prove.model import Model, State
 from hophoop.prove.rolling import TURN, Rolling, still
 from hophoop.prove.search import Root, exact, first_root
-from hophoop.prove.slipping import LARGEST, SHARE, SMALLEST, Panel, Slip, TurnPanel, disc, square_at, terms_for
+from hophoop.prove.slipping import LARGEST, SHARE, SMALLEST, Panel, Slip, TurnPanel, begin_at, disc, square_at, terms_for
 from hophoop.prove.witness import Trail, bracket
 
 LIFT, STOP, LIMIT, SPAN, REST = "lift", "stop", "limit", "span", "rest"
@@ -37,6 +37,7 @@ class Ended:
     what: str
     state: State
     witness: dict[str, Any]
+    energy: Ball | None = None
 
 
 @dataclass(frozen=True)
@@ -62,6 +63,7 @@ class Phase(Protocol):
     state: State
     zeros: int
     limits: Limits
+    energy: Ball | None  # of the rolling that was before slip, or that comes after it
 
 
 # --- rolling -------------------------------------------------------------------------------------
@@ -69,17 +71,18 @@ class Phase(Protocol):
 
 def roll(run: Phase) -> Iterator[Ended]:
     """Rolling up to the event that ends it; turning points are given on the way."""
-    model, state, limits = run.model, run.state, run.limits
+    model, state, limits, energy = run.model, run.state, run.limits, run.energy
     while True:
         at_turn = bool(state.om.is_zero())
         way = still(model, state) if at_turn else sign(state.om, "θ̇")
         if way == 0:
             yield Ended(REST, state, {"mode": "R", "way": 0})
             return
-        rolling = Rolling(model, state, way, at_turn)
+        rolling = Rolling(model, state, way, at_turn, energy)
         what, state, around, turns = _roll_on(rolling, limits)
         witness = {"mode": "R", "way": way, "what": what, "angle": around, "turns": turns}
-        yield Ended(what, state, witness)
+        energy = rolling.energy
+        yield Ended(what, state, witness, energy)
         if what != TURN:
             return
 
@@ -169,10 +172,10 @@ def slip(run: Phase, sigma: int) -> Iterator[Ended]:
         x, begun = arb(0), True
     else:
         centre = exact(state.th)
-        square = state.om * state.om
-        u = square_at(the_slip, state.th, square, centre)
-        t = state.t + way * (centre - state.th) * u.union(square).rsqrt()
-        piece = _panel(the_slip, centre, way, u, t)
+        u = square_at(the_slip, state.th, state.om * state.om, centre, run.energy)
+        begin = begin_at(the_slip, centre, u, way)
+        the_slip = Slip.of(model, sigma, begin)
+        piece = _panel(the_slip, centre, way, u, begin.t)
         turning = isinstance(piece, TurnPanel)
         x = -(way * (piece.turn - state.th)).sqrt() if turning else way * (state.th - centre)
         begun = False
@@ -201,7 +204,7 @@ def slip(run: Phase, sigma: int) -> Iterator[Ended]:
             w = (way * (centre - piece.turn)).sqrt()
             u, t = w * w * piece.over(w), piece.time(w)
         else:
-            root = _search(piece, zeros, x.lower(), piece.reach, limits)
+            root = _search_panel(piece, zeros, x.lower(), limits)
             trail.panel(piece)
             if root is not None:
                 yield _ended(piece, root, trail)
@@ -255,6 +258,16 @@ def _turn_ahead(the_slip: Slip, centre: Ball, way: int, u: Ball) -> TurnPanel | 
     return panel if root.x < panel.reach else None
 
 
+def _search_panel(piece: Panel, zeros: list[int], begin: Ball, limits: Limits) -> tuple[str, Root] | None:
+    """The first event on a panel, or, where it cannot be told on which side of the panel's end it is, also beyond."""
+    try:
+        return _search(piece, zeros, begin, piece.reach, limits)
+    except Undecided:
+        if not piece.farthest > piece.reach:
+            raise
+    return _search(piece, zeros, begin, piece.farthest, limits)
+
+
 def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits) -> tuple[str, Root] | None:
     """(what, where) of the first event on a piece."""
     names, known = [LIFT, STOP], list(zeros)
@@ -285,7 +298,8 @@ def _padded(jet: Jet, terms: int) -> Jet:
 
 def _ended(piece: Panel | TurnPanel, found: tuple[str, Root], trail: Trail) -> Ended:
     what, root = found
-    return Ended(what, piece.state(root.x, what == STOP), trail.record(what, root))
+    energy = piece.energy(root.x) if what == STOP and isinstance(piece, Panel) else None
+    return Ended(what, piece.state(root.x, what == STOP), trail.record(what, root), energy)
 
 
 def _slide(the_slip: Slip, limits: Limits) -> Ended:

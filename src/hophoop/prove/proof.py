@@ -42,6 +42,7 @@ class Enclosure:
         Parameters
         ----------
         value : float, Decimal or Fraction
+            In the unit of the enclosure [SI units].
 
         Returns
         -------
@@ -55,11 +56,12 @@ class Enclosure:
         Parameters
         ----------
         value : float
+            In the unit of the enclosure [SI units].
 
         Returns
         -------
         distance : float
-            In the unit of the number.
+            In the same unit [SI units].
         """
         return max(0.0, float(abs(Fraction(value) - Fraction(self.middle)) - Fraction(self.radius)))
 

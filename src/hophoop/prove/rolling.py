@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hophoop.prove import _flint
-from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, order, series, sign
+from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, intersection, order, series, sign
 from hophoop.prove.model import Forces, Model, State
 from hophoop.prove.search import exact, first_root
 
@@ -35,14 +35,18 @@ class Rolling:
         Direction of rotation.
     at_turn : bool
         Whether θ̇ = 0 at the state.
+    energy : Ball, optional
+        E, where more is known of it than the state tells.
     """
 
-    def __init__(self, model: Model, state: State, way: int, at_turn: bool) -> None:
+    def __init__(self, model: Model, state: State, way: int, at_turn: bool, energy: Ball | None = None) -> None:
         self.model, self.begin, self.way, self.at_turn = model, state, way, at_turn
         s, c = state.th.sin_cos()
         self.energy = model.height(state.th, s, c)
         if not at_turn:
             self.energy += model.inertia(c) * state.om * state.om / 2
+        if energy is not None:
+            self.energy = intersection(self.energy, energy)
         self.names = [AHEAD, BACK, TURN] if model.mu_s is not None else [OPEN, TURN]
 
     def square(self, th: Ball) -> Ball:

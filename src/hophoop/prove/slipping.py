@@ -16,6 +16,7 @@ from hophoop.prove._flint import (
     arb,
     bits,
     coefficients,
+    intersection,
     order,
     polynomial,
     series,
@@ -137,7 +138,9 @@ class Panel:
                 raise Undecided("slip comes too close to p_σ = 0 or to θ̇ = 0")
         least = u.abs_lower() - moved
         self.radius, self.reach = radius, exact(radius / SHARE)
-        ratio = arb(1) / SHARE
+        # a ball of parameters smears an event over more than the reach: its panels hold twice as far, with larger remainders
+        self.farthest = 2 * self.reach if slip.model.free else self.reach
+        ratio = arb(2 if slip.model.free else 1) / SHARE
         tail = ratio**terms / (1 - ratio)
         self.rest_u = symmetric((abs(u) + moved) * tail)
         self.rest_t = symmetric(radius * least.rsqrt() * tail)
@@ -186,6 +189,18 @@ class Panel:
     def angle_rate(self, x: Ball) -> Ball:
         """dθ/dx."""
         return arb(self.way)
+
+    def energy(self, x: Ball) -> Ball:
+        """½ D θ̇² + V, which is stationary where slip stops."""
+        model, slip, middle = self.slip.model, self.slip, exact(x)
+        found = []
+        for at, terms in ((middle, 1), (x, 2)):
+            with order(terms):
+                z = series([self.angle(at), self.way])
+                s, c = z.sin_cos()
+                u = slip.square(self.angle(at), self.square(at), self.way, terms)
+                found.append(coefficients(model.inertia(c) * u / 2 + model.height(z, s, c), terms))
+        return found[0][0] + found[1][1] * (x - middle)
 
     def watch(self, x: Ball, terms: int) -> list[Jet]:
         """(−f_n, σ v_t) as series in x: N → 0, and the end of slip."""
@@ -303,8 +318,12 @@ class TurnPanel:
         return [[forces.load, fall][:terms], [here + rate * (w - middle), rate][:terms]]
 
 
-def square_at(slip: Slip, th: Ball, u: Ball, centre: Ball) -> Ball:
-    """u at an exact angle inside the ball of the angle where it is known."""
+def square_at(slip: Slip, th: Ball, u: Ball, centre: Ball, energy: Ball | None = None) -> Ball:
+    """u at an exact angle inside the ball of the angle where it is known.
+
+    Where slip begins out of rolling of this energy, both have the same slope there, or nearly so: u is that of
+    rolling up to the second order of the ball.
+    """
     spread = centre - th
     if spread.is_zero():
         return u
@@ -313,6 +332,30 @@ def square_at(slip: Slip, th: Ball, u: Ball, centre: Ball) -> Ball:
         slope = slip.slope(th.union(centre), box)
         found = u + slope * spread
         if box.contains(found.union(u)):
-            return found
+            break
         box = (u + 2 * slope * symmetric(spread)).union(box)
-    raise Undecided("the begin of a slip phase has no enclosure")
+    else:
+        raise Undecided("the begin of a slip phase has no enclosure")
+    if energy is None:
+        return found
+    # d/dθ* of u(centre), for slip that begins in θ*: what the slopes differ by, carried on by exp(∫ −a)
+    model = slip.model
+    s, c = th.union(centre).sin_cos()
+    rolled = 2 * model.rolling(s, c, box).alpha
+    rate = 2 * model.torque(s, c, slip.sigma) * model.eps * c / model.stiffness(s, c, slip.sigma)
+    carried = (-rate * symmetric(spread)).exp()
+    s, c = centre.sin_cos()
+    there = 2 * (energy - model.height(centre, s, c)) / model.inertia(c)
+    return intersection(found, there + (rolled - slope) * carried * symmetric(spread))
+
+
+def begin_at(slip: Slip, centre: Ball, u: Ball, way: int) -> State:
+    """The state that slip has, or would have had, at an exact angle beside the one where it began."""
+    begin, spread = slip.begin, centre - slip.begin.th
+    th, square = begin.th.union(centre), u.union(begin.om * begin.om)
+    slowness = square.rsqrt()
+    s, c = th.sin_cos()
+    rate = slip.model.slipping(s, c, square, slip.sigma).slip * slowness * way
+    vt = begin.vt + rate * spread
+    moved = (1 + way * begin.vt.union(vt) * slowness) * spread
+    return State(begin.t + way * spread * slowness, begin.x + moved, begin.y, centre, vt, begin.vn, way * u.sqrt())

@@ -182,7 +182,7 @@ def thresholds(scenario: Scenario, digits: int = 30) -> list[ProvedNumber]:
     problem = Problem.of(scenario)
     if problem.massless or not problem.gravity:
         raise InputError("Thresholds are proved for a hoop with mass in its ring, under gravity.")
-    found = []
+    found: list[ProvedNumber] = []
     for bits_wanted in (int((digits + GUARD_DIGITS) * BITS_A_DIGIT), int(2 * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
         found = []
         with precision(bits_wanted):
