@@ -9,7 +9,7 @@ from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, arb, pi, precision, rational
 from hophoop.prove.checker.equations import Equations, Refused, State
-from hophoop.prove.checker.intervals import need, positive, root
+from hophoop.prove.checker.intervals import positive, require, root
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
 from hophoop.prove.checker.slipping import Turn, slip
@@ -56,9 +56,9 @@ def check(certificate: dict[str, Any]) -> Verdict:
     """
     walk: Walk | None = None
     try:
-        need(certificate.get("schema") == SCHEMA, f"the schema is {SCHEMA}")
+        require(certificate.get("schema") == SCHEMA, f"the schema is {SCHEMA}")
         bits = int(certificate["bits"])
-        need(30 <= bits <= MOST_BITS, "the working precision is sensible")
+        require(30 <= bits <= MOST_BITS, "the working precision is sensible")
         with precision(bits):
             walk = Walk(certificate)
             walk.run()
@@ -87,9 +87,9 @@ class Walk:
         self.until: str = certificate["until"]
         self.claim = certificate
         self.closing = arb(certificate["closing"])
-        need(self.until in ("duration", "revolution"), "until is duration or revolution")
+        require(self.until in ("duration", "revolution"), "until is duration or revolution")
         self.equations = Equations(certificate["scenario"])
-        need(bool(self.equations.kap > 0), "the ring has mass")
+        require(bool(self.equations.kap > 0), "the ring has mass")
         self.state = self.equations.start
         self.origin = self.state.th
         self.mode, self.zeros = "H", 0
@@ -104,10 +104,10 @@ class Walk:
         """The next event is this one, and its numbers enclose the present state."""
         if self.seen == len(self.events) and self.claim["status"] == "event_limit":
             raise Stopped  # more than these events is not claimed
-        need(self.seen < len(self.events), "no event is left out")
+        require(self.seen < len(self.events), "no event is left out")
         one = self.events[self.seen]
         said = (one["kind"], one["from"], one["to"])
-        need(
+        require(
             said == (kind, before, after),
             f"event {self.seen} is {kind} {before} → {after}, not {said[0]} {said[1]} → {said[2]}",
         )
@@ -117,7 +117,7 @@ class Walk:
             "vx": (state.vt + state.om) * model.speed, "vy": state.vn * model.speed, "omega": state.om / model.time,
         }  # fmt: skip
         for name, value in values.items():
-            need(_encloses(one[name], value), f"{name} of event {self.seen} ({kind}) is where it is said to be")
+            require(_encloses(one[name], value), f"{name} of event {self.seen} ({kind}) is where it is said to be")
         if kind not in ("apex", "turn", "kane_gain", "rest"):
             self.letters.append((after, state.t))
         self.seen += 1
@@ -127,7 +127,7 @@ class Walk:
         for _ in range(8):
             rises = sign(self.state.vn, "v_n") > 0
             mode = "H" if rises else next_mode(self.equations, self.state)
-            need(not (kind == "stick" and mode == before), "slip that stops does not go on")
+            require(not (kind == "stick" and mode == before), "slip that stops does not go on")
             named = mode
             if len(mode) > 1:
                 way = sign(self.state.vt, "v_t")
@@ -171,7 +171,7 @@ class Walk:
         last = mode or self.mode
         self.event("end", last, last)
         self.over = status
-        need(self.claim["status"] == status and self.claim["ending"] == ending, "status and ending are as said")
+        require(self.claim["status"] == status and self.claim["ending"] == ending, "status and ending are as said")
 
     # --- phases --------------------------------------------------------------------------------
 
@@ -179,14 +179,14 @@ class Walk:
         """From the start to the end, or to the limit of events."""
         try:
             self.walk()
-            need(bool(self.over), "the motion comes to its end")
+            require(bool(self.over), "the motion comes to its end")
         except Stopped:
-            need(self.claim["ending"] == "event_limit", "the ending is as said")
-        need(self.seen == len(self.events) and not self.phases, "nothing follows the end")
+            require(self.claim["ending"] == "event_limit", "the ending is as said")
+        require(self.seen == len(self.events) and not self.phases, "nothing follows the end")
         pairs = zip(self.letters, self.letters[1:], strict=False)
         found = "".join(a[0] for a, b in pairs if a[1] < b[1]) + ("H" if self.claim["ending"] == "takeoff" else "")
         found = found or self.letters[-1][0]
-        need(self.claim["sequence"] == found, "the sequence is that of the events")
+        require(self.claim["sequence"] == found, "the sequence is that of the events")
 
     def walk(self) -> None:
         """From the start, phase after phase."""
@@ -198,7 +198,7 @@ class Walk:
             if state.y.is_zero() and state.vn < 0:
                 self.land()
             else:
-                need(bool(state.y > 0) or bool(state.vn > 0), "the rim starts above the plane")
+                require(bool(state.y > 0) or bool(state.vn > 0), "the rim starts above the plane")
                 self.zeros = 1 if state.y.is_zero() else 0
         while not self.over:
             {"R": self.rolling, "S": self.slipping, "K": self.slipping, "H": self.flying}[self.mode]()
@@ -207,7 +207,7 @@ class Walk:
         """What the certificate says of the present phase."""
         if not self.phases and self.seen == len(self.events) and self.claim["status"] == "event_limit":
             raise Stopped
-        need(bool(self.phases) and self.phases[0]["mode"] == mode, "every phase has its record")
+        require(bool(self.phases) and self.phases[0]["mode"] == mode, "every phase has its record")
         return self.phases.pop(0)
 
     def rolling(self) -> None:
@@ -268,7 +268,7 @@ class Walk:
         elif what == "open":
             self.end("undetermined", "undetermined", "R")
         else:
-            need(what in ("ahead", "back"), "the end of a phase is a known one")
+            require(what in ("ahead", "back"), "the end of a phase is a known one")
             self.mode = "S" if what == "ahead" else "K"
             self.event("slip_start", "R", self.mode)
             self.zeros = 2 if self.equations.equal_friction else 1
@@ -313,10 +313,10 @@ class Walk:
             tau, lands = longest, False
         else:
             low, high = (arb(text) for text in one["to"])
-            need(bool(low > 0), "the landing is ahead")
+            require(bool(low > 0), "the landing is ahead")
             positive(functions, arb(0), low, "the gap is positive in flight", [self.zeros])
             tau, lands = root(functions, 0, low, high, "the rim lands"), True
-            need(bool(tau < longest), "the landing comes before the end of the time")
+            require(bool(tau < longest), "the landing comes before the end of the time")
         landed = self.flown(tau)
         if one["apex"] is not None:
             low, high = (arb(text) for text in one["apex"])
@@ -326,7 +326,7 @@ class Walk:
                 return [[(k + 1) * jet[k + 1] for k in range(terms)]]
 
             top = root(rates, 0, low, high, "the rim is highest")
-            need(bool(top > 0) and bool(top < tau), "the apex is in the flight")
+            require(bool(top > 0) and bool(top < tau), "the apex is in the flight")
             begin, self.state = self.state, replace(self.flown(top), vn=arb(0))
             self.event("apex", "H", "H")
             self.state = begin
@@ -345,7 +345,7 @@ class Walk:
         if self._last(before):
             kind, gains = "bounce_limit", False
             self.state, _ = collide(self.equations, before, arb(0))
-            need(bool(self.state.vn.is_zero()), "the last bounce ends on the plane")
+            require(bool(self.state.vn.is_zero()), "the last bounce ends on the plane")
         self.bounce = self.state.vn
         self.settle(kind, "H", gains)
 
@@ -354,12 +354,12 @@ class Walk:
         fall = self.equations.gn - self.equations.eps * state.th.cos() * state.om * state.om
         if sign(state.vn, "v_n") <= 0 or sign(fall, "f_n") <= 0 or not last > 0:
             return False
-        need(bool(state.vn < last) or bool(last <= state.vn), "whether bounces shrink is certain")
+        require(bool(state.vn < last) or bool(last <= state.vn), "whether bounces shrink is certain")
         if not state.vn < last:
             return False
         left = 2 * state.vn / (fall * (1 - state.vn / last))
         most = self.closing * before.t.max(arb(1))
-        need(bool(left < most) or bool(most <= left), "whether bounces are closed is certain")
+        require(bool(left < most) or bool(most <= left), "whether bounces are closed is certain")
         return bool(left < most)
 
 

@@ -11,7 +11,7 @@ Functions = Callable[[Ball, int], Sequence[Jet]]  # (x, terms) → Taylor coeffi
 MOST_PARTS = 4000
 
 
-def need(fact: bool, what: str) -> None:
+def require(fact: bool, what: str) -> None:
     """Refuse a step whose condition is not certain."""
     if not fact:
         raise Refused(what)
@@ -39,7 +39,7 @@ def positive(functions: Functions, begin: Ball, end: Ball, what: str, zeros: Seq
             clear = False
         if not clear:
             middle = ((a + b) / 2).mid()
-            need(bool(a < middle) and bool(middle < b), what)
+            require(bool(a < middle) and bool(middle < b), what)
             work += [(middle, b, False), (a, middle, starts)]
     raise Refused(what)
 
@@ -67,8 +67,8 @@ def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> 
     def others(x: Ball, terms: int) -> list[Jet]:
         return [jet for k, jet in enumerate(functions(x, terms)) if k != index]
 
-    need(bool(functions(low, 1)[index][0] > 0), f"{what}: not before its bracket")
-    need(bool(functions(high, 1)[index][0] < 0), f"{what}: not within its bracket")
+    require(bool(functions(low, 1)[index][0] > 0), f"{what}: not before its bracket")
+    require(bool(functions(high, 1)[index][0] < 0), f"{what}: not within its bracket")
     positive(others, low, high, f"{what}: something else comes in its bracket")
     _falling(functions, index, low, high, f"{what}: only one in its bracket")
     x = low.union(high)
@@ -80,7 +80,7 @@ def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> 
             break
         if not step.is_finite():
             break
-        need(bool(x.overlaps(step)), f"{what}: it is in its bracket")
+        require(bool(x.overlaps(step)), f"{what}: it is in its bracket")
         closer = x.intersection(step)
         if not closer.rad() < x.rad() * 3 / 4:
             return closer
@@ -101,6 +101,6 @@ def _falling(functions: Functions, index: int, low: Ball, high: Ball, what: str)
             clear = False
         if not clear:
             middle = ((a + b) / 2).mid()
-            need(bool(a < middle) and bool(middle < b), what)
+            require(bool(a < middle) and bool(middle < b), what)
             work += [(middle, b), (a, middle)]
     raise Refused(what)

@@ -7,7 +7,7 @@ from typing import Any
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, arb, coefficients, order, pi, series, symmetric
 from hophoop.prove.checker.equations import Equations, State
-from hophoop.prove.checker.intervals import need, positive, root
+from hophoop.prove.checker.intervals import positive, require, root
 
 NAMES = ("ahead", "back", "turn")
 
@@ -55,7 +55,7 @@ class Rolling:
     def event(self, what: str, bracket: list[Ball]) -> Ball:
         """The angle of the first event, inside its bracket."""
         first, last = bracket if self.way > 0 else bracket[::-1]
-        need(bool(self.way * (first - self.begin.th) > 0), "an event is ahead")
+        require(bool(self.way * (first - self.begin.th) > 0), "an event is ahead")
         self.clear(self.begin.th, first, True)
         origin = first.mid()
         x = root(self.along(origin), self.names.index(what), arb(0), self.way * (last - origin), f"rolling ends ({what})")
@@ -94,11 +94,11 @@ class Rolling:
     def angle_at(self, t: Ball, bracket: list[Ball]) -> Ball:
         """The angle at a time, which the bracket encloses."""
         first, last = bracket if self.way > 0 else bracket[::-1]
-        need(bool(self.way * (first - self.begin.th) > 0), "the end of the time is ahead")
+        require(bool(self.way * (first - self.begin.th) > 0), "the end of the time is ahead")
         missing = t - self.duration(self.begin.th, first, self.from_turn, False)
-        need(bool(missing > 0), "the angle at the end of the time is in its bracket")
+        require(bool(missing > 0), "the angle at the end of the time is in its bracket")
         speed = self.square(first.union(last)).sqrt()
-        need(bool(self.way * (last - first) > speed * missing), "the angle at the end of the time is in its bracket")
+        require(bool(self.way * (last - first) > speed * missing), "the angle at the end of the time is in its bracket")
         found = first + self.way * speed * missing
         middle = found.mid()  # once more from there
         missing = t - self.duration(self.begin.th, middle, self.from_turn, False)
@@ -111,9 +111,9 @@ def roll(equations: Equations, state: State, record: dict[str, Any], until: str,
     way, what = int(record["way"]), record["what"]
     if state.om.is_zero():
         s, c = state.th.sin_cos()
-        need(bool(way * equations.contact(s, c, arb(0), 0).alpha > 0), "rolling begins in its direction")
+        require(bool(way * equations.contact(s, c, arb(0), 0).alpha > 0), "rolling begins in its direction")
     else:
-        need(bool(way * state.om > 0), "rolling goes in its direction")
+        require(bool(way * state.om > 0), "rolling goes in its direction")
     rolling = Rolling(equations, state, way)
     timed = until == "duration"
     if what == "span":
@@ -124,7 +124,7 @@ def roll(equations: Equations, state: State, record: dict[str, Any], until: str,
     if what == "limit":
         turns = int(record.get("turns", 0))
         if turns:  # on the level what does not happen in a whole turn happens in none
-            need(bool(equations.gt.is_zero()), "turns repeat on the level alone")
+            require(bool(equations.gt.is_zero()), "turns repeat on the level alone")
             whole = state.th + 2 * way * pi()
             rolling.clear(state.th, whole, True)
             shift = 2 * way * pi() * turns
@@ -137,14 +137,14 @@ def roll(equations: Equations, state: State, record: dict[str, Any], until: str,
         return rolling.state(equations.t_end, th, False)
     th = rolling.event(what, bracket)
     if until == "revolution":
-        need(bool(way * (th - origin) < 2 * pi()), "an event comes before the whole turn")
+        require(bool(way * (th - origin) < 2 * pi()), "an event comes before the whole turn")
     t = state.t + rolling.duration(state.th, th, rolling.from_turn, what == "turn")
-    need(not timed or bool(t < equations.t_end), "an event comes before the end of the time")
+    require(not timed or bool(t < equations.t_end), "an event comes before the end of the time")
     return rolling.state(t, th, what == "turn")
 
 
 def integral(function: Any, a: Ball, b: Ball) -> Ball:
     """A definite integral, enclosed by FLINT."""
     value = _flint.acb.integral(function, _flint.acb(a), _flint.acb(b))
-    need(bool(value.is_finite()), "a time has an enclosure")
+    require(bool(value.is_finite()), "a time has an enclosure")
     return value.real

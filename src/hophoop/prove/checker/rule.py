@@ -6,7 +6,7 @@ from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, arb
 from hophoop.prove.checker.equations import Equations, Refused, State
-from hophoop.prove.checker.intervals import need
+from hophoop.prove.checker.intervals import require
 
 ORDER = 6
 SIGMA = {"S": -1, "K": 1}
@@ -16,7 +16,7 @@ def sign(value: Ball, what: str) -> int:
     """Sign of a number, 0 where it is exactly zero; anything else is refused."""
     if value > 0 or value < 0:
         return 1 if value > 0 else -1
-    need(bool(value.is_zero()), f"the sign of {what} is certain")
+    require(bool(value.is_zero()), f"the sign of {what} is certain")
     return 0
 
 
@@ -50,7 +50,7 @@ def rolls(equations: Equations, state: State) -> bool:
         return True
     if equations.mu_s.is_zero() and not any(not value.is_zero() for value in series["friction"]):
         level = equations.gt.is_zero() and (equations.eps.is_zero() or (state.om.is_zero() and state.th.is_zero()))
-        need(bool(level), "rolling without friction needs none")
+        require(bool(level), "rolling without friction needs none")
     pairs = list(zip(series["normal"], series["friction"], strict=True))
     return all(leading([equations.mu_s * n + way * f for n, f in pairs], "a margin") >= 0 for way in (1, -1))
 
@@ -85,7 +85,7 @@ def next_mode(equations: Equations, state: State) -> str:
             return "R"
         if equations.mu_k is not None:
             ways = [letter for letter, way in SIGMA.items() if slips(equations, state, way)]
-            need(len(ways) < 2, "slip can start in one direction only")
+            require(len(ways) < 2, "slip can start in one direction only")
             if ways:
                 return ways[0]
         return "H" if opening(equations, state) >= 0 else "undetermined"
@@ -150,7 +150,7 @@ def collide(equations: Equations, state: State, rest: Ball) -> tuple[State, bool
             done = True
             break
         goal = {"newton": -rest * state.vn, "poisson": rest * total_n}.get(equations.law, -rest * rest * work_n)
-    need(done, "an impact ends")
+    require(done, "an impact ends")
     lever, arm = equations.eps * s, 1 + equations.eps * c
     om = state.om + (lever * total_n - arm * total_t) / equations.kap
     excess = work_n + work_t - arb("1e-14") * (abs(work_n) + abs(work_t) + state.vn * state.vn)
@@ -171,5 +171,5 @@ def _end(equations: Equations, vn: Ball, up: Ball, goal: Any) -> Ball | None:
 
 
 def _before(a: Ball, b: Ball) -> bool:
-    need(bool(a < b) or bool(b < a), "the order of what happens in an impact is certain")
+    require(bool(a < b) or bool(b < a), "the order of what happens in an impact is certain")
     return bool(a < b)

@@ -12,7 +12,7 @@ from typing import Any
 from hophoop.prove import _flint
 from hophoop.prove._flint import Ball, Jet, arb, coefficients, order, polynomial, series, symmetric
 from hophoop.prove.checker.equations import Equations, Refused, State
-from hophoop.prove.checker.intervals import need, positive, root
+from hophoop.prove.checker.intervals import positive, require, root
 
 LIFT, STOP, LIMIT, SPAN, TURN = "lift", "stop", "limit", "span", "turn"
 
@@ -25,7 +25,7 @@ def poly(text: str, reach: Ball, bits: int) -> list[Ball]:
 
 def number(value: Any) -> Ball:
     """An exact number, which JSON has as a double."""
-    need(isinstance(value, float), "places in a certificate are numbers")
+    require(isinstance(value, float), "places in a certificate are numbers")
     return arb(value)
 
 
@@ -84,7 +84,7 @@ class Piece:
         model, sigma, reach = self.kept.equations, self.kept.sigma, self.reach
         x = self.way * (th - self.centre)
         length = (end - x).abs_upper()
-        need(bool(abs(x).abs_upper() <= reach) and bool(abs(end).abs_upper() <= reach), "a panel reaches far enough")
+        require(bool(abs(x).abs_upper() <= reach) and bool(abs(end).abs_upper() <= reach), "a panel reaches far enough")
         flint = _flint
         value = flint.arb_poly(self.value_terms)
         rate = value.derivative()
@@ -100,7 +100,7 @@ class Piece:
         speed = largest(coefficients_of(slow), reach)
         spoilt = rest + speed * speed * self.error_u.abs_upper()
         lowest = self.lowest(x.union(end))
-        need(bool(spoilt < arb(1) / 2), "the time of a panel is its own")
+        require(bool(spoilt < arb(1) / 2), "the time of a panel is its own")
         self.error_t = symmetric(length * spoilt * lowest.rsqrt())
         self.offset = t - polynomial(self.time_terms, x)
 
@@ -108,7 +108,7 @@ class Piece:
         """A positive bound of θ̇² from below on a stretch."""
         values = [self.square(part).lower() for part in parts(whole)]
         for value in values:
-            need(bool(value > 0), "θ̇ stays away from zero on a panel")
+            require(bool(value > 0), "θ̇ stays away from zero on a panel")
         return least_of(values)
 
     def square(self, x: Ball) -> Ball:
@@ -174,7 +174,7 @@ class Turn(Piece):
         least = least_of(
             [(polynomial(self.value_terms, part) + self.error_g).lower() for part in parts(arb(0).union(self.reach))]
         )
-        need(bool(least > 0) and bool(spoilt < 1), "θ̇² has a simple zero at a turning point")
+        require(bool(least > 0) and bool(spoilt < 1), "θ̇² has a simple zero at a turning point")
         self.error_t = symmetric(spoilt * least.rsqrt() * self.reach.sqrt())
         self.offset = arb(0)
 
@@ -203,7 +203,7 @@ class Turn(Piece):
 
     def watch(self, w: Ball, terms: int) -> list[Jet]:
         """(N, σ v_t) with their slopes in w."""
-        need(terms <= 2, "slip from θ̇ = 0 begins with an acceleration")
+        require(terms <= 2, "slip from θ̇ = 0 begins with an acceleration")
         model, sigma, middle = self.kept.equations, self.kept.sigma, w.mid()
         here = sigma * self.kept.velocity(self.time(middle), self.angle(middle), self.spin(middle))
         over = self.over(w)
@@ -261,7 +261,7 @@ def left_over(model: Equations, sigma: int, centre: Ball, way: int, reach: Ball,
     left = firm * rate - torque * (c * value * (-model.eps) + model.gn) * (2 * way)
     sine_all, cosine_all = (centre + symmetric(reach)).sin_cos()
     stiff = model.kap + model.eps * sine_all * (model.eps * sine_all + drag * (1 + model.eps * cosine_all))
-    need(bool(stiff > 0), "p_σ stays positive")
+    require(bool(stiff > 0), "p_σ stays positive")
     return largest(coefficients_of(left), reach), stiff
 
 
@@ -304,7 +304,7 @@ def _along(kept: Kept, at: Way, one: dict[str, Any], bits: int, limits: dict[str
     piece = Piece(kept, one, at.way, bits)
     begin = at.way * (at.th - piece.centre)
     end = arb(one["bracket"][1]) if what else number(one["to"])
-    need(bool(end > begin), "panels go on")
+    require(bool(end > begin), "panels go on")
     piece.starts(at.th, at.u, at.t, end)
     stop = _stretch(piece, at.known, begin, end, limits, what, one)
     if stop is not None:
@@ -323,12 +323,12 @@ def _through_turn(
     else:
         turn = _turning_angle(kept, at, one["link"], bits)
         piece, begin = Turn(kept, one, at.way, bits, turn), -(at.way * (turn - at.th)).sqrt()
-        need(bool(begin * begin <= piece.reach), "a panel reaches back to the begin")
+        require(bool(begin * begin <= piece.reach), "a panel reaches back to the begin")
         piece.offset = at.t - piece.time(begin)
         early = what if what is not None and one["ends"] == "before" else None
         stop = _stretch(piece, at.known, begin, arb(0), limits, early, one)
         if stop is not None:
-            need(bool(stop < 0), "the end of the phase comes before the turning point")
+            require(bool(stop < 0), "the end of the phase comes before the turning point")
             return kept.state(piece.time(stop), piece.angle(stop), piece.spin(stop))
         after = kept.state(piece.time(arb(0)), turn, arb(0))
         if what == TURN:
@@ -336,7 +336,7 @@ def _through_turn(
         at.turns.append(after)
         at.known, begin, at.way = [0, 0], arb(0), -at.way
     end = arb(one["bracket"][1]) if what else number(one["to"])
-    need(bool(end > 0) and bool(end * end <= piece.reach), "a panel reaches far enough")
+    require(bool(end > 0) and bool(end * end <= piece.reach), "a panel reaches far enough")
     stop = _stretch(piece, at.known, begin, end, limits, what, one)
     if stop is not None:
         return kept.state(piece.time(stop), piece.angle(stop), piece.spin(stop))
@@ -349,7 +349,7 @@ def _turning_angle(kept: Kept, at: Way, record: dict[str, Any], bits: int) -> Ba
     link = Piece(kept, record, at.way, bits)
     low, high = (arb(text) for text in record["bracket"])
     begin = at.way * (at.th - link.centre)
-    need(bool(low > begin), "a turning point is ahead")
+    require(bool(low > begin), "a turning point is ahead")
     link.starts(at.th, at.u, at.t, high)
 
     def square(x: Ball, terms: int) -> list[Jet]:
@@ -367,7 +367,7 @@ def _direction(equations: Equations, sigma: int, state: State) -> int:
     if rate.is_zero():
         s, c = state.th.sin_cos()
         rate = equations.contact(s, c, arb(0), sigma).alpha
-    need(bool(rate > 0) or bool(rate < 0), "the hoop turns one way")
+    require(bool(rate > 0) or bool(rate < 0), "the hoop turns one way")
     return 1 if rate > 0 else -1
 
 
@@ -394,6 +394,6 @@ def _stretch(
         positive(functions, begin, end, "slip goes on", known)
         return None
     low, high = (arb(text) for text in one["bracket"])
-    need(bool(low > begin), "an event is ahead")
+    require(bool(low > begin), "an event is ahead")
     positive(functions, begin, low, f"slip goes on up to its end ({what})", known)
     return root(functions, names.index(what), low, high, f"slip ends ({what})")
