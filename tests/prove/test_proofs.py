@@ -21,7 +21,7 @@ NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 HOP = hh.Scenario(duration=2.0)
 SEED = 2026
 EVENTS = 40
-QUICK = [0, 1, 2, 3, 5, 6, 8, 9, 10, 11, 14, 16, 17, 18, 19, 21, 22, 25, 26, 28]
+QUICK = [0, 1, 2, 3, 6, 8, 9, 10, 11, 16, 18, 19, 21, 22, 25, 26, 28, 30, 83, 129]
 # What the kernel is off the enclosure at most, beside the number or 0.001 of its SI unit.
 KERNEL = 1e-8
 
@@ -34,15 +34,14 @@ class Case:
         self.__dict__.update(self.data["case"])
 
 
-REFERENCES = [
-    "article_v0.1_mu0.3", "article_v2.8_mu1", "article_v2_mu1", "article_v3.1_mu1", "immediate_hop", "slope_10deg",
-    "static_above_kinetic", "skidding_start", "spinning_start", "rolling_back", "general_body", "scaled_body",
-    "impact_without_collision", "indeterminate_as_impact", "reversal_in_impact", "dropped_with_spin",
-    "spinning_start_hops_at_once",
+REFERENCES = ["article_v3.1_mu1", "slope_10deg", "static_above_kinetic", "rolling_back", "general_body", "spinning_start"]
+MORE = [
+    "article_v0.1_mu0.3", "article_v2.8_mu1", "article_v2_mu1", "immediate_hop", "skidding_start", "scaled_body",
+    "dropped_with_spin", "spinning_start_hops_at_once",
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("name", REFERENCES)
+@pytest.mark.parametrize("name", [*REFERENCES, *(pytest.param(name, marks=pytest.mark.slow) for name in MORE)])
 def test_the_reference_lies_in_the_enclosures(name):
     """The oracles integrate in time, in mpmath: nothing of a proof is in them."""
     case = Case(name)
@@ -69,15 +68,18 @@ def test_as_many_digits_as_asked():
         assert all(getattr(a, name).holds(getattr(b, name).middle) for name in NUMBERS)
 
 
-def test_a_motion_that_nothing_decides_stays_undecided():
-    """At the speed where the hoop just leaves the plane at the top, f_n is zero but for the rounding of the speed's double."""
-    gamma = 0.75
-    grazing = hh.Scenario(hoop=hh.Hoop.ideal(gamma), start=hh.Start.rolling(speed=(9.81 / gamma) ** 0.5))
-    proof = prove(grazing, 10, until="revolution")
-    assert proof.verdict in ("proved", "undecided")  # it is decided by the last bit of the double
-    massless = prove(hh.Scenario(hoop=hh.Hoop.ideal(1.0)), 10)
-    assert (massless.verdict, massless.certificate) == ("undecided", None)
-    assert "massless" in massless.why
+def test_a_graze_is_no_event():
+    """Without gravity, from θ = 0 with ẏ = 0, the rim comes back to the plane once a turn with ẏ = 0, and never lands."""
+    start = hh.Start(angle=0.0, vx=1.0, omega=3.0)
+    proof = prove(hh.Scenario(plane=hh.Plane(gravity=0.0), start=start, duration=5.0), 10)
+    assert (proof.verdict, proof.sequence) == ("proved", "H")
+    assert not [event for event in proof.events if event.kind == "impact"]
+
+
+def test_what_is_not_covered_stays_undecided():
+    proof = prove(hh.Scenario(hoop=hh.Hoop.ideal(1.0)), 10)
+    assert (proof.verdict, proof.certificate) == ("undecided", None)
+    assert "massless" in proof.why
 
 
 def test_bad_input_is_refused():

@@ -57,10 +57,19 @@ class Flight:
         bare = self.begin.y.is_zero() and self.begin.vn.is_zero() and self.model.gn.is_zero()
         return bool(bare and (self.begin.om.is_zero() or self.model.eps.is_zero()))
 
+    def skims(self) -> bool:
+        """Whether the gap never falls below zero, though it may touch it: without gravity, G at a constant height."""
+        model, begin = self.model, self.begin
+        s, c = begin.th.sin_cos()
+        rise, least = begin.vn - model.eps * begin.om * s, begin.y + model.eps * (c - 1)
+        return bool(model.gn.is_zero() and rise.is_zero() and (least.is_zero() or least > 0))
+
     def lands(self, longest: Ball) -> Root | None:
         """The first landing, None where there is none within `longest`."""
         if not longest > 0:
             raise Undecided("an event and the end of the time come together")
+        if self.skims():
+            return None
         step = exact((longest / 64).union(arb(0)).upper())
         step = arb(0.125) if step > 0.125 else step
         root = first_root(lambda tau, terms: [self.gap(tau, terms)], [self.zeros], arb(0), exact(longest.upper()), step)

@@ -199,6 +199,7 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
     problem = Problem.of(scenario)
     bits = int(digits * BITS_A_DIGIT) + GUARD + min(problem.tiny(), 200)
     best: Proof | None = None
+    reached: list[int] = []  # how many events, attempt by attempt
     for _ in range(TRIES):
         with precision(bits):
             run = Run(problem, until=until, max_events=max_events).run()
@@ -212,6 +213,9 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
                 found = _refused(found, verdict)
         if best is None or found.rank > best.rank:
             best = found
+        reached.append(len(run.facts))
+        if not run.proved and reached[-3:] == [reached[-1]] * 3:
+            break  # twice as many digits, twice, have not helped
         bits = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT)) if run.proved else 2 * bits
     assert best is not None
     return best

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 
 from hophoop.precise.problem import Problem
@@ -15,6 +16,7 @@ from hophoop.prove.search import exact
 from hophoop.scenario import InputError, Scenario
 
 GUARD_DIGITS = 12
+BITS_A_MARGIN = 2.5  # of precision, for each bit that the speed is nearer to the border
 START = 1e-9  # relative, on both sides of the double, for the border of the hop
 
 
@@ -140,10 +142,14 @@ def hop_border(problem: Problem, low: Ball, high: Ball, wanted: Ball) -> Ball:
     """A speed of which both sides are proved: without a hop in the first turn at one end, with one at the other."""
 
     def hops(speed: Ball) -> bool:
-        run = Run(problem, {"start.speed": speed}, until=REVOLUTION, timed=False).run()
-        if not run.proved:
-            raise Undecided(run.why)
-        return run.ending == "takeoff"
+        width = (high - low) / high
+        enough = 60 + int(BITS_A_MARGIN * -float(width.log()) / math.log(2))
+        for precise in (enough, 2 * enough):
+            with precision(precise):
+                run = Run(problem, {"start.speed": speed}, until=REVOLUTION, timed=False).run()
+            if run.proved:
+                return run.ending == "takeoff"
+        raise Undecided(run.why)
 
     if hops(low) or not hops(high):
         raise Undecided("no border of the hop is where it was looked for")
@@ -151,14 +157,14 @@ def hop_border(problem: Problem, low: Ball, high: Ball, wanted: Ball) -> Ball:
         middle = exact((low + high) / 2)
         try:
             found = hops(middle)
-        except Undecided:  # too close to the border for this precision: a little beside it
+        except Undecided:  # too close to the border: a little beside it
             middle = exact(low + (high - low) * 5 / 8)
             found = hops(middle)
         low, high = (low, middle) if found else (middle, high)
     return low.union(high)
 
 
-def thresholds(scenario: Scenario, digits: int = 30) -> list[ProvedNumber]:
+def thresholds(scenario: Scenario, digits: int = 30, keys: Collection[str] | None = None) -> list[ProvedNumber]:
     """Critical speeds and thresholds of a hoop on its plane, each proved to its last digit.
 
     Parameters
@@ -167,6 +173,8 @@ def thresholds(scenario: Scenario, digits: int = 30) -> list[ProvedNumber]:
         Its hoop and plane count, and the speed of a rolling start with the load up.
     digits : int, default 30
         From 1 to 200 [1].
+    keys : collection of str, optional
+        Which ones; by default all: first_slip_speed, first_hop_speed, immediate_hop_speed, painleve_friction, needed_friction.
 
     Returns
     -------
@@ -182,22 +190,20 @@ def thresholds(scenario: Scenario, digits: int = 30) -> list[ProvedNumber]:
     problem = Problem.of(scenario)
     if problem.massless or not problem.gravity:
         raise InputError("Thresholds are proved for a hoop with mass in its ring, under gravity.")
-    found: list[ProvedNumber] = []
-    for bits_wanted in (int((digits + GUARD_DIGITS) * BITS_A_DIGIT), int(2 * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
-        found = []
-        with precision(bits_wanted):
+    found: dict[str, ProvedNumber] = {}
+    for share in (1, 2):  # of precision: more where it was not enough
+        with precision(int(share * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
             model = Model(problem)
             for key, statement, unit, scale, value in _numbers(scenario, problem, model, digits):
+                if key in found or (keys is not None and key not in keys):
+                    continue
                 try:
                     number = value() * scale
                 except Undecided:
                     continue
-                one = enclosure(number, arb(1), digits)
                 if number.rad() < abs(number) * arb(10) ** -digits:
-                    found.append(ProvedNumber(key, statement, unit, one))
-        if len(found) == len(list(_numbers(scenario, problem, model, digits))):
-            break
-    return found
+                    found[key] = ProvedNumber(key, statement, unit, enclosure(number, arb(1), digits))
+    return list(found.values())
 
 
 def _numbers(

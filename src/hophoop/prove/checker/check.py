@@ -308,7 +308,9 @@ class Walk:
         def functions(tau: Ball, terms: int) -> list[Jet]:
             return [self.gap(tau, terms)]
 
-        if one["to"] is None:
+        if one["to"] is None and self._skims():
+            tau, lands = longest, False  # a graze with ẏ = 0 is no event
+        elif one["to"] is None:
             positive(functions, arb(0), longest, "nothing lands before the end of the time", [self.zeros])
             tau, lands = longest, False
         else:
@@ -336,6 +338,13 @@ class Walk:
             return
         self.state = replace(landed, y=arb(0))
         self.land()
+
+    def _skims(self) -> bool:
+        """Without gravity and with G at a constant height ε above the centre or less, the rim never comes down."""
+        state, eps = self.state, self.equations.eps
+        still = (state.vn - eps * state.om * state.th.sin()).is_zero() and self.equations.gn.is_zero()
+        least = state.y + eps * (state.th.cos() - 1)
+        return bool(still and (least.is_zero() or least > 0))
 
     def land(self) -> None:
         """An impact, or the one that closes endless bounces by the rule that the certificate names."""
