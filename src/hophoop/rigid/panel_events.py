@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import inline_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import NODES, ORDER, antiderivative, coefficients, extremes, left_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.panel import (
@@ -26,6 +26,9 @@ from hophoop.rigid.limits import angle_left
 # What ended a panel.
 ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
 MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
+# A margin whose values at the nodes stay this part of their range away from zero has none: between them and at the ends a
+# function that the panel resolves goes beyond their range by less than a tenth of it.
+FAR_FROM_ZERO = 0.25
 GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
 
 
@@ -42,8 +45,7 @@ def fall_of(row, state_is_fresh, floor, scratch):
         Whether the margin may touch zero between the nodes: a parabola that does has a node beside it as near as that.
     """
     lowest, highest = extremes(row)
-    # between its nodes and at the ends a function that the panel resolves goes beyond their range by a part of it
-    if lowest > highest - lowest:
+    if lowest > FAR_FROM_ZERO * (highest - lowest):
         return NOT_FOUND, False
     near = abs(lowest) < NEARBY * (highest - lowest)
     coefficients(row, scratch.series)
@@ -71,6 +73,17 @@ def end_of_rolling(body, panel, fresh, scratch):
     return ahead, CONE_AHEAD, doubtful  # F > 0
 
 
+@apart_jit
+def graze_rounding(body, state):
+    """Rounding of v_t in slip without friction, from the speeds that it has been through since the last hilltop.
+
+    On the way down the load gains 4 ε g_n at most, all of it in the rotation at the bottom, where the arm of θ̇ is 1 − ε.
+    """
+    fallen = body.eps * body.gn
+    lowest = (1.0 - body.eps) * math.sqrt(4.0 * fallen / body.kap) if body.kap > 0.0 else 0.0
+    return GRAZE_ROUNDING * (abs(state.vt) + abs(state.om) + 2.0 * math.sqrt(fallen) + lowest)
+
+
 @inline_jit
 def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     """(ξ, what, whether it may depend on rounding) where N or v_t comes to zero; lift-off before the end of slip."""
@@ -84,7 +97,7 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
         work[B, i] = value
     lift, near_lift = fall_of(work[A], fresh, 0.0, scratch)
     # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
-    rounding = GRAZE_ROUNDING * (abs(panel.vt) + abs(state.om)) if body.mu_k == 0.0 else 0.0
+    rounding = graze_rounding(body, state) if body.mu_k == 0.0 else 0.0
     stop, near_stop = fall_of(work[B], fresh, rounding, scratch)
     doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
     if fresh and zeros == 0 and work[B, 0] < 0.0 and stop > NODES[0]:
