@@ -37,8 +37,8 @@ class Case:
 
 REFERENCES = ["slope_10deg", "static_above_kinetic", "rolling_back", "general_body", "spinning_start"]
 MORE = [
-    "article_v3.1_mu1", "article_v0.1_mu0.3", "article_v2.8_mu1", "article_v2_mu1", "immediate_hop", "skidding_start", "scaled_body",
-    "dropped_with_spin", "spinning_start_hops_at_once",
+    "article_v3.1_mu1", "article_v0.1_mu0.3", "article_v2.8_mu1", "article_v2_mu1", "immediate_hop", "skidding_start",
+    "scaled_body", "dropped_with_spin", "spinning_start_hops_at_once",
 ]  # fmt: skip
 
 
