@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     import hophoop.maps as maps
     import hophoop.plots as plots
     import hophoop.precise as precise
+    import hophoop.prove as prove
     import hophoop.theory as theory
     from hophoop.explanation import phases
     from hophoop.io import load
@@ -58,6 +59,7 @@ _HOMES: dict[str, str | None] = {
     "maps": None,
     "plots": None,
     "precise": None,
+    "prove": None,
     "engines": None,
     "animate": None,
 }
@@ -82,6 +84,7 @@ __all__ = [
     "maps",
     "plots",
     "precise",
+    "prove",
     "engines",
     "animate",
     "show",
