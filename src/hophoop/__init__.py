@@ -33,7 +33,7 @@ if TYPE_CHECKING:
         Scenario,
         Start,
     )
-    from hophoop.simulation import simulate
+    from hophoop.simulation import sensitivity, simulate
     from hophoop.trajectory import Trajectory
 
 # Where each public name lives; None is a module of its own.
@@ -49,6 +49,7 @@ _HOMES: dict[str, str | None] = {
     "Compliant": "hophoop.scenario",
     "Scenario": "hophoop.scenario",
     "simulate": "hophoop.simulation",
+    "sensitivity": "hophoop.simulation",
     "Trajectory": "hophoop.trajectory",
     "load": "hophoop.io",
     "phases": "hophoop.explanation",
@@ -74,6 +75,7 @@ __all__ = [
     "Compliant",
     "Scenario",
     "simulate",
+    "sensitivity",
     "Trajectory",
     "phases",
     "load",
