@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from functools import cached_property
 from itertools import pairwise
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     import xarray
 
     from hophoop.derivatives.sensitivity import Sensitivity
+    from hophoop.derivatives.uncertainty import Uncertainty
 
 Floats = NDArray[np.float64]
 
@@ -242,6 +243,39 @@ class Trajectory:
         from hophoop.derivatives.sensitivity import sensitivity_of
 
         return sensitivity_of(self, of, wrt)
+
+    def uncertainty(
+        self, spread: Mapping[str, float], correlations: Mapping[tuple[str, str], float] | None = None
+    ) -> Uncertainty:
+        """How uncertain the motion is whose parameters are, to first order.
+
+        Parameters
+        ----------
+        spread : mapping of str to float
+            Standard deviations of parameters by path, such as ``{"plane.mu": 0.02, "start.speed": 0.01}`` [their units].
+        correlations : mapping of (str, str) to float, optional
+            From −1 to 1; none by default [1].
+
+        Returns
+        -------
+        uncertainty : Uncertainty
+
+        Raises
+        ------
+        ValueError
+            If a deviation is negative, a path no parameter, a correlation not possible, or the contact compliant.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> motion = hh.simulate(hh.Scenario(duration=2.0))
+        >>> spread = motion.uncertainty({"plane.mu": 0.02, "start.speed": 0.01})
+        >>> [round(float(each), 4) for each in spread.deviation(["takeoff.angle", "hop.height"])]
+        [0.0111, 0.0165]
+        """
+        from hophoop.derivatives.uncertainty import uncertainty_of
+
+        return uncertainty_of(self, spread, correlations)
 
     # --- other forms ---------------------------------------------------------------------------
 

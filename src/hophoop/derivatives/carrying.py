@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,9 +92,9 @@ def unit_of(field: str) -> str:
 
 @dataclass(frozen=True)
 class Rated:
-    """A number in SI units, with its derivatives in all directions."""
+    """A number, or some, in SI units, with its derivatives in all directions."""
 
-    value: float
+    value: Any
     rates: Floats
 
     def __add__(self, other: Rated) -> Rated:
@@ -128,11 +129,12 @@ class Carried:
     reasons: NDArray[np.int64]
     failed: NDArray[np.int64]
 
-    def in_si(self, value: float, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
+    def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
         """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
         unit = self.motion.units
         size = unit.length ** exponents[0] * unit.time ** exponents[1] * unit.mass ** exponents[2]
-        return Rated(size * value, size * (rates + value * (np.asarray(exponents, float) @ self.directions.units)))
+        by_units = np.asarray(exponents, float) @ self.directions.units
+        return Rated(size * value, size * (rates + np.asarray(value)[..., None] * by_units))
 
     def at_event(self, index: int, field: str) -> Rated:
         """A number of an event.
@@ -154,7 +156,7 @@ class Carried:
             return self.in_si(one[0] + other[0], one[1] + other[1], SPEED)
         if field not in ENERGIES:
             return self.in_si(*self._direct(row, kept, field), DIRECT[field][2])
-        state = np.array([row[name] for name in ("x", "height", "theta", "omega", "slip", "vy")])
+        state = np.array([float(row[name]) for name in ("x", "height", "theta", "omega", "slip", "vy")])
         state[2] += row["theta_low"]
         losses = float(row["impact_normal"] + row["impact_tangential"])
         if field == "friction":
@@ -189,74 +191,70 @@ class Carried:
             motion.units.kernel_times(segments, times), left, states, out, new_scratch(), _local(),
         )  # fmt: skip
         sample = motion.at(times, "left" if left else "right")
-        names = {"x": 0, "height": 1, "omega": 3, "slip": 4, "vy": 5}
-        result: dict[str, tuple[Floats, Floats]] = {}
         losses = (sample.impact_normal + sample.impact_tangential) / motion.units.energy
+        result: dict[str, tuple[Floats, Floats]] = {}
         for field in fields:
-            rates = np.empty((times.size, count))
-            for i in range(times.size):
-                if field in ENERGIES[:3]:
-                    rated = self.in_si(*self._energy(field, states[i], out[i]), ENERGY)
-                elif field == "friction":
-                    rated = self.in_si(*self._friction(states[i], out[i], float(losses[i])), ENERGY)
-                elif field == "vx":
-                    rated = self.in_si(states[i, 3] + states[i, 4], out[i, OM] + out[i, VT], SPEED)
-                else:
-                    _, row, exponents = DIRECT[field]
-                    value = (
-                        float(getattr(sample, field)[i]) / motion.units.energy
-                        if field not in names
-                        else states[i, names[field]]
-                    )
-                    rated = self.in_si(0.0 if field == "angle" else value, out[i, row], exponents)
-                rates[i] = rated.rates
-            result[field] = (np.asarray(getattr(sample, field), float), rates)
+            values = np.asarray(getattr(sample, field), float)
+            if field == "friction":
+                found = (values / motion.units.energy, self._friction(states, out, losses)[1], ENERGY)
+            elif field in ENERGIES:
+                found = (*self._energy(field, states, out), ENERGY)
+            elif field == "vx":
+                found = (states[:, 3] + states[:, 4], out[:, OM] + out[:, VT], SPEED)
+            else:
+                _, row, exponents = DIRECT[field]
+                size = 1.0 if exponents == ANGLE else motion.units.of(field)
+                found = (values / size, out[:, row], exponents)
+            result[field] = (values, self.in_si(*found).rates)
         return result
 
     def _direct(self, row: np.void, kept: Floats, field: str) -> tuple[float, Floats]:
         column, place, _ = DIRECT[field]
         return float(row[column]), kept[place]
 
-    def _energy(self, field: str, state: Floats, rates: Floats) -> tuple[float, Floats]:
-        """Kinetic, potential or both, of (x, height, θ, θ̇, v_t, v_n)."""
-        value, slope = 0.0, np.zeros(rates.shape[1])
+    def _energy(self, field: str, state: Floats, rates: Floats) -> tuple[Any, Floats]:
+        """Kinetic, potential or both, of (x, height, θ, θ̇, v_t, v_n) at one time or many."""
+        value: Any = 0.0
+        slope: Any = 0.0
         for name, part in (("kinetic", _kinetic), ("potential", _potential)):
             if field in (name, "total"):
                 more, steeper = part(self.motion.scenario.to_body(), state, rates, self.directions.changes)
-                value += more
+                value = value + more
                 slope = slope + steeper
         return value, slope
 
-    def _friction(self, state: Floats, rates: Floats, losses: float) -> tuple[float, Floats]:
+    def _friction(self, state: Floats, rates: Floats, losses: Any) -> tuple[Any, Floats]:
         """What slip has lost: what has gone of the energy, less what impacts have lost."""
         row = self.motion.tables["events"][0]
         first = np.array([row[name] for name in ("x", "height", "theta", "omega", "slip", "vy")])
         begin = self._energy("total", first, self.at_events[0])
         now = self._energy("total", state, rates)
-        return begin[0] - now[0] - losses, begin[1] - now[1] - rates[IMPACT_N] - rates[IMPACT_T]
+        return begin[0] - now[0] - losses, begin[1] - now[1] - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :]
 
 
-def _kinetic(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[float, Floats]:
-    _, _, th, om, vt, vn = state
-    s, c = math.sin(th), math.cos(th)
+def _kinetic(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[Floats, Floats]:
+    th, om, vt, vn = (state[..., i, None] for i in range(2, 6))
+    s, c = np.sin(th), np.cos(th)
+    dth, dom = rates[..., TH, :], rates[..., OM, :]
     along = vt + om * (1.0 + body.eps * c)
     up = vn - body.eps * om * s
-    d_along = rates[VT] + rates[OM] * (1.0 + body.eps * c) + om * (changes[EPS] * c - body.eps * s * rates[TH])
-    d_up = rates[VN] - changes[EPS] * om * s - body.eps * (rates[OM] * s + om * c * rates[TH])
+    d_along = rates[..., VT, :] + dom * (1.0 + body.eps * c) + om * (changes[EPS] * c - body.eps * s * dth)
+    d_up = rates[..., VN, :] - changes[EPS] * om * s - body.eps * (dom * s + om * c * dth)
     value = 0.5 * (along**2 + up**2 + body.kap * om**2)
-    return value, along * d_along + up * d_up + 0.5 * changes[KAP] * om**2 + body.kap * om * rates[OM]
+    return value[..., 0], along * d_along + up * d_up + 0.5 * changes[KAP] * om**2 + body.kap * om * dom
 
 
-def _potential(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[float, Floats]:
-    x, y, th = state[:3]
-    s = math.sin(th)
-    fallen = -2.0 * math.sin(0.5 * th) ** 2
+def _potential(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[Floats, Floats]:
+    x, y, th = (state[..., i, None] for i in range(3))
+    s = np.sin(th)
+    dth = rates[..., TH, :]
+    fallen = -2.0 * np.sin(0.5 * th) ** 2
     drop = y + body.eps * fallen
     ahead = x + body.eps * s
-    d_drop = rates[Y] + changes[EPS] * fallen - body.eps * s * rates[TH]
-    d_ahead = rates[X] + changes[EPS] * s + body.eps * math.cos(th) * rates[TH]
+    d_drop = rates[..., Y, :] + changes[EPS] * fallen - body.eps * s * dth
+    d_ahead = rates[..., X, :] + changes[EPS] * s + body.eps * np.cos(th) * dth
     value = body.gn * drop - body.gt * ahead
-    return value, changes[GN] * drop + body.gn * d_drop - changes[GT] * ahead - body.gt * d_ahead
+    return value[..., 0], changes[GN] * drop + body.gn * d_drop - changes[GT] * ahead - body.gt * d_ahead
 
 
 def _local() -> Floats:

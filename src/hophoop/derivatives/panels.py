@@ -210,17 +210,21 @@ def by_parameters(row, changes, k):
 
 
 @apart_jit
+def prepare_panel(body, panel, work, local):
+    """What `follow_panel` needs of a solved panel, whatever the place on it."""
+    fill_rates(body, panel, work, local)
+    lagrange(-1.0, local[INTERPOLATE])
+    for row in range(LOCAL):
+        local[AT_BEGIN, row] = dot(local[INTERPOLATE], local[row])
+
+
+@apart_jit
 def follow_panel(body, panel, xi, begin, end, changes, z, work, local):
-    """Carry all directions from the state at the begin of a solved panel to the one at ξ.
+    """Carry all directions from the state at the begin of a prepared panel to the one at ξ.
 
     `changes` are those of the parameters; z is changed in place.
     """
-    fill_rates(body, panel, work, local)
     arrives = panel.kind == ARRIVE
-    if arrives:
-        lagrange(-1.0, local[INTERPOLATE])
-        for row in range(LOCAL):
-            local[AT_BEGIN, row] = dot(local[INTERPOLATE], local[row])
     time = changes_at(panel, xi, work, local)
     rates = local[RATES]
     times = local[TIMES]

@@ -6,7 +6,7 @@ from hophoop._jit import apart_jit
 from hophoop.derivatives.layout import OM
 from hophoop.derivatives.massless import follow_skim
 from hophoop.derivatives.moving import accelerations, follow_flight, follow_hold, step_along
-from hophoop.derivatives.panels import follow_panel
+from hophoop.derivatives.panels import follow_panel, prepare_panel
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, LEAVE, SKIMMING
 from hophoop.physics.flight import flight_displacement, flight_gap
@@ -68,8 +68,8 @@ def from_rest(body, mode, begin, z):
 
 
 @apart_jit
-def follow_solved(body, row, panel, totals, xi, changes, z, scratch, local):
-    """Carry all directions to ξ of a solved panel; returns the state there."""
+def follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local):
+    """Carry all directions to ξ of a prepared panel; returns the state there."""
     begin = state_of(row)
     end = state_on_panel(body, panel, totals, begin, xi, scratch)
     if panel.kind == LEAVE:
@@ -103,6 +103,7 @@ def follow_piece(body, row, changes, z, scratch, local):
     if is_panel(row):
         panel = panel_of(row)
         totals = solve(body, panel, scratch.work)
-        return follow_solved(body, row, panel, totals, row["xi"], changes, z, scratch, local)
+        prepare_panel(body, panel, scratch.work, local)
+        return follow_prepared(body, row, panel, totals, row["xi"], changes, z, scratch, local)
     tau = length_of(row)
     return follow_without_panel(body, row, tau, changes, z)

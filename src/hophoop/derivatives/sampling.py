@@ -8,8 +8,9 @@ from hophoop._jit import jit
 from hophoop.derivatives.layout import T
 from hophoop.derivatives.massless import skim_rates
 from hophoop.derivatives.moving import accelerations, step_along
-from hophoop.derivatives.pieces import follow_solved, follow_without_panel, is_panel
-from hophoop.panels.panel import HOLD, SKIMMING, TIME, fill_inside
+from hophoop.derivatives.panels import prepare_panel
+from hophoop.derivatives.pieces import follow_prepared, follow_without_panel, is_panel
+from hophoop.panels.panel import FLY, HOLD, SKIMMING, TIME, Totals, fill_inside, no_panel
 from hophoop.records.writing import panel_of
 from hophoop.rigid.panel_choice import solve
 from hophoop.rigid.sampling import find_segment, place_on_panel
@@ -24,6 +25,9 @@ def sample_changes(body, segments, at_segments, changes, clock, times, left, sta
     `clock` is by how much each direction changes a time, per unit of it.
     """
     z = np.empty(at_segments.shape[1:])
+    solved = -1
+    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    panel = no_panel(FLY, 0, 0.0)
     for i in range(times.shape[0]):
         index = find_segment(segments, times[i], left)
         row = segments[index]
@@ -32,11 +36,14 @@ def sample_changes(body, segments, at_segments, changes, clock, times, left, sta
         if times[i] == row["t"]:
             tau = 0.0
         if is_panel(row):
-            panel = panel_of(row)
-            totals = solve(body, panel, scratch.work)
+            if index != solved:
+                panel = panel_of(row)
+                totals = solve(body, panel, scratch.work)
+                prepare_panel(body, panel, scratch.work, local)
+                solved = index
             fill_inside(panel, scratch.work)
             xi = place_on_panel(scratch.work[TIME], row, tau, scratch)
-            end = follow_solved(body, row, panel, totals, xi, changes, z, scratch, local)
+            end = follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local)
         else:
             end = follow_without_panel(body, row, tau, changes, z)
         rates = (0.0, 0.0, 0.0)
