@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     import hophoop.plots as plots
     import hophoop.precise as precise
     import hophoop.theory as theory
+    from hophoop.designing import design
     from hophoop.explanation import phases
     from hophoop.io import load
     from hophoop.lab.widget import show
@@ -51,6 +52,7 @@ _HOMES: dict[str, str | None] = {
     "simulate": "hophoop.simulation",
     "sensitivity": "hophoop.simulation",
     "Trajectory": "hophoop.trajectory",
+    "design": "hophoop.designing",
     "load": "hophoop.io",
     "phases": "hophoop.explanation",
     "show": "hophoop.lab.widget",
@@ -77,6 +79,7 @@ __all__ = [
     "simulate",
     "sensitivity",
     "Trajectory",
+    "design",
     "phases",
     "load",
     "theory",

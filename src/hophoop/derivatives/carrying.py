@@ -129,6 +129,11 @@ class Carried:
     reasons: NDArray[np.int64]
     failed: NDArray[np.int64]
 
+    @property
+    def one_sided(self) -> list[int]:
+        """The directions that may have another derivative towards smaller parameters."""
+        return [k for k, reason in enumerate(self.reasons) if reason < 0 or reason == Reason.BORDER]
+
     def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
         """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
         unit = self.motion.units

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 
@@ -19,6 +20,7 @@ HOP = {
     "takeoff_time": ("Time of the take-off", "s"),
     "takeoff_angle": ("Angle at the take-off", "rad"),
     "landing_angle": ("Angle at the landing", "rad"),
+    "load_up": ("Cosine of the angle at the landing: 1 with the load on top", "1"),
     "loss": ("Energy lost in the landing", "J"),
 }
 # What a map calls the same of the first hop, and of the whole motion.
@@ -38,7 +40,7 @@ _WAYS = "distance", "energy_lost"
 _NAME = re.compile(r"(?P<what>[a-z_]+)(?:\[(?P<place>-?\d+)\])?\.(?P<field>[a-z_.]+)")
 _AT = re.compile(r"at\((?P<time>[^()]+)\)\.(?P<field>[a-z_]+)")
 AT_TIMES = tuple(name for name in FIELDS if not name.startswith(("before", "impulse")) and name != "t")
-_PASSING = (Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST)
+PASSING = (Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST)
 
 
 def unit_of_quantity(name: str) -> str:
@@ -144,18 +146,19 @@ def hops_of(motion: Motion) -> list[tuple[int, int, int]]:
         Indices of the events that a flight begins, is highest and ends with; −1 where there is none.
     """
     events = motion.tables["events"]
+    kinds, heights, times = (events[name].tolist() for name in ("kind", "height", "t"))
+    before, after = (events[name].tolist() for name in ("before_mode", "after_mode"))
     hops: list[tuple[int, int, int]] = []
     begin = top = -1
-    for index, row in enumerate(events):
-        kind = row["kind"]
-        if begin >= 0 and kind == Event.APEX and (top < 0 or row["height"] > events[top]["height"]):
+    for index, kind in enumerate(kinds):
+        if begin >= 0 and kind == Event.APEX and (top < 0 or heights[index] > heights[top]):
             top = index
-        if kind in _PASSING:
+        if kind in PASSING:
             continue
-        if begin >= 0 and row["before_mode"] == Mode.FLIGHT and row["t"] > events[begin]["t"]:
+        if begin >= 0 and before[index] == Mode.FLIGHT and times[index] > times[begin]:
             hops.append((begin, top, index if kind != Event.END else -1))
             begin = top = -1
-        if row["after_mode"] == Mode.FLIGHT and kind != Event.END:
+        if after[index] == Mode.FLIGHT and kind != Event.END:
             begin, top = index, -1
     return hops
 
@@ -171,8 +174,9 @@ def _of_hop(motion: Motion, name: str, place: int, field: str) -> Callable[[Carr
             return carried.at_event(begin if top < 0 else top, "height")
         if field.startswith("takeoff"):
             return carried.at_event(begin, "t" if field == "takeoff_time" else "angle")
-        if field == "landing_angle":
-            return carried.at_event(end, "angle")
+        if field in ("landing_angle", "load_up"):
+            angle = carried.at_event(end, "angle")
+            return angle if field == "landing_angle" else Rated(math.cos(angle.value), -math.sin(angle.value) * angle.rates)
         if field == "loss":
             return _impact_loss(carried, end) - _impact_loss(carried, begin)
         of = "x" if field == "distance" else "t"

@@ -178,8 +178,7 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
     values = np.array([each.value for each in rated])
     upward = np.array([each.rates for each in rated])
     downward = upward.copy()
-    sides = [k for k in range(len(paths)) if larger.reasons[k] != Reason.NONE]
-    smaller = larger
+    sides = larger.one_sided
     if sides:
         smaller = carry(motion, [paths[k] for k in sides], -1.0)
         downward[:, sides] = np.array([read(smaller).rates for read in reads])

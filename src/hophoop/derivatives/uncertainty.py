@@ -9,8 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hophoop.derivatives.carrying import Carried, carry
-from hophoop.derivatives.layout import Reason
+from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.quantities import AT_TIMES
 from hophoop.derivatives.sensitivity import AGREE, Sensitivity, names_of, sensitivity_of
 from hophoop.results import Motion
@@ -188,7 +187,7 @@ def _rates_at(motion: Motion, paths: Sequence[str], times: Floats, left: bool) -
     """Derivatives at times; nan where the two sides differ."""
     larger = carry(motion, paths)
     rates = {name: slopes for name, (_, slopes) in larger.at_times(times, AT_TIMES, left).items()}
-    sides = _two_sided(larger)
+    sides = larger.one_sided
     if sides:
         smaller = carry(motion, [paths[k] for k in sides], -1.0).at_times(times, AT_TIMES, left)
         for name, slopes in rates.items():
@@ -196,10 +195,6 @@ def _rates_at(motion: Motion, paths: Sequence[str], times: Floats, left: bool) -
             same = np.abs(up - down) <= AGREE * np.maximum(np.abs(up), np.abs(down))
             slopes[:, sides] = np.where(same, up, np.nan)
     return rates
-
-
-def _two_sided(carried: Carried) -> list[int]:
-    return [k for k, reason in enumerate(carried.reasons) if reason != Reason.NONE]
 
 
 def uncertainty_of(
