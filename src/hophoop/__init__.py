@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import hophoop.animate as animate
     import hophoop.article as article
     import hophoop.engines as engines
+    import hophoop.jax as jax
     import hophoop.maps as maps
     import hophoop.plots as plots
     import hophoop.precise as precise
@@ -62,6 +63,7 @@ _HOMES: dict[str, str | None] = {
     "plots": None,
     "precise": None,
     "engines": None,
+    "jax": None,
     "animate": None,
 }
 
@@ -89,6 +91,7 @@ __all__ = [
     "precise",
     "engines",
     "animate",
+    "jax",
     "show",
     "__version__",
 ]
