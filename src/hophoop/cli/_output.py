@@ -1,10 +1,16 @@
-"""Checks of the names of output files, before anything is computed."""
+"""What commands share of output: names of files that are checked before anything is computed, tables that fit."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from hophoop.scenario import InputError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
 
 PICTURES = (".png", ".svg", ".pdf", ".jpg")
 
@@ -29,3 +35,17 @@ def check_apart(paths: list[Path], source: str | None = None) -> None:
             raise InputError(f"{paths[k]} is named for two outputs.")
         if source not in (None, "-") and path == Path(str(source)).absolute():
             raise InputError(f"{paths[k]} is the scenario itself: name another file for the output.")
+
+
+def fitted(table: Table, console: Console, spare: Sequence[str]) -> list[str]:
+    """Take columns out of a table until it fits, since half of a number is worth nothing; returns their titles."""
+    from rich.measure import Measurement
+
+    left_out: list[str] = []
+    endless = console.options.update(width=10_000)
+    for title in spare:
+        if Measurement.get(console, endless, table).maximum <= console.width:
+            break
+        table.columns = [column for column in table.columns if column.header != title]
+        left_out.append(title)
+    return left_out
