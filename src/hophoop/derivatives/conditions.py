@@ -18,6 +18,7 @@ from hophoop.physics.contact import (
     slip_stiffness,
     slip_torque_arm,
 )
+from hophoop.physics.painleve import stiffness_slope
 
 GRAZE, NONE, BORDER, SIDED = int(Reason.GRAZE), int(Reason.NONE), int(Reason.BORDER), -1
 FLAT = 1e-9  # beside its natural size: a smaller rate is that of a quantity that only touches zero
@@ -117,7 +118,7 @@ def jam_angle_change(body, sigma, s, c, changes, k):
     """Change of the angle at which p_σ = 0."""
     signed_mu = sigma * body.mu_k
     q = slip_torque_arm(body, s, c, sigma)
-    slope = body.eps * c * q + body.eps * s * body.eps * (c - signed_mu * s)
+    slope = stiffness_slope(body, s, c, sigma, q)
     q_more = changes[EPS, k] * (s + signed_mu * c) + sigma * changes[MU_K, k] * (1.0 + body.eps * c)
     return -(changes[KAP, k] + changes[EPS, k] * s * q + body.eps * s * q_more) / slope
 
