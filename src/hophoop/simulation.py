@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, overload
 
@@ -23,6 +24,7 @@ from hophoop.scenario.scenario import time_unit, to_body
 from hophoop.trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from hophoop.derivatives.sensitivity import Sensitivity
     from hophoop.precise import PreciseMotion
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
@@ -113,6 +115,36 @@ def simulate(
     else:
         status, events, segments, _ = _simulate_rigid(scenario, scenario.contact)
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
+
+
+def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
+    """Derivatives of quantities of a motion with respect to parameters, through all events.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+    of, wrt : str or sequence of str
+        Quantities such as ``"takeoff.angle"`` and paths such as ``"plane.mu"``, as `Trajectory.sensitivity` takes them.
+
+    Returns
+    -------
+    sensitivity : Sensitivity
+        Derivatives in SI units; nan, with the reason, where there is none.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown, the motion has no such event, or its contact is compliant.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> result = hh.sensitivity(hh.Scenario(duration=2.0), of="hop.height", wrt=["start.speed", "plane.mu"])
+    >>> [round(float(rate), 6) for rate in result.derivatives[0]]
+    [1.511834, -0.328315]
+    """
+    return simulate(scenario).sensitivity(of, wrt)
 
 
 def compile_beside() -> None:

@@ -331,6 +331,30 @@ def test_explain():
     assert "Contact is lost: N = 0, and the rim is free to leave the plane. It flies" in result.output
 
 
+def test_sensitivity():
+    result = run("run", *HOP, "--sensitivity", "takeoff.angle,hop.height", "--wrt", "plane.mu,plane.restitution")
+    assert result.exit_code == 0
+    lines = result.output.splitlines()[-4:]
+    assert lines[0] == "takeoff.angle  by plane.mu: +0.221788164 rad"
+    assert lines[3] == "hop.height     by plane.restitution: none, the parameter is at the edge of what is allowed"
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (("--sensitivity", "end.x"), "need each other"),
+        (("--wrt", "plane.mu"), "need each other"),
+        (("--sensitivity", "end.x", "--wrt", "plane.mu", "--json"), "prints nothing else"),
+        (("--sensitivity", "leap.x", "--wrt", "plane.mu"), "is no quantity"),
+        (("--sensitivity", "end.x", "--wrt", "plane.mu", "--digits", "20"), "--sensitivity cannot be given together"),
+    ],
+)
+def test_sensitivity_is_refused_in_a_sentence(options, sentence):
+    result = run("run", *HOP, *options)
+    assert result.exit_code == 2
+    assert sentence in result.output
+
+
 def test_explain_is_refused_where_it_has_no_rules():
     result = run("run", "--explain", "-", text='[contact]\nmodel = "compliant"\n')
     assert result.exit_code == 2, result.output
