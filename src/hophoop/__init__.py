@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         Start,
     )
     from hophoop.simulation import simulate
+    from hophoop.tracking import Track, read_track, track
     from hophoop.trajectory import Trajectory
 
 # Where each public name lives; None is a module of its own.
@@ -53,6 +54,9 @@ _HOMES: dict[str, str | None] = {
     "load": "hophoop.io",
     "phases": "hophoop.explanation",
     "show": "hophoop.lab.widget",
+    "track": "hophoop.tracking",
+    "read_track": "hophoop.tracking",
+    "Track": "hophoop.tracking",
     "theory": None,
     "article": None,
     "maps": None,
@@ -77,6 +81,9 @@ __all__ = [
     "Trajectory",
     "phases",
     "load",
+    "track",
+    "read_track",
+    "Track",
     "theory",
     "article",
     "maps",
