@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     import hophoop.precise as precise
     import hophoop.theory as theory
     from hophoop.explanation import phases
+    from hophoop.fitting import Fit, fit, load_fit, plan
     from hophoop.io import load
     from hophoop.lab.widget import show
     from hophoop.scenario import (
@@ -57,6 +58,10 @@ _HOMES: dict[str, str | None] = {
     "track": "hophoop.tracking",
     "read_track": "hophoop.tracking",
     "Track": "hophoop.tracking",
+    "fit": "hophoop.fitting",
+    "Fit": "hophoop.fitting",
+    "load_fit": "hophoop.fitting",
+    "plan": "hophoop.fitting",
     "theory": None,
     "article": None,
     "maps": None,
@@ -84,6 +89,10 @@ __all__ = [
     "track",
     "read_track",
     "Track",
+    "fit",
+    "Fit",
+    "load_fit",
+    "plan",
     "theory",
     "article",
     "maps",

@@ -1,9 +1,9 @@
 """From a film of a hoop, or a table of places, to a track: times, centre and angle with their uncertainties."""
 
 from hophoop.tracking.camera import Camera
+from hophoop.tracking.drawing import overlay
 from hophoop.tracking.film import track
 from hophoop.tracking.hints import Hints
-from hophoop.tracking.overlay import overlay
 from hophoop.tracking.reading import Reading, read_track
 from hophoop.tracking.table import Track, View
 

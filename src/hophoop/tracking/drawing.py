@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 import hophoop
 from hophoop._files import replacing
 from hophoop.scenario import InputError
+from hophoop.tracking.page import STYLE, Curve, plot
 from hophoop.tracking.table import FOUND, LOST, Track, View
 from hophoop.tracking.video import Bytes, Writer, jpeg, pictures, rgb, writing
 
@@ -22,6 +23,8 @@ Floats = NDArray[np.float64]
 Colour = tuple[int, int, int]
 
 RIM, MARK, GROUND, GONE = (255, 214, 10), (0, 229, 255), (255, 255, 255), (230, 30, 30)
+MODEL = (255, 60, 220)  # a computed hoop
+POINTS = "#0b6"
 DARK = (20, 20, 20)
 STILLS = 9
 LOST_STILLS = 3
@@ -107,6 +110,7 @@ def overlay(
     film: str | Path | None = None,
     page: str | Path | None = None,
     progress: Callable[[int, int], None] | None = None,
+    model: tuple[Floats, Floats] | None = None,
 ) -> None:
     """Draw what was found over the film.
 
@@ -121,6 +125,8 @@ def overlay(
         Page of stills to write, ends in .html.
     progress : callable, optional
         Called with the number of frames done and of all.
+    model : tuple of ndarray, optional
+        Another hoop to draw: its centre in each frame, shape (n, 2) [m], and the angle of its marker, shape (n,) [rad].
 
     Raises
     ------
@@ -144,6 +150,8 @@ def overlay(
         for row, picture in _rows(video, track):
             if writer is not None or row in wanted:
                 image = _marked(rgb(picture), track, row)
+                if model is not None and np.isfinite(model[0][row]).all():
+                    draw(image, track.view, track.radius, model[0][row], model[1][row], MODEL)
                 if isinstance(writer, Writer):
                     writer.add(image, picture.t)
                 if row in wanted:
@@ -172,16 +180,6 @@ def _stills(track: Track) -> list[int]:
     if len(missing):
         missing = missing[np.unique(np.linspace(0, len(missing) - 1, LOST_STILLS).astype(int))]
     return sorted({*even.tolist(), *missing.tolist()})
-
-
-STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 1240px; padding: 0 1rem;
-  color: #1b1b1b; background: #fff; }
-.stills { display: grid; grid-template-columns: repeat(auto-fill, minmax(360px, 1fr)); gap: 0.8rem; }
-figure { margin: 0; } figure img, video { width: 100%; display: block; } figcaption { font-size: 0.85rem; color: #555; }
-svg { width: 100%; height: auto; display: block; margin: 0.4rem 0 1rem; }
-svg text { font: 11px system-ui, sans-serif; fill: #555; }
-"""
 
 
 def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> str:
@@ -213,31 +211,11 @@ def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> st
             f"<figure><img alt='' src='data:image/jpeg;base64,{code}'><figcaption>{escape(caption)}</figcaption></figure>"
         )
     parts.append("</div><h2>Motion</h2>")
-    parts.append(_plot(track.t, track.centre[:, 0], "x (m)"))
-    parts.append(_plot(track.t, 1e3 * (track.centre[:, 1] - track.radius), "height of the rim above the plane (mm)"))
+    parts.append(plot([Curve(track.t, track.centre[:, 0], POINTS)], "x (m)"))
+    parts.append(
+        plot([Curve(track.t, 1e3 * (track.centre[:, 1] - track.radius), POINTS)], "height of the rim above the plane (mm)")
+    )
     if np.isfinite(track.angle).any():
-        parts.append(_plot(track.t, np.degrees(track.angle), "angle (°)"))
+        parts.append(plot([Curve(track.t, np.degrees(track.angle), POINTS)], "angle (°)"))
     parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
     return "".join(parts)
-
-
-def _plot(t: Floats, values: Floats, label: str) -> str:
-    """Points over time; a gap where there is none."""
-    there = np.isfinite(values)
-    low, high = (float(round(one, 9)) for one in (values[there].min(), values[there].max()))
-    if high - low < 1e-9:
-        low, high = low - 1.0, high + 1.0
-    wide, tall, left, foot = 1200, 170, 64, 18
-    span = max(float(t[-1] - t[0]), 1e-9)
-    x = left + (t - t[0]) / span * (wide - left - 8)
-    y = 8 + (high - values) / (high - low) * (tall - foot - 16)
-    dots = "".join(f"<circle cx='{a:.1f}' cy='{b:.1f}' r='1.6'/>" for a, b in zip(x[there], y[there], strict=True))
-    axis = (
-        f"<text x='2' y='14'>{high:.4g}</text><text x='2' y='{tall - foot}'>{low:.4g}</text>"
-        f"<text x='{left}' y='{tall - 3}'>{t[0]:.3g} s</text><text x='{wide - 48}' y='{tall - 3}'>{t[-1]:.3g} s</text>"
-        f"<text x='{wide // 2 - 60}' y='{tall - 3}'>{escape(label)}</text>"
-    )
-    frame = f"<rect x='{left}' y='4' width='{wide - left - 4}' height='{tall - foot - 6}' fill='none' stroke='#ccc'/>"
-    return (
-        f"<svg viewBox='0 0 {wide} {tall}' role='img' aria-label='{escape(label)}'>{frame}<g fill='#0b6'>{dots}</g>{axis}</svg>"
-    )
