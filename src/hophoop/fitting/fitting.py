@@ -42,11 +42,11 @@ def fit(
     start : {'auto', 'rolling', 'sliding', 'flying'}, default 'auto'
         How the hoop moves in the first frame.
     fixed : dict, optional
-        Parameters that are known, and their values.
+        Parameters that are known, and their values [SI units].
     free : sequence of str, optional
         Parameters to fit beside the usual ones: slope, scale, tilt, origin_y, row_delay, marker_angle, marker_ratio.
     bounds : dict, optional
-        Least and greatest values of parameters.
+        Least and greatest values of parameters [SI units].
     tied : dict, optional
         Parameters that follow from others, as expressions of them.
     plane : Plane, optional

@@ -12,8 +12,9 @@ from hophoop.fitting.problem import Problem
 
 Floats = NDArray[np.float64]
 
-WIDTH = 0.02  # of the pieces over which velocities are taken [s]
+WIDTH = 0.05  # of the pieces over which velocities are taken [s]
 LEAST = 5  # frames of such a piece
+FIRST = 8  # frames from which the start is told at least
 SLIPS = 4.0  # slip over its standard deviation that is believed
 DRAWS = 160
 A_SEQUENCE = 2  # starts of each sequence
@@ -86,19 +87,53 @@ def start_kind(problem: Problem) -> str:
     start : str
         'rolling', unless the data contradict it.
     """
-    x, angle, y = (rates_of(problem, name) for name in ("x", "angle", "y"))
+    x, angle, y = (beginning(problem, name) for name in ("x", "angle", "y"))
     if x is None or angle is None:
         return "rolling"
-    few = 3
     if y is not None:
-        gap = y.value[:few] - problem.radius
-        error = next(channel.errors for channel in problem.channels if channel.name == "y")[:few]
-        if (gap > 6.0 * error).all() and (gap > 3e-3 * problem.radius).all():
+        gap = y.values[:3] - problem.radius
+        if (gap > 6.0 * y.errors[:3]).all() and (gap > 3e-3 * problem.radius).all():
             return "flying"
-    speed = x.rate[:few] - problem.radius * np.interp(x.t[:few], angle.t, angle.rate)
-    error = np.hypot(x.error[:few], problem.radius * angle.error[:few])
-    real = (np.abs(speed) > SLIPS * error).all() and (np.abs(speed) > 0.03 * np.abs(x.rate[:few])).all()
-    return "sliding" if real else "rolling"
+    slip = x.rate - problem.radius * angle.rate
+    error = float(np.hypot(x.error, problem.radius * angle.error))
+    return "sliding" if abs(slip) > max(SLIPS * error, 0.03 * abs(x.rate)) else "rolling"
+
+
+class Beginning(NamedTuple):
+    """A quantity and its rate in the first frame, from a parabola through the first frames."""
+
+    value: float
+    rate: float
+    error: float  # of the rate
+    values: Floats  # the first of the data
+    errors: Floats
+
+
+def beginning(problem: Problem, name: str) -> Beginning | None:
+    """How a quantity begins.
+
+    Parameters
+    ----------
+    problem : Problem
+    name : str
+        Of a channel.
+
+    Returns
+    -------
+    beginning : Beginning or None
+        None where it was not measured.
+    """
+    for channel in problem.channels:
+        if channel.name == name and len(channel.rows) >= LEAST:
+            t = problem.t[channel.rows]
+            count = max(FIRST, int(np.searchsorted(t, t[0] + WIDTH)))
+            at, weight = t[:count], 1.0 / channel.errors[:count]
+            design = np.column_stack([np.ones_like(at), at, at**2]) * weight[:, None]
+            inverse = np.linalg.pinv(design.T @ design)
+            found = inverse @ (design.T @ (channel.values[:count] * weight))
+            error = float(np.sqrt(max(inverse[1, 1], 0.0)))
+            return Beginning(float(found[0]), float(found[1]), error, channel.values[:count], channel.errors[:count])
+    return None
 
 
 def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
@@ -125,17 +160,22 @@ def guess(problem: Problem, values: dict[str, float]) -> dict[str, float]:
             np.full(len(marker.t), 1.0),
         )
     if x is not None:
-        result |= {"x0": float(x.value[0]), "speed": float(np.median(x.rate[:3])), "vx0": float(np.median(x.rate[:3]))}
+        first = beginning(problem, "x")
+        place, rate = (float(x.value[0]), float(x.rate[0])) if first is None else (first.value, first.rate)
+        result |= {"x0": place, "speed": rate, "vx0": rate}
     if "tilt" in values and x is not None and y is not None and not values["tilt"] and np.ptp(x.value) > problem.radius:
         line = np.polyfit(x.value, y.value, 1)
         if abs(line[0]) > 1e-3:
             result["tilt"] = float(np.arctan(line[0]))
     if y is not None:
-        result["height0"] = max(float(y.value[0]) - problem.radius, 0.0)
-        result["vy0"] = float(y.rate[0])
+        above = beginning(problem, "y")
+        if above is not None:
+            result |= {"height0": max(above.value - problem.radius, 0.0), "vy0": above.rate}
         result["origin_y"] = float(np.quantile(y.value, 0.1)) - problem.radius if "origin_y" in values else 0.0
     if angle is not None:
-        result |= {"angle0": float(angle.value[0]) - values["marker_angle"], "omega0": float(np.median(angle.rate[:3]))}
+        turning = beginning(problem, "angle")
+        assert turning is not None
+        result |= {"angle0": turning.value - values["marker_angle"], "omega0": turning.rate}
         if x is None:
             result["speed"] = problem.radius * result["omega0"]
         found = share_of_load(problem, angle, x, result)

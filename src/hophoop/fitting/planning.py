@@ -26,13 +26,13 @@ class Plan:
     Attributes
     ----------
     values : dict of float
-        The parameters of the motion, in SI units.
+        The parameters of the motion [SI units].
     errors : dict of float
-        Standard deviations that a fit would have [1].
+        Standard deviations that a fit would have [SI units].
     unseen : tuple of str
         Parameters of which the film would say nothing.
     correlated : list
-        Pairs that the film could hardly tell apart, with their correlation.
+        Pairs that the film could hardly tell apart, with their correlation [1].
     sequence : str
         Of the motion.
     frames : int

@@ -36,7 +36,7 @@ PARAMETERS: dict[str, Kind] = {
     "inertia_ratio": Kind("1", "moment of inertia over m R²", 0.001, 2.0, 1e-5),
     "mu_kinetic": Kind("1", "kinetic friction", 0.0, 3.0, 1e-5),
     "mu_excess": Kind("1", "static less kinetic friction", 0.0, 2.0, 1e-5),
-    "restitution": Kind("1", "restitution", 0.0, 1.0, 1e-5),
+    "restitution": Kind("1", "restitution", 0.0, 0.9, 1e-5),
     "slope": Kind("rad", "slope of the plane", -1.0, 1.0, 1e-6),
     "x0": Kind("m", "place of the centre in the first frame", -INFINITE, INFINITE, 1e-6),
     "angle0": Kind("rad", "angle in the first frame", -INFINITE, INFINITE, 1e-6),

@@ -150,7 +150,7 @@ def _page(fit: Fit, film: str | None) -> str:
     ]
     if film is not None:
         parts.append(
-            f"<h2>Film</h2><p>Yellow is the filmed hoop as tracked, magenta the fitted motion.</p>"
+            f"<h2>Film</h2><p>Yellow is the hoop as tracked, dashed magenta the fitted motion.</p>"
             f"<video controls loop muted src='{escape(film, quote=True)}'></video>"
         )
     parts.append("<h2>Residuals</h2><p>Data less motion; the ribbon is the motion's mode.</p>")

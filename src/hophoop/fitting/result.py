@@ -35,7 +35,7 @@ class Fit:
     Attributes
     ----------
     values : dict of float
-        All parameters, in SI units.
+        All parameters [SI units].
     free : tuple of str
         Those that were fitted and that the data see.
     covariance : ndarray, shape (len(free), len(free))
@@ -45,11 +45,11 @@ class Fit:
     freedom : int
         Numbers measured less parameters fitted [1].
     limits : dict
-        What is known of parameters on one side only: by name, the sign ('≥' or '≤') and the value.
+        What is known of parameters on one side only: by name, the sign ('≥' or '≤') and the value [SI units].
     shares : dict of float
         Sequences that motions within the uncertainties have, and their shares [1].
     correlated : list
-        Pairs of parameters that the data can hardly tell apart, with their correlation.
+        Pairs of parameters that the data can hardly tell apart, with their correlation [1].
     lacking : list of dict
         Where residuals run together.
     notes : tuple of str

@@ -118,10 +118,33 @@ def solve(problem: Problem, choice: Choice, soft: bool, most: int = MOST_CALLS) 
     values = dict(result.params.valuesdict())
     off = problem.residuals(values)
     free = tuple(result.var_names)
-    jacobian = slopes(problem, choice.at(values), free, lambda one: soften(problem.residuals(one), soft))
-    information = jacobian.T @ jacobian
-    covariance = inverse(information)
-    return Solution(values, free, covariance, float((soften(off, soft) ** 2).sum()), off, int(result.nfev))
+    jacobian = slopes(problem, choice.at(values), free, problem.residuals)
+    return Solution(
+        values, free, _covariance(jacobian, off, soft), float((soften(off, soft) ** 2).sum()), off, int(result.nfev)
+    )
+
+
+def _covariance(jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
+    """Of the parameters: that of least squares, or of an M-estimator, in which outliers say little.
+
+    With ψ the slope of half the loss it is E[ψ²]/E[ψ']² times the inverse of the information, for residuals as large
+    as the data say.
+    """
+    if not soft:
+        return inverse(jacobian.T @ jacobian)
+    nodes, weights = np.polynomial.hermite_e.hermegauss(40)
+    weights = weights / weights.sum()
+    square, slope = weights @ _psi(nodes) ** 2, weights @ _psi_slope(nodes)
+    information = jacobian.T @ (_psi_slope(residuals)[:, None] * jacobian) / slope
+    return inverse(information) * float(square / slope**2)
+
+
+def _psi(residuals: Floats) -> Floats:
+    return np.asarray(residuals / np.sqrt(1.0 + (residuals / SOFT) ** 2), dtype=float)
+
+
+def _psi_slope(residuals: Floats) -> Floats:
+    return np.asarray((1.0 + (residuals / SOFT) ** 2) ** -1.5, dtype=float)
 
 
 def _parameters(lmfit: Any, problem: Problem, choice: Choice) -> Any:

@@ -60,7 +60,7 @@ def curve(image: Bytes, pixels: Floats, colour: Colour, width: int = 2) -> None:
         image[dots[inside, 1], dots[inside, 0]] = paint
 
 
-def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, colour: Colour = RIM) -> None:
+def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, colour: Colour = RIM, dashes: int = 0) -> None:
     """Draw a hoop over a picture.
 
     Parameters
@@ -76,10 +76,14 @@ def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, 
         Of the marker; nan where it is not known [rad].
     colour : tuple of int, optional
         Of the rim [1].
+    dashes : int, default 0
+        Pieces of the rim that are left out, so that what lies under it shows [1].
     """
     around = np.linspace(0.0, 2 * np.pi, 91)
     rim = centre + radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
-    curve(image, view.to_picture(rim, radius), colour)
+    pieces = np.array_split(rim, 2 * dashes)[::2] if dashes else [rim]
+    for piece in pieces:
+        curve(image, view.to_picture(piece, radius), colour)
     cross = 0.06 * radius
     for along in ((cross, 0.0), (0.0, cross)):
         curve(image, view.to_picture(np.array([centre - along, centre + along]), radius), colour, 1)
@@ -151,7 +155,7 @@ def overlay(
             if writer is not None or row in wanted:
                 image = _marked(rgb(picture), track, row)
                 if model is not None and np.isfinite(model[0][row]).all():
-                    draw(image, track.view, track.radius, model[0][row], model[1][row], MODEL)
+                    draw(image, track.view, track.radius, model[0][row], model[1][row], MODEL, 12)
                 if isinstance(writer, Writer):
                     writer.add(image, picture.t)
                 if row in wanted:
