@@ -87,17 +87,19 @@ def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
         "slip": sign * slip,
         "duration": sections["duration"],
         "max_events": EVENTS,
+        "ideal": "load_fraction" in hoop,
         "allowed": 1,
     }
     return np.array([float(values[name]) for name in CELL]) + 0.0
 
 
 @jit
-def energies(body, height, x, angle, slip, vy, omega):
-    """Kinetic and potential energy, from the velocity of G."""
+def energies(body, height, x, angle, low, slip, vy, omega):
+    """Kinetic and potential energy, from the velocity of G; θ is angle + low."""
     s, c = math.sin(angle), math.cos(angle)
     half = math.cos(0.5 * angle)
-    along = slip + omega * ((1.0 - body.eps) + 2.0 * body.eps * half * half)
+    along = slip + omega * ((1.0 - body.eps) + body.eps * (2.0 * half * half - s * low))
+    s, c = s + c * low, c - s * low
     up = vy - body.eps * omega * s
     kinetic = 0.5 * (along * along + up * up + body.kap * omega * omega)
     potential = body.gn * (height + body.eps * (c - 1.0)) - body.gt * (x + body.eps * s)
@@ -113,7 +115,14 @@ def measure(body, events, count, segments, pieces, out, times, worst):
         times[k] = end * k / (times.shape[0] - 1)
     sample(body, segments[:pieces], times, False, out)
     kinetic, potential = energies(
-        body, first["height"], first["x"], first["angle"], first["before_slip"], first["before_vy"], first["before_omega"]
+        body,
+        first["height"],
+        first["x"],
+        first["theta"],
+        first["theta_low"],
+        first["before_slip"],
+        first["before_vy"],
+        first["before_omega"],
     )
     whole = kinetic + potential
     size = max(kinetic, body.gn + abs(body.gt))
@@ -121,13 +130,13 @@ def measure(body, events, count, segments, pieces, out, times, worst):
     for k in range(times.shape[0]):
         fastest = max(fastest, out[k, 6] * out[k, 6])
     last = out[times.shape[0] - 1]
-    ended, low = energies(body, last[2], last[1], last[3], last[7], last[5], last[6])
+    ended, low = energies(body, last[2], last[1], last[13], last[14], last[7], last[5], last[6])
     size = max(size, ended, abs(low), last[10])
     force = body.gn + abs(body.gt) + fastest
     for k in range(times.shape[0]):
         row = out[k]
         mode = int(row[0])
-        kinetic, potential = energies(body, row[2], row[1], row[3], row[7], row[5], row[6])
+        kinetic, potential = energies(body, row[2], row[1], row[13], row[14], row[7], row[5], row[6])
         residual = abs(kinetic + potential + row[10] + row[11] + row[12] - whole) / size
         if not residual <= worst[ALWAYS]:
             worst[ALWAYS] = residual

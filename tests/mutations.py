@@ -1,205 +1,159 @@
-"""Signs and factors of the formulas, changed one by one: does a test see it? `python tests/mutations.py [MODULE ...]`.
+"""Does a test see it when the source is changed? `python tests/mutations.py [ROOM ...] [--markdown FILE]`.
 
-Each change of one operator (+ and −, · and /, a minus sign left out) of a module in `physics/` is tried on the tests in
-`tests/physics`, interpreted (NUMBA_DISABLE_JIT=1). A change that no test sees is printed, and makes the exit status 1,
-unless `EXPLAINED` says why nothing can see it. `--all` runs over all modules, `--jobs` sets how many run at a time.
+The operators of Cosmic Ray (signs, factors, comparisons, numbers, conditions, loops) change one place of a room at a time, and
+the tests of that room run. A change that no test sees is printed, and makes the exit status 1, unless
+`mutations_explained.py` says why nothing can see it. Kernels are interpreted (NUMBA_DISABLE_JIT=1), but for maps.
+
+Cosmic Ray's own runner starts Python for every change, which takes longer here than the tests: `mutation_runs.py` forks
+where all is imported.
 """
 
 from __future__ import annotations
 
 import argparse
-import ast
-import contextlib
-import importlib.abc
-import importlib.util
-import io
+import importlib
+import json
 import os
-import signal
+import random
+import subprocess
 import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from mutants import Mutant, mutants
+from mutation_runs import SEEN, UNREACHED, run_anew, run_within
+from mutations_explained import EXPLAINED
+
 ROOT = Path(__file__).parents[1]
-FORMULAS = ROOT / "src" / "hophoop" / "physics"
-SECONDS = 20  # that the tests may take with one change; one that never ends has been seen
+SOURCE = ROOT / "src" / "hophoop"
 
-SWAPPED: dict[type[ast.operator], type[ast.operator]] = {
-    ast.Add: ast.Sub,
-    ast.Sub: ast.Add,
-    ast.Mult: ast.Div,
-    ast.Div: ast.Mult,
-}
-SIGNS = {ast.Add: "+", ast.Sub: "−", ast.Mult: "·", ast.Div: "/"}
 
-# Why a change cannot be seen: by module, function, the line as it stands and what is changed in it.
-TOLERANCE = "a tolerance, of which the order counts"
-SEARCH = "where a search begins, which finds the same from either"
-SAME_SIGN = "a quotient has the sign of the product"
-EXPLAINED: dict[tuple[str, str, str, str], str] = {
-    ("impact", "singular_slip", "stop = -vt / rate if vt * rate < 0.0 else math.inf", "· → / before rate"): SAME_SIGN,
-    (
-        "impact",
-        "singular_angle",
-        "if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):",
-        "· → / before abs(slope)",
-    ): TOLERANCE,
-    ("compliant", "hunt_crossley_number", "low = 0.5 * pole", "· → / before pole"): SEARCH,
-    ("compliant", "static_excess", "high = mu_static - mu_kinetic", "− → + before mu_kinetic"): SEARCH,
-    **{
-        (
-            "impact",
-            "singular_angle",
-            "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)",
-            f"· → / before {what}",
-        ): TOLERANCE
-        for what in ("abs(slope)", "body.gn + body.eps * u", "u")
-    },
+class Room(NamedTuple):
+    """What is changed, and the tests that should see it."""
+
+    sources: tuple[str, ...]
+    tests: tuple[str, ...]
+    interpreted: bool = True
+
+
+ROOMS = {
+    "physics": Room(("physics/*.py",), ("tests/physics",)),
+    "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics")),
+    "scenario": Room(("scenario/*.py",), ("tests/scenario",)),
+    "io": Room(("io.py", "export.py", "_files.py", "_digest.py"), ("tests/test_io.py", "tests/files")),
+    "maps/store": Room(
+        ("maps/store.py", "maps/lock.py"), ("tests/maps/test_maps_store.py", "tests/maps/test_maps_lock.py"), False
+    ),
 }
 
 
-class Mutation(NamedTuple):
-    """One changed operator."""
-
-    module: str
-    function: str
-    line: int
-    text: str  # the line as it stands
-    change: str
-    source: str  # of the whole module, changed
-
-    @property
-    def key(self) -> tuple[str, str, str, str]:
-        """What names it in `EXPLAINED`: stays the same when lines move."""
-        return self.module, self.function, self.text, self.change
+def paths_of(room: Room) -> list[Path]:
+    """The modules of a room."""
+    return sorted(path for pattern in room.sources for path in SOURCE.glob(pattern) if path.stem != "__init__")
 
 
-def _sites(tree: ast.AST) -> Iterator[tuple[str, ast.AST]]:
-    """Operators within functions, with the function's name; type hints hold none that count."""
-    for function in ast.iter_child_nodes(tree):
-        if isinstance(function, ast.FunctionDef):
-            for statement in function.body:
-                for node in ast.walk(statement):
-                    known = isinstance(node, ast.BinOp | ast.AugAssign) and type(node.op) in SWAPPED
-                    minus = isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub)
-                    if known or (minus and not isinstance(node.operand, ast.Constant)):
-                        yield function.name, node
-
-
-def mutations(path: Path) -> list[Mutation]:
-    """All changes of a module."""
-    text = path.read_text(encoding="utf-8")
-    lines = text.splitlines()
-    count = len(list(_sites(ast.parse(text))))
-    found = []
-    for k in range(count):
-        tree = ast.parse(text)
-        function, node = list(_sites(tree))[k]
-        if isinstance(node, ast.BinOp | ast.AugAssign):
-            new = SWAPPED[type(node.op)]
-            right = node.right if isinstance(node, ast.BinOp) else node.value
-            change = f"{SIGNS[type(node.op)]} → {SIGNS[new]} before {ast.unparse(right)}"
-            node.op = new()
-        else:
-            assert isinstance(node, ast.UnaryOp)
-            change = f"no − before {ast.unparse(node.operand)}"
-            node.op = ast.UAdd()
-        line = node.lineno  # type: ignore[attr-defined]
-        found.append(Mutation(path.stem, function, line, lines[line - 1].strip(), change, ast.unparse(tree)))
-    return found
-
-
-class _Changed(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Imports one module with another source."""
-
-    def __init__(self, name: str, source: str) -> None:
-        self.name = name
-        self.source = source
-
-    def find_spec(self, name: str, path: Any = None, target: Any = None) -> Any:
-        return importlib.util.spec_from_loader(name, self) if name == self.name else None
-
-    def exec_module(self, module: Any) -> None:
-        module.__file__ = str(FORMULAS / f"{self.name.rpartition('.')[2]}.py")
-        exec(compile(self.source, module.__file__, "exec"), module.__dict__)
-
-
-def _tests(module: str) -> list[str]:
-    """The tests of formulas, those of the module first."""
-    files = sorted((ROOT / "tests" / "physics").glob("test_*.py"))
-    return [str(path) for path in sorted(files, key=lambda path: path.stem != f"test_{module}")]
-
-
-def _seen(mutation: Mutation) -> int:
-    """In a process of its own: the exit status of the tests with the change; 0 where none sees it."""
-    import pytest
-
-    signal.alarm(SECONDS)
-    sys.meta_path.insert(0, _Changed(f"hophoop.physics.{mutation.module}", mutation.source))
-    words = ["-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", *_tests(mutation.module)]
-    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
-        return int(pytest.main(words))
-
-
-def survivors(wanted: list[Mutation], jobs: int) -> list[Mutation]:
-    """The changes that no test sees."""
-    waiting = list(reversed(wanted))
-    running: dict[int, Mutation] = {}
-    unseen = []
-    while waiting or running:
-        while waiting and len(running) < jobs:
-            mutation = waiting.pop()
-            child = os.fork()
-            if child == 0:
-                status = 1
-                with contextlib.suppress(BaseException):
-                    status = _seen(mutation)
-                os._exit(min(status, 9))
-            running[child] = mutation
-        child, status = os.wait()
-        mutation = running.pop(child)
-        if status == 0:
-            unseen.append(mutation)
-    return sorted(unseen, key=lambda one: (one.module, one.line))
-
-
-def main() -> int:
-    """Try the changes and print the score of each module."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("modules", nargs="*", help="such as contact; all by default")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="how many at a time")
-    options = parser.parse_args()
-    os.environ["NUMBA_DISABLE_JIT"] = "1"
+def try_room(name: str, modules: list[str], sample: int | None, results: Path) -> None:
+    """Try the changes of a room, in this process and its children; write what came to a file."""
+    room = ROOMS[name]
+    os.environ["NUMBA_DISABLE_JIT" if room.interpreted else "HOPHOOP_KERNELS"] = "1" if room.interpreted else "compiled"
     os.environ["CI"] = "1"  # the same examples every time
     os.chdir(ROOT)
     sys.path[:0] = [str(ROOT / "src"), str(ROOT / "tests")]
-    # what takes long to import, once for all processes; hophoop itself is imported in each
-    for name in ("pytest", "numpy", "scipy.integrate", "scipy.optimize", "mpmath", "sympy", "hypothesis", "pydantic"):
-        importlib.import_module(name)
-    paths = sorted(path for path in FORMULAS.glob("*.py") if path.stem != "__init__")
-    total = seen = told = 0
-    for path in paths:
-        if options.modules and path.stem not in options.modules:
-            continue
-        began = time.monotonic()
-        tried = mutations(path)
-        if not tried:
-            continue
-        unseen = survivors(tried, options.jobs)
-        explained = [one for one in unseen if one.key in EXPLAINED]
-        total, seen, told = total + len(tried), seen + len(tried) - len(unseen), told + len(explained)
-        print(
-            f"{path.stem:12} {len(tried):4} changes, {len(tried) - len(unseen):4} seen, {len(explained):3} explained, "
-            f"{len(unseen) - len(explained):3} not seen ({time.monotonic() - began:.0f} s)",
-            flush=True,
-        )
-        for one in unseen:
-            if one.key not in EXPLAINED:
-                print(f"    {path.name}:{one.line} in {one.function}: {one.change}\n        {one.text}", flush=True)
-    if total:
-        print(f"{seen} of {total} changes are seen ({100.0 * seen / total:.1f} %), {told} more are explained.")
-    return 0 if seen + told == total else 1
+    # what takes long to import, once for all processes
+    for heavy in (
+        "pytest",
+        "numpy",
+        "scipy.integrate",
+        "scipy.optimize",
+        "mpmath",
+        "sympy",
+        "hypothesis",
+        "pydantic",
+        "xarray",
+    ):
+        importlib.import_module(heavy)
+    paths = [path for path in paths_of(room) if not modules or path.stem in modules]
+    made = [mutant for path in paths for mutant in mutants(path)]
+    there = len(made)
+    if sample is not None and sample < there:
+        made = sorted(random.Random(2026).sample(made, sample), key=lambda one: (one.path, one.line))
+    names = {path: ".".join(("hophoop", *path.relative_to(SOURCE).with_suffix("").parts)) for path in paths}
+    tests = [test for test in room.tests if (ROOT / test).exists()]
+    found: list[dict[str, Any]] = []
+    began = time.monotonic()
+
+    def report(mutant: Mutant, status: str) -> None:
+        explained = status != SEEN and mutant.key in EXPLAINED
+        found.append({"module": mutant.path.stem, "status": status, "explained": explained})
+        if status != SEEN and not explained:
+            words = "no test comes here" if status == UNREACHED else "not seen"
+            print(f"{mutant.path.name}:{mutant.line} in {mutant.function or 'the module'}: {words}", flush=True)
+            print(f"    {mutant.text}\n    {mutant.changed}", flush=True)
+        if len(found) % 200 == 0:
+            print(f"... {len(found)} of {len(made)} changes tried in {time.monotonic() - began:.0f} s", flush=True)
+
+    run_anew([one for one in made if not one.function], names, tests, report)
+    run_within([one for one in made if one.function], tests, report)
+    text = {"room": name, "there": there, "seconds": time.monotonic() - began, "found": found}
+    results.write_text(json.dumps(text), encoding="utf-8")
+
+
+def table(rooms: list[dict[str, Any]]) -> str:
+    """Markdown: for each module how many changes, seen, explained and not seen."""
+    lines = [
+        "| Room, module | changes tried | seen | not seen, explained | not seen | seen or explained |",
+        "| --- | --- | --- | --- | --- | --- |",
+    ]
+    for room in rooms:
+        modules = sorted({one["module"] for one in room["found"]})
+        for module in [None, *modules]:
+            lines.append(_row(room, module))
+    return "\n".join(lines) + "\n"
+
+
+def _row(room: dict[str, Any], module: str | None) -> str:
+    found = [one for one in room["found"] if module in (None, one["module"])]
+    seen = sum(one["status"] == SEEN for one in found)
+    told = sum(one["explained"] for one in found)
+    share = f"{100.0 * (seen + told) / len(found):.1f} %"
+    if module is not None:
+        cells = [f"&emsp;{module}", f"{len(found):,}", seen, told, len(found) - seen - told, share]
+    else:
+        tried = f"{len(found):,}" + (f" of {room['there']:,}" if len(found) < room["there"] else "")
+        cells = [f"**{room['room']}**", f"**{tried}**", f"**{seen:,}**", told, len(found) - seen - told, f"**{share}**"]
+    return f"| {' | '.join(str(cell) for cell in cells)} |"
+
+
+def main() -> int:
+    """Try the changes and print the scores."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("rooms", nargs="*", metavar="ROOM", help=f"of {', '.join(ROOMS)}; all by default")
+    parser.add_argument("--module", action="append", default=[], help="only this module of the room, such as contact")
+    parser.add_argument("--sample", type=int, help="so many changes of each room, drawn at random (always the same)")
+    parser.add_argument("--markdown", type=Path, help="write the table to this file")
+    parser.add_argument("--results", type=Path, help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    if options.results is not None:  # one room, in a process of its own
+        try_room(options.rooms[0], options.module, options.sample, options.results)
+        return 0
+    rooms = []
+    for name in options.rooms or ROOMS:
+        if name not in ROOMS:
+            parser.error(f"{name} is not one of {', '.join(ROOMS)}.")
+        file = ROOT / "tests" / "results" / f"mutations-{name.replace('/', '-')}.json"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        words = [sys.executable, __file__, name, "--results", str(file)]
+        words += [word for module in options.module for word in ("--module", module)]
+        words += ["--sample", str(options.sample)] if options.sample is not None else []
+        subprocess.run(words, check=True)
+        rooms.append(json.loads(file.read_text(encoding="utf-8")))
+    text = table(rooms)
+    print(text, end="")
+    if options.markdown is not None:
+        options.markdown.write_text(text, encoding="utf-8")
+    bad = sum(one["status"] != SEEN and not one["explained"] for room in rooms for one in room["found"])
+    return 1 if bad else 0
 
 
 if __name__ == "__main__":

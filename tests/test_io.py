@@ -16,6 +16,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
+from damage import unseal
 from hophoop import cite, export, io
 
 FORMATS = ["hop.nc", "hop.zarr", "hop.zarr.zip"]
@@ -218,12 +219,19 @@ def test_other_files_are_refused(tmp_path):
 
 
 def with_attributes(motion, path, **attributes):
+    """A file with other attributes, and without a checksum, as all had none once."""
     motion.save(path)
     if path.suffix == ".nc":
+        unseal(path)
         with netCDF4.Dataset(path, "a") as file:
             file.setncatts(attributes)
+            for group in (file, *file.groups.values()):
+                group.delncattr("checksum")
     else:
-        zarr.open_group(path, mode="a").attrs.update(attributes)
+        root = zarr.open_group(path, mode="a")
+        root.attrs.update(attributes)
+        for group in (root, root["events"], root["segments"]):
+            del group.attrs["checksum"]
     return path
 
 

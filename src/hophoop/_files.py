@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import shutil
+import sys
 import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -38,11 +40,8 @@ def replacing(target: Path) -> Iterator[Path]:
     temporary = target.with_name(f".{uuid.uuid4().hex[:12]}.{target.name}")
     try:
         yield temporary
-        if target.is_dir():  # a folder cannot be replaced in one step
-            old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
-            target.rename(old)
-            temporary.rename(target)
-            shutil.rmtree(old)
+        if temporary.is_dir():
+            _put_folder(temporary, target)
         else:
             os.replace(temporary, target)
     except FileNotFoundError as error:
@@ -53,3 +52,39 @@ def replacing(target: Path) -> Iterator[Path]:
             shutil.rmtree(temporary)
         else:
             temporary.unlink(missing_ok=True)
+
+
+def _put_folder(fresh: Path, target: Path) -> None:
+    """Put a folder in the place of another, which then goes; others may do the same at once."""
+    for _ in range(1000):
+        if _exchange(fresh, target):
+            shutil.rmtree(fresh, ignore_errors=True)
+            return
+        old = target.with_name(f".{uuid.uuid4().hex[:12]}.old")
+        with contextlib.suppress(FileNotFoundError):
+            target.rename(old)
+        try:
+            fresh.rename(target)
+            return
+        except OSError as error:
+            # another process was there first
+            if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
+                if old.exists():
+                    old.rename(target)
+                raise
+        finally:
+            shutil.rmtree(old, ignore_errors=True)
+
+
+def _exchange(one: Path, other: Path) -> bool:
+    """Let two folders change names in one step, where the system can."""
+    if not sys.platform.startswith("linux"):
+        return False
+    import ctypes
+
+    at_working_folder, exchange = -100, 2
+    try:
+        rename = ctypes.CDLL(None, use_errno=True).renameat2
+        return bool(rename(at_working_folder, os.fsencode(one), at_working_folder, os.fsencode(other), exchange) == 0)
+    except (AttributeError, OSError):
+        return False

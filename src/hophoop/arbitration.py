@@ -18,9 +18,14 @@ DIGITS = 20
 MOST = 12  # decisions of one motion that are taken so
 # Beyond this time, in units of √(R/g), the doubles decide: solving so far in more digits would take minutes.
 LATEST = 100.0
+FAST = 100.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
-MOST_STEPS = 4000  # of the longer computation, some seconds: what needs more is left as the doubles have it
+MOST_STEPS = 4000  # of one longer computation, some seconds: what needs more is left as the doubles have it
+ALL_STEPS = 3 * MOST_STEPS  # of all of one motion
+# Bits below 1 of the smallest number of a scenario up to which a step costs what it usually does; from there on it grows as
+# the third power of all bits. A scenario with numbers below 1e-60 is left as the doubles have it.
+USUAL_BITS, PLAIN_BITS, MOST_BITS = 40, 106, 200
 CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
 NO_SCRIPT = np.empty(0, EVENT)
 
@@ -42,10 +47,33 @@ def latest(scenario: Scenario) -> float:
     light = scenario.hoop.inertia_ratio
     if scenario.contact.model != "rigid" or light == 0.0 or not 0.0 < scenario.plane.mu_static < math.inf:
         return -1.0
-    return LATEST * min(1.0, math.sqrt(light / LIGHT))
+    given, radius = scenario.start.state(scenario.hoop), scenario.hoop.radius
+    rate = (abs(given.vx) + abs(given.vy)) / radius + abs(given.omega)
+    speed = rate * time_unit(scenario.hoop, scenario.plane)
+    return LATEST * min(1.0, math.sqrt(light / LIGHT), FAST / max(speed, FAST))
 
 
-def script_until(scenario: Scenario, end: float) -> np.ndarray:
+def steps_allowed(scenario: Scenario) -> int:
+    """How many steps of the longer computation a motion may take, fewer where very small numbers make each cost more.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+
+    Returns
+    -------
+    steps : int
+        [1].
+    """
+    from hophoop.precise.problem import Problem
+
+    bits = Problem.of(scenario).tiny()
+    beyond = max(0, bits - USUAL_BITS)
+    return 0 if bits > MOST_BITS else int(ALL_STEPS * (1.0 + beyond / (USUAL_BITS + PLAIN_BITS)) ** -3)
+
+
+def script_until(scenario: Scenario, end: float, steps: int) -> tuple[np.ndarray, int]:
     """The events of a motion until it is clear of a doubt.
 
     Parameters
@@ -54,21 +82,31 @@ def script_until(scenario: Scenario, end: float) -> np.ndarray:
         With rigid contact.
     end : float
         Time at which the doubt ends [√(R/g)].
+    steps : int
+        Of the longer computation that the motion may still take [1].
 
     Returns
     -------
     script : ndarray of records.EVENT, shape (n,)
         The last one, of kind END, is the state from which the kernel goes on; of length 0 where no more digits help.
+    steps : int
+        That are left [1].
     """
     from hophoop.precise import solve
 
     until = end + CLEAR
     last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
+    if steps <= 0:
+        return NO_SCRIPT, 0
+    most = steps_allowed(scenario) * MOST_STEPS // ALL_STEPS
+    allowed = min(most, steps)
     for _ in range(8):
         try:
-            solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=MOST_STEPS)
+            solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=allowed)
         except ArithmeticError:
-            return NO_SCRIPT
+            return NO_SCRIPT, 0
+        steps -= int(allowed - solution.body.steps_left)
+        allowed = min(most, max(steps, 0))
         records = list(solution.records)
         if solution.status != Status.COMPLETED:
             break
@@ -81,7 +119,7 @@ def script_until(scenario: Scenario, end: float) -> np.ndarray:
         while records and records[-1].kind in _LAST:
             records.pop()
         if not records:
-            return NO_SCRIPT
+            return NO_SCRIPT, steps
         records.append(records[-1])
     script = np.zeros(len(records), EVENT)
     for row, record in zip(script, records, strict=True):
@@ -106,4 +144,4 @@ def script_until(scenario: Scenario, end: float) -> np.ndarray:
         row["after_mode"] = record.after_mode
         row["collision"] = -1 if record.collision is None else int(record.collision)
         row["stable"] = -1 if record.stable is None else int(record.stable)
-    return script
+    return script, steps

@@ -2,7 +2,7 @@
 
 A saved motion holds three tables. The group ``/`` is the motion sampled over time, for any reader of netCDF
 or Zarr. The groups ``/events`` and ``/segments`` are what the simulation wrote, in its own units, from which
-a loaded motion samples alike to the last bit.
+a loaded motion samples alike to the last bit. Each group has the checksum of all three.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hophoop._checksum import CHECKSUM, checksum, seal
 from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, MODE_NAMES
@@ -117,13 +118,12 @@ def save(motion: Motion, path: str | Path, n: int = 1000) -> None:
     for name in TABLES:
         groups[name] = _packed(xr, motion.tables[name], name.removesuffix("s"))
     _describe_events(groups["events"], motion)
+    content = checksum(groups)
+    for group in groups.values():
+        group.attrs[CHECKSUM] = content
     with replacing(target) as temporary:
         if kind == "netcdf":
-            need("netCDF4", "maps")
-            for name, group in groups.items():
-                exact = {key: {"_FillValue": None} for key in group.variables}
-                mode = "w" if name == "/" else "a"
-                group.to_netcdf(temporary, mode=mode, group=name, engine="netcdf4", encoding=exact)
+            _write_netcdf(groups, temporary)
         else:
             need("zarr", "maps")
             folder = temporary.with_suffix("") if kind == "zip" else temporary
@@ -208,6 +208,17 @@ def write_json(motion: Motion, path: str | Path) -> None:
 
 
 # --- inside ----------------------------------------------------------------------------------------
+
+
+def _write_netcdf(groups: dict[str, Any], file: Path) -> None:
+    need("netCDF4", "maps")
+    try:
+        for name, group in groups.items():
+            exact = {key: {"_FillValue": None} for key in group.variables}
+            group.to_netcdf(file, mode="w" if name == "/" else "a", group=name, engine="netcdf4", encoding=exact)
+    except RuntimeError as error:  # what netCDF raises where the disk is full
+        raise OSError(f"{file} cannot be written, perhaps because the disk is full: {error}.") from None
+    seal(file)
 
 
 def _zip(folder: Path, target: Path) -> None:

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 import hophoop
+from hophoop._checksum import CHECKSUM, checksum, is_broken
 from hophoop._extras import need
 from hophoop.export import SCHEMA, TABLES, format_of, save, to_xarray, write_csv, write_events_csv, write_json
 from hophoop.physics.body import Status
@@ -46,30 +47,69 @@ def load(path: str | Path) -> Trajectory:
     """
     file = Path(path)
     kind = format_of(file)
-    if not file.exists():
-        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
-    attributes, tables = _read(file, kind)
-    schema = attributes.get("schema")
-    if not isinstance(schema, str) or not schema.startswith("hophoop/"):
-        raise InputError(f"{file} is not a saved motion of hophoop.")
-    if schema != SCHEMA:
-        raise InputError(f"{file} has the schema {schema!r}, but this version of hophoop reads {SCHEMA!r} only.")
-    if any(name not in tables for name in TABLES):
-        raise InputError(f"{file} is not whole: a table of the motion is missing.")
-    version = str(attributes["version"])
-    motion = Trajectory(
-        Scenario.from_dict(json.loads(attributes["scenario"])),
-        int(Status[attributes["status"].upper()]),
-        tables["events"],
-        tables["segments"],
-        version,
-    )
-    if version != hophoop.__version__:
-        _check_other_version(motion, file, tables["/"])
-    return motion
+    for _ in range(MOST_READS):
+        if not file.exists():
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(file))
+        before = _identity(file)
+        try:
+            return _load(file, kind)
+        except ValueError:
+            # what another process put in its place meanwhile was read in part before and in part after
+            if _identity(file) == before:
+                raise
+    raise InputError(f"{file} is written again and again while it is read.")
 
 
 # --- inside ----------------------------------------------------------------------------------------
+
+MOST_READS = 100
+DAMAGED = "{} is damaged: its checksum is not that of its content."
+
+
+def _identity(file: Path) -> tuple[int, int] | None:
+    try:
+        status = file.stat()
+    except OSError:
+        return None
+    return status.st_ino, status.st_mtime_ns
+
+
+def _load(file: Path, kind: str) -> Trajectory:
+    groups = _read(file, kind)
+    attributes = groups["/"].attrs
+    _check_whole(file, groups)
+    version = str(attributes.get("version"))
+    try:
+        motion = Trajectory(
+            Scenario.from_dict(json.loads(attributes["scenario"])),
+            int(Status[attributes["status"].upper()]),
+            _unpacked(groups["events"]),
+            _unpacked(groups["segments"]),
+            str(attributes["version"]),
+        )
+    except (KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
+        if version != hophoop.__version__ and isinstance(error, InputError):
+            raise InputError(f"{file} was written by hophoop {version}: {error}") from None
+        raise InputError(f"{file} is damaged: {_first_line(error)}.") from None
+    if version != hophoop.__version__:
+        _check_other_version(motion, file, groups["/"])
+    return motion
+
+
+def _check_whole(file: Path, groups: dict[str, Any]) -> None:
+    """Refuse a file that lacks a table, or whose content is not what was written."""
+    if any("layout" not in groups[name].attrs for name in TABLES if name in groups) or len(groups) <= len(TABLES):
+        raise InputError(f"{file} is not whole: a table of the motion is missing.")
+    said = {group.attrs.get(CHECKSUM) for group in groups.values()}
+    # files of before there were checksums have none
+    if said != {None} and said != {checksum(groups)}:
+        raise InputError(DAMAGED.format(file))
+
+
+def _first_line(error: BaseException) -> str:
+    """What an error says, fit for the end of a sentence."""
+    lines = str(error).strip().splitlines()
+    return lines[0].rstrip(".: ") if lines else type(error).__name__
 
 
 def _unpacked(dataset: Any) -> np.ndarray:
@@ -82,43 +122,51 @@ def _unpacked(dataset: Any) -> np.ndarray:
     return table
 
 
-def _read(file: Path, kind: str) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The attributes of a file and its tables; a table that is not there is left out."""
+def _read(file: Path, kind: str) -> dict[str, Any]:
+    """The groups of a file as it has them, not decoded; a table that is not there is left out."""
     xr = need("xarray", "maps")
     if kind == "netcdf":
         need("netCDF4", "maps")
     else:
         need("zarr", "maps")
-    tables: dict[str, Any] = {}
-    attributes: dict[str, Any] = {}
+    words = "netCDF" if kind == "netcdf" else "Zarr"
+    if kind == "netcdf" and is_broken(file):
+        raise InputError(DAMAGED.format(file))
+    groups: dict[str, Any] = {}
     store: Any = str(file)
     if kind == "zip":
         try:
             store = need("zarr", "maps").storage.ZipStore(file, mode="r")
             store._sync_open()
         except Exception as error:
-            raise InputError(f"{file} cannot be read as Zarr: {error}.") from None
+            raise InputError(f"{file} cannot be read as {words}: {_first_line(error)}.") from None
     options: dict[str, Any] = {"decode_cf": False}
     options |= {"engine": "netcdf4"} if kind == "netcdf" else {"engine": "zarr", "consolidated": False}
     try:
         for name in ("/", *TABLES):
             try:
-                dataset = xr.open_dataset(store, group=name, **options)
-            except Exception as error:
-                if name == "/":
-                    words = "netCDF" if kind == "netcdf" else "Zarr"
-                    raise InputError(f"{file} cannot be read as {words}: {error}.") from None
-                continue
-            with dataset:
-                if name == "/":
-                    attributes = dict(dataset.attrs)
-                    tables[name] = dataset.load()
-                elif "layout" in dataset.attrs:
-                    tables[name] = _unpacked(dataset)
+                with xr.open_dataset(store, group=name, **options) as dataset:
+                    if name == "/":  # what another schema has further on is not known here
+                        _check_schema(file, dataset.attrs.get("schema"))
+                    groups[name] = dataset.load()
+            except InputError:
+                raise
+            except (OSError, KeyError) as error:
+                if name == "/" or CHECKSUM in groups["/"].attrs:
+                    raise InputError(f"{file} cannot be read as {words}: {_first_line(error)}.") from None
+            except Exception as error:  # whatever a library makes of bytes that are not its format
+                raise InputError(f"{file} cannot be read as {words}: {_first_line(error)}.") from None
     finally:
         if kind == "zip":
             store.close()
-    return attributes, tables
+    return groups
+
+
+def _check_schema(file: Path, schema: Any) -> None:
+    if not isinstance(schema, str) or not schema.startswith("hophoop/"):
+        raise InputError(f"{file} is not a saved motion of hophoop.")
+    if schema != SCHEMA:
+        raise InputError(f"{file} has the schema {schema!r}, but this version of hophoop reads {SCHEMA!r} only.")
 
 
 def _check_other_version(motion: Trajectory, file: Path, samples: Any) -> None:

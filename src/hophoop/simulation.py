@@ -10,11 +10,12 @@ import numpy as np
 
 import hophoop
 from hophoop._jit import precompile
-from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until
+from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until, steps_allowed
 from hophoop.physics.body import Status
-from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
+from hophoop.records.layout import EVENT, SEGMENT, first_rows
+from hophoop.records.scratch import new_scratch, thread_scratch
 from hophoop.records.state import State, start_state
+from hophoop.records.writing import MOST_PANELS
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
@@ -180,23 +181,30 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     start = start_of(scenario)
     t_end = scenario.duration / time_unit(scenario.hoop, scenario.plane)
     body = to_body(scenario.hoop, scenario.plane)
-    scratch = new_scratch()
+    scratch = thread_scratch()
     events_size = min(FIRST_EVENTS, contact.max_events)
     segments_size = FIRST_SEGMENTS
     script = NO_SCRIPT
     decisions = 0
+    steps = 0
     while True:
         events = np.empty(events_size, EVENT)
         segments = np.empty(segments_size, SEGMENT)
         status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
         if status == Status.BUFFER:
-            segments_size *= 4
+            segments_size = min(16 * segments_size, MOST_PANELS)
         elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
             events_size = min(4 * events_size, contact.max_events)
+        elif scratch.written[2] >= MOST_PANELS:
+            if not script.size:
+                break
+            script, decisions = NO_SCRIPT, MOST  # the last of its events may lie beyond what the panels reach
         elif decisions < MOST and scratch.doubt[1] <= latest(scenario):
             # later doubts are decided together, so that each is not solved for from the start anew
             decisions += 1
-            found = script_until(scenario, min(scratch.doubt[1] * (1.0 if decisions == 1 else 1.5), latest(scenario)))
+            steps = steps_allowed(scenario) if decisions == 1 else steps
+            until = min(scratch.doubt[1] * (1.0 if decisions == 1 else 1.5), latest(scenario))
+            found, steps = script_until(scenario, until, steps)
             if not found.size or len(found) > contact.max_events:
                 break
             script = found
@@ -205,14 +213,14 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state
         pieces = 1
         _hold_at(events[0], segments[0])
-    return status, events[:count].copy(), segments[:pieces].copy(), script
+    return status, first_rows(events, count), first_rows(segments, pieces), script
 
 
 def _hold_at(event: np.void, segment: np.void) -> None:
-    from hophoop.panels.panel import HOLD
+    from hophoop.panels.panel import FLY
 
     for name in segment.dtype.names or ():
         segment[name] = event[name] if name in (event.dtype.names or ()) else 0
     segment["t_end"] = event["t"]
     segment["mode"] = event["after_mode"]
-    segment["kind"] = HOLD
+    segment["kind"] = FLY  # as it is, without forces: what they would be is not known

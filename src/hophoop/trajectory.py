@@ -126,7 +126,7 @@ class Trajectory:
         raw = self._sample(self._kernel_times(times.ravel()), side == "left")
         columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
         unit = self.units
-        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in ("mode", "theta")}
+        values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in _INTERNAL}
         values["mode"] = _LETTERS[columns["mode"].astype(int)]
         values["t"] = times
         kinetic, potential = self._energies(columns)
@@ -188,13 +188,13 @@ class Trajectory:
         friction, normal, tangential = (
             float(last[name]) * unit.energy for name in ("friction", "impact_normal", "impact_tangential")
         )
-        begin, end = self.at(0.0, side="left"), self.at(self.duration)
+        begin, end = self.at(0.0, side="left"), self.at(self._seconds(float(last["t"])))
         residual = (kinetic + potential + end.spring + end.damping + friction + normal + tangential) - (
             begin_kinetic + begin_potential + begin.spring
         )
         hoop, plane = self.scenario.hoop, self.scenario.plane
         weight = hoop.mass * plane.gravity * hoop.radius
-        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, weight)
+        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, weight, end.spring, abs(end.damping))
         return Ledger(kinetic, potential, friction, normal, tangential, end.spring, end.damping, residual, size)
 
     @property
@@ -320,7 +320,9 @@ class Trajectory:
         body = self.scenario.to_body()
         theta = columns.get("theta", columns["angle"])  # within the turn, where there is such a column
         with np.errstate(invalid="ignore"):
-            kinetic = kinetic_energy(body, theta, columns["omega"], columns["slip"], columns["vy"])
+            kinetic = kinetic_energy(
+                body, theta, columns["omega"], columns["slip"], columns["vy"], columns.get("theta_low", 0.0)
+            )
         potential = potential_energy(body, columns["x"], columns["height"], theta)
         return kinetic * self.units.energy, potential * self.units.energy
 
@@ -341,6 +343,7 @@ class Trajectory:
         )
 
 
+_INTERNAL = {"mode", "theta", "theta_low"}  # columns that a sample does not have as they are
 _PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
 _LETTERS = np.array(list(MODE_LETTERS))
 _EVENT_NUMBERS = (
@@ -351,7 +354,7 @@ _JSON_STATE: Sequence[str] = ("x", "height", "angle", "vx", "vy", "omega")
 
 
 def _columns(row: np.void) -> dict[str, Any]:
-    return {name: row[name] for name in ("x", "height", "angle", "theta", "slip", "vy", "omega")}
+    return {name: row[name] for name in ("x", "height", "angle", "theta", "theta_low", "slip", "vy", "omega")}
 
 
 def _number(value: float) -> float | None:

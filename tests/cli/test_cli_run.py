@@ -291,7 +291,7 @@ def test_theory_as_a_table():
 
 
 def program(*arguments, text=None):
-    command = [sys.executable, "-c", "from hophoop.cli import app; app()", *arguments]
+    command = [sys.executable, "-m", "hophoop", *arguments]
     return subprocess.run(command, input=text, capture_output=True, text=True, check=False, encoding="utf-8")
 
 

@@ -56,7 +56,7 @@ def cluster(tmp_path):
             )  # fmt: skip
             processes.append(worker)
             said(worker, r"Registered to:\s+(tcp://\S+)")
-        yield address, processes[1:]
+        yield address, processes[1:], processes[0]
     finally:
         for process in processes:
             if process.poll() is None:
@@ -70,7 +70,7 @@ def test_a_cluster_that_loses_a_worker_makes_the_same_bytes(tmp_path):
     maps.sweep(None, AXES, QUANTITIES, out=local, chunk_cells=CHUNK)
     path = tmp_path / "cluster.zarr"
     deaths = []
-    with cluster(tmp_path) as (address, workers):
+    with cluster(tmp_path) as (address, workers, _):
 
         def watch(done, total):
             if done > 0.2 * total and not deaths:
@@ -107,3 +107,25 @@ def test_a_scheduler_that_is_not_there(tmp_path, monkeypatch):
     with pytest.raises(OSError, match=r"127.0.0.1:9"):
         maps.sweep(None, AXES, QUANTITIES, out=tmp_path / "map.zarr", scheduler="tcp://127.0.0.1:9")
     assert time.monotonic() - began < 20
+
+
+def test_a_cluster_that_loses_its_scheduler_says_so_and_the_map_goes_on(tmp_path):
+    path = tmp_path / "cluster.zarr"
+    axes = {name: values[::3] for name, values in AXES.items()}
+    local = tmp_path / "local.zarr"
+    maps.sweep(None, axes, QUANTITIES, out=local, chunk_cells=50)
+    deaths = []
+    with cluster(tmp_path) as (address, _, scheduler):
+
+        def watch(done, total):
+            if done > 0.2 * total and not deaths:
+                scheduler.kill()
+                deaths.append(done)
+
+        with pytest.raises(
+            OSError, match=r"The scheduler at tcp://127\.0\.0\.1:\d+ is gone; what is done is kept, and resume goes on\."
+        ):
+            maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=50, scheduler=address, progress=watch)
+    assert len(deaths) == 1
+    maps.sweep(None, axes, QUANTITIES, out=path, chunk_cells=50, resume=True)
+    assert contents(path) == contents(local)

@@ -66,3 +66,13 @@ def test_a_resolved_function_stays_near_the_range_of_its_nodes():
         series = random.normal(size=col.ORDER) * 10.0 ** (-13.0 * np.arange(col.ORDER) / (col.ORDER - 1))
         nodes = chebyshev.chebval(col.NODES, series)
         assert nodes.min() - chebyshev.chebval(fine, series).min() < 0.1 * np.ptp(nodes)
+
+
+@pytest.mark.parametrize("xi", [-1.0, -0.7, -1e-9, 0.0, 0.3, 0.999, 1.0])
+def test_value_and_slope(xi):
+    series = np.random.default_rng(3).normal(size=col.ORDER) * 0.3 ** np.arange(col.ORDER)
+    value, slope = col.value_and_slope(series, xi)
+    assert value == pytest.approx(chebyshev.chebval(xi, series), rel=1e-14, abs=1e-15)
+    assert slope == pytest.approx(chebyshev.chebval(xi, chebyshev.chebder(series)), rel=1e-14, abs=1e-14)
+    if xi == 0.0:
+        assert col.middle_value(series) == pytest.approx(value, rel=1e-15)

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from mpmath import mp, mpf
 
 from hophoop.physics import contact
 from hophoop.physics.friction import utilization, utilizations
@@ -100,3 +101,21 @@ def test_utilization_of_many():
     out = np.empty(3)
     utilizations(slips, friction, normal, np.full(3, 0.5), np.full(3, 0.4), out)
     np.testing.assert_allclose(out, [0.3, 1.0, math.nan])
+
+
+def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
+    """Newton and Euler's equations in 40 digits: 1 + ε cos θ has lost all of its own there."""
+    eps, kap, gt, mu, u = 1.0 - 2.0**-40, 4e-12, 0.3, 0.003, 1e11
+    body = BODIES[0]._replace(eps=eps, kap=kap, gt=gt, mu_s=mu, mu_k=mu)
+    th = math.pi + 1e-6
+    with mp.workdps(40):
+        s, c = mp.sin(th), mp.cos(th)
+        q = eps * s + mu * (1 + eps * c)
+        load = (body.gn - eps * c * u) / (kap + eps * s * q)
+        rate = gt + eps * s * u - load * (mu * mpf(kap) + (1 + eps * c) * q)
+        inertia = 1 + mpf(kap) + mpf(eps) ** 2 + 2 * eps * c
+        turning = {speed: (eps * s * (speed + body.gn) + gt * (1 + eps * c)) / inertia for speed in (u, 1e-9)}
+    sine, cosine = float(s), float(c)
+    assert contact.slip_motion(body, sine, cosine, u, 1.0)[2] == pytest.approx(float(rate), rel=1e-12)
+    for speed, expected in turning.items():
+        assert contact.rolling_acceleration(body, sine, cosine, speed) == pytest.approx(float(expected), rel=1e-12)

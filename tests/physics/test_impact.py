@@ -8,6 +8,7 @@ from scipy.optimize import brentq
 
 from hophoop.physics import impact
 from hophoop.physics.body import Body
+from hophoop.physics.painleve import exact_slip_stiffness
 from newton_euler import BODIES, STATES, responses
 from oracles import rational
 
@@ -138,7 +139,9 @@ def test_singular_slip(sigma, th, vt, om, exact):
 @pytest.mark.parametrize(("sigma", "th"), PLACES)
 def test_singular_angle(sigma, th):
     def at(distance, u):
-        return impact.singular_angle(STEEP, math.sin(th - distance), math.cos(th - distance), u, sigma)
+        place = th - distance
+        s, c = math.sin(place), math.cos(place)
+        return impact.singular_angle(STEEP, s, c, u, sigma, *exact_slip_stiffness(STEEP, place, 0.0, sigma))
 
     for distance in (3e-12, -3e-12):
         found, exact, ahead = at(distance, 0.5)

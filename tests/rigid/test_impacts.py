@@ -271,9 +271,9 @@ def test_infinite_friction_stops_slip_at_once():
     assert impact.slip == 0.0
     assert impact.impulse_normal == pytest.approx(143 / 56, rel=1e-14)
     assert impact.impulse_tangential == pytest.approx(3 / 16 - 143 / 224, rel=1e-14)
-    close = strike(BLOCK, 1e9, 0.0, "stronge", vx=-1.0, vy=-3.0)[0]  # and it is the limit of large μ
-    assert close.vx == pytest.approx(impact.vx, rel=1e-8)
-    assert close.impact_tangential == pytest.approx(impact.impact_tangential, rel=1e-8)
+    close = strike(BLOCK, 1e6, 0.0, "stronge", vx=-1.0, vy=-3.0)[0]  # and it is the limit of large μ
+    assert close.vx == pytest.approx(impact.vx, rel=1e-5)
+    assert close.impact_tangential == pytest.approx(impact.impact_tangential, rel=1e-5)
 
 
 @settings(max_examples=60)

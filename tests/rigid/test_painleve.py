@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.precise import solve
+from random_scenarios import draw_beside_a_border, scenario_of
 
 HOOP = hh.Hoop.ideal(0.75)
 SKID = {"angle": -0.7, "vx": 3.0, "omega": 1.0}  # f_n < 0: pressed down
@@ -232,3 +234,29 @@ def test_which_natural_starts_jam():
             assert speed >= hh.maps.least_jam_speed(hh.Hoop.ideal(gammas[i]), hh.Plane(mu=frictions[j]))
     downhill = hh.Scenario(plane=hh.Plane(slope=math.radians(30)))
     assert hh.maps.paradoxes(gammas, frictions, np.linspace(0.1, 3.1, 31), base=downhill)["jammed"].values.any()
+
+
+# index → what the sign of κ p_σ, of some 1e-17, decides
+@pytest.mark.parametrize("index", [4, 85, 107, 157, 288, 446])
+def test_slip_from_the_threshold_itself(index):
+    """Within 4 units in the last place of Painlevé's threshold: whether it jams, turns, or is thrown up by 1e-9."""
+    scenario = scenario_of(draw_beside_a_border(2026, index)[1])
+    motion = hh.simulate(scenario)
+    truth = solve(scenario, 20, most_steps=6000)
+    assert motion._status == truth.status
+    for row, record in list(zip(motion._events, truth.records, strict=False))[:6]:
+        assert int(row["kind"]) == record.kind
+        assert int(row["after_mode"]) == record.after_mode
+        assert float(row["t"]) == pytest.approx(float(record.state.t), rel=1e-12, abs=2e-14)
+        assert float(row["omega"]) == pytest.approx(float(record.state.om), rel=1e-12)
+        assert float(row["slip"]) == pytest.approx(float(record.state.vt), rel=1e-12, abs=1e-13)
+
+
+def test_force_at_the_threshold():
+    """As doubles compute κ p_σ it is negative there, and so would be N."""
+    scenario = scenario_of(draw_beside_a_border(2026, 111379)[1])
+    forces = hh.simulate(scenario).at(0.0)
+    assert forces.mode in ("S", "K")
+    assert forces.normal_force > 0.0
+    sign = -1.0 if forces.slip > 0.0 else 1.0
+    assert forces.friction_force == pytest.approx(sign * scenario.plane.mu_kinetic * forces.normal_force, rel=1e-14)

@@ -103,7 +103,8 @@ def test_links_are_short_and_readable():
     # At rest at the top is not the usual start, and must not be left out.
     assert hh.Scenario.from_query(hh.Scenario(start=hh.Start()).to_query()).start == hh.Start()
     assert hh.Scenario.from_query("plane.mu=inf").plane.mu == math.inf
-    assert hh.Scenario(duration=1e22).to_query() == "duration=1e22"
+    stiff = hh.Scenario(hoop=hh.Hoop(mass=100.0), contact=hh.Compliant(stiffness=1e16))
+    assert stiff.to_query() == "hoop.mass=100&contact.model=compliant&contact.stiffness=1e16"
 
 
 @pytest.mark.parametrize(

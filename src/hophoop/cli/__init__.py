@@ -6,8 +6,11 @@ are loaded when asked for; heavy imports stand inside the functions, so that ``h
 
 from __future__ import annotations
 
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
@@ -18,7 +21,7 @@ from typer.core import TyperGroup
 # In the order in which --help shows them.
 COMMANDS = ("run", "theory", "reproduce", "animate", "map", "track", "fit", "plan", "compare", "lab")
 
-DONE, NO_ANSWER, BAD_INPUT, STOPPED = 0, 1, 2, 130
+DONE, NO_ANSWER, BAD_INPUT, STOPPED, TERMINATED = 0, 1, 2, 130, 143
 
 
 class Commands(TyperGroup):
@@ -66,14 +69,19 @@ class Commands(TyperGroup):
         """Run with arguments, those of the process by default, and exit."""
         if not standalone_mode:
             return super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+        for stream in (sys.stdout, sys.stderr):
+            # a letter that a terminal does not know is no reason to end
+            if hasattr(stream, "reconfigure") and (stream.encoding or "").lower().replace("-", "") != "utf8":
+                stream.reconfigure(errors="replace")
         try:
-            status = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
+            with _terminable():
+                status = super().main(args, prog_name, complete_var, False, windows_expand_args, **extra)
         except Failed as error:
             say(f"Error: {error}")
             status = BAD_INPUT
-        except typer.Abort:
+        except (typer.Abort, KeyboardInterrupt) as error:
             say("Stopped.")
-            status = STOPPED
+            status = stopped_by(error.__cause__ or error)
         except Exception as error:
             # a mistake in the arguments themselves, which the parser reports
             describe = getattr(error, "format_message", None)
@@ -87,6 +95,30 @@ class Commands(TyperGroup):
                 say(f"Error: {text.rstrip('.')}. See {command} --help.")
             status = int(getattr(error, "exit_code", BAD_INPUT))
         sys.exit(status if isinstance(status, int) else DONE)
+
+
+class Terminated(KeyboardInterrupt):
+    """The system asks the program to end (SIGTERM), which it does as after Ctrl-C."""
+
+
+def stopped_by(error: BaseException) -> int:
+    """Exit status after Ctrl-C or SIGTERM: 128 and the number of the signal, as shells count."""
+    return TERMINATED if isinstance(error, Terminated) else STOPPED
+
+
+@contextmanager
+def _terminable() -> Iterator[None]:
+    def terminate(number: int, frame: object) -> None:
+        raise Terminated
+
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, terminate)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 class Failed(Exception):

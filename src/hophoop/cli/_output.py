@@ -1,11 +1,16 @@
-"""What commands share about their outputs: checks of names before anything is computed, and whose words a refusal uses."""
+"""What commands share: names of files that are checked before anything is computed, tables that fit, words of a refusal."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
 
 PICTURES = (".png", ".svg", ".pdf", ".jpg")
 
@@ -49,3 +54,17 @@ def named_options(names: Mapping[str, str]) -> Iterator[None]:
         for name, option in names.items():
             words = re.sub(rf"^{name}(?= (=|holds))|(?<!-)\b{name}(?= = )", option, words)
         raise _refuse(words) from None
+
+
+def fitted(table: Table, console: Console, spare: Sequence[str]) -> list[str]:
+    """Take columns out of a table until it fits, since half of a number is worth nothing; returns their titles."""
+    from rich.measure import Measurement
+
+    left_out: list[str] = []
+    endless = console.options.update(width=10_000)
+    for title in spare:
+        if Measurement.get(console, endless, table).maximum <= console.width:
+            break
+        table.columns = [column for column in table.columns if column.header != title]
+        left_out.append(title)
+    return left_out

@@ -107,6 +107,7 @@ def animate(
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Film a motion, or some to compare: real time, ring coloured by speed, traces, forces to scale."""
+    from hophoop._extras import need
     from hophoop.cli import NO_ANSWER, say
     from hophoop.scenario import InputError, Scenario
     from hophoop.simulation import simulate
@@ -119,6 +120,7 @@ def animate(
     scenarios = [*_varied(scenario, vary), *(Scenario.load(file) for file in beside or ())]
     motions = [simulate(each) for each in scenarios]
 
+    need("matplotlib", "films")  # which brings the extra 'plots' as well
     from hophoop import animate as films
 
     with named_options(NAMED):

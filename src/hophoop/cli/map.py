@@ -66,6 +66,8 @@ def map(
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.")] = False,
 ) -> None:
     """Compute a map over two or more parameters of a scenario (by default the article's hoop)."""
+    from hophoop._files import replacing
+    from hophoop.cli import stopped_by
     from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder
     from hophoop.maps.axes import parse_axis
     from hophoop.maps.memory import check_memory
@@ -110,14 +112,15 @@ def map(
             device="gpu" if gpu else "cpu",
             progress=not quiet,
         )
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as error:
         kept = f"; what is done is kept in {out}, and --resume goes on" if out is not None else ""
         typer.echo(f"Stopped{kept}.", err=True)
-        raise typer.Exit(130) from None
+        raise typer.Exit(stopped_by(error)) from None
     if plot is not None:
         from hophoop.plots.maps import motion_map
 
         drawn: Any = motion_map(dataset, quantities[0])
-        drawn.figure.savefig(plot)
+        with replacing(plot) as picture:
+            drawn.figure.savefig(picture)
     if out is not None:
         typer.echo(f"{dataset[quantities[0]].size:,} motions in {out}", err=True)

@@ -24,6 +24,7 @@ OUTPUT = "Output"
 STORES = (".nc", ".zarr", ".zarr.zip")
 FIRST_ROWS, LAST_ROWS = 60, 20  # of a table that is too long to read
 CHECK_DIGITS = 25
+SPARE_COLUMNS = ("slip (m/s)", "x (m)", "height (m)", "θ̇ (rad/s)", "v (m/s)", "mode", "θ (°)")  # where a terminal is narrow
 
 
 class RunCommand(TyperCommand):
@@ -233,13 +234,19 @@ def unanswered(duration: float, status: str) -> str:
 def _print(motion: Trajectory, everything: bool) -> None:
     from rich.console import Console
 
+    from hophoop.cli._output import fitted
+
     # a pipe has no width of its own; a table that is cut is worth little
     console = Console(highlight=False)
     if not console.is_terminal:
         console = Console(highlight=False, width=120)
     events = motion.events
     left_out = 0 if everything else max(0, len(events) - FIRST_ROWS - LAST_ROWS)
-    console.print(_events(events, left_out))
+    table = _events(events, left_out)
+    missing = fitted(table, console, SPARE_COLUMNS)
+    console.print(table)
+    if missing:
+        console.print(f"Not shown for want of width: {', '.join(missing)}.\n")
     if left_out:
         console.print(f"… {left_out:,} events are left out where the dots are; --all prints them.\n")
     console.print(_summary(motion))

@@ -33,7 +33,7 @@ def theory(
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for title in ("quantity", "value", "unit", ""):
-        table.add_column(title, justify="right" if title == "value" else "left")
+        table.add_column(title, justify="right" if title == "value" else "left", no_wrap=title == "value", overflow="fold")
     for row in rows:
         degrees = row.unit == "rad" and row.value is not None
         value = math.degrees(row.value) if degrees and row.value is not None else row.value

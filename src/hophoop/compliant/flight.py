@@ -7,18 +7,19 @@ import math
 import numpy as np
 
 from hophoop._jit import jit
-from hophoop.compliant.phase import FLIGHT, IMPACT, begun, keep, mode_of, note
+from hophoop.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note
 from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.numerics.collocation import NODES, ORDER, coefficients
 from hophoop.numerics.roots import NOT_FOUND, first_fall
-from hophoop.panels.landing import PHASE, first_landing
-from hophoop.physics.body import Event
+from hophoop.panels.landing import MOST_PANELS, PHASE, first_landing
+from hophoop.physics.body import Event, Status
 from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force
 from hophoop.physics.contact import free_acceleration
 from hophoop.physics.flight import flight_displacement, flight_gap
 
 APEX = np.int64(Event.APEX)
-LANDED, CLEAR, LASTS = 0, 1, 2
+EVENT_LIMIT = int(Status.EVENT_LIMIT)
+LANDED, CLEAR, LASTS, GIVEN_UP = 0, 1, 2, 3
 
 
 @jit
@@ -53,13 +54,15 @@ def _regain(comp, y, vn):
 
 @jit
 def fly_below(body, comp, begin, opening, limit, work):
-    """(what, τ): how a flight below the plane's level goes on: CLEAR of the plane, LANDED again, or LASTS."""
+    """(what, τ): a flight below the plane's level gets CLEAR of it, has LANDED again, or LASTS; GIVEN_UP after many turns."""
     s = math.sin(begin[TH])
     c = math.cos(begin[TH])
     om = begin[OM]
     start = 0.0
     length = 4.0 * abs(begin[Y]) / max(begin[VN], 1e-300)
-    while start < limit:
+    for _ in range(MOST_PANELS):
+        if not start < limit:
+            return LASTS, limit
         length = min(length, limit - start)
         if om != 0.0:
             length = min(length, PHASE / abs(om))
@@ -84,19 +87,19 @@ def fly_below(body, comp, begin, opening, limit, work):
             return what, start + 0.5 * length * (1.0 + best)
         start += length
         length *= 2.0
-    return LASTS, limit
+    return GIVEN_UP, start
 
 
 @jit
 def fly_above(body, begin, opening, zeros, limit, work):
     """(what, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
-    landing, apex = first_landing(
+    landing, apex, seen = first_landing(
         body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit,
         work.values, work.series, work.stack,
     )  # fmt: skip
     if 0.0 <= landing <= limit:
         return LANDED, landing, apex
-    return LASTS, limit, apex
+    return (GIVEN_UP if seen < limit else LASTS), seen, apex
 
 
 @jit
@@ -117,13 +120,15 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
         fly_state(body, comp, u, opening, apex, work.start)
         work.start[VN] = 0.0
         note(log, APEX, FLIGHT, FLIGHT, t + apex, work.start)
-    after = t + tau if what in (LANDED, CLEAR) else t_end
+    after = t_end if what == LASTS else t + tau
     rows = keep(log, rows, t, after, FLY, phase.mode, phase.regime, opening, work)
     fly_state(body, comp, u, opening, tau, work.start)
     if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
         work.start[Y] = 0.0
     for m in range(SIZE):
         u[m] = work.start[m]
+    if what == GIVEN_UP:
+        return ended(phase, after, EVENT_LIMIT), rows
     if what != LANDED:
         return begun(phase, after, FLIGHT, phase.regime), rows
     regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])

@@ -17,7 +17,7 @@ from hophoop.physics.body import Event, Status
 from hophoop.physics.compliant import BRISTLE, first_regime, normal_force
 from hophoop.records.layout import EVENT
 from hophoop.records.layout import SEGMENT as RIGID_SEGMENT
-from hophoop.records.writing import Log, has_room
+from hophoop.records.writing import Log, count_panel, has_room
 from hophoop.scenario import Scenario
 
 START, END = np.int64(Event.START), np.int64(Event.END)
@@ -67,7 +67,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
         Whether the contact acts at the start.
     t_end, rtol : float
     max_steps : int
-        Segments after which the motion is given up.
+        Steps, failed ones included, and flights after which the motion is given up.
     events : ndarray of records.EVENT
         Filled.
     no_segments : ndarray of records.SEGMENT
@@ -86,21 +86,21 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     log = Log(events, no_segments, np.zeros(3, np.int64))
     phase = begin(comp, touching, log, work)
     while phase.status == GOING and phase.t < t_end and has_room(log):
-        if log.written[1] >= max_steps:
+        count_panel(log)  # also of a step that failed
+        if log.written[2] >= max_steps:
             phase = ended(phase, phase.t, EVENT_LIMIT)
         elif phase.mode == FLIGHT:
             phase, rows = flight_step(body, comp, phase, t_end, log, rows, work)
         else:
             phase, rows = contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work)
-    if has_room(log):
-        note(log, END, phase.mode, phase.mode, phase.t, work.state)
-    if not has_room(log):
+    note(log, END, phase.mode, phase.mode, phase.t, work.state)
+    if log.written[0] < 0:
         return EVENT_LIMIT, events.shape[0], rows, log.written[1]
     return COMPLETED if phase.status == GOING else phase.status, log.written[0], rows, log.written[1]
 
 
 FIRST_EVENTS = 256
-MAX_STEPS = 1_000_000
+MAX_STEPS = 500_000  # some seconds, and some 240 MB
 
 
 def simulate_compliant(scenario: Scenario) -> tuple[int, np.ndarray, np.ndarray]:

@@ -23,6 +23,7 @@ from hophoop.scenario.scenario import time_unit, to_body
 STIFFNESS = 1e6  # m g / R
 SLIP_SPEED, LEAST_SLIP_SPEED = 1e-3, 1e-9  # √(g R)
 RTOL = 1e-9
+ROUNDING = 1e-13  # of f_n, beside gravity and θ̇²
 
 
 def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
@@ -137,6 +138,9 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
     friction, normal = _rigid_force(body, start)
     opening = free_acceleration(body, math.sin(start[TH]), math.cos(start[TH]), start[OM] * start[OM])[1]
     if not normal > 0.0:
+        u = start[OM] * start[OM]
+        if abs(opening) <= ROUNDING * (body.gn + u):  # zero: its rate decides
+            opening = -body.eps * start[OM] * u * math.sin(start[TH])
         return start, opening < 0.0
     start[Y] = -normal / comp.k
     if start[VT] == 0.0:

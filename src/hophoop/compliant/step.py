@@ -6,7 +6,7 @@ import math
 
 from hophoop._jit import jit
 from hophoop.compliant.motion import jacobian, powers, rates
-from hophoop.compliant.records import DYNAMIC, SIZE
+from hophoop.compliant.records import DYNAMIC, SIZE, TH
 from hophoop.compliant.tableau import (
     DEFECT,
     ERROR,
@@ -22,6 +22,7 @@ from hophoop.compliant.tableau import (
     TO_REAL,
     A,
 )
+from hophoop.numerics.double_double import TWO_PI
 
 ITERATIONS = 10
 NEWTON = 1e-3  # of the tolerance: what Newton's iteration may leave
@@ -168,6 +169,8 @@ def attempt(body, comp, regime, work, start, h, rtol):
     """
     for m in range(SIZE):
         work.scale[m] = rtol * (work.atol[m] + abs(start[m]))
+    if abs(start[TH]) > TWO_PI:  # after many turns an angle needs its digits within the turn
+        work.scale[TH] = rtol * (work.atol[TH] + TWO_PI)
     jacobian(body, comp, regime, start, work.jacobian)
     for i in range(DYNAMIC):
         for j in range(DYNAMIC):

@@ -17,6 +17,7 @@ from hophoop.maps.kernel import (
     ECCENTRICITY,
     GRAVITY,
     HEIGHT,
+    IDEAL,
     INERTIA_RATIO,
     LAW,
     MASS,
@@ -87,9 +88,12 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
         array = values[path]
         if path in _PLAIN:
             cells[_PLAIN[path]] = array
+            if path in ("hoop.eccentricity", "hoop.inertia_ratio"):
+                cells[IDEAL] = 0.0
         elif path == "hoop.load_fraction":
             cells[ECCENTRICITY] = array
             cells[INERTIA_RATIO] = (1.0 - array) * (1.0 + array)
+            cells[IDEAL] = 1.0
         elif path == "plane.mu":
             cells[MU_STATIC] = array
             cells[MU_KINETIC] = array
@@ -126,6 +130,7 @@ def _put_base(cells: Array, base: Scenario) -> None:
     cells[MASS] = hoop.mass
     cells[ECCENTRICITY] = hoop.eccentricity
     cells[INERTIA_RATIO] = hoop.inertia_ratio
+    cells[IDEAL] = hoop.load_fraction is not None
     cells[GRAVITY] = plane.gravity
     cells[SLOPE] = plane.slope
     cells[MU_STATIC] = plane.mu_static
@@ -154,16 +159,16 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
     """Hoops made of parts, each combination once."""
     table = np.stack(list(values.values()))
     combinations, place = np.unique(table, axis=1, return_inverse=True)
-    made = np.ones((5, combinations.shape[1]))
+    made = np.ones((6, combinations.shape[1]))
     for i, combination in enumerate(combinations.T):
         try:
             hoop = scenario_at(base, dict(zip(values, combination, strict=True))).hoop
         except ValueError:
             made[-1, i] = 0.0
             continue
-        made[:4, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio
+        made[:5, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, hoop.load_fraction is not None
     place = place.reshape(-1)
-    for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, ALLOWED), made, strict=True):
+    for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, IDEAL, ALLOWED), made, strict=True):
         cells[row] = column[place]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import CancelledError
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +44,7 @@ def compute_on_cluster(
     Raises
     ------
     OSError
-        If no scheduler answers at that address.
+        If no scheduler answers at that address, or it is gone before all is done.
     """
     need("distributed", "cluster")
     place = str(path.resolve())
@@ -58,12 +59,28 @@ def compute_on_cluster(
             if index is not None:
                 running.add(client.submit(compute_chunk, place, index, "serial", pure=False, retries=RETRIES))
 
-        for _ in range(WAITING * max(1, sum(client.nthreads().values()))):
-            submit()
-        for future in running:
-            report(future.result())
-            future.release()
-            submit()
+        try:
+            for _ in range(WAITING * max(1, sum(client.nthreads().values()))):
+                submit()
+            for future in running:
+                report(future.result())
+                future.release()
+                submit()
+        except (OSError, CancelledError) as error:
+            # a worker may have met an error of its own, such as a disk that is full
+            if _answers(client):
+                raise
+            raise OSError(
+                f"The scheduler at {client.scheduler.address} is gone; what is done is kept, and resume goes on."
+            ) from error
+
+
+def _answers(client: Any) -> bool:
+    try:
+        client.sync(client.scheduler.identity, callback_timeout=PATIENCE)
+    except (OSError, CancelledError, AttributeError):
+        return False
+    return True
 
 
 @contextlib.contextmanager

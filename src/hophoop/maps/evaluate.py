@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import hophoop
 from hophoop._jit import compiled, precompile
-from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, latest, script_until
+from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, latest, script_until, steps_allowed
 from hophoop.maps import kernel
 from hophoop.maps.axes import (
     Axis,
@@ -242,13 +242,13 @@ def decide(
     until = results.numbers[:, kernel.DOUBT_UNTIL]
     for k in np.flatnonzero(until <= LATEST)[:MOST_DECIDED].tolist():
         scenario = scenario_at(k)
-        decided = -1.0
+        decided, steps = -1.0, steps_allowed(scenario)
         for _ in range(MOST):
             end = float(until[k])
             if not decided < end <= latest(scenario):
                 break
             decided = end
-            script = script_until(scenario, end)
+            script, steps = script_until(scenario, end, steps)
             if not script.size:
                 break
             kernel.evaluate_block(cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results)
@@ -281,8 +281,13 @@ def _on_all_cores(cells: NDArray[np.float64], span: Span, wanted: int, results: 
         work()
         return
     with ThreadPoolExecutor(threads) as pool:
-        for done in [pool.submit(work) for _ in range(threads)]:
-            done.result()
+        try:
+            for done in [pool.submit(work) for _ in range(threads)]:
+                done.result()
+        except BaseException:  # Ctrl-C, too: the others end with the block they are at
+            with lock:
+                begins = iter(())
+            raise
 
 
 def cores() -> int:

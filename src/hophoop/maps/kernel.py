@@ -27,12 +27,12 @@ from hophoop.rigid.transitions import collide
 CELL = (
     "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
     "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
-    "allowed",
+    "ideal", "allowed",
 )  # fmt: skip
 (
     RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
     RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
-    ALLOWED,
+    IDEAL, ALLOWED,
 ) = range(len(CELL))  # fmt: skip
 
 # Columns of the results, in SI units.
@@ -143,6 +143,7 @@ def body_of(cells, k):
         int(cells[LAW, k]),
         cells[STRIKE, k] != 0.0,
         weight * cells[SLOPE, k],
+        cells[IDEAL, k] != 0.0,
     )
 
 

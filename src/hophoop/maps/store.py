@@ -1,33 +1,44 @@
 """A map as a Zarr store: made chunk by chunk, taken up again after any stop, and the same bytes in the end.
 
-While it grows, the store has a folder `unfinished` beside the arrays: the plan, and for every finished chunk
+While it grows, the store has a folder `unfinished` beside the arrays: the plan, a lock, and for every finished chunk
 its sequences (codes of the chunk's own) and a mark that lists them. A chunk counts once its mark is there,
 which is written last. When all are there the sequences get the codes of the whole map, and the folder goes.
+
+Each chunk has a checksum of its own (CRC-32C), which is compared when it is read; the attributes have one of all that is
+not in chunks. A netCDF file has one of all its bytes.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import shutil
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._checksum import CHECKSUM, checksum, is_broken
 from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop.maps.axes import Axis
 from hophoop.maps.evaluate import Plan, Results, run_chunk
-from hophoop.maps.quantities import attributes, distinct, encode, table_of
+from hophoop.maps.quantities import Quantity, attributes, distinct, encode, table_of
 from hophoop.scenario import InputError
 
-UNFINISHED, PLAN, GONE = "unfinished", "plan.json", "unfinished.gone"
+UNFINISHED, PLAN, GONE, LOCK = "unfinished", "plan.json", "unfinished.gone", "lock"
+SCHEMA = "hophoop-map/1"
+CHUNKS = "chunks"  # the attribute that says how many chunks each array has; those that hold nothing are not written
 MOST_SHORT_CODES = 2**15 - 1
 
 
-def begin(path: Path, plan: Plan, resume: bool) -> tuple[Plan, set[int]]:
-    """Make the store, or take it up again.
+@contextmanager
+def begun(path: Path, plan: Plan, resume: bool) -> Iterator[tuple[Plan, set[int]]]:
+    """Make the store, or take it up again; for no other process at the same time.
 
     Parameters
     ----------
@@ -35,8 +46,8 @@ def begin(path: Path, plan: Plan, resume: bool) -> tuple[Plan, set[int]]:
     plan : Plan
     resume : bool
 
-    Returns
-    -------
+    Yields
+    ------
     plan : Plan
         The same, with the chunks that the store has.
     todo : set of int
@@ -45,9 +56,9 @@ def begin(path: Path, plan: Plan, resume: bool) -> tuple[Plan, set[int]]:
     Raises
     ------
     ValueError
-        If the store is there already (without `resume`) or holds another map.
+        If the store is there already (without `resume`), holds another map, or is being made by another process.
     """
-    remove(path / GONE)
+    shutil.rmtree(path / GONE, ignore_errors=True)
     if not path.exists():
         _create(path, plan)
     elif not resume:
@@ -57,12 +68,33 @@ def begin(path: Path, plan: Plan, resume: bool) -> tuple[Plan, set[int]]:
         raise InputError(f"{path} is not a map of hophoop.")
     _compare(path, known, plan.to_text())
     working = path / UNFINISHED
-    if not working.exists():
-        return plan, set()
-    plan = read_plan(path)
-    # one with a dot in front is not whole yet
-    done = {int(file.stem) for file in working.glob("*.done") if not file.name.startswith(".")}
-    return plan, set(range(plan.parts)) - done
+    with _locked(path, working):
+        if not (working / PLAN).exists():
+            shutil.rmtree(working, ignore_errors=True)
+            yield plan, set()
+            return
+        plan = read_plan(path)
+        # one with a dot in front is not whole yet
+        done = {int(file.stem) for file in working.glob("*.done") if not file.name.startswith(".")}
+        yield plan, set(range(plan.parts)) - done
+
+
+@contextmanager
+def _locked(path: Path, working: Path) -> Iterator[None]:
+    """Hold the lock of a store that is not complete; the system takes it from a process that dies."""
+    filelock = need("filelock", "maps")
+    lock = filelock.FileLock(working / LOCK)
+    if (working / PLAN).exists():
+        try:
+            lock.acquire(blocking=False)
+        except filelock.Timeout:
+            raise InputError(f"{path} is being made by another process: wait until it is there, or stop that one.") from None
+        except FileNotFoundError:
+            pass  # the folder has gone meanwhile: the map is complete
+    try:
+        yield
+    finally:
+        lock.release()
 
 
 def read_plan(path: Path) -> Plan:
@@ -86,33 +118,50 @@ def _known_plan(path: Path) -> str | None:
 
 def _compare(path: Path, known: str, wanted: str) -> None:
     old, new = json.loads(known), json.loads(wanted)
-    for key in new:
-        if key == "chunk":  # the store keeps its own
-            continue
+    if old.get("hophoop") != new["hophoop"]:
+        raise InputError(
+            f"{path} holds a map of hophoop {old.get('hophoop')}, which this version {new['hophoop']} cannot take up."
+        )
+    for key in sorted({*old, *new} - {"chunk"}):  # the store keeps its own
         # as text, where the order of the axes counts
-        if json.dumps(old.get(key)) != json.dumps(new[key]):
+        if json.dumps(old.get(key)) != json.dumps(new.get(key)):
             raise InputError(f"{path} holds a map with another {key}, so that it cannot be taken up.")
 
 
 def _create(path: Path, plan: Plan) -> None:
     zarr = need("zarr", "maps")
-    with replacing(path) as fresh:
+    fresh = path.with_name(f".{os.urandom(6).hex()}.{path.name}")
+    try:
         group = zarr.open_group(str(fresh), mode="w", zarr_format=3)
         for axis in plan.axes:
             write_axis(group, axis)
         for quantity in plan.quantities:
-            group.create_array(
-                quantity.name,
-                shape=plan.shape,
-                chunks=plan.chunk,
-                dtype=quantity.dtype,
-                fill_value=quantity.fill,
-                dimension_names=[axis.path for axis in plan.axes],
-                attributes=attributes(quantity),
-            )
+            _create_array(group, plan, quantity, quantity.dtype)
         group.attrs.update(provenance(plan))
         (fresh / UNFINISHED).mkdir()
         (fresh / UNFINISHED / PLAN).write_text(plan.to_text(), encoding="utf-8")
+        # where another process has just made it, this fails, and that one has it
+        fresh.rename(path)
+    except OSError:
+        if not (path / UNFINISHED).exists():
+            raise
+    finally:
+        shutil.rmtree(fresh, ignore_errors=True)
+
+
+def _create_array(group: Any, plan: Plan, quantity: Quantity, dtype: str, overwrite: bool = False) -> Any:
+    codecs = need("zarr", "maps").codecs
+    return group.create_array(
+        quantity.name,
+        shape=plan.shape,
+        chunks=plan.chunk,
+        dtype=dtype,
+        fill_value=quantity.fill,
+        dimension_names=[axis.path for axis in plan.axes],
+        attributes=attributes(quantity),
+        overwrite=overwrite,
+        compressors=[codecs.ZstdCodec(), codecs.Crc32cCodec()],
+    )
 
 
 def write_axis(group: Any, axis: Axis) -> None:
@@ -146,6 +195,7 @@ def provenance(plan: Plan) -> dict[str, Any]:
     del data["chunk"]  # says how it was written, not what it is
     return {
         "Conventions": "CF-1.11",
+        "schema": SCHEMA,
         "title": "Map of motions of a loaded hoop",
         "source": f"hophoop {data['hophoop']}",
         "scenario": json.dumps(data["scenario"]),
@@ -215,6 +265,10 @@ def finish(path: Path, plan: Plan) -> None:
         _finish_sequences(path, plan)
     for left in path.rglob("*.partial"):  # of a worker that was killed
         left.unlink(missing_ok=True)
+    group = need("zarr", "maps").open_group(str(path), mode="r+")
+    group.attrs[CHUNKS] = _chunks_of(path, [quantity.name for quantity in plan.quantities])
+    with warnings.catch_warnings(action="ignore"):  # zarr does not know our folder
+        group.attrs[CHECKSUM] = _checksum_of(path)
     gone = path / GONE
     working.rename(gone)
     remove(gone)
@@ -231,15 +285,7 @@ def _finish_sequences(path: Path, plan: Plan) -> None:
     names, codes = table_of({key for keys in tables.values() for key in keys})
     array = group["sequence"]
     if len(names) > MOST_SHORT_CODES and array.dtype != np.int32:
-        array = group.create_array(
-            "sequence",
-            shape=plan.shape,
-            chunks=plan.chunk,
-            dtype="int32",
-            fill_value=quantity.fill,
-            dimension_names=[axis.path for axis in plan.axes],
-            overwrite=True,
-        )
+        array = _create_array(group, plan, quantity, "int32", overwrite=True)
     for index, keys in tables.items():
         table = np.array([codes[key] for key in keys], dtype=array.dtype)
         array[plan.part(index).region] = table[np.load(working / f"{index}.npy")]
@@ -268,24 +314,70 @@ def open_map(path: str | Path) -> Any:
     Raises
     ------
     ValueError
-        If it is not there, or not complete.
+        If it is not there, not complete, damaged, or of another schema.
     ImportError
         If xarray is missing.
     """
-    xarray = need("xarray", "maps")
+    need("xarray", "maps")
     place = Path(path)
     if not place.exists():
         raise InputError(f"{place} is not there.")
-    if place.suffix == ".nc":
-        return with_words(xarray.open_dataset(place, engine="netcdf4"))
     if (place / UNFINISHED).exists():
         raise InputError(f"{place} is not complete: take it up with resume.")
-    return with_words(xarray.open_zarr(str(place), chunks=None, consolidated=False))
+    try:
+        _check_whole(place)
+        dataset = with_words(_opened(place))
+    except InputError:
+        raise
+    except Exception as error:  # whatever a library makes of bytes that are not its format
+        lines = str(error).strip().splitlines() or [type(error).__name__]
+        raise InputError(f"{place} cannot be read as a map of hophoop: {lines[0].rstrip('.: ')}.") from None
+    return dataset
+
+
+def _opened(place: Path, **options: Any) -> Any:
+    xarray = need("xarray", "maps")
+    if place.suffix == ".nc":
+        return xarray.open_dataset(place, engine="netcdf4", **options)
+    return xarray.open_zarr(str(place), chunks=None, consolidated=False, **options)
+
+
+def _checksum_of(place: Path) -> str:
+    """The checksum of all of a map but the numbers of its quantities, which their chunks have checksums for."""
+    with _opened(place, decode_cf=False) as dataset:
+        return checksum({"/": dataset}, without=[name for name in dataset.variables if name not in dataset.dims])
+
+
+def _chunks_of(place: Path, names: Sequence[str]) -> str:
+    group = need("zarr", "maps").open_group(str(place), mode="r")
+    return json.dumps({name: group[name].nchunks_initialized for name in sorted(names)})
+
+
+def _check_whole(place: Path) -> None:
+    """Refuse a map of another schema, and one that is not as it was written."""
+    damaged = f"{place} is damaged: its checksum is not that of its content."
+    if place.suffix == ".nc" and is_broken(place):
+        raise InputError(damaged)
+    with _opened(place, decode_cf=False) as dataset:
+        said = dict(dataset.attrs)
+        names = [name for name in dataset.variables if name not in dataset.dims]
+        if "plan" not in said:
+            raise InputError(f"{place} is not a map of hophoop.")
+        if said.get("schema", SCHEMA) != SCHEMA:
+            raise InputError(f"{place} has the schema {said['schema']!r}, but this version of hophoop reads {SCHEMA!r} only.")
+        if CHECKSUM not in said:
+            return  # made before there were checksums
+    if said[CHECKSUM] != _checksum_of(place):
+        raise InputError(damaged)
+    if place.suffix != ".nc" and said[CHUNKS] != _chunks_of(place, names):
+        raise InputError(f"{place} is damaged: a part of it is missing.")
 
 
 def with_words(dataset: Any) -> Any:
     """The dataset with words, not codes, along axes of words."""
     dataset = dataset[json.loads(dataset.attrs["plan"])["quantities"]]
+    for name in (CHECKSUM, CHUNKS):  # of the file
+        dataset.attrs.pop(name, None)
     for name in dataset.dims:
         coordinate = dataset[name]
         if "flag_meanings" in coordinate.attrs and coordinate.dtype.kind in "iu":

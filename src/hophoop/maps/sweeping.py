@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from hophoop._checksum import seal
 from hophoop._extras import need
 from hophoop._files import replacing
 from hophoop.maps import store
@@ -134,8 +135,7 @@ def sweep(
         dataset = store.open_map(file)
         return dataset
     place = file if file.suffix == ".zarr" else file.with_name(f"{file.name}.part.zarr")
-    with thread_limit(threads):
-        plan, todo = store.begin(place, plan, resume)
+    with thread_limit(threads), store.begun(place, plan, resume) as (plan, todo):
         with _reporter(progress, plan) as report:
             report(_cells_of(plan, set(range(plan.parts)) - todo))
             if clustered:
@@ -198,6 +198,7 @@ def _to_netcdf(place: Path, file: Path) -> None:
     dataset = need("xarray", "maps").open_zarr(str(place), chunks=None, consolidated=False)
     with replacing(file) as fresh:
         dataset.to_netcdf(fresh, engine="netcdf4")
+        seal(fresh)
     store.remove(place)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from hophoop._jit import apart_jit, inline_jit
-from hophoop.numerics.collocation import ORDER, left_value, product, right_value, value_and_slope
+from hophoop.numerics.collocation import ORDER, left_value, middle_value, product, right_value, value_and_slope
 
 
 def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
@@ -23,6 +23,7 @@ def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
 
 
 LEFT_T, RIGHT_T = (np.ascontiguousarray(matrix.T) for matrix in _halving_matrices())
+MOST_INTERVALS = 4096  # looked at in one search; a polynomial that is more than noise needs some tens
 DEPTH = 60  # halvings of a panel before a multiple root is given up
 NOT_FOUND = 2.0  # a ξ outside the panel
 
@@ -41,7 +42,13 @@ def _bracketed(series):
     high = 1.0
     f_low = left_value(series)
     f_high = right_value(series)
-    xi = low + (high - low) * f_low / (f_low - f_high)
+    # from the parabola through both ends and the middle
+    f_middle = middle_value(series)
+    bend = 0.5 * (f_low + f_high) - f_middle
+    fall = 0.5 * (f_low - f_high)
+    xi = 2.0 * f_middle / (fall + math.sqrt(max(fall * fall - 4.0 * bend * f_middle, 0.0)))
+    if not -1.0 <= xi <= 1.0:
+        xi = low + (high - low) * f_low / (f_low - f_high)
     before = 0.0
     for _ in range(100):
         value, slope = value_and_slope(series, xi)
@@ -90,7 +97,9 @@ def first_fall_after(series, begin, floor, stack):
     stack[0, ORDER] = -1.0
     stack[0, ORDER + 1] = 1.0
     top = 0
-    while top >= 0:
+    for _ in range(MOST_INTERVALS):
+        if top < 0:
+            break
         row = stack[top]
         low = row[ORDER]
         high = row[ORDER + 1]

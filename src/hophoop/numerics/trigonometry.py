@@ -8,6 +8,7 @@ import numpy as np
 
 from hophoop._jit import inline_jit
 
+SMALL = 0.9  # rad: up to here nine terms of the series are exact to rounding
 _SINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(9)])
 _COSINE_TERMS = np.array([(-1.0) ** k / math.factorial(2 * k + 4) for k in range(9)])
 
@@ -20,12 +21,9 @@ def versine_of(angle):
 
 
 @inline_jit
-def turn_deficits(phi):
-    """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
+def small_turn_deficits(phi):
+    """`turn_deficits` up to `SMALL`, by series, which the processor does for several angles at a time."""
     square = phi * phi
-    if square > 0.81:
-        versine = versine_of(phi)
-        return phi - math.sin(phi), 0.5 * square - versine, versine
     sine = 0.0
     cosine = 0.0
     for k in range(8, -1, -1):
@@ -33,6 +31,15 @@ def turn_deficits(phi):
         cosine = cosine * square + _COSINE_TERMS[k]
     cosine *= square * square
     return sine * square * phi, cosine, 0.5 * square - cosine
+
+
+@inline_jit
+def turn_deficits(phi):
+    """(φ − sin φ, cos φ − 1 + φ²/2, 1 − cos φ) without cancellation."""
+    if abs(phi) > SMALL:
+        versine = versine_of(phi)
+        return phi - math.sin(phi), 0.5 * phi * phi - versine, versine
+    return small_turn_deficits(phi)
 
 
 @inline_jit

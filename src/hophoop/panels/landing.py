@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import apart_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import NODES, ORDER, coefficients, left_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
-from hophoop.physics.flight import flight_gap
+from hophoop.physics.flight import MANY_TURNS, flight_gap
 
+MOST_PANELS = 20_000  # looked at in one flight: some thousand turns close to the plane
+MANY = 1_000.0  # panels: a longer flight is not looked at where the rim is too high to land whatever its angle
 PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J₁₆(1.5), is 5e-16
 
 
@@ -36,7 +38,30 @@ def grazes(body, s, c, th, om, y, vn, fn, tau):
     if bend <= 0.0:
         return rate >= 0.0  # without gravity the gap may stay zero
     size = y + body.eps + abs(vn * tau) + abs(fn) * tau * tau
+    if abs(om * tau) > MANY_TURNS:  # as `flight_gap` adds it up
+        size = y + body.eps + abs(vn - body.eps * om * s) * tau + body.gn * tau * tau
     return gap - 0.5 * rate * rate / bend > -4e-16 * size
+
+
+@inline_jit
+def worth_looking(body, c, om, y, rise, start, never):
+    """From where on a flight of many turns is to be looked at: beside its top, and where the rim can reach the plane.
+
+    `rise` is the speed of the centre of gravity away from the plane, whose parabola less ε is below the gap.
+    """
+    clear = y + body.eps * (c - 1.0)
+    if not clear + start * (rise - 0.5 * body.gn * start) > 0.0:
+        return start
+    near = 3.0 * PHASE / abs(om)
+    if body.gn == 0.0:
+        down = never if rise >= 0.0 else clear / -rise
+    else:
+        root = math.sqrt(max(rise * rise + 2.0 * body.gn * clear, 0.0))
+        down = (rise + root) / body.gn
+        top = rise / body.gn
+        if start <= top + near:
+            return max(start, top - near)
+    return max(start, (1.0 - 1e-12) * down - near)
 
 
 @apart_jit
@@ -56,6 +81,8 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
         Time of the first contact with approach, or -1.
     apex : float
         Time at which the centre is highest, or -1 if it is so at an end of the flight.
+    seen : float
+        Time up to which the flight was looked at: `limit`, or less where that would take more than `MOST_PANELS`.
     """
     s = math.sin(th)
     c = math.cos(th)
@@ -89,9 +116,13 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
                 for _ in range(3):
                     bend = -body.gn + body.eps * om * om * math.cos(th + om * apex)
                     apex -= flight_gap(body, s, c, om, y, vn, fn, apex)[1] / bend
-            return polished(body, s, c, om, y, vn, fn, landing, 0.1 * landing), apex
+            return polished(body, s, c, om, y, vn, fn, landing, 0.1 * landing), apex, limit
     start = 0.0
-    while start < min(never, limit):
+    for _ in range(MOST_PANELS):
+        if abs(om) * (min(never, limit) - start) > MANY * PHASE:
+            start = worth_looking(body, c, om, y, rise, start, never)
+        if not start < min(never, limit):
+            return -1.0, apex, limit
         length = never - start
         if om != 0.0:
             length = min(length, PHASE / abs(om))
@@ -110,7 +141,7 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
             values[1, i] = rate / scale
         coefficients(values[0], series)
         if start > 0.0 and left_value(series) <= 0.0 and not grazes(body, s, c, th, om, y, vn, fn, start):
-            return start, apex
+            return start, apex, limit
         landing = -1.0
         begin = -2.0
         while True:
@@ -144,6 +175,6 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
                 highest = gap
                 apex = top
         if landing >= 0.0:
-            return landing, apex
+            return landing, apex, limit
         start = end
-    return -1.0, apex
+    return -1.0, apex, min(start, limit)

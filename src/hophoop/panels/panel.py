@@ -14,7 +14,7 @@ import numpy as np
 from hophoop._jit import inline_jit, lean_jit
 from hophoop.numerics.collocation import NODES, ORDER, antiderivative
 from hophoop.numerics.double_double import plus
-from hophoop.numerics.trigonometry import turn, versine_of
+from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
 from hophoop.physics.roll import rest_curvature
 
 WIDEST = 0.9  # rad
@@ -94,13 +94,24 @@ def fill_geometry(panel, work):
             versines[i] = other[i]
             stretch[i] = half
         return
-    way = -panel.way if panel.kind == ARRIVE else panel.way
+    way = panel.way
+    mirrored = 1.0
+    if panel.kind == ARRIVE:
+        way = -way
+        mirrored = -1.0
     for i in range(ORDER):
-        part = 0.5 * (1.0 - NODES[i] if panel.kind == ARRIVE else 1.0 + NODES[i])
-        offset = panel.extent * part * part
-        sines[i] = way * math.sin(offset)
-        versines[i] = versine_of(offset)
-        stretch[i] = panel.extent * part
+        stretch[i] = panel.extent * (0.5 * (1.0 + mirrored * NODES[i]))
+    if panel.extent > SMALL:
+        for i in range(ORDER):
+            offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
+            sines[i] = way * math.sin(offset)
+            versines[i] = versine_of(offset)
+        return
+    for i in range(ORDER):
+        offset = stretch[i] * (0.5 * (1.0 + mirrored * NODES[i]))
+        deficit, _, versine = small_turn_deficits(offset)
+        sines[i] = way * (offset - deficit)
+        versines[i] = versine
 
 
 @inline_jit

@@ -27,6 +27,7 @@ from hophoop.panels.panel import (
     U,
     fill_geometry,
 )
+from hophoop.physics.contact import contact_arms
 
 
 @inline_jit
@@ -62,8 +63,10 @@ def solve_slip(body, panel, work):
     growth = work[NORMAL]
     integral = work[TIME]
     arms = work[ARM]
+    heights = work[POWER]  # until the power is known: of G above the plane
     stiffnesses = work[STIFFNESS]
     signed_mu = sigma * body.mu_k
+    height0 = contact_arms(body, s0, c0)[0]
     arm0 = panel.arm
     stiffness0 = panel.stiffness
     lowest = math.inf
@@ -80,6 +83,7 @@ def solve_slip(body, panel, work):
         sines[i] = s
         cosines[i] = c
         arms[i] = arm
+        heights[i] = height0 + eps * dc
         stiffnesses[i] = stiffness
         damping[i] = -eps * c * share
         drive[i] = body.gn * share
@@ -110,7 +114,7 @@ def solve_slip(body, panel, work):
     for i in range(ORDER):
         u = us[i]
         load = (body.gn - eps * cosines[i] * u) / stiffnesses[i]
-        friction_part = signed_mu * body.kap + (1.0 + eps * cosines[i]) * arms[i]
+        friction_part = signed_mu * body.kap + heights[i] * arms[i]
         rate = stretch[i] / math.sqrt(u)
         rates[i] = rate
         normals[i] = body.kap * load

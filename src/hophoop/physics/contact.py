@@ -61,7 +61,8 @@ def rolling_inertia(body, c):
 @inline_jit
 def rolling_acceleration(body, s, c, u):
     """θ̈ in rolling."""
-    torque = body.eps * s * (u + body.gn) + body.gt * (1.0 + body.eps * c)
+    arm, lever = contact_arms(body, s, c)
+    torque = lever * (u + body.gn) + body.gt * arm
     return torque / inertia_at_height(body, load_height(s, c))
 
 
@@ -85,9 +86,16 @@ def cone_weights(mu):
 
 
 @inline_jit
+def slip_load(body, c, u, stiffness):
+    """N/κ = −f_n/(κ p_σ) in slip."""
+    return (body.gn - body.eps * c * u) / stiffness
+
+
+@inline_jit
 def slip_motion(body, s, c, u, sigma):
     """(θ̈, N, v̇_t) in slip of direction σ."""
-    q = slip_torque_arm(body, s, c, sigma)
-    load = (body.gn - body.eps * c * u) / (body.kap + body.eps * s * q)
-    friction_part = sigma * body.mu_k * body.kap + (1.0 + body.eps * c) * q
+    arm, lever = contact_arms(body, s, c)
+    q = lever + sigma * body.mu_k * arm
+    load = slip_load(body, c, u, body.kap + lever * q)
+    friction_part = sigma * body.mu_k * body.kap + arm * q
     return q * load, body.kap * load, body.gt + body.eps * s * u - load * friction_part

@@ -5,13 +5,23 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import lean_jit
-from hophoop.numerics.trigonometry import turn_deficits, versine_of
+from hophoop.numerics.trigonometry import turn, turn_deficits, versine_of
+
+# rad: over more the parabola of G and the turning are added up as they are. Their sum from the start, which keeps the digits
+# of a short flight, would lose φ² of them.
+MANY_TURNS = 1_000.0
 
 
 @lean_jit
 def flight_gap(body, s, c, om, y, vn, fn, tau):
     """(gap, its rate) after the time tau; fn is the initial f_n, exactly 0 after a lift-off from slip."""
-    sine_part, cosine_part, versine = turn_deficits(om * tau)
+    phi = om * tau
+    if abs(phi) > MANY_TURNS:
+        ds, dc = turn(s, c, phi)
+        rise = vn - body.eps * om * s
+        gap = y + (rise - 0.5 * body.gn * tau) * tau - body.eps * dc
+        return gap, rise - body.gn * tau + body.eps * om * (s + ds)
+    sine_part, cosine_part, versine = turn_deficits(phi)
     gap = y + vn * tau + 0.5 * fn * tau * tau - body.eps * (c * cosine_part + s * sine_part)
     rate = vn + fn * tau - body.eps * om * (c * sine_part + s * versine)
     return gap, rate

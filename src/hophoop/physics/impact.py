@@ -11,7 +11,8 @@ import math
 
 from hophoop._jit import apart_jit, lean_jit
 from hophoop.physics.body import ImpactLaw
-from hophoop.physics.contact import contact_arms, slip_stiffness, slip_torque_arm
+from hophoop.physics.contact import contact_arms
+from hophoop.physics.painleve import stiffness_slope
 
 NEWTON, POISSON = int(ImpactLaw.NEWTON), int(ImpactLaw.POISSON)
 
@@ -49,7 +50,7 @@ def impulse_ratio(body, arm, lever, vt):
 
 
 @apart_jit
-def impact(body, rest, s, c, vt, vn):
+def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
     """Velocities after an impact at angle θ.
 
     Parameters
@@ -58,6 +59,8 @@ def impact(body, rest, s, c, vt, vn):
         Restitution e.
     vt, vn : float
         Slip and separation velocity before; vn = 0 with p_σ ≤ 0 is the impact without collision.
+    p_sigma : float, optional
+        p_σ before, where it is known to more digits than (s, c) give: of the impact without collision.
 
     Returns
     -------
@@ -94,8 +97,8 @@ def impact(body, rest, s, c, vt, vn):
             _, turn, kn = stick_rates(body, arm, lever)
         else:
             turn, kt, kn = slip_rates(body, arm, lever, r)
-            if not collision and compression and not stick and kn < 1e-9:
-                kn = min(kn, 0.0)  # p_σ ≤ 0 but for rounding, or there would be no such impact: the slip has to stop
+            if not collision and compression and kn < 1e-9:
+                kn = min(p_sigma if p_sigma == p_sigma else kn, 0.0)  # or there would be no such impact: the slip has to stop
         # piece: until the slip stops ...
         step = math.inf
         if vt != 0.0 and vt * kt < 0.0:
@@ -186,15 +189,13 @@ def singular_slip(body, s, c, exact, ahead, vt, om):
 
 
 @lean_jit
-def singular_angle(body, s, c, u, sigma):
+def singular_angle(body, s, c, u, sigma, torque, distance):
     """(found, exact, ahead): whether κ p_σ is zero to rounding in the angle, or nearly so together with f_n (the jam).
 
+    `torque` and `distance` are q and κ p_σ.
     In the first case, the exact one, `ahead` is the angle to go, some 10⁻¹⁴ rad.
     """
-    signed_mu = sigma * body.mu_k
-    torque = slip_torque_arm(body, s, c, sigma)
-    slope = body.eps * c * torque + body.eps * s * body.eps * (c - signed_mu * s)
-    distance = slip_stiffness(body, s, c, sigma)
+    slope = stiffness_slope(body, s, c, sigma, torque)
     if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):
         return True, True, -distance / slope
     opening = abs(body.gn - body.eps * c * u)

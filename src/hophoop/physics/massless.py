@@ -14,7 +14,9 @@ from hophoop.numerics.trigonometry import versine_of
 
 @lean_jit
 def skim_duration(body, c, sink):
-    """Time until the load strikes the plane, from cos θ and its rate of sinking."""
+    """Time until the load strikes the plane, from cos θ and its rate of sinking, which is not below 0."""
+    if body.gn == 0.0:
+        return (1.0 + c) / sink if sink > 0.0 else math.inf
     return (-sink + math.sqrt(sink * sink + 2.0 * body.gn * (1.0 + c))) / body.gn
 
 

@@ -15,6 +15,7 @@ from hophoop.physics.contact import (
     slip_stiffness,
 )
 from hophoop.physics.jets import candidate_series, leading_sign
+from hophoop.physics.painleve import slip_coefficients
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 # Answers beyond the modes: what rule 4 records before the motion goes on.
@@ -148,9 +149,7 @@ def next_mode(body, th, th_low, om, vt):
     opening = opening_sign(body, th, om)
     if math.isinf(body.mu_k):  # infinite friction stops any slip at once
         return FLIGHT if opening >= 0 else INCONSISTENT
-    stiffness = slip_stiffness(body, s, c, sigma)
-    if abs(stiffness) <= 4e-16 * (1.0 + body.mu_k):
-        stiffness = 0.0
+    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma)
     if stiffness > 0.0:
         return slip_mode(sigma) if opening < 0 else FLIGHT
     if opening < 0:

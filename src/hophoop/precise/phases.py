@@ -56,11 +56,16 @@ def scaled(values: Sequence[int], exponent: int) -> list[int]:
     return [value >> -exponent for value in values]
 
 
-def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: int) -> Step | None:
-    """Rolling (sigma = 0) or slip from a state; None where the coefficients grow beyond any use."""
+def take_step(body: Body) -> None:
+    """Count a step of contact or flight."""
     body.steps_left -= 1
     if body.steps_left < 0:
         raise TooManySteps("the motion needs more steps than are allowed.")
+
+
+def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: int) -> Step | None:
+    """Rolling (sigma = 0) or slip from a state; None where the coefficients grow beyond any use."""
+    take_step(body)
     fixed = body.fixed
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)

@@ -171,7 +171,7 @@ class Body:
     def __init__(self, problem: Problem, bits: int) -> None:
         self.problem = problem
         self.bits = bits
-        self.steps_left = math.inf  # of contact, before it is given up
+        self.steps_left = math.inf  # of contact and flight, before it is given up
         self.ctx = ctx = MPContext()
         ctx.prec = bits
         self.eps, self.kap, self.rest = (self.number(n) for n in (problem.eps, problem.kap, problem.rest))

@@ -29,3 +29,9 @@ SEGMENT = np.dtype(
     + [("ref_low", "f8")]
     + [(name, "f8") for name in _PLACE]
 )
+
+
+def first_rows(table: np.ndarray, count: int) -> np.ndarray:
+    """A copy of the first rows of a table, as bytes: NumPy copies records number by number, which takes three times as long."""
+    result: np.ndarray = table.view(np.uint8)[: count * table.itemsize].copy().view(table.dtype)
+    return result

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import NamedTuple
 
 import numpy as np
@@ -38,3 +39,14 @@ def new_scratch():
         np.full(2, np.nan),
         np.zeros(3, np.int64),
     )
+
+
+_own = threading.local()
+
+
+def thread_scratch() -> Scratch:
+    """The scratch arrays of this thread: making them takes a tenth of a short motion."""
+    if not hasattr(_own, "scratch"):
+        _own.scratch = new_scratch()
+    scratch: Scratch = _own.scratch
+    return scratch

@@ -14,12 +14,12 @@ from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.records.state import at_time, flown, time_left
 from hophoop.records.writing import note, write_segment
 from hophoop.rigid.limits import STOP_AT_TAKEOFF, angle_left, at_span
-from hophoop.rigid.panel_events import FULL_ANGLE, LIMIT, STOP
+from hophoop.rigid.panel_events import FULL_ANGLE, LIMIT, STOP, STUCK
 from hophoop.rigid.phase import ended, entered
 from hophoop.rigid.transitions import close_bounces, collide, settle
 
 FLIGHT, IMPACT, APEX = int(Mode.FLIGHT), int(Event.IMPACT), int(Event.APEX)
-COMPLETED = int(Status.COMPLETED)
+COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 
 # A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
 CLOSING = 1e-12
@@ -42,7 +42,7 @@ def fly(body, state, opening, zeros, limits, log, scratch):
     `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
     derivatives of the gap that vanish there.
 
-    Returns (what, state just before the impact): what is STOP for a landing.
+    Returns (what, state just before the impact): what is STOP for a landing, STUCK where the search for it was given up.
     """
     limit = time_left(state, limits.t_end)
     what = LIMIT
@@ -52,7 +52,7 @@ def fly(body, state, opening, zeros, limits, log, scratch):
         if until < limit:
             limit = until
             what = FULL_ANGLE
-    landing, apex = first_landing(
+    landing, apex, seen = first_landing(
         body,
         state.th,
         state.om,
@@ -66,6 +66,9 @@ def fly(body, state, opening, zeros, limits, log, scratch):
         scratch.stack,
     )
     tau = limit
+    if seen < limit:
+        tau = seen
+        what = STUCK
     if 0.0 <= landing <= limit:
         tau = landing
         what = STOP
@@ -117,5 +120,5 @@ def flight_step(body, phase, limits, log, scratch):
         return ended(phase, FLIGHT, phase.state, LIMIT, COMPLETED)
     what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log, scratch)
     if what != STOP:
-        return ended(phase, FLIGHT, state, what, COMPLETED)
+        return ended(phase, FLIGHT, state, what, EVENT_LIMIT if what == STUCK else COMPLETED)
     return land(body, state, phase.bounce, log, scratch)

@@ -36,7 +36,10 @@ def begin_massless(body, state, log, scratch):
         return ended(entered(body, mode, state, 0.0, ON, scratch), mode, state, ON, UNDETERMINED)
     mode = ROLL
     note(log, START, -1, ROLL, state)
-    if math.cos(state.th) > -1.0 and not can_roll(body, state.th, state.om):
+    down = math.cos(state.th) <= -1.0
+    if down and state.om != 0.0:  # the load on the plane: no energy in the rotation, which nothing determines
+        return ended(entered(body, mode, state, 0.0, ON, scratch), mode, state, ON, UNDETERMINED)
+    if not down and not can_roll(body, state.th, state.om):
         mode, state = let_go(body, state, log)
     return entered(body, mode, state, 0.0, ON, scratch)
 
@@ -108,7 +111,7 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
         count_panel(log)
         phase = step(body, phase, limits, log, scratch)
     last = phase.mode if phase.mode <= SKIM else ROLL
-    if has_room(log):
+    if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come
         note(log, END, last, last, phase.state)
     if log.written[0] < 0:
         return EVENT_LIMIT, events.shape[0], log.written[1]

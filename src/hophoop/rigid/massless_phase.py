@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import aside_jit, lean_jit
-from hophoop.panels.panel import SKIMMING, no_panel
+from hophoop.panels.panel import FLY, SKIMMING, no_panel
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.massless import skim_duration, skim_state, strike
 from hophoop.physics.modes import UNDECIDED, slip_mode
@@ -77,5 +77,7 @@ def skim_step(body, phase, limits, log, scratch):
         mode = FLIGHT
     write_event(log, cause, mode, landed, 0.0, -1)
     if body.rest > 0.0:
+        # a piece of no length, so that the end has the state after the strike: before it θ̇ has no bound
+        write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)
         return ended(phase, mode, landed, STOP, UNDETERMINED)
     return entered(body, mode, landed, phase.bounce, STOP, scratch)

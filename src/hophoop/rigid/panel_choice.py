@@ -29,9 +29,7 @@ from hophoop.panels.panel import (
 )
 from hophoop.panels.roll import solve_roll, u_on_panel
 from hophoop.panels.slip import solve_slip
-from hophoop.physics.contact import (
-    slip_torque_arm,
-)
+from hophoop.physics.painleve import slip_coefficients, stiffness_slope
 from hophoop.records.state import with_anchor
 
 START_LEVEL = 2
@@ -44,6 +42,8 @@ START_ROUNDING = 1e-15  # of θ̇² at the start of a panel that arrives at one
 # Below this speed panels may be narrower than the tables go: a hoop that starts or turns at the speed θ̇ has a
 # scale of θ̇²/θ̈.
 SLOW = 1e-3
+# As narrow as κ p_σ, over which the force changes, where slip begins nearer to p_σ = 0 than this.
+BESIDE_SINGULAR = 1e-12
 LONG = 64.0  # times the time left, or the unit of time: longer panels than this are cut
 NARROWEST = 2000
 
@@ -68,10 +68,10 @@ def begin_of(body, sigma, state, scratch):
     if sigma == 0:
         arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
     else:
-        arm = slip_torque_arm(body, s, c, sigma)
+        arm, stiffness = slip_coefficients(body, state.th, state.th_low, s, c, sigma)
         if state.anchor.kind == SLIPPING:
             arm, u = slip_begin(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
-        stiffness = body.kap + body.eps * s * arm
+            stiffness = body.kap + body.eps * s * arm
     return Begin(state.th, state.th_low, s, c, arm, stiffness, u, state.vt)
 
 
@@ -90,6 +90,15 @@ def narrower(level, size):
         return level + 3
     more = int(math.ceil(math.log2(size / RESOLVED) / GAIN_OF_A_LEVEL))
     return level + max(1, min(4, more))
+
+
+@apart_jit
+def levels_away(body, sigma, way, begin):
+    """How many narrower levels slip needs that begins close to p_σ = 0 and goes away from it."""
+    slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
+    if slope * way <= 0.0 or begin.stiffness <= 0.0:
+        return 0
+    return int(math.ceil(2.0 * math.log2(BESIDE_SINGULAR / begin.stiffness)))
 
 
 @apart_jit
@@ -163,7 +172,8 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     begin = begin_of(body, sigma, state, scratch)
     if state.om == 0.0:
         way = 1.0 if begin.arm > 0.0 else -1.0
-        while True:
+        while True:  # at most a thousand times: the extent is halved from below 1 rad
+            scratch.written[2] += 1
             panel = leaving_panel(sigma, way, extent, begin)
             totals = solve(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
@@ -174,7 +184,10 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     finest = LEVELS
     if u < SLOW * SLOW:
         finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
-    while True:
+    if sigma != 0 and begin.stiffness < BESIDE_SINGULAR:
+        finest += levels_away(body, sigma, way, begin)
+    while True:  # at most `finest` times: each time a finer level
+        scratch.written[2] += 1
         panel = linear_panel(sigma, level, way, begin)
         totals = solve(body, panel, work)
         if totals.tail <= RESOLVED:
@@ -182,7 +195,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         size = totals.tail
         if not work[U, ORDER - 1] > 0.8 * u:
             ahead = turning_point_ahead(body, panel, totals, scratch)
-            if ahead > 0.0 and ahead < panel.extent / 16.0:
+            if ahead > 0.0 and ahead < panel.extent / 16.0 and level < finest:
                 # a place known to the rounding of a panel this wide is not known well enough
                 level = min(level + int(math.floor(2.0 * math.log2(panel.extent / ahead))) - 3, finest)
                 continue

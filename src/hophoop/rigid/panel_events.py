@@ -26,6 +26,9 @@ from hophoop.rigid.limits import angle_left
 # What ended a panel.
 ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
 MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
+# A margin whose values at the nodes stay this part of their range away from zero has none: between them and at the ends a
+# function that the panel resolves goes beyond their range by less than a tenth of it.
+FAR_FROM_ZERO = 0.25
 GRAZE_ROUNDING = 1e-14  # of v_t in slip without friction, beside the speeds
 
 
@@ -42,8 +45,7 @@ def fall_of(row, state_is_fresh, floor, scratch):
         Whether the margin may touch zero between the nodes: a parabola that does has a node beside it as near as that.
     """
     lowest, highest = extremes(row)
-    # between its nodes and at the ends a function that the panel resolves goes beyond their range by a part of it
-    if lowest > highest - lowest:
+    if lowest > FAR_FROM_ZERO * (highest - lowest):
         return NOT_FOUND, False
     near = abs(lowest) < NEARBY * (highest - lowest)
     coefficients(row, scratch.series)

@@ -11,9 +11,10 @@ from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel
 from hophoop.physics.body import Mode
-from hophoop.physics.contact import rolling_forces, slip_motion
+from hophoop.physics.contact import rolling_forces, slip_load
 from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state
+from hophoop.physics.painleve import slip_coefficients
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.records.writing import state_of
@@ -26,7 +27,7 @@ FLIGHT = int(Mode.FLIGHT)
 # Columns of a sample, in kernel units.
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
-    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta",
+    "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta", "theta_low",
 )  # fmt: skip
 
 
@@ -65,7 +66,8 @@ def contact_force(body, sigma, th, th_low, om):
     s, c = sine_cosine(th, th_low)
     if sigma == 0:
         return rolling_forces(body, s, c, om * om)
-    normal = slip_motion(body, s, c, om * om, sigma)[1]
+    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma)
+    normal = body.kap * slip_load(body, c, om * om, stiffness)
     return -sigma * body.mu_k * normal, normal
 
 
@@ -131,7 +133,8 @@ def sample(body, segments, times, left, out):
         row[10] = now.friction
         row[11] = now.impact_n
         row[12] = now.impact_t
-        row[13] = now.th + now.th_low
+        row[13] = now.th
+        row[14] = now.th_low
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

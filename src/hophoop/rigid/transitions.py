@@ -17,6 +17,7 @@ from hophoop.physics.modes import (
     slip_direction,
     slip_mode,
 )
+from hophoop.physics.painleve import slip_coefficients
 from hophoop.records.state import with_anchor, with_losses, with_velocities
 from hophoop.records.writing import Cause, note, quiet, write_event
 from hophoop.rigid.doubts import CLOSE, mode_is_in_doubt, note_doubt
@@ -37,7 +38,10 @@ GAIN_FLOOR = 1e-14  # beside the energy of the impact: less is rounding
 def collide(body, rest, state, kind, mode, collision):
     """(state after, cause) of an impact."""
     s, c = sine_cosine(state.th, state.th_low)
-    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn)
+    p_sigma = math.nan
+    if state.vn == 0.0 and state.vt != 0.0 and body.kap > 0.0 and not math.isinf(body.mu_k):
+        p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, 1 if state.vt > 0.0 else -1)[1] / body.kap
+    vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn, p_sigma)
     om = state.om + spin
     gain = -(loss_n + loss_t)
     if gain <= GAIN_FLOOR * (abs(loss_n) + abs(loss_t) + state.vn * state.vn):
@@ -119,7 +123,8 @@ def pass_singular(body, mode, state, log, scratch):
     """
     s, c = sine_cosine(state.th, state.th_low)
     sigma = slip_direction(mode)
-    found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma)
+    torque, distance = slip_coefficients(body, state.th, state.th_low, s, c, sigma)
+    found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma, torque, distance)
     if not found:
         return False, UNDECIDED, state
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om)

@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from hophoop.scenario.sentences import sentence
+from hophoop.scenario.sentences import plain, sentence, shortened
 
 
 class InputError(ValueError):
@@ -26,7 +26,7 @@ class InputError(ValueError):
     """
 
     def __init__(self, message: str, errors: list[Any] | None = None) -> None:
-        super().__init__(message)
+        super().__init__(plain(message))
         self.errors = errors or []
 
     @classmethod
@@ -77,7 +77,7 @@ class Frozen(BaseModel):
             if key not in known:
                 close = difflib.get_close_matches(str(key), known, n=1)
                 hint = f"did you mean {close[0]}?" if close else f"known are {', '.join(known)}."
-                raise refuse(f"{cls.place}{key} is not a known key; {hint}")
+                raise refuse(f"{cls.place}{shortened(str(key))} is not a known key; {hint}")
         return data
 
     def to_dict(self) -> dict[str, Any]:
@@ -134,7 +134,7 @@ def _plain(value: Any) -> Any:
 
 def refuse(message: str) -> PydanticCustomError:
     """An error whose message is already the whole sentence."""
-    return PydanticCustomError("sentence", "{sentence}", {"sentence": message})
+    return PydanticCustomError("sentence", "{sentence}", {"sentence": plain(message)})
 
 
 def _number(value: Any) -> float:

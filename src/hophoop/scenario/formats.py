@@ -3,12 +3,44 @@
 from __future__ import annotations
 
 import json
+import re
+import sys
 import tomllib
+from collections import Counter
 from collections.abc import Iterator, Mapping
-from typing import Any
+from pathlib import Path
+from typing import IO, Any
 from urllib.parse import parse_qsl, urlencode
 
 from hophoop.scenario.base import InputError
+from hophoop.scenario.sentences import shortened
+
+MOST_BYTES = 1_000_000
+# A key of many steps, which tomllib takes long for; a scenario's has two.
+_DEEP_KEY = re.compile(r"""(?<![\w-])([\w-]+|"[^"\n]*"|'[^'\n]*')([ \t]*\.[ \t]*([\w-]+|"[^"\n]*"|'[^'\n]*')){16}""")
+
+
+def read_file(path: Path) -> str:
+    """The text of a file."""
+    with path.open("rb") as stream:
+        return _decoded(stream, str(path), "text file")
+
+
+def read_standard_input() -> str:
+    """The text of standard input."""
+    stream = getattr(sys.stdin, "buffer", None)
+    return sys.stdin.read() if stream is None else _decoded(stream, "standard input", "text")
+
+
+def _decoded(stream: IO[bytes], name: str, kind: str) -> str:
+    content = stream.read(MOST_BYTES + 1)
+    if len(content) > MOST_BYTES:
+        raise InputError(f"{name} is longer than {MOST_BYTES:,} bytes, which no scenario is.")
+    try:
+        # lines end as Python's own text files let them end
+        return content.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+    except UnicodeDecodeError:
+        raise InputError(f"{name} is not a {kind} in UTF-8.") from None
 
 
 def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
@@ -18,11 +50,13 @@ def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
     if form not in ("toml", "json"):
         raise InputError(f"format = {form!r} must be 'toml' or 'json'.")
     try:
+        if form == "toml" and _DEEP_KEY.search(text):
+            raise RecursionError
         data = tomllib.loads(text) if form == "toml" else json.loads(text, object_pairs_hook=_once)
     except InputError:
         raise
     except (ValueError, RecursionError) as error:
-        reason = str(error).rstrip(".") or "nested too deeply"
+        reason = "nested too deeply" if isinstance(error, RecursionError) else str(error).rstrip(".")
         raise InputError(f"{name} is not valid {form.upper()}: {reason}.") from None
     if not isinstance(data, dict):
         raise InputError(f"{name} must hold a table of keys, not {json.dumps(data)[:40]}.")
@@ -33,9 +67,9 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     # JSON would quietly keep the last of two equal keys; TOML refuses them.
     table = dict(pairs)
     if len(table) < len(pairs):
-        names = [name for name, _ in pairs]
-        twice = next(name for name in names if names.count(name) > 1)
-        raise InputError(f"The key {twice!r} is given twice.")
+        counts = Counter(name for name, _ in pairs)
+        twice = next(name for name, count in counts.items() if count > 1)
+        raise InputError(f"The key {shortened(repr(twice))} is given twice.")
     return table
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Annotated, Any, ClassVar, Literal, NamedTuple
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Tag, model_validator
 
 from hophoop.scenario.base import (
     Count,
@@ -20,6 +20,22 @@ from hophoop.scenario.base import (
     refuse,
 )
 from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
+from hophoop.scenario.ranges import RANGES, inside, schema_of
+
+Radius = Annotated[Positive, inside("hoop.radius", "m"), schema_of("hoop.radius")]
+Mass = Annotated[Positive, inside("hoop.mass", "kg"), schema_of("hoop.mass")]
+InertiaRatio = Annotated[NonNegative, inside("hoop.inertia_ratio"), schema_of("hoop.inertia_ratio")]
+Gravity = Annotated[NonNegative, inside("plane.gravity", "m/s²"), schema_of("plane.gravity")]
+Height = Annotated[NonNegative, inside("start.height", "m"), schema_of("start.height")]
+Place = Annotated[Number, inside("start.x", "m"), schema_of("start.x")]
+Angle = Annotated[Number, inside("start.angle", "rad"), schema_of("start.angle")]
+Speed = Annotated[Number, inside("start.speed", "m/s"), schema_of("start.speed")]
+Rate = Annotated[Number, inside("start.omega", "rad/s"), schema_of("start.omega")]
+Stiffness = Annotated[Positive, inside("contact.stiffness", "N/m"), schema_of("contact.stiffness")]
+Damping = Annotated[NonNegative, inside("contact.damping"), schema_of("contact.damping")]
+SlipSpeed = Annotated[Positive, inside("contact.slip_speed", "m/s"), schema_of("contact.slip_speed")]
+Tolerance = Annotated[Positive, inside("contact.rtol"), schema_of("contact.rtol")]
+RangedFriction = Annotated[Friction, inside("plane.mu")]
 
 
 class Hoop(Frozen):
@@ -59,11 +75,11 @@ class Hoop(Frozen):
 
     place: ClassVar[str] = "hoop."
 
-    radius: Positive = quantity(1.0, "Rim radius", "m")
-    mass: Positive = quantity(1.0, "Total mass", "kg")
+    radius: Radius = quantity(1.0, "Rim radius", "m")
+    mass: Mass = quantity(1.0, "Total mass", "kg")
     load_fraction: Fraction | None = quantity(None, "Share of the mass in the load of an ideal hoop")
     eccentricity: Fraction = quantity(0.75, "Distance of the centre of gravity from the centre, over the radius")
-    inertia_ratio: NonNegative = quantity(0.4375, "Moment of inertia about the centre of gravity over m R²")
+    inertia_ratio: InertiaRatio = quantity(0.4375, "Moment of inertia about the centre of gravity over m R²")
     parts: tuple[Part, ...] | None = quantity(None, "What the hoop is made of", "")
 
     @model_validator(mode="after")
@@ -84,6 +100,7 @@ class Hoop(Frozen):
         elif len(given) == 1:
             missing = "inertia_ratio" if given == ["eccentricity"] else "eccentricity"
             raise refuse(f"hoop.{missing} is missing: hoop.{given[0]} does not define a hoop without it.")
+        _check_derived(self)
         if self.inertia_ratio == 0.0 and self.eccentricity != 1.0:
             raise refuse(
                 f"hoop.inertia_ratio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), "
@@ -169,6 +186,16 @@ class Hoop(Frozen):
         return self.inertia_ratio * self.mass * self.radius**2
 
 
+def _check_derived(hoop: Hoop) -> None:
+    # what was not given itself: the mass of the parts, the inertia of an ideal hoop
+    if not RANGES["hoop.mass"].holds(hoop.mass):
+        raise refuse(f"hoop.mass = {hoop.mass!r} must be {RANGES['hoop.mass'].words('kg')}.")
+    if not RANGES["hoop.inertia_ratio"].holds(hoop.inertia_ratio):
+        of = "hoop.parts give" if hoop.parts is not None else f"hoop.load_fraction = {hoop.load_fraction!r} gives"
+        words = RANGES["hoop.inertia_ratio"].words()
+        raise refuse(f"{of} hoop.inertia_ratio = {hoop.inertia_ratio!r}, which must be {words}.")
+
+
 _HOOP_WAYS = ("load_fraction", "eccentricity", "inertia_ratio")
 
 
@@ -206,11 +233,11 @@ class Plane(Frozen):
 
     place: ClassVar[str] = "plane."
 
-    gravity: NonNegative = quantity(9.81, "Gravity", "m/s²")
+    gravity: Gravity = quantity(9.81, "Gravity", "m/s²")
     slope: Number = quantity(0.0, "Slope of the plane, downhill along +x", "rad")
-    mu: Friction | None = quantity(None, "Friction, static and kinetic")
-    mu_static: Friction = quantity(1.0, "Static friction")
-    mu_kinetic: Friction = quantity(1.0, "Kinetic friction")
+    mu: RangedFriction | None = quantity(None, "Friction, static and kinetic")
+    mu_static: RangedFriction = quantity(1.0, "Static friction")
+    mu_kinetic: RangedFriction = quantity(1.0, "Kinetic friction")
     restitution: Fraction = quantity(0.0, "Restitution of an impact")
     impact_law: Literal["stronge", "newton", "poisson"] = quantity("stronge", "Law of restitution", "")
     painleve: Literal["flight", "impact"] = quantity("flight", "What follows an indeterminate contact", "")
@@ -227,6 +254,8 @@ class Plane(Frozen):
             raise refuse(f"plane.mu_kinetic = {self.mu_kinetic!r} must not exceed plane.mu_static = {self.mu_static!r}.")
         if not abs(self.slope) < 0.5 * math.pi:
             raise refuse(f"plane.slope = {self.slope!r} must lie between -pi/2 and pi/2 (radians).")
+        if not RANGES["plane.slope"].holds(self.slope):
+            raise refuse(f"plane.slope = {self.slope!r} must be {RANGES['plane.slope'].words('rad')}.")
         return self
 
     def _written(self) -> Iterable[str]:
@@ -294,13 +323,13 @@ class Start(Frozen):
 
     place: ClassVar[str] = "start."
 
-    x: Number = quantity(0.0, "Place of the centre along the plane", "m")
-    height: NonNegative = quantity(0.0, "Gap between rim and plane", "m")
-    angle: Number = quantity(0.0, "Angle from the plane's normal to the centre of gravity", "rad")
-    speed: Number | None = quantity(None, "Velocity of the centre in a rolling start", "m/s")
-    vx: Number = quantity(0.0, "Velocity of the centre along the plane", "m/s")
-    vy: Number = quantity(0.0, "Velocity of the centre away from the plane", "m/s")
-    omega: Number | None = quantity(0.0, "Angular velocity", "rad/s")
+    x: Place = quantity(0.0, "Place of the centre along the plane", "m")
+    height: Height = quantity(0.0, "Gap between rim and plane", "m")
+    angle: Angle = quantity(0.0, "Angle from the plane's normal to the centre of gravity", "rad")
+    speed: Speed | None = quantity(None, "Velocity of the centre in a rolling start", "m/s")
+    vx: Speed = quantity(0.0, "Velocity of the centre along the plane", "m/s")
+    vy: Speed = quantity(0.0, "Velocity of the centre away from the plane", "m/s")
+    omega: Rate | None = quantity(0.0, "Angular velocity", "rad/s")
 
     @model_validator(mode="after")
     def _complete(self) -> Start:
@@ -423,14 +452,14 @@ class Compliant(Frozen):
     place: ClassVar[str] = "contact."
 
     model: Literal["compliant"] = quantity("compliant", "Contact model", "")
-    stiffness: Positive | None = quantity(None, "Stiffness of the contact", "N/m")
-    damping: NonNegative | None = quantity(None, "Damping of the contact", "N s/m or s/m")
+    stiffness: Stiffness | None = quantity(None, "Stiffness of the contact", "N/m")
+    damping: Damping | None = quantity(None, "Damping of the contact", "N s/m or s/m")
     restitution: Fraction | None = quantity(None, "Restitution that the damping is chosen for")
     law: Literal["kelvin-voigt", "hunt-crossley"] = quantity("kelvin-voigt", "Normal force", "")
     friction: Literal["tanh", "linear", "bristle"] = quantity("tanh", "Regularised friction", "")
-    slip_speed: Positive | None = quantity(None, "Slip velocity over which friction builds up", "m/s")
-    tangential_stiffness: Positive | None = quantity(None, "Stiffness of the bristle along the plane", "N/m")
-    rtol: Annotated[Number, Field(gt=0, le=0.1)] | None = quantity(None, "Relative tolerance")
+    slip_speed: SlipSpeed | None = quantity(None, "Slip velocity over which friction builds up", "m/s")
+    tangential_stiffness: Stiffness | None = quantity(None, "Stiffness of the bristle along the plane", "N/m")
+    rtol: Tolerance | None = quantity(None, "Relative tolerance")
     max_events: Count = quantity(100_000, "Most events before the motion ends", ge=1, le=10_000_000)
 
     @model_validator(mode="after")

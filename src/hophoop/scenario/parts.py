@@ -9,6 +9,10 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Discriminator, model_validator
 
 from hophoop.scenario.base import Frozen, NonNegative, Number, Positive, plain_init, quantity, refuse
+from hophoop.scenario.ranges import inside, schema_of
+
+PartMass = Annotated[Positive, inside("hoop.parts.mass", "kg"), schema_of("hoop.parts.mass")]
+Length = Annotated[Positive, inside("hoop.parts.length", "m"), schema_of("hoop.parts.length")]
 
 # A part that just touches the rim, its place rounded, still lies within it.
 _TOUCH = 1e-12
@@ -33,9 +37,9 @@ class Ring(Frozen):
     place: ClassVar[str] = "hoop.parts: "
 
     shape: Literal["ring"] = quantity("ring", "Kind of part", "")
-    mass: Positive = quantity(..., "Mass of the ring", "kg")
+    mass: PartMass = quantity(..., "Mass of the ring", "kg")
     inner_radius: NonNegative = quantity(..., "Inner radius of the ring", "m")
-    outer_radius: Positive = quantity(..., "Outer radius of the ring", "m")
+    outer_radius: Length = quantity(..., "Outer radius of the ring", "m")
 
     @plain_init
     def __init__(self, mass: float, inner_radius: float, outer_radius: float, **shape: Any) -> None:
@@ -86,8 +90,8 @@ class Disk(Frozen):
     place: ClassVar[str] = "hoop.parts: "
 
     shape: Literal["disk"] = quantity("disk", "Kind of part", "")
-    mass: Positive = quantity(..., "Mass of the disk", "kg")
-    radius: Positive = quantity(..., "Radius of the disk", "m")
+    mass: PartMass = quantity(..., "Mass of the disk", "kg")
+    radius: Length = quantity(..., "Radius of the disk", "m")
     at: Number = quantity(0.0, "Signed distance of the disk's centre from C", "m")
 
     @plain_init
@@ -124,7 +128,7 @@ class PointMass(Frozen):
     place: ClassVar[str] = "hoop.parts: "
 
     shape: Literal["point_mass"] = quantity("point_mass", "Kind of part", "")
-    mass: Positive = quantity(..., "Mass of the load", "kg")
+    mass: PartMass = quantity(..., "Mass of the load", "kg")
     at: Number = quantity(..., "Signed distance of the load from C", "m")
 
     @plain_init
@@ -165,8 +169,8 @@ class Rod(Frozen):
     place: ClassVar[str] = "hoop.parts: "
 
     shape: Literal["rod"] = quantity("rod", "Kind of part", "")
-    mass: Positive = quantity(..., "Mass of the rod", "kg")
-    length: Positive = quantity(..., "Length of the rod", "m")
+    mass: PartMass = quantity(..., "Mass of the rod", "kg")
+    length: Length = quantity(..., "Length of the rod", "m")
     at: Number = quantity(0.0, "Signed distance of the rod's middle from C", "m")
     direction: Literal["radial", "tangential"] = quantity("radial", "Along the line from C or across it", "")
 

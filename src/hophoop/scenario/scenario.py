@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import json
 import math
-import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
 from hophoop.physics.body import Body, ImpactLaw
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
-from hophoop.scenario.formats import query_text, read_query, read_text, toml_text
+from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
 from hophoop.scenario.paths import parameter, paths, with_replaced
+from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
 
 
 class Scenario(Frozen):
@@ -49,7 +49,7 @@ class Scenario(Frozen):
     True
     """
 
-    duration: Positive = quantity(6.0, "Duration of the motion", "s")
+    duration: Annotated[Positive, inside("duration", "s"), schema_of("duration")] = quantity(6.0, "Duration of the motion", "s")
     hoop: Hoop = Field(default_factory=Hoop, description="The hoop")
     plane: Plane = Field(default_factory=Plane, description="The plane")
     start: Start = Field(default_factory=lambda: Start.rolling(3.1), description="The start")
@@ -64,6 +64,8 @@ class Scenario(Frozen):
             raise refuse("contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).")
         if compliant and self.plane.mu_static == math.inf:
             raise refuse("plane.mu_static = inf must be finite with contact.model = 'compliant'.")
+        if isinstance(self.contact, Compliant):
+            _check_compliance(self, self.contact)
         return self
 
     @classmethod
@@ -82,17 +84,14 @@ class Scenario(Frozen):
         Raises
         ------
         ValueError
-            If the text is not TOML or JSON, or not a scenario.
+            If the text is not TOML or JSON, longer than a million bytes, or not a scenario.
         OSError
             If the file cannot be read.
         """
         if str(path) == "-":
-            return cls.loads(sys.stdin.read(), name="standard input")
+            return cls.loads(read_standard_input(), name="standard input")
         file = Path(path)
-        try:
-            text = file.read_text(encoding="utf-8-sig")
-        except UnicodeDecodeError:
-            raise InputError(f"{file} is not a text file in UTF-8.") from None
+        text = read_file(file)
         known = {".toml": "toml", ".json": "json"}
         return cls.loads(text, known.get(file.suffix.lower()), name=str(file))
 
@@ -282,6 +281,33 @@ class Scenario(Frozen):
         return to_body(self.hoop, self.plane)
 
 
+def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
+    """Refuse a spring that is no contact any more: too soft or too stiff for this hoop, or for its start."""
+    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
+    second = time_unit(hoop, plane)
+    stiffness, slip = RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED
+    for name, unit, allowed, what in (
+        ("stiffness", hoop.mass / second**2, stiffness, "m g/R"),
+        ("tangential_stiffness", hoop.mass / second**2, stiffness, "m g/R"),
+        ("slip_speed", hoop.radius / second, slip, "√(g R)"),
+    ):
+        value = getattr(contact, name)
+        if value is not None and not allowed.holds(value / unit):
+            raise refuse(
+                f"contact.{name} = {value!r} is {value / unit:.3g} {what} of this hoop and must be {allowed.words()} of it."
+            )
+    k = 1e6 if contact.stiffness is None else contact.stiffness * second**2 / hoop.mass
+    given = start.state(hoop)
+    fall = math.sqrt(2.0 * given.height / hoop.radius) if plane.gravity > 0.0 else 0.0
+    speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius + fall
+    depth = speed / math.sqrt(k) + 1.0 / k
+    if depth > MOST_DEPTH:
+        raise refuse(
+            f"contact.stiffness = {contact.stiffness!r} lets the rim sink some {depth:.0e} radii into the plane, at the speed "
+            f"of the start, and must be high enough for at most {MOST_DEPTH:g}."
+        )
+
+
 def to_body(hoop: Hoop, plane: Plane) -> Body:
     """Hoop and plane as the kernels take them.
 
@@ -307,6 +333,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         law=int(ImpactLaw[plane.impact_law.upper()]),
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
+        ideal=hoop.load_fraction is not None,
     )
 
 

@@ -23,6 +23,38 @@ _OWN = {"number", "friction", "whole", "value"}
 _TAGS = {"rigid", "compliant", "ring", "disk", "point_mass", "rod"}
 
 
+def plain(text: str) -> str:
+    """A text that is safe to print: what is no printable character stands as its escape.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    text : str
+        One line.
+    """
+    if text.isprintable():
+        return text
+    return "".join(sign if sign.isprintable() else sign.encode("unicode_escape").decode() for sign in text)
+
+
+def shortened(text: str) -> str:
+    """At most sixty characters of a text.
+
+    Parameters
+    ----------
+    text : str
+
+    Returns
+    -------
+    text : str
+        With three dots where something is left out.
+    """
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
 def sentence(error: BaseException) -> str:
     """Say in one sentence what is wrong with the input.
 
@@ -48,6 +80,8 @@ def sentence(error: BaseException) -> str:
     """
     if isinstance(error, OSError) and error.strerror and error.filename is not None:
         return f"{error.filename}: {error.strerror}."
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.strerror}."
     if not isinstance(error, ValidationError):
         # KeyError and the like show their argument only; a name says more than nothing.
         return str(error) or type(error).__name__
@@ -114,7 +148,7 @@ def _path(above: str, loc: Sequence[str | int]) -> str:
         # The name of a union's branch is pydantic's, not the user's.
         if step in _TAGS:
             continue
-        parts.append(str(step))
+        parts.append(shortened(str(step)))
     return ".".join(part for part in parts if part) or "the scenario"
 
 
@@ -132,4 +166,4 @@ def _either(words: Sequence[str]) -> str:
 def _show(value: Any) -> str:
     # NumPy's scalars would name their type.
     text = repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)
-    return text if len(text) <= 60 else text[:57] + "..."
+    return shortened(text)

@@ -138,7 +138,7 @@ STATUSES: Final[dict[str, str]] = {
     "at_rest": "It has come to rest.",
     "jammed": "The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",
     "undetermined": "The model does not determine the motion beyond.",
-    "event_limit": "The limit of events was reached before the end (contact.max_events).",
+    "event_limit": "The limit of events (contact.max_events), or of work for one motion, was reached before the end.",
 }
 """How a motion ended, in a sentence; nothing where it just went on for as long as was asked."""
 

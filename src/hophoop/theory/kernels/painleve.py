@@ -22,7 +22,7 @@ def threshold(body, th, sigma):
 
 @jit
 def with_friction(body, mu):
-    return Body(body.eps, body.kap, mu, mu, body.gn, body.gt, body.rest, body.law, body.strike, body.slope)
+    return Body(body.eps, body.kap, mu, mu, body.gn, body.gt, body.rest, body.law, body.strike, body.slope, body.ideal)
 
 
 @jit

@@ -1,0 +1,5 @@
+"""`python -m hophoop`: the command line."""
+
+from hophoop.cli import app
+
+app()

@@ -1,0 +1,99 @@
+"""Checksums: of datasets, by what they say and not by how a format writes it, and of the bytes of a file."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Collection, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+CHECKSUM = "checksum"  # the attribute that holds it
+# Attributes that xarray or a format adds by itself.
+_OF_FORMATS = {CHECKSUM, "_FillValue", "_ARRAY_DIMENSIONS", "coordinates"}
+
+
+def checksum(groups: Mapping[str, Any], without: Collection[str] = ()) -> str:
+    """SHA-256 of every name, attribute and number.
+
+    Parameters
+    ----------
+    groups : mapping of str to xarray.Dataset
+        Read without decoding.
+    without : collection of str
+        Variables whose numbers do not count, but for how many there are and of which type.
+
+    Returns
+    -------
+    checksum : str
+        In hexadecimal digits.
+    """
+    digest = hashlib.sha256()
+
+    def add(*words: Any) -> None:
+        digest.update(json.dumps(words, ensure_ascii=False).encode() + b"\n")
+
+    for group in sorted(groups):
+        dataset = groups[group]
+        add(group, _attributes(dataset))
+        for name in sorted(dataset.variables):
+            variable = dataset.variables[name]
+            kind = variable.dtype.newbyteorder("<")
+            add(name, variable.dims, variable.shape, kind.str, _attributes(variable))
+            if name not in without:
+                digest.update(np.ascontiguousarray(variable.values).astype(kind).tobytes())
+    return digest.hexdigest()
+
+
+def _attributes(thing: Any) -> list[Any]:
+    # a format may give a list of one number back as the number
+    return [(name, np.ravel(np.asarray(thing.attrs[name])).tolist()) for name in sorted(thing.attrs) if name not in _OF_FORMATS]
+
+
+# A line at the end of a file, behind what HDF5 reads: its library can crash on bytes that are not its own.
+_SEAL, _DIGITS = b"\nhophoop sha256 ", 64
+_LENGTH = len(_SEAL) + _DIGITS + 1
+
+
+def seal(file: Path) -> None:
+    """Write the checksum of a file's bytes behind them.
+
+    Parameters
+    ----------
+    file : Path
+    """
+    with file.open("r+b") as stream:
+        found = hashlib.file_digest(stream, "sha256").hexdigest()
+        stream.seek(0, 2)
+        stream.write(_SEAL + found.encode() + b"\n")
+
+
+def is_broken(file: Path) -> bool:
+    """Whether a file has a seal that is not that of its bytes.
+
+    Parameters
+    ----------
+    file : Path
+
+    Returns
+    -------
+    broken : bool
+        False also for a file that has no seal.
+    """
+    with file.open("rb") as stream:
+        length = stream.seek(0, 2) - _LENGTH
+        if length < 0:
+            return False
+        stream.seek(length)
+        line = stream.read()
+        if not line.startswith(_SEAL):
+            return False
+        stream.seek(0)
+        digest = hashlib.sha256()
+        while length > 0:
+            piece = stream.read(min(length, 1 << 20))
+            digest.update(piece)
+            length -= len(piece)
+        return line != _SEAL + digest.hexdigest().encode() + b"\n"

@@ -1,0 +1,44 @@
+"""Where κ p_σ is nearly zero, in more digits: its sign decides whether slip has an answer (docs/model.md#contact-space)."""
+
+from __future__ import annotations
+
+from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop.numerics.double_double import add, multiply, negative, sine_versine, two_product
+from hophoop.physics.contact import slip_torque_arm
+
+NEARLY = 1e-8  # nearer to zero than this κ p_σ and q have lost half their digits
+
+
+@inline_jit
+def exact_inertia(body):
+    """κ as two doubles."""
+    if body.ideal:
+        return add((1.0, 0.0), negative(two_product(body.eps, body.eps)))
+    return body.kap, 0.0
+
+
+@apart_jit
+def exact_slip_stiffness(body, th, th_low, sigma):
+    """(q, κ p_σ) with all their digits: `slip_torque_arm` and `slip_stiffness` from θ and the parameters as exact numbers."""
+    sine, versine = sine_versine((th, th_low))
+    lever = multiply((body.eps, 0.0), sine)
+    arm = add(add((1.0, 0.0), (body.eps, 0.0)), negative(multiply((body.eps, 0.0), versine)))
+    q = add(lever, multiply((sigma * body.mu_k, 0.0), arm))
+    stiffness = add(exact_inertia(body), multiply(lever, q))
+    return q[0], stiffness[0]
+
+
+@lean_jit
+def stiffness_slope(body, s, c, sigma, q):
+    """dκp_σ/dθ."""
+    return body.eps * c * q + body.eps * s * body.eps * (c - sigma * body.mu_k * s)
+
+
+@inline_jit
+def slip_coefficients(body, th, th_low, s, c, sigma):
+    """(q, κ p_σ) in slip of direction σ, exact to the last digits also where κ p_σ is nearly zero."""
+    arm = slip_torque_arm(body, s, c, sigma)
+    stiffness = body.kap + body.eps * s * arm
+    if abs(stiffness) < NEARLY:
+        return exact_slip_stiffness(body, th, th_low, sigma)
+    return arm, stiffness

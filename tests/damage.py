@@ -1,0 +1,62 @@
+"""Files damaged at random, and what comes of reading them."""
+
+from __future__ import annotations
+
+import random
+import shutil
+from collections import Counter
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+
+def damaged(whole: Path, copy: Path, count: int, seed: int = 2026) -> Iterator[str]:
+    """Put a damaged copy of a file, or of a folder of files, in place again and again; says what was done to it.
+
+    Every third is cut short somewhere, every other has one bit turned. In a folder any file may be hit, half of the time in
+    proportion to its size.
+    """
+    draw = random.Random(seed)
+    files = [whole] if whole.is_file() else sorted(file for file in whole.rglob("*") if file.is_file())
+    sizes = [file.stat().st_size for file in files]
+    for k in range(count):
+        if copy.is_dir():
+            shutil.rmtree(copy)
+        if whole.is_dir():
+            shutil.copytree(whole, copy)
+        file = draw.choices(files, sizes)[0] if k % 2 else draw.choice(files)
+        content = bytearray(file.read_bytes())
+        if k % 3 == 0:
+            length = draw.randrange(len(content))
+            content, done = content[:length], f"cut after {length} bytes"
+        else:
+            place, bit = draw.randrange(len(content)), draw.randrange(8)
+            content[place] ^= 1 << bit
+            done = f"bit {bit} of byte {place} turned"
+        (copy if whole.is_file() else copy / file.relative_to(whole)).write_bytes(content)
+        yield f"{file.name}: {done}"
+
+
+def unseal(file: Path) -> None:
+    """Take the checksum from the end of a netCDF file."""
+    content = file.read_bytes()
+    file.write_bytes(content[: content.rindex(b"\nhophoop sha256 ")])
+
+
+SAME, REFUSED = "the same", "one sentence"
+
+
+def tally(load: Callable[[Path], Any], alike: Callable[[Any], bool], whole: Path, copy: Path, count: int) -> Counter[str]:
+    """How often a damaged copy was read as the same, or refused by one sentence; what else came is under its own name."""
+    came: Counter[str] = Counter()
+    for done in damaged(whole, copy, count):
+        try:
+            loaded = load(copy)
+        except ValueError as error:
+            text = str(error)
+            came[REFUSED if text.isprintable() and text.endswith((".", "?")) else f"{done}: {text}"] += 1
+        except Exception as error:
+            came[f"{done}: {error!r}"] += 1
+        else:
+            came[SAME if alike(loaded) else f"{done}: another"] += 1
+    return came

@@ -1,0 +1,100 @@
+"""Scenarios of any magnitude that is supported: computed, or refused in a sentence, and no law broken.
+
+`tests/fuzz/night.py` does the same a hundred thousand times.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, given, note, settings
+from hypothesis import strategies as st
+
+import hophoop as hh
+from fuzz.checks import digest, outcome
+from fuzz.draws import Seeded, scenario
+
+TURNS = 200.0  # so short that thousands of them take half a minute
+ONE_IN = 8  # is compliant
+
+
+class Drawn:
+    """A source of numbers that hypothesis chooses."""
+
+    def __init__(self, draw: Any) -> None:
+        self._draw = draw
+
+    def between(self, least: float, most: float) -> float:
+        return float(self._draw(st.floats(least, most)))
+
+    def choice(self, values: Sequence[Any]) -> Any:
+        return values[self._draw(st.integers(0, len(values) - 1))]
+
+
+@st.composite
+def drawn(draw: Any) -> dict[str, Any]:
+    """The keys of a scenario."""
+    return scenario(Drawn(draw), ONE_IN, TURNS)
+
+
+def check(keys: dict[str, Any]) -> None:
+    """No broken law."""
+    note(str(keys))
+    assert outcome(keys).problems == ()
+
+
+@pytest.mark.compiled
+@settings(max_examples=150, suppress_health_check=list(HealthCheck))
+@given(drawn())
+def test_any_magnitude(keys):
+    check(keys)
+
+
+@pytest.mark.slow
+@settings(max_examples=2_000, suppress_health_check=list(HealthCheck))
+@given(drawn())
+def test_any_magnitude_at_length(keys):
+    check(keys)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("index", range(0, 60, 10))
+def test_a_saved_motion_of_any_magnitude(index):
+    pytest.importorskip("netCDF4", reason="netCDF4 is not installed")
+    assert outcome(scenario(Seeded(1, index), ONE_IN, TURNS), with_file=True).problems == ()
+
+
+def answer(index: int) -> str:
+    """What a scenario's motion is, to the last bit."""
+    try:
+        chosen = hh.Scenario.from_dict(scenario(Seeded(2, index), ONE_IN, TURNS))
+    except ValueError as error:
+        return str(error)
+    return digest(hh.simulate(chosen))
+
+
+@pytest.mark.compiled
+def test_eight_threads_give_the_same_bits():
+    indices = list(range(48))
+    alone = [answer(index) for index in indices]
+    with ThreadPoolExecutor(8) as pool:
+        assert list(pool.map(answer, indices * 4)) == alone * 4
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("method", ["spawn", "fork"])
+def test_other_processes_give_the_same_bits(method, monkeypatch):
+    if method not in multiprocessing.get_all_start_methods():
+        pytest.skip(f"this system has no {method}")
+    if method == "fork" and sys.platform == "darwin":
+        pytest.skip("forked processes may not use the system's libraries on macOS")
+    monkeypatch.setenv("HOPHOOP_KERNELS", "compiled")
+    indices = list(range(24))
+    alone = [answer(index) for index in indices]
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(method)) as pool:
+        assert list(pool.map(answer, indices)) == alone

@@ -1,0 +1,193 @@
+"""The wheel in clean environments: `python tests/installs.py [--python EXECUTABLE ...] [--bounds] [--markdown FILE]`.
+
+With every Python given (by default those from 3.11 to 3.14 that are found) the wheel is installed without extras into an
+environment of its own, and run in poor surroundings. With `--bounds` the fast tests run with the lowest versions that
+pyproject.toml allows, and with the newest ones.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+VERSIONS = ("3.11", "3.12", "3.13", "3.14")
+# what asks for each extra, on the command line or in Python
+EXTRAS = {
+    "plots": ["run", "--plot", "hop.png"],
+    "maps": ["run", "--save", "hop.nc"],
+    "films": ["animate", "--out", "hop.mp4"],
+    "lab": ["lab"],
+    "cluster": "from hophoop.maps.distributed import compute_on_cluster as c; c(None, [], None, 1, print)",
+    "gpu": "from hophoop.maps.gpu import require_gpu; require_gpu()",
+}
+NOBODY = 65534
+
+
+def sh(*words: str | Path, **options: object) -> subprocess.CompletedProcess[str]:
+    """Run a program to its end; what it says is kept."""
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False, **options)  # type: ignore[call-overload,no-any-return]
+
+
+def found_pythons() -> dict[str, str]:
+    """The interpreters of this machine, by version."""
+    pythons = {}
+    for version in VERSIONS:
+        places = [
+            shutil.which(f"python{version}"),
+            *map(str, sorted(Path.home().glob(f".pyenv/versions/{version}.*/bin/python"))),
+        ]
+        for place in filter(None, places):
+            if sh(place, "-c", "import sys; print('%d.%d' % sys.version_info[:2])").stdout.strip() == version:
+                pythons[version] = place
+                break
+    return pythons
+
+
+class Clean:
+    """An environment with the wheel and nothing else."""
+
+    def __init__(self, python: str, folder: Path, wheel: Path, *more: str) -> None:
+        self.folder = folder
+        made = sh(python, "-m", "venv", folder)
+        assert made.returncode == 0, made.stderr
+        self.bin = folder / "bin"
+        done = sh(self.bin / "pip", "install", "-q", wheel, *more)
+        assert done.returncode == 0, done.stderr[-2000:]
+
+    def run(self, *words: str, **changed: str | None) -> subprocess.CompletedProcess[str]:
+        """`hophoop` with some variables of the environment changed, in an empty folder that everyone may write to."""
+        options: dict[str, object] = {}
+        if changed.pop("as_nobody", None):
+            options["user"] = NOBODY
+        whole = {"PATH": os.environ["PATH"], "HOME": str(self.folder / "home"), **changed}
+        work = Path(tempfile.mkdtemp(dir=self.folder))
+        work.chmod(0o777)
+        environment = {name: value for name, value in whole.items() if value is not None}
+        return sh(self.bin / "hophoop", *words, env=environment, cwd=work, **options)
+
+
+def check_extras(clean: Clean) -> str:
+    """Each missing extra says its name."""
+    for extra, asked in EXTRAS.items():
+        done = sh(clean.bin / "python", "-c", asked) if isinstance(asked, str) else clean.run(*asked)
+        said = done.stderr.strip().splitlines()[-1]
+        assert f"hophoop[{extra}]" in said, (extra, done.stderr[-500:])
+    return f"{len(EXTRAS)} of {len(EXTRAS)} say their name"
+
+
+def _same(done: subprocess.CompletedProcess[str], whole: str) -> None:
+    assert (done.returncode, done.stderr) == (0, ""), done.stderr[-500:]
+    assert done.stdout == whole
+
+
+def check_surroundings(clean: Clean) -> dict[str, str]:
+    """What comes in poor surroundings, by what they are; the same output as elsewhere."""
+    whole = clean.run("run", "--json").stdout
+    assert '"schema": "hophoop/1"' in whole
+    came = {"runs, with no extra": "yes", "each missing extra": check_extras(clean)}
+    trials: dict[str, Callable[[], subprocess.CompletedProcess[str]]] = {
+        "no HOME": lambda: clean.run("run", "--json", HOME=None),
+        "LANG=C": lambda: clean.run("run", "--json", LANG="C", LC_ALL="C"),
+        "NO_COLOR, 40 columns": lambda: clean.run("run", "--json", NO_COLOR="1", COLUMNS="40"),
+    }
+    if hasattr(os, "getuid") and os.getuid() == 0:
+        clean.folder.chmod(0o755)
+        trials["site-packages and HOME read-only (another user)"] = lambda: clean.run("run", "--json", as_nobody="yes")
+    for name, trial in trials.items():
+        _same(trial(), whole)
+        came[name] = "the same output"
+    cache = clean.folder / "cache"
+    environment = {"PATH": os.environ["PATH"], "NUMBA_CACHE_DIR": str(cache), "HOPHOOP_KERNELS": "compiled"}
+    both = [
+        subprocess.Popen(
+            [clean.bin / "hophoop", "run", "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment
+        )
+        for _ in range(2)
+    ]
+    for process in both:
+        said, errors = process.communicate()
+        assert process.returncode == 0, errors
+        assert said == whole
+    came["two first runs at once, compiling"] = "the same output"
+    return came
+
+
+def bounds(lowest: bool) -> list[str]:
+    """Requirements for the tests: each at its lowest version, or as pyproject.toml has them."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    named = [*project["dependencies"]]
+    for extra in ("plots", "maps", "test"):
+        named += project["optional-dependencies"][extra]
+    named = [
+        name for name in named if not name.startswith(("hophoop", "mujoco", "pymunk", "box2d", "playwright", "schemathesis"))
+    ]
+    return [re.sub(">=", "==", name) if lowest else name for name in named]
+
+
+def check_bounds(python: str, folder: Path, wheel: Path, lowest: bool) -> str:
+    """How the fast tests of core, files and maps end with these versions."""
+    clean = Clean(python, folder, wheel, *bounds(lowest))
+    tests = [
+        ROOT / "tests" / name
+        for name in ("physics", "scenario", "test_io.py", "files", "cli/test_cli_run.py", "maps/test_maps_hostile.py")
+    ]
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "cache")}
+    environment.pop("PYTHONPATH", None)
+    words = ("-m", "pytest", "-q", "-p", "no:cacheprovider", "-m", "not slow")
+    done = sh(clean.bin / "python", *words, *tests, env=environment, cwd=ROOT)
+    last = done.stdout.strip().splitlines()[-1] if done.stdout.strip() else f"ended with {done.returncode}"
+    print(done.stdout[-3000:], done.stderr[-2000:])
+    return re.sub(r" in [\d.]+s.*", "", last)
+
+
+def main() -> int:
+    """Try what was asked for, and write the table."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--python", action="append", help="an interpreter; may be repeated")
+    parser.add_argument("--bounds", action="store_true", help="run the fast tests with the lowest and the newest versions")
+    parser.add_argument("--markdown", type=Path, help="write the table to this file")
+    options = parser.parse_args()
+    pythons = found_pythons()
+    if options.python:
+        pythons = {
+            sh(one, "-c", "import sys; print('%d.%d' % sys.version_info[:2])").stdout.strip(): one for one in options.python
+        }
+    rows: list[str] = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        folder.chmod(0o755)
+        built = sh(sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w", folder, ROOT)
+        assert built.returncode == 0, built.stderr[-2000:]
+        wheel = next(folder.glob("*.whl"))
+        for version in VERSIONS:
+            if version not in pythons:
+                rows.append(f"| Python {version} | not found on the machine: not tried | |")
+                continue
+            began = time.monotonic()
+            for what, came in check_surroundings(Clean(pythons[version], folder / version, wheel)).items():
+                rows.append(f"| Python {version} | {what} | {came} |")
+            print(f"Python {version}: {time.monotonic() - began:.0f} s", flush=True)
+        if options.bounds:
+            for lowest in (True, False):
+                version, python = next(iter(pythons.items()))
+                came = check_bounds(python, folder / f"bounds-{lowest}", wheel, lowest)
+                rows.append(f"| Python {version} | {'lowest' if lowest else 'newest'} allowed versions, fast tests | {came} |")
+    text = "\n".join(["| Where | What was tried | What came |", "| --- | --- | --- |", *rows]) + "\n"
+    print(text, end="")
+    if options.markdown is not None:
+        options.markdown.write_text(text, encoding="utf-8")
+    return 0 if "failed" not in text and "ended with" not in text else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,252 @@
+"""Maps that are stopped at any moment, made by two at once, damaged, or of another version."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+import zarr
+
+import hophoop as hh
+from damage import REFUSED, SAME, tally
+from hophoop import maps
+from hophoop.maps import store
+from map_kills import finished, kill_at_random
+from map_tools import contents
+
+AXES = {"plane.mu": np.linspace(0.05, 1.95, 12), "start.speed": np.linspace(0.05, 5.0, 10)}
+QUANTITIES = ["sequence", "hop_height"]
+linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="needs fork and POSIX signals")
+
+
+def make(out, **options):
+    return maps.sweep(None, AXES, QUANTITIES, out=out, chunk_cells=20, **options)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    path = tmp_path_factory.mktemp("maps") / "whole.zarr"
+    make(path)
+    return path
+
+
+# --- stopped ---------------------------------------------------------------------------------------
+
+
+@linux
+@pytest.mark.compiled
+def test_a_map_stopped_at_random_moments_is_the_same_in_the_end(tmp_path):
+    finished(tmp_path / "whole.zarr")
+    came = kill_at_random(tmp_path / "whole.zarr", tmp_path / "map.zarr", 3)
+    assert came["SIGKILL"] == came["SIGTERM"] == came["SIGINT"] == 1
+
+
+@linux
+@pytest.mark.slow
+def test_fifty_stops_at_random_moments(tmp_path):
+    finished(tmp_path / "whole.zarr")
+    came = kill_at_random(tmp_path / "whole.zarr", tmp_path / "map.zarr", 50)
+    assert came["stopped"] == 50
+    assert came["whole maps compared"] >= 3
+
+
+# --- two at once -----------------------------------------------------------------------------------
+
+
+def test_a_map_that_is_being_made_is_refused(tmp_path):
+    path = tmp_path / "map.zarr"
+    refusals = []
+
+    def another(done, total):
+        if len(refusals) < 2:
+            with pytest.raises(
+                ValueError, match=r"map\.zarr is being made by another process: wait until it is there"
+            ) as caught:
+                make(path, resume=True)
+            refusals.append(caught)
+
+    make(path, progress=another)
+    assert len(refusals) == 2
+    assert make(path, resume=True).identical(maps.open_map(path))
+
+
+@linux
+def test_the_lock_of_a_dead_process_is_free(whole, tmp_path):
+    path = tmp_path / "map.zarr"
+
+    def stop(done, total):
+        if done:
+            os.kill(os.getpid(), signal.SIGKILL)
+
+    process = multiprocessing.get_context("fork").Process(target=make, args=(path,), kwargs={"progress": stop, "threads": 1})
+    process.start()
+    process.join()
+    assert process.exitcode == -signal.SIGKILL
+    assert (path / "unfinished" / "lock").exists()
+    make(path, resume=True)
+    assert contents(path) == contents(whole)
+
+
+def test_two_that_begin_at_once_do_not_harm_each_other(whole, tmp_path, monkeypatch):
+    path = tmp_path / "map.zarr"
+    write = store.provenance
+
+    def late(plan):  # another process makes the store while this one is about to
+        if not path.exists():
+            monkeypatch.undo()
+            with pytest.raises(KeyboardInterrupt):
+                make(path, progress=stop)
+        return write(plan)
+
+    def stop(done, total):
+        if done >= 40:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(store, "provenance", late)
+    make(path)
+    assert contents(path) == contents(whole)
+    assert [file.name for file in tmp_path.iterdir()] == ["map.zarr"]
+
+
+THREADS = """
+import sys, threading
+import numpy as np
+from hophoop import maps
+axes = {"plane.mu": np.linspace(0.05, 1.95, 80), "start.speed": np.linspace(0.05, 5.0, 80)}
+came = []
+def make(): came.append(maps.sweep(None, axes, ["sequence", "hop_height"], threads=2))
+threads = [threading.Thread(target=make) for _ in "ab"]
+for thread in threads: thread.start()
+for thread in threads: thread.join()
+assert len(came) == 2 and came[0].identical(came[1])
+print("alike")
+"""
+
+
+@pytest.mark.compiled
+def test_two_threads_make_maps_at_once_on_numbas_simplest_layer():
+    # 'workqueue', which is there everywhere, aborts the process where two threads use it at once
+    environment = os.environ | {"NUMBA_THREADING_LAYER": "workqueue", "NUMBA_NUM_THREADS": "2", "HOPHOOP_KERNELS": "compiled"}
+    done = subprocess.run([sys.executable, "-c", THREADS], capture_output=True, text=True, env=environment, check=False)
+    assert (done.returncode, done.stdout) == (0, "alike\n"), done.stderr
+
+
+def test_no_kernel_is_run_by_numbas_own_threads():
+    # that is why the layer does not count
+    for file in Path(hh.__file__).parent.rglob("*.py"):
+        assert "prange" not in file.read_text(encoding="utf-8"), file
+
+
+# --- damaged ---------------------------------------------------------------------------------------
+
+
+def check_damaged(whole, folder, count, least):
+    values = maps.open_map(whole).load()
+    copy = folder / f"damaged{whole.suffix}"
+    came = tally(lambda file: maps.open_map(file).load(), values.identical, whole, copy, count)
+    assert set(came) <= {SAME, REFUSED}
+    assert came[REFUSED] > least
+
+
+@pytest.mark.parametrize("ending", ["zarr", "nc"])
+def test_a_damaged_map_is_the_same_map_or_one_sentence(whole, tmp_path, ending):
+    if ending == "nc":
+        whole = tmp_path / "whole.nc"
+        make(whole)
+    check_damaged(whole, tmp_path, 30, 5)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ending", ["zarr", "nc"])
+def test_three_hundred_damaged_maps(whole, tmp_path, ending):
+    if ending == "nc":
+        whole = tmp_path / "whole.nc"
+        make(whole)
+    check_damaged(whole, tmp_path, 300, 50)
+
+
+def test_a_part_that_is_missing_is_noticed(whole, tmp_path):
+    shutil.copytree(whole, tmp_path / "map.zarr")
+    next(file for file in (tmp_path / "map.zarr" / "hop_height" / "c").rglob("*") if file.is_file()).unlink()
+    with pytest.raises(ValueError, match=r"map\.zarr is damaged: a part of it is missing\.$"):
+        maps.open_map(tmp_path / "map.zarr")
+
+
+def test_another_coordinate_is_noticed(whole, tmp_path):
+    shutil.copytree(whole, tmp_path / "map.zarr")
+    zarr.open_group(tmp_path / "map.zarr", mode="a")["plane.mu"][3] = 0.7
+    with pytest.raises(ValueError, match=r"map\.zarr is damaged: its checksum is not that of its content\.$"):
+        maps.open_map(tmp_path / "map.zarr")
+
+
+def test_a_map_of_before_there_were_checksums_is_read(whole, tmp_path):
+    shutil.copytree(whole, tmp_path / "map.zarr")
+    group = zarr.open_group(tmp_path / "map.zarr", mode="a")
+    for name in ("checksum", "chunks", "schema"):
+        del group.attrs[name]
+    older = maps.open_map(tmp_path / "map.zarr")
+    for name in QUANTITIES:
+        np.testing.assert_array_equal(older[name], maps.open_map(whole)[name])
+
+
+# --- of others -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["map.zarr", "map.nc"])
+def test_a_future_schema_is_refused_by_name(tmp_path, name):
+    dataset = xr.Dataset(attrs={"schema": "hophoop-map/4", "plan": "in other words"})
+    dataset.to_netcdf(tmp_path / name) if name.endswith(".nc") else dataset.to_zarr(tmp_path / name, consolidated=False)
+    with pytest.raises(
+        ValueError, match=r"has the schema 'hophoop-map/4', but this version of hophoop reads 'hophoop-map/1' only"
+    ):
+        maps.open_map(tmp_path / name)
+
+
+def test_other_files_are_refused(tmp_path):
+    xr.Dataset({"x": ("time", [1.0])}).to_netcdf(tmp_path / "other.nc")
+    (tmp_path / "noise.nc").write_bytes(b"no file of ours" * 99)
+    (tmp_path / "folder.zarr").mkdir()
+    for name, said in (
+        ("other.nc", "is not a map"),
+        ("noise.nc", "cannot be read as a map"),
+        ("folder.zarr", "cannot be read"),
+    ):
+        with pytest.raises(ValueError, match=f"{name} {said}"):
+            maps.open_map(tmp_path / name)
+
+
+def test_a_map_of_another_version_is_not_taken_up(tmp_path, monkeypatch):
+    path = tmp_path / "map.zarr"
+
+    def stop(done, total):
+        if done:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        make(path, progress=stop)
+    monkeypatch.setattr(hh, "__version__", "0.0.9")
+    with pytest.raises(ValueError, match=r"map\.zarr holds a map of hophoop .*, which this version 0\.0\.9 cannot take up\.$"):
+        make(path, resume=True)
+
+
+def test_a_plan_that_knows_more_is_not_taken_up(tmp_path):
+    path = tmp_path / "map.zarr"
+
+    def stop(done, total):
+        if done:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        make(path, progress=stop)
+    plan = path / "unfinished" / "plan.json"
+    plan.write_text(plan.read_text().replace('"device"', '"weather": "fine", "device"'))
+    with pytest.raises(ValueError, match=r"holds a map with another weather"):
+        make(path, resume=True)

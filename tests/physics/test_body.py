@@ -1,0 +1,20 @@
+"""The codes of modes, events and ends: saved motions hold them as numbers, so that they can never change."""
+
+from hophoop.physics import body
+
+
+def test_codes_stay_as_files_have_them():
+    def codes(kind):
+        return {member.name: int(member) for member in kind}
+
+    assert codes(body.Mode) == {"ROLL": 0, "SPIN": 1, "SKID": 2, "FLIGHT": 3, "SKIM": 4}
+    words = (
+        "START SLIP_START STICK SLIP_REVERSAL TAKEOFF IMPACT TURN APEX BOUNCE_LIMIT PAINLEVE_INCONSISTENT "
+        "PAINLEVE_INDETERMINATE JAM KANE_GAIN SKIM REST END"
+    )
+    assert codes(body.Event) == {word: code for code, word in enumerate(words.split())}
+    words = "COMPLETED AT_REST JAMMED UNDETERMINED EVENT_LIMIT BUFFER"
+    assert codes(body.Status) == {word: code for code, word in enumerate(words.split())}
+    assert codes(body.ImpactLaw) == {"NEWTON": 0, "POISSON": 1, "STRONGE": 2}
+    assert body.MODE_LETTERS == "RSKHM"
+    assert body.EVENT_NAMES[5] == "impact"

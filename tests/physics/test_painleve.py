@@ -1,0 +1,53 @@
+"""κ p_σ beside zero, where doubles have lost its sign: against 40 digits."""
+
+import math
+
+import pytest
+from mpmath import mp, mpf
+
+import hophoop as hh
+from hophoop.physics.painleve import exact_slip_stiffness, slip_coefficients, stiffness_slope
+from newton_euler import BODIES
+from random_scenarios import draw_beside_a_border, scenario_of
+
+
+def in_forty_digits(body, th, low, sigma):
+    """(q, κ p_σ)."""
+    with mp.workdps(40):
+        angle = mpf(th) + mpf(low)
+        inertia = 1 - mpf(body.eps) ** 2 if body.ideal else mpf(body.kap)
+        q = body.eps * mp.sin(angle) + sigma * mpf(body.mu_k) * (1 + body.eps * mp.cos(angle))
+        return q, inertia + body.eps * mp.sin(angle) * q
+
+
+@pytest.mark.parametrize("index", [4, 85, 107, 157, 288, 446])
+def test_stiffness_at_the_threshold(index):
+    border, sections = draw_beside_a_border(2026, index)
+    assert border == "Painlevé"
+    scenario = scenario_of(sections)
+    body, th = scenario.to_body(), scenario.start.angle
+    q, stiffness = in_forty_digits(body, th, 0.0, 1)
+    assert abs(stiffness) < 1e-15
+    for found in (exact_slip_stiffness(body, th, 0.0, 1), slip_coefficients(body, th, 0.0, math.sin(th), math.cos(th), 1)):
+        assert found == (pytest.approx(float(q), rel=1e-14), pytest.approx(float(stiffness), rel=1e-12))
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("sigma", [-1, 1])
+def test_stiffness_anywhere(body, sigma):
+    for th, low in ((0.7, 1e-17), (-2.4, -3e-17), (math.pi, 1.2e-16)):
+        q, stiffness = (float(value) for value in in_forty_digits(body, th, low, sigma))
+        assert exact_slip_stiffness(body, th, low, sigma) == (pytest.approx(q, rel=1e-14), pytest.approx(stiffness, rel=1e-14))
+        before, after = (in_forty_digits(body, th, side, sigma)[1] for side in (-1e-10, 1e-10))
+        slope = (after - before) / 2e-10
+        assert stiffness_slope(body, math.sin(th), math.cos(th), sigma, q) == pytest.approx(float(slope), rel=1e-12)
+
+
+def test_a_rounded_inertia_is_not_that_of_the_ideal_hoop():
+    hoop = hh.Hoop.ideal(0.7)
+    same = hh.Hoop(eccentricity=hoop.eccentricity, inertia_ratio=hoop.inertia_ratio)
+    ideal, given = (hh.Scenario(hoop=each).to_body() for each in (hoop, same))
+    assert (ideal.ideal, given.ideal) == (True, False)
+    assert exact_slip_stiffness(ideal, 0.0, 0.0, 1)[1] - exact_slip_stiffness(given, 0.0, 0.0, 1)[1] == pytest.approx(
+        float(1 - mpf(0.7) ** 2 - mpf(hoop.inertia_ratio)), abs=2e-16
+    )

@@ -1,0 +1,151 @@
+"""No motion without end, and none that completes with a number that is not finite: every loop driven to its bound."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop import arbitration
+from hophoop.numerics import roots
+from hophoop.panels import landing
+from hophoop.records.writing import MOST_PANELS
+
+MASSLESS = hh.Hoop(eccentricity=1.0, inertia_ratio=0.0)
+SMOOTH = hh.Plane(gravity=0.0)
+
+
+def is_finite(motion):
+    """Whether all that a motion says is finite, and its JSON valid."""
+    json.dumps(motion.to_dict(), allow_nan=False)
+    sample = motion.at(motion.times(21) if motion.duration > 0.0 else np.zeros(1))
+    return all(np.isfinite(getattr(sample, name)).all() for name in ("x", "angle", "vx", "omega", "slip", "kinetic"))
+
+
+@pytest.mark.parametrize(
+    "start",
+    [
+        hh.Start.rolling(-0.063, angle=math.pi),
+        hh.Start.rolling(0.063, angle=-math.pi),
+        hh.Start(angle=math.pi, vx=-0.063),
+        hh.Start(angle=math.pi, vx=0.5, omega=-0.063),
+        hh.Start.rolling(11.0, angle=3 * math.pi),
+    ],
+)
+def test_the_load_on_the_plane_and_a_speed(start):
+    """Without mass in the rim its rotation holds no energy: no motion follows from it. Once without end."""
+    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, start=start))
+    assert motion.status == "undetermined"
+    assert motion.duration == 0.0
+    assert is_finite(motion)
+
+
+@pytest.mark.parametrize("angle", [2.0977, 1.0, 3.0])
+def test_massless_without_gravity(angle):
+    """Free of any force the load goes on in a straight line until it strikes. Once `completed` with ω = inf."""
+    speed = 11.37
+    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, plane=SMOOTH, start=hh.Start.rolling(speed, angle=angle)))
+    assert motion.sequence.startswith("M")
+    assert is_finite(motion)
+    impact = motion.find("impact")[0]
+    # rolling, the load's velocity is θ̇ times its distance 2 cos(θ/2) from the contact, its downward part θ̇ sin θ
+    fall = (1.0 + math.cos(angle)) / (math.sin(angle) * speed)
+    assert impact.t == pytest.approx(fall, rel=1e-12)
+    along = math.sin(angle) + speed * (1.0 + math.cos(angle)) * fall
+    assert impact.x == pytest.approx(along, rel=1e-12)
+    assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
+
+
+def test_massless_without_gravity_at_the_top():
+    """The load moves along the plane for ever, and the rim below it, without turning."""
+    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, plane=SMOOTH, start=hh.Start.rolling(2.0)))
+    assert (motion.status, motion.sequence) == ("completed", "M")
+    end = motion.at(6.0)
+    assert (end.omega, end.vx, end.x) == (0.0, 4.0, pytest.approx(24.0, rel=1e-15))
+
+
+@pytest.mark.parametrize("rest", [0.5, 1.0])
+def test_a_strike_that_rebounds_ends_with_a_finite_state(rest):
+    """The model ends at the strike; the state after it is kept, and not the θ̇ without bound before it."""
+    motion = hh.simulate(hh.Scenario(hoop=MASSLESS, plane=hh.Plane(restitution=rest), start=hh.Start(angle=3.0)))
+    assert motion.status == "undetermined"
+    assert motion.at(motion.duration).omega == 0.0
+    assert is_finite(motion)
+
+
+@pytest.mark.compiled
+def test_panels_are_used_up():
+    """16 000 turns a millisecond: the motion ends with what has been computed, and says where."""
+    motion = hh.simulate(hh.Scenario(hoop=hh.Hoop.ideal(0.0, radius=1e-6), start=hh.Start.rolling(1e6), duration=1e9))
+    assert motion.status == "event_limit"
+    assert 0.9 * MOST_PANELS <= 2 * len(motion.tables["segments"]) <= MOST_PANELS
+    end = motion.events[-1]
+    assert end.kind == "end"
+    assert end.t == motion.duration
+    assert end.x == pytest.approx(1e6 * end.t, rel=1e-12)  # ε = 0: it rolls on evenly
+    assert is_finite(motion)
+
+
+@pytest.mark.compiled
+@pytest.mark.parametrize("contact", [hh.Rigid(), hh.Compliant(stiffness=1e9)])
+def test_turns_of_a_flight_are_used_up(contact):
+    """Without gravity a rim that touches the plane once a turn but for rounding is looked at so often and no more."""
+    angle, omega = 1e-7, 1e4
+    dip = 0.75 * (1.0 - math.cos(angle))  # by which the rim comes lower later in a turn
+    rise = math.nextafter(0.75 * math.sin(angle) * omega, 0.0)  # with which G stays as high as it is, or sinks by 1e-19 m/s
+    start = hh.Start(height=dip - 1e-16, angle=angle, vy=rise, omega=omega)
+    motion = hh.simulate(hh.Scenario(plane=SMOOTH, start=start, duration=1e9, contact=contact))
+    assert (motion.status, motion.sequence) == ("event_limit", "H")
+    assert motion.duration == pytest.approx(landing.MOST_PANELS * landing.PHASE / 1e4, rel=1e-9)
+    assert is_finite(motion)
+
+
+@pytest.mark.parametrize("gravity", [9.81, 0.0])
+def test_a_flight_of_many_turns_keeps_its_law(gravity):
+    """10⁶ and 10⁹ turns up in the air are not looked at; where G is, and the energy, is right to rounding."""
+    plane = hh.Plane(gravity=gravity)
+    start = hh.Start(height=1e3, vy=10.0, omega=1e7)
+    motion = hh.simulate(hh.Scenario(plane=plane, start=start, duration=100.0, contact=hh.Rigid(max_events=4)))
+    rise = 10.0  # of G, as sin θ = 0
+    if gravity:
+        impact = motion.find("impact")[0]
+        # the rim is lowest beside G where the load is at the top, once a turn
+        lowest = (rise + math.sqrt(rise**2 + 2 * gravity * 1e3)) / gravity
+        assert lowest * (1 - 1e-12) <= impact.t <= lowest + 2 * math.pi / 1e7
+        apex = motion.find("apex")[0]
+        assert apex.t == pytest.approx(rise / gravity, abs=2 * math.pi / 1e7)
+        assert apex.height == pytest.approx(1e3 + 0.5 * rise**2 / gravity + 1.5, rel=1e-9)
+    else:
+        assert motion.status == "completed"
+        assert motion.at(100.0).height == pytest.approx(2e3 + 0.75 * (1 - math.cos(motion.at(100.0).angle)), rel=1e-9)
+    assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
+
+
+def test_a_search_for_roots_ends(monkeypatch):
+    """A wave needs more than one interval; with so few its fall is not found, and nothing hangs."""
+    series = np.polynomial.chebyshev.chebinterpolate(lambda x: np.cos(4 * x + 1.0), roots.ORDER - 1)
+    stack = np.zeros((roots.DEPTH + 3, roots.ORDER + 2))
+    search = roots.first_fall_after.py_func
+    found = search(series, -2.0, 0.0, stack)
+    assert math.cos(4 * found + 1.0) == pytest.approx(0.0, abs=1e-7)
+    monkeypatch.setattr(roots, "MOST_INTERVALS", 1)
+    assert search(series, -2.0, 0.0, stack) == roots.NOT_FOUND
+
+
+def test_the_longer_computation_has_a_budget():
+    """Steps of many digits: all of them for ordinary numbers, fewer with small ones, none below 1e-60."""
+    ordinary = hh.Scenario()
+    assert arbitration.steps_allowed(ordinary) == arbitration.ALL_STEPS
+    small = ordinary.replace("start.angle", 1e-20)
+    assert 0 < arbitration.steps_allowed(small) < arbitration.ALL_STEPS
+    assert arbitration.steps_allowed(ordinary.replace("start.angle", 1e-100)) == 0
+    script, left = arbitration.script_until(ordinary, 1.0, 0)
+    assert (script.size, left) == (0, 0)
+    script, left = arbitration.script_until(ordinary, 1.0, 5)
+    assert (script.size, left) == (0, 0)
+    script, left = arbitration.script_until(ordinary, 0.3, arbitration.ALL_STEPS)
+    assert script.size
+    assert 0 < left < arbitration.ALL_STEPS

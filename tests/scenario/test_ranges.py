@@ -1,0 +1,106 @@
+"""What a number of a scenario may be: both ends of every range, and a sentence beyond them."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+import hophoop as hh
+from hophoop.scenario.ranges import RANGES
+from strategies import said
+
+# how a scenario with this value is built; what is not here follows the path itself
+BUILDERS = {
+    "hoop.parts.mass": lambda value: hh.PointMass(value, at=0.0),
+    "hoop.parts.length": lambda value: hh.Disk(1.0, value),
+    "hoop.load_fraction": lambda value: hh.Hoop.ideal(value),
+    "hoop.eccentricity": lambda value: hh.Hoop(eccentricity=value, inertia_ratio=0.5),
+    "hoop.inertia_ratio": lambda value: hh.Hoop(eccentricity=1.0, inertia_ratio=value),
+    "start.speed": lambda value: hh.Start.rolling(value),
+    "duration": lambda value: hh.Scenario(duration=value),
+}
+SECTIONS = {"hoop": hh.Hoop, "plane": hh.Plane, "start": hh.Start, "contact": hh.Compliant}
+
+
+def build(path, value):
+    """The part of a scenario that has this value."""
+    if path in BUILDERS:
+        return BUILDERS[path](value)
+    section, _, name = path.rpartition(".")
+    return SECTIONS[section](**{name: value})
+
+
+@pytest.mark.parametrize("path", RANGES)
+def test_both_ends_are_allowed(path):
+    allowed = RANGES[path]
+    for value in (allowed.least, allowed.most, *allowed.also):
+        build(path, value)
+
+
+@pytest.mark.parametrize("path", RANGES)
+def test_beyond_them_is_refused_in_a_sentence(path):
+    allowed = RANGES[path]
+    beyond = [2.0 * allowed.most + 1.0]
+    if allowed.least != 0.0:
+        beyond.append(0.5 * allowed.least if allowed.least > 0.0 else 2.0 * allowed.least)
+    for value in beyond:
+        if path == "contact.max_events":
+            value = 0 if value < 1 else int(value)
+        text = said(lambda value=value: build(path, value))
+        name = path.rpartition(".")[2]
+        named = (name, "radius", "mass") if path.startswith("hoop.parts") else (name,)
+        assert any(f"{word} = {value!r} must" in text for word in named), text
+
+
+@pytest.mark.parametrize(
+    ("build", "expected"),
+    [
+        (lambda: hh.Hoop(radius=1e-12), "hoop.radius = 1e-12 must be from 1e-06 to 1e+06 m."),
+        (lambda: hh.Start.rolling(1e10), "start.speed = 10000000000.0 must be from -1e+06 to 1e+06 m/s."),
+        (lambda: hh.Start(vx=1.9e278), "start.vx = 1.9e+278 must be from -1e+06 to 1e+06 m/s."),
+        (lambda: hh.Plane(gravity=1e-300), "plane.gravity = 1e-300 must be 0 or from 1e-06 to 1e+06 m/s²."),
+        (lambda: hh.Plane(mu=1e300), "plane.mu = 1e+300 must be from 0 to 1e+06, or inf."),
+        (lambda: hh.Plane(slope=1.5705), "plane.slope = 1.5705 must be from -1.57 to 1.57 rad."),
+        (
+            lambda: hh.Hoop.ideal(1.0 - 2.0**-43),
+            f"hoop.load_fraction = {1.0 - 2.0**-43!r} gives hoop.inertia_ratio = {2.0**-42 - 2.0**-86!r}, "
+            "which must be 0 or from 1e-12 to 1e+06.",
+        ),
+        (
+            lambda: hh.Hoop.from_parts(1.0, [hh.PointMass(1e12, 0.0), hh.PointMass(1e12, 1.0)]),
+            "hoop.mass = 2000000000000.0 must be from 1e-12 to 1e+12 kg.",
+        ),
+    ],
+)
+def test_sentences(build, expected):
+    assert said(build) == expected
+
+
+SOFT = hh.Compliant(stiffness=100.0)
+
+
+@pytest.mark.parametrize(
+    ("parts", "expected"),
+    [
+        ({"contact": hh.Compliant(stiffness=1e-3)}, "contact.stiffness = 0.001 is 0.000102 m g/R of this hoop"),
+        ({"contact": hh.Compliant(tangential_stiffness=1e17)}, "contact.tangential_stiffness = 1e+17 is 1.02e+16 m g/R"),
+        ({"contact": hh.Compliant(slip_speed=1e-12)}, "contact.slip_speed = 1e-12 is 3.19e-13 √(g R)"),
+        ({"contact": SOFT, "start": hh.Start(vx=1.0, omega=1e6)}, "lets the rim sink some 1e+05 radii into the plane"),
+        ({"contact": SOFT, "start": hh.Start(height=1e6)}, "lets the rim sink some 4e+02 radii into the plane"),
+    ],
+)
+def test_a_spring_must_go_with_its_hoop(parts, expected):
+    assert expected in said(lambda: hh.Scenario(**parts))
+
+
+def test_the_schema_has_the_ranges():
+    """So what is drawn from the schema, as by the lab's tests, stays where motions are computed."""
+    schema = hh.Scenario.model_json_schema()
+    radius = schema["$defs"]["Hoop"]["properties"]["radius"]
+    assert (radius["minimum"], radius["maximum"]) == (1e-6, 1e6)
+    gravity = schema["$defs"]["Plane"]["properties"]["gravity"]
+    assert (gravity["minimum"], gravity["maximum"]) == (0.0, 1e6)
+    stiffness = schema["$defs"]["Compliant"]["properties"]["stiffness"]["anyOf"][0]
+    assert stiffness["maximum"] == 1e18
+    assert not math.isinf(schema["properties"]["duration"]["maximum"])
