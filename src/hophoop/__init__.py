@@ -14,12 +14,15 @@ if TYPE_CHECKING:
     import hophoop.animate as animate
     import hophoop.article as article
     import hophoop.engines as engines
+    import hophoop.jax as jax
     import hophoop.maps as maps
     import hophoop.plots as plots
     import hophoop.precise as precise
     import hophoop.prove as prove
     import hophoop.theory as theory
+    from hophoop.designing import design
     from hophoop.explanation import phases
+    from hophoop.fitting import Fit, fit, load_fit, plan
     from hophoop.io import load
     from hophoop.lab.widget import show
     from hophoop.scenario import (
@@ -34,7 +37,8 @@ if TYPE_CHECKING:
         Scenario,
         Start,
     )
-    from hophoop.simulation import simulate
+    from hophoop.simulation import sensitivity, simulate
+    from hophoop.tracking import Track, read_track, track
     from hophoop.trajectory import Trajectory
 
 # Where each public name lives; None is a module of its own.
@@ -50,10 +54,19 @@ _HOMES: dict[str, str | None] = {
     "Compliant": "hophoop.scenario",
     "Scenario": "hophoop.scenario",
     "simulate": "hophoop.simulation",
+    "sensitivity": "hophoop.simulation",
     "Trajectory": "hophoop.trajectory",
+    "design": "hophoop.designing",
     "load": "hophoop.io",
     "phases": "hophoop.explanation",
     "show": "hophoop.lab.widget",
+    "track": "hophoop.tracking",
+    "read_track": "hophoop.tracking",
+    "Track": "hophoop.tracking",
+    "fit": "hophoop.fitting",
+    "Fit": "hophoop.fitting",
+    "load_fit": "hophoop.fitting",
+    "plan": "hophoop.fitting",
     "theory": None,
     "article": None,
     "maps": None,
@@ -61,6 +74,7 @@ _HOMES: dict[str, str | None] = {
     "precise": None,
     "prove": None,
     "engines": None,
+    "jax": None,
     "animate": None,
 }
 
@@ -76,9 +90,18 @@ __all__ = [
     "Compliant",
     "Scenario",
     "simulate",
+    "sensitivity",
     "Trajectory",
+    "design",
     "phases",
     "load",
+    "track",
+    "read_track",
+    "Track",
+    "fit",
+    "Fit",
+    "load_fit",
+    "plan",
     "theory",
     "article",
     "maps",
@@ -87,6 +110,7 @@ __all__ = [
     "prove",
     "engines",
     "animate",
+    "jax",
     "show",
     "__version__",
 ]
