@@ -113,4 +113,4 @@ def _finite(name: str, value: ArrayLike) -> Floats:
 def body_from(row: Floats) -> Body:
     """`body_of` outside kernels, of the types that `to_body` gives."""
     values = row.tolist()
-    return Body._make([*values[:7], int(values[7]), values[8] > 0.0, values[9]])
+    return Body._make([*values[:7], int(values[7]), values[8] > 0.0, values[9], values[10] > 0.0])
