@@ -13,6 +13,7 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     import hophoop.animate as animate
     import hophoop.article as article
+    import hophoop.claims as claims
     import hophoop.engines as engines
     import hophoop.maps as maps
     import hophoop.plots as plots
@@ -55,6 +56,7 @@ _HOMES: dict[str, str | None] = {
     "show": "hophoop.lab.widget",
     "theory": None,
     "article": None,
+    "claims": None,
     "maps": None,
     "plots": None,
     "precise": None,
@@ -79,6 +81,7 @@ __all__ = [
     "load",
     "theory",
     "article",
+    "claims",
     "maps",
     "plots",
     "precise",
