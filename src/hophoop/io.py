@@ -125,7 +125,10 @@ def _unpacked(dataset: Any) -> np.ndarray:
 def _read(file: Path, kind: str) -> dict[str, Any]:
     """The groups of a file as it has them, not decoded; a table that is not there is left out."""
     xr = need("xarray", "maps")
-    need("netCDF4" if kind == "netcdf" else "zarr", "maps")
+    if kind == "netcdf":
+        need("netCDF4", "maps")
+    else:
+        need("zarr", "maps")
     words = "netCDF" if kind == "netcdf" else "Zarr"
     if kind == "netcdf" and is_broken(file):
         raise InputError(DAMAGED.format(file))

@@ -31,7 +31,7 @@ def cell_of(scenario):
         hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, plane.gravity, plane.slope,
         plane.mu_static, plane.mu_kinetic, plane.restitution, law, plane.painleve == "impact", state.x,
         state.height, state.angle, state.vy, state.omega, state.slip, scenario.duration,
-        scenario.contact.max_events, 1.0,
+        scenario.contact.max_events, hoop.load_fraction is not None, 1.0,
     ]  # fmt: skip
 
 

@@ -12,7 +12,6 @@ import typer
 from typer.core import TyperCommand
 
 from hophoop.cli._options import with_scenario
-from hophoop.cli._output import fitted
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -234,6 +233,8 @@ def unanswered(duration: float, status: str) -> str:
 
 def _print(motion: Trajectory, everything: bool) -> None:
     from rich.console import Console
+
+    from hophoop.cli._output import fitted
 
     # a pipe has no width of its own; a table that is cut is worth little
     console = Console(highlight=False)

@@ -159,18 +159,17 @@ def _put_hoops(cells: Array, base: Scenario, values: Mapping[str, Array]) -> Non
     """Hoops made of parts, each combination once."""
     table = np.stack(list(values.values()))
     combinations, place = np.unique(table, axis=1, return_inverse=True)
-    made = np.ones((5, combinations.shape[1]))
+    made = np.ones((6, combinations.shape[1]))
     for i, combination in enumerate(combinations.T):
         try:
             hoop = scenario_at(base, dict(zip(values, combination, strict=True))).hoop
         except ValueError:
             made[-1, i] = 0.0
             continue
-        made[:4, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio
+        made[:5, i] = hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, hoop.load_fraction is not None
     place = place.reshape(-1)
-    for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, ALLOWED), made, strict=True):
+    for row, column in zip((RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, IDEAL, ALLOWED), made, strict=True):
         cells[row] = column[place]
-    cells[IDEAL] = 0.0
 
 
 def _mark(cells: Array) -> None:

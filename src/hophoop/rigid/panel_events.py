@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import inline_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import NODES, ORDER, antiderivative, coefficients, extremes, left_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.panel import (
@@ -73,6 +73,17 @@ def end_of_rolling(body, panel, fresh, scratch):
     return ahead, CONE_AHEAD, doubtful  # F > 0
 
 
+@apart_jit
+def graze_rounding(body, state):
+    """Rounding of v_t in slip without friction, from the speeds that it has been through since the last hilltop.
+
+    On the way down the load gains 4 ε g_n at most, all of it in the rotation at the bottom, where the arm of θ̇ is 1 − ε.
+    """
+    fallen = body.eps * body.gn
+    lowest = (1.0 - body.eps) * math.sqrt(4.0 * fallen / body.kap) if body.kap > 0.0 else 0.0
+    return GRAZE_ROUNDING * (abs(state.vt) + abs(state.om) + 2.0 * math.sqrt(fallen) + lowest)
+
+
 @inline_jit
 def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     """(ξ, what, whether it may depend on rounding) where N or v_t comes to zero; lift-off before the end of slip."""
@@ -86,7 +97,7 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
         work[B, i] = value
     lift, near_lift = fall_of(work[A], fresh, 0.0, scratch)
     # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
-    rounding = GRAZE_ROUNDING * (abs(panel.vt) + abs(state.om)) if body.mu_k == 0.0 else 0.0
+    rounding = graze_rounding(body, state) if body.mu_k == 0.0 else 0.0
     stop, near_stop = fall_of(work[B], fresh, rounding, scratch)
     doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
     if fresh and zeros == 0 and work[B, 0] < 0.0 and stop > NODES[0]:
