@@ -6,12 +6,13 @@ What came must be the same motion or map, or one sentence; anything else is prin
 from __future__ import annotations
 
 import argparse
+import itertools
 import os
 import subprocess
 import sys
 import tempfile
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -34,31 +35,28 @@ def alike(one: Any, other: Any) -> bool:
     return tables and (one.scenario, one.status, one.version) == (other.scenario, other.status, other.version)
 
 
-def damaged_files(folder: Path, motion: Any, count: int) -> list[tuple[str, Counter[str]]]:
+def damaged_files(folder: Path, motion: Any, count: int) -> Iterator[tuple[str, Counter[str]]]:
     """Every format, cut short and with bits turned."""
-    rows = []
     for name in MOTIONS:
         motion.save(folder / name)
         came = tally(hh.load, lambda one: alike(one, motion), folder / name, folder / f"damaged-{name}", count)
-        rows.append((f"a saved motion, `.{name.partition('.')[2]}`, damaged", came))
+        yield f"a saved motion, `.{name.partition('.')[2]}`, damaged", came
     for ending in ("zarr", "nc"):
         path = folder / f"map.{ending}"
         values = maps.sweep(None, AXES, ["sequence", "hop_height"], out=path, chunk_cells=20).load()
         came = tally(lambda file: maps.open_map(file).load(), values.identical, path, folder / f"damaged.{ending}", count)
-        rows.append((f"a map, `.{ending}`, damaged", came))
+        yield f"a map, `.{ending}`, damaged", came
     for ending in ("toml", "json"):
         path = folder / f"hop.{ending}"
         motion.scenario.save(path)
         read: Callable[[Any], bool] = lambda one: isinstance(one, hh.Scenario)  # noqa: E731
         came = tally(hh.Scenario.load, read, path, folder / f"damaged.{ending}", count)
         came["a scenario (there is no checksum in what people edit)"] = came.pop(SAME, 0)
-        rows.append((f"a scenario, `.{ending}`, damaged", came))
-    return rows
+        yield f"a scenario, `.{ending}`, damaged", came
 
 
-def full_disks(folder: Path, motion: Any, count: int) -> list[tuple[str, Counter[str]]]:
+def full_disks(folder: Path, motion: Any, count: int) -> Iterator[tuple[str, Counter[str]]]:
     """Every format written over an older file on a small disk of its own with less and less room."""
-    rows = []
     disk = folder / "disk"
     disk.mkdir()
     longer = hh.simulate(motion.scenario.replace("duration", 4.0))
@@ -68,7 +66,8 @@ def full_disks(folder: Path, motion: Any, count: int) -> list[tuple[str, Counter
         came: Counter[str] = Counter()
         for k in range(count):
             if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "tmpfs", str(disk)], check=False).returncode != 0:
-                return [("a full disk", Counter({"not tried: no small disk could be mounted": 1}))]
+                yield "a full disk", Counter({"not tried: no small disk could be mounted": 1})
+                return
             try:
                 write(motion, disk / name)
                 before = _contents(disk)
@@ -87,8 +86,7 @@ def full_disks(folder: Path, motion: Any, count: int) -> list[tuple[str, Counter
                     came["an error that is no sentence"] += 1
             finally:
                 subprocess.run(["umount", str(disk)], check=True)
-        rows.append((f"`{name}` written where the disk is full", came))
-    return rows
+        yield f"`{name}` written where the disk is full", came
 
 
 PAGES = 400  # of 4 kB that are free at most
@@ -121,7 +119,7 @@ def _contents(folder: Path) -> dict[str, bytes]:
     return {str(file): file.read_bytes() for file in sorted(folder.rglob("*")) if file.is_file()}
 
 
-def killed_maps(folder: Path, count: int) -> list[tuple[str, Counter[str]]]:
+def killed_maps(folder: Path, count: int) -> Iterator[tuple[str, Counter[str]]]:
     """A map stopped at random moments and taken up again."""
     finished(folder / "whole.zarr")
     came = kill_at_random(folder / "whole.zarr", folder / "killed.zarr", count)
@@ -129,7 +127,7 @@ def killed_maps(folder: Path, count: int) -> list[tuple[str, Counter[str]]]:
     compared = came.pop("whole maps compared")
     words = Counter({f"{name}, taken up": number for name, number in came.items() if name.startswith("SIG")})
     words["maps complete in the end, equal byte for byte"] = compared
-    return [(f"a map stopped at {total} random moments", words)]
+    yield f"a map stopped at {total} random moments", words
 
 
 ALLOWED = {SAME, REFUSED, "written whole", KEPT}
@@ -139,32 +137,33 @@ def main() -> int:
     """Try everything and write the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--count", type=int, default=300, help="damaged files of each format")
+    parser.add_argument("--disks", type=int, default=8, help="full disks for each format")
     parser.add_argument("--kills", type=int, default=50)
     parser.add_argument("--markdown", type=Path, help="write the table to this file")
     options = parser.parse_args()
     motion = hh.simulate(hh.Hoop(), hh.Plane(restitution=0.4), hh.Start.rolling(3.1), duration=2.0)
-    rows: list[tuple[str, Counter[str]]] = []
+    bad = []
+    lines = ["| What was tried | how often | what came |", "| --- | --- | --- |"]
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        rows += damaged_files(folder, motion, options.count)
-        rows += full_disks(folder, motion, 8)
-        rows += killed_maps(folder, options.kills)
-    lines = ["| What was tried | how often | what came |", "| --- | --- | --- |"]
-    bad = []
-    for what, came in rows:
-        tries = sum(number for key, number in came.items() if not key.startswith("maps complete"))
-        lines.append(
-            f"| {what} | {tries} | {', '.join(f'{key}: {number}' for key, number in sorted(came.items()) if number)} |"
-        )
-        bad += [
-            key
-            for key in came
-            if key not in ALLOWED and not key.startswith(("SIG", "maps complete", "a scenario", "not tried"))
+        parts: list[Iterable[tuple[str, Counter[str]]]] = [
+            damaged_files(folder, motion, options.count),
+            full_disks(folder, motion, options.disks),
+            killed_maps(folder, options.kills),
         ]
-    text = "\n".join(lines) + "\n"
-    print(text, end="")
-    if options.markdown is not None:
-        options.markdown.write_text(text, encoding="utf-8")
+        for what, came in itertools.chain(*parts):
+            tries = sum(number for key, number in came.items() if not key.startswith("maps complete"))
+            lines.append(
+                f"| {what} | {tries} | {', '.join(f'{key}: {number}' for key, number in sorted(came.items()) if number)} |"
+            )
+            bad += [
+                key
+                for key in came
+                if key not in ALLOWED and not key.startswith(("SIG", "maps complete", "a scenario", "not tried"))
+            ]
+            print(lines[-1], flush=True)
+            if options.markdown is not None:
+                options.markdown.write_text("\n".join(lines) + "\n", encoding="utf-8")
     for key in bad:
         print(f"NOT ALLOWED: {key}")
     return 1 if bad else 0

@@ -40,6 +40,13 @@ class Room(NamedTuple):
 ROOMS = {
     "physics": Room(("physics/*.py",), ("tests/physics",)),
     "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics")),
+    "derivatives": Room(
+        tuple(
+            f"derivatives/{name}.py"
+            for name in ("conditions", "impact", "massless", "moving", "panels", "pieces", "replay", "sampling")
+        ),
+        ("tests/derivatives",),
+    ),
     "scenario": Room(("scenario/*.py",), ("tests/scenario",)),
     "io": Room(("io.py", "export.py", "_files.py", "_digest.py"), ("tests/test_io.py", "tests/files")),
     "maps/store": Room(

@@ -15,10 +15,13 @@ if TYPE_CHECKING:
     import hophoop.article as article
     import hophoop.claims as claims
     import hophoop.engines as engines
+    import hophoop.jax as jax
     import hophoop.maps as maps
     import hophoop.plots as plots
     import hophoop.precise as precise
+    import hophoop.prove as prove
     import hophoop.theory as theory
+    from hophoop.designing import design
     from hophoop.explanation import phases
     from hophoop.io import load
     from hophoop.lab.widget import show
@@ -34,7 +37,7 @@ if TYPE_CHECKING:
         Scenario,
         Start,
     )
-    from hophoop.simulation import simulate
+    from hophoop.simulation import sensitivity, simulate
     from hophoop.trajectory import Trajectory
 
 # Where each public name lives; None is a module of its own.
@@ -50,7 +53,9 @@ _HOMES: dict[str, str | None] = {
     "Compliant": "hophoop.scenario",
     "Scenario": "hophoop.scenario",
     "simulate": "hophoop.simulation",
+    "sensitivity": "hophoop.simulation",
     "Trajectory": "hophoop.trajectory",
+    "design": "hophoop.designing",
     "load": "hophoop.io",
     "phases": "hophoop.explanation",
     "show": "hophoop.lab.widget",
@@ -60,7 +65,9 @@ _HOMES: dict[str, str | None] = {
     "maps": None,
     "plots": None,
     "precise": None,
+    "prove": None,
     "engines": None,
+    "jax": None,
     "animate": None,
 }
 
@@ -76,7 +83,9 @@ __all__ = [
     "Compliant",
     "Scenario",
     "simulate",
+    "sensitivity",
     "Trajectory",
+    "design",
     "phases",
     "load",
     "theory",
@@ -85,8 +94,10 @@ __all__ = [
     "maps",
     "plots",
     "precise",
+    "prove",
     "engines",
     "animate",
+    "jax",
     "show",
     "__version__",
 ]

@@ -7,6 +7,7 @@ exact numbers, until all margins are clear again. The kernel repeats these event
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,7 +19,7 @@ DIGITS = 20
 MOST = 12  # decisions of one motion that are taken so
 # Beyond this time, in units of √(R/g), the doubles decide: solving so far in more digits would take minutes.
 LATEST = 100.0
-FAST = 100.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
+FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
 MOST_STEPS = 4000  # of one longer computation, some seconds: what needs more is left as the doubles have it
@@ -73,7 +74,20 @@ def steps_allowed(scenario: Scenario) -> int:
     return 0 if bits > MOST_BITS else int(ALL_STEPS * (1.0 + beyond / (USUAL_BITS + PLAIN_BITS)) ** -3)
 
 
-def script_until(scenario: Scenario, end: float, steps: int) -> tuple[np.ndarray, int]:
+@dataclass
+class Budget:
+    """What a motion's decisions may still take.
+
+    Attributes
+    ----------
+    steps : int
+        Of the longer computation [1].
+    """
+
+    steps: int
+
+
+def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -> np.ndarray:
     """The events of a motion until it is clear of a doubt.
 
     Parameters
@@ -82,31 +96,32 @@ def script_until(scenario: Scenario, end: float, steps: int) -> tuple[np.ndarray
         With rigid contact.
     end : float
         Time at which the doubt ends [√(R/g)].
-    steps : int
-        Of the longer computation that the motion may still take [1].
+    budget : Budget, optional
+        Of the motion, from which the steps are taken; its whole one by default.
 
     Returns
     -------
     script : ndarray of records.EVENT, shape (n,)
         The last one, of kind END, is the state from which the kernel goes on; of length 0 where no more digits help.
-    steps : int
-        That are left [1].
     """
     from hophoop.precise import solve
 
     until = end + CLEAR
     last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
-    if steps <= 0:
-        return NO_SCRIPT, 0
-    most = steps_allowed(scenario) * MOST_STEPS // ALL_STEPS
-    allowed = min(most, steps)
+    whole = steps_allowed(scenario)
+    budget = Budget(whole) if budget is None else budget
+    if budget.steps <= 0 or whole == 0:
+        return NO_SCRIPT
+    most = whole * MOST_STEPS // ALL_STEPS
+    allowed = min(most, budget.steps)
     for _ in range(8):
         try:
             solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=allowed)
         except ArithmeticError:
-            return NO_SCRIPT, 0
-        steps -= int(allowed - solution.body.steps_left)
-        allowed = min(most, max(steps, 0))
+            budget.steps = 0
+            return NO_SCRIPT
+        budget.steps -= int(allowed - solution.body.steps_left)
+        allowed = min(most, max(budget.steps, 0))
         records = list(solution.records)
         if solution.status != Status.COMPLETED:
             break
@@ -119,7 +134,7 @@ def script_until(scenario: Scenario, end: float, steps: int) -> tuple[np.ndarray
         while records and records[-1].kind in _LAST:
             records.pop()
         if not records:
-            return NO_SCRIPT, steps
+            return NO_SCRIPT
         records.append(records[-1])
     script = np.zeros(len(records), EVENT)
     for row, record in zip(script, records, strict=True):
@@ -144,4 +159,4 @@ def script_until(scenario: Scenario, end: float, steps: int) -> tuple[np.ndarray
         row["after_mode"] = record.after_mode
         row["collision"] = -1 if record.collision is None else int(record.collision)
         row["stable"] = -1 if record.stable is None else int(record.stable)
-    return script, steps
+    return script

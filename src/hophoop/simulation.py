@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, overload
 
@@ -10,7 +11,7 @@ import numpy as np
 
 import hophoop
 from hophoop._jit import precompile
-from hophoop.arbitration import MOST, NO_SCRIPT, latest, script_until, steps_allowed
+from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT, first_rows
 from hophoop.records.scratch import new_scratch, thread_scratch
@@ -23,6 +24,7 @@ from hophoop.scenario.scenario import time_unit, to_body
 from hophoop.trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from hophoop.derivatives.sensitivity import Sensitivity
     from hophoop.precise import PreciseMotion
 
 FIRST_EVENTS, FIRST_SEGMENTS = 64, 256
@@ -115,6 +117,36 @@ def simulate(
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
 
 
+def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
+    """Derivatives of quantities of a motion with respect to parameters, through all events.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact.
+    of, wrt : str or sequence of str
+        Quantities such as ``"takeoff.angle"`` and paths such as ``"plane.mu"``, as `Trajectory.sensitivity` takes them.
+
+    Returns
+    -------
+    sensitivity : Sensitivity
+        Derivatives in SI units; nan, with the reason, where there is none.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown, the motion has no such event, or its contact is compliant.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> result = hh.sensitivity(hh.Scenario(duration=2.0), of="hop.height", wrt=["start.speed", "plane.mu"])
+    >>> [round(float(rate), 6) for rate in result.derivatives[0]]
+    [1.511834, -0.328315]
+    """
+    return simulate(scenario).sensitivity(of, wrt)
+
+
 def compile_beside() -> None:
     """Compile what rigid motions need in a process beside, where there is no compiled code yet.
 
@@ -186,14 +218,14 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     segments_size = FIRST_SEGMENTS
     script = NO_SCRIPT
     decisions = 0
-    steps = 0
+    budget: Budget | None = None
     while True:
         events = np.empty(events_size, EVENT)
         segments = np.empty(segments_size, SEGMENT)
         status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
         if status == Status.BUFFER:
             segments_size = min(16 * segments_size, MOST_PANELS)
-        elif status == Status.EVENT_LIMIT and events_size < contact.max_events:
+        elif scratch.written[0] < 0 and events_size < contact.max_events:  # not where the panels are used up
             events_size = min(4 * events_size, contact.max_events)
         elif scratch.written[2] >= MOST_PANELS:
             if not script.size:
@@ -202,9 +234,9 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
         elif decisions < MOST and scratch.doubt[1] <= latest(scenario):
             # later doubts are decided together, so that each is not solved for from the start anew
             decisions += 1
-            steps = steps_allowed(scenario) if decisions == 1 else steps
+            budget = Budget(steps_allowed(scenario)) if budget is None else budget
             until = min(scratch.doubt[1] * (1.0 if decisions == 1 else 1.5), latest(scenario))
-            found, steps = script_until(scenario, until, steps)
+            found = script_until(scenario, until, budget)
             if not found.size or len(found) > contact.max_events:
                 break
             script = found

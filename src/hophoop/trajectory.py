@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from functools import cached_property
 from itertools import pairwise
@@ -22,6 +22,9 @@ from hophoop.units import Units
 
 if TYPE_CHECKING:
     import xarray
+
+    from hophoop.derivatives.sensitivity import Sensitivity
+    from hophoop.derivatives.uncertainty import Uncertainty
 
 Floats = NDArray[np.float64]
 
@@ -123,7 +126,7 @@ class Trajectory:
         bad = ~((times >= 0.0) & (times <= end * (1 + 1e-15)))
         if bad.any():
             raise ValueError(f"t = {times[bad].flat[0]!r} must be from 0 to the motion's end at {end!r} s.")
-        raw = self._sample(self._kernel_times(times.ravel()), side == "left")
+        raw = self._sample(self.units.kernel_times(self._segments, times.ravel()), side == "left")
         columns = {name: raw[:, i].reshape(times.shape) for i, name in enumerate(self._model.COLUMNS)}
         unit = self.units
         values: dict[str, Any] = {name: columns[name] * unit.of(name) for name in columns if name not in _INTERNAL}
@@ -206,6 +209,73 @@ class Trajectory:
     def units(self) -> Units:
         """SI values of the units in which the kernels compute."""
         return Units.of_scenario(self.scenario)
+
+    def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
+        """Derivatives of quantities of the motion with respect to parameters, through all events.
+
+        Parameters
+        ----------
+        of : str or sequence of str
+            Of an event, ``"takeoff.angle"``, ``"impact[1].t"``, ``"stick[-1].omega"``; of a hop, ``"hop.height"``,
+            ``"hop[1].distance"``; of a time in s, ``"at(0.8).angle"``; of the whole motion, ``"end.x"``,
+            ``"distance"``, ``"energy_lost"``; and a map's names such as ``"hop_height"``.
+        wrt : str or sequence of str
+            Paths of the scenario's numbers, such as ``"start.speed"``, ``"hoop.load_fraction"``, ``"plane.mu"``.
+
+        Returns
+        -------
+        sensitivity : Sensitivity
+            Derivatives in SI units; nan, with the reason, where there is none.
+
+        Raises
+        ------
+        ValueError
+            If a name is unknown, the motion has no such event, or its contact is compliant.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> motion = hh.simulate(hh.Scenario(duration=2.0))
+        >>> print(motion.sensitivity("takeoff.angle", ["hoop.load_fraction", "plane.mu"]))
+        takeoff.angle  by hoop.load_fraction: -5.14606248 rad
+        takeoff.angle  by plane.mu: +0.221788164 rad
+        """
+        from hophoop.derivatives.sensitivity import sensitivity_of
+
+        return sensitivity_of(self, of, wrt)
+
+    def uncertainty(
+        self, spread: Mapping[str, float], correlations: Mapping[tuple[str, str], float] | None = None
+    ) -> Uncertainty:
+        """How uncertain the motion is whose parameters are, to first order.
+
+        Parameters
+        ----------
+        spread : mapping of str to float
+            Standard deviations of parameters by path, such as ``{"plane.mu": 0.02, "start.speed": 0.01}`` [their units].
+        correlations : mapping of (str, str) to float, optional
+            From −1 to 1; none by default [1].
+
+        Returns
+        -------
+        uncertainty : Uncertainty
+
+        Raises
+        ------
+        ValueError
+            If a deviation is negative, a path no parameter, a correlation not possible, or the contact compliant.
+
+        Examples
+        --------
+        >>> import hophoop as hh
+        >>> motion = hh.simulate(hh.Scenario(duration=2.0))
+        >>> spread = motion.uncertainty({"plane.mu": 0.02, "start.speed": 0.01})
+        >>> [round(float(each), 4) for each in spread.deviation(["takeoff.angle", "hop.height"])]
+        [0.0111, 0.0165]
+        """
+        from hophoop.derivatives.uncertainty import uncertainty_of
+
+        return uncertainty_of(self, spread, correlations)
 
     # --- other forms ---------------------------------------------------------------------------
 
@@ -297,17 +367,6 @@ class Trajectory:
 
     def _sample(self, times: Floats, left: bool) -> Floats:
         result: Floats = self._model.sampled(self.scenario, self._segments, times, left)
-        return result
-
-    def _kernel_times(self, times: Floats) -> Floats:
-        # the time of an event, there and back between the units, can be off by its rounding: on its other side
-        unit = self.units.time
-        begins = self._segments["t"]
-        result: Floats = np.minimum(times / unit, self._segments["t_end"][-1])
-        place = np.searchsorted(begins, result)
-        for index in (place - 1, place):
-            begin = begins[np.clip(index, 0, begins.size - 1)]
-            result = np.where(begin * unit == times, begin, result)
         return result
 
     def _seconds(self, t: float) -> float:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import time_unit
 
@@ -34,6 +37,30 @@ class Units:
     def energy(self) -> float:
         """Unit of energy [J]."""
         return self.mass * (self.length / self.time) ** 2
+
+    def kernel_times(self, segments: np.ndarray, times: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Times in kernel units, on the same side of each event as they are in seconds.
+
+        Parameters
+        ----------
+        segments : ndarray of records.SEGMENT
+            Of the motion.
+        times : ndarray
+            [s].
+
+        Returns
+        -------
+        times : ndarray
+            At most the end of the motion [√(R/g)].
+        """
+        # the time of an event, there and back between the units, can be off by its rounding: on its other side
+        begins = segments["t"]
+        result: NDArray[np.float64] = np.minimum(times / self.time, segments["t_end"][-1])
+        place = np.searchsorted(begins, result)
+        for index in (place - 1, place):
+            begin = begins[np.clip(index, 0, begins.size - 1)]
+            result = np.where(begin * self.time == times, begin, result)
+        return result
 
     def of(self, name: str) -> float:
         """Unit of a quantity by its name.

@@ -331,6 +331,30 @@ def test_explain():
     assert "Contact is lost: N = 0, and the rim is free to leave the plane. It flies" in result.output
 
 
+def test_sensitivity():
+    result = run("run", *HOP, "--sensitivity", "takeoff.angle,hop.height", "--wrt", "plane.mu,plane.restitution")
+    assert result.exit_code == 0
+    lines = result.output.splitlines()[-4:]
+    assert lines[0] == "takeoff.angle  by plane.mu: +0.221788164 rad"
+    assert lines[3] == "hop.height     by plane.restitution: none, the parameter is at the edge of what is allowed"
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (("--sensitivity", "end.x"), "need each other"),
+        (("--wrt", "plane.mu"), "need each other"),
+        (("--sensitivity", "end.x", "--wrt", "plane.mu", "--json"), "prints nothing else"),
+        (("--sensitivity", "leap.x", "--wrt", "plane.mu"), "is no quantity"),
+        (("--sensitivity", "end.x", "--wrt", "plane.mu", "--digits", "20"), "--sensitivity cannot be given together"),
+    ],
+)
+def test_sensitivity_is_refused_in_a_sentence(options, sentence):
+    result = run("run", *HOP, *options)
+    assert result.exit_code == 2
+    assert sentence in result.output
+
+
 def test_explain_is_refused_where_it_has_no_rules():
     result = run("run", "--explain", "-", text='[contact]\nmodel = "compliant"\n')
     assert result.exit_code == 2, result.output
@@ -346,3 +370,19 @@ def test_explain_says_where_it_begins():
     assert result.exit_code == 0, result.output
     assert re.search(r"Until t = 0\.\d+ s the events are decided in more digits than doubles have\.", result.output)
     assert "Until t" not in run("run", *HOP, "--explain").output
+
+
+def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monkeypatch):
+    """From the steps of its first part; with few of them nothing is said, and standard output stays a result."""
+    from hophoop.cli import _work
+
+    path = tmp_path / "soft.toml"
+    path.write_text('duration = 0.5\n[contact]\nmodel = "compliant"\n', encoding="utf-8")
+    assert run("run", path, "--json").stderr == ""
+    monkeypatch.setattr(_work, "MANY", 10)
+    told = run("run", path, "--json")
+    assert re.fullmatch(r"The first 5 % of the motion take \d+ steps: about [\d,]+ in all\.\n", told.stderr)
+    assert json.loads(told.stdout)["status"] == "completed"
+    assert run("run", path, "--quiet").stderr == ""
+    monkeypatch.setattr("hophoop.compliant.kernel.MAX_STEPS", 30)
+    assert "of which 30 are computed; a shorter duration" in run("run", path, "--json").stderr

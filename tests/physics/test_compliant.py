@@ -145,3 +145,16 @@ def test_static_excess():
         math.tanh(x) * (0.3 + excess * math.exp(-((x / compliant.STRIBECK) ** 2))) for x in [0.001 * k for k in range(9000)]
     ]
     assert max(heights) == pytest.approx(0.9, rel=1e-6)
+
+
+def test_codes_of_the_laws():
+    assert {law.name: int(law) for law in NormalLaw} == {"KELVIN_VOIGT": 0, "HUNT_CROSSLEY": 1}
+    assert {law.name: int(law) for law in FrictionLaw} == {"TANH": 0, "LINEAR": 1, "BRISTLE": 2}
+    assert compliant.STRIBECK == 3.0  # static friction in the tanh law falls off over three slip speeds
+
+
+def test_critical_damping_is_the_limit_from_both_sides():
+    # at ratio 1 both formulas are 0/0; the limit of either is e⁻²
+    assert compliant.ratio_restitution(1.0) == pytest.approx(math.exp(-2.0), rel=1e-15)
+    for ratio in (1.0 - 1e-6, 1.0 + 1e-6):
+        assert compliant.ratio_restitution(ratio) == pytest.approx(math.exp(-2.0), rel=1e-5)

@@ -119,3 +119,11 @@ def test_forces_where_the_load_of_a_massless_ring_meets_the_plane():
     assert contact.slip_motion(body, sine, cosine, u, 1.0)[2] == pytest.approx(float(rate), rel=1e-12)
     for speed, expected in turning.items():
         assert contact.rolling_acceleration(body, sine, cosine, speed) == pytest.approx(float(expected), rel=1e-12)
+
+
+@pytest.mark.parametrize("off", [0.3, 1e-3, 1e-6, 1e-9])
+def test_the_loads_height_keeps_its_digits_near_the_plane(off):
+    # 1 + cos(π − x) = 2 sin²(x / 2)
+    expected = 2.0 * math.sin(0.5 * off) ** 2
+    assert contact.load_height(math.sin(off), -math.cos(off)) == pytest.approx(expected, rel=1e-14)
+    assert contact.load_height(-math.sin(off), -math.cos(off)) == pytest.approx(expected, rel=1e-14)

@@ -70,3 +70,31 @@ def test_strike():
     assert strike(BODY, 0.9, -2.0) == (0.0, 2.0, -0.9)  # twice the push, twice the friction
     assert strike(BODY, 0.9, -1.0) == pytest.approx((0.5, 1.0, -0.4))
     assert strike(BODY, -1.7, -2.0) == pytest.approx((-0.9, 2.0, 0.8))
+
+
+@pytest.mark.parametrize("turns", [0, 1, -2])
+def test_skimming_from_the_top_goes_the_way_that_it_is_sent(turns):
+    """θ grows for way = 1, also where whole turns lie behind, and falls for way = −1, also from θ = 0."""
+    body = Body(1.0, 0.0, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+    begin = 2.0 * math.pi * turns
+    for way in (1, -1) if turns == 0 else (1,):  # the kernel's θ is within the turn; 2π itself is no double
+        _, th, _, om = skim_state(body, 0.0, begin, 0.0, 0.0, way, 0.5)
+        # the load falls by τ²/2 = 1/8, so that cos θ = 7/8
+        assert th - begin == pytest.approx(way * math.acos(0.875), rel=1e-12)
+        assert om == pytest.approx(way * 0.5 / math.sin(math.acos(0.875)), rel=1e-12)
+    if turns == 0:  # at the very start the load rests at the top: θ̇² = g
+        assert skim_state(body, 0.0, begin, 0.0, 0.0, 1, 0.0)[3] == pytest.approx(1.0)
+
+
+def test_skimming_ends_where_the_load_strikes():
+    body = Body(1.0, 0.0, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+    _, th, _, om = skim_state(body, 0.0, 0.0, 0.0, 0.0, 1, 2.0)  # it falls by 2, to the plane
+    assert th == pytest.approx(math.pi)
+    assert om == math.inf
+    assert skim_state(body, 0.0, 0.0, 0.0, 0.0, -1, 2.0)[3] == -math.inf
+
+
+def test_a_strike_at_the_edge_of_the_cone_sticks():
+    body = Body(1.0, 0.0, 0.5, 0.25, 1.0, 0.0, 0.0, 2, False, 0.0)
+    assert strike(body, 0.5, -1.0) == (0.0, 1.0, -0.5)
+    assert strike(body, 0.75, -1.0) == (0.5, 1.0, -0.25)

@@ -142,10 +142,10 @@ def test_the_longer_computation_has_a_budget():
     small = ordinary.replace("start.angle", 1e-20)
     assert 0 < arbitration.steps_allowed(small) < arbitration.ALL_STEPS
     assert arbitration.steps_allowed(ordinary.replace("start.angle", 1e-100)) == 0
-    script, left = arbitration.script_until(ordinary, 1.0, 0)
-    assert (script.size, left) == (0, 0)
-    script, left = arbitration.script_until(ordinary, 1.0, 5)
-    assert (script.size, left) == (0, 0)
-    script, left = arbitration.script_until(ordinary, 0.3, arbitration.ALL_STEPS)
-    assert script.size
-    assert 0 < left < arbitration.ALL_STEPS
+    for steps in (0, 5):
+        budget = arbitration.Budget(steps)
+        assert not arbitration.script_until(ordinary, 1.0, budget).size
+        assert budget.steps == 0
+    budget = arbitration.Budget(arbitration.ALL_STEPS)
+    assert arbitration.script_until(ordinary, 0.3, budget).size
+    assert 0 < budget.steps < arbitration.ALL_STEPS

@@ -101,8 +101,9 @@ def test_a_script_holds_the_same_motion():
     """Repeating the first events, as for a decision, gives the motion that is computed without, and its samples."""
     case = scenario(3.1)
     plain = hh.simulate(case)
-    script, left = arbitration.script_until(case, 2.0, arbitration.steps_allowed(case))
-    assert 0 < left < arbitration.ALL_STEPS
+    budget = arbitration.Budget(arbitration.steps_allowed(case))
+    script = arbitration.script_until(case, 2.0, budget)
+    assert 0 < budget.steps < arbitration.ALL_STEPS
     assert len(script) > 3
     truth = hh.simulate(case, digits=20)
     for row, event in zip(script[:-1], truth.events, strict=False):

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
 import hophoop as hh
+from fuzz.ranges_table import ranges_table
 from hophoop.scenario.ranges import RANGES
 from strategies import said
 
@@ -104,3 +106,9 @@ def test_the_schema_has_the_ranges():
     stiffness = schema["$defs"]["Compliant"]["properties"]["stiffness"]["anyOf"][0]
     assert stiffness["maximum"] == 1e18
     assert not math.isinf(schema["properties"]["duration"]["maximum"])
+
+
+def test_the_table_of_the_documentation():
+    """What `python tests/fuzz/ranges_table.py` prints."""
+    table = Path(__file__).resolve().parents[2] / "docs" / "tables" / "ranges.md"
+    assert table.read_text(encoding="utf-8") == ranges_table()

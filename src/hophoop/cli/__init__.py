@@ -19,7 +19,7 @@ import typer
 from typer.core import TyperGroup
 
 # In the order in which --help shows them.
-COMMANDS = ("run", "theory", "reproduce", "claims", "animate", "map", "compare", "lab")
+COMMANDS = ("run", "prove", "theory", "reproduce", "claims", "animate", "map", "compare", "lab")
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED, TERMINATED = 0, 1, 2, 130, 143
 

@@ -147,6 +147,26 @@ def run(
         bool,
         typer.Option("--explain", help="Say also why each phase begins and ends, with the margins.", rich_help_panel=OUTPUT),
     ] = False,
+    sensitivity: Annotated[
+        str | None,
+        typer.Option(
+            "--sensitivity",
+            metavar="OF,…",
+            help="Say how quantities change with the parameters of --wrt, such as takeoff.angle,hop.height.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
+    wrt: Annotated[
+        str | None,
+        typer.Option(
+            "--wrt",
+            metavar="PATH,…",
+            help="Parameters for --sensitivity, such as plane.mu,start.speed.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", help="Print no table.", rich_help_panel=OUTPUT)] = False,
     digits: Annotated[
         int | None,
@@ -179,24 +199,36 @@ def run(
     if samples < 2:
         raise InputError(f"--samples = {samples} must be at least 2.")
     result = Path(json) if json not in (None, "-") else None
+    if (sensitivity is None) != (wrt is None):
+        raise InputError("--sensitivity and --wrt need each other: what changes, and with which parameters.")
+    if sensitivity is not None and json == "-":
+        raise InputError("--sensitivity cannot be given together with --json, which prints nothing else.")
     check_apart([path for path in (result, csv, save, plot) if path is not None], file)
 
     if digits is not None or check:
         for option, path in (("--csv", csv), ("--save", save), ("--plot", plot), ("--json", result if check else None)):
             if path is not None:
                 raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
-        if explain:
-            raise InputError(f"--explain cannot be given together with {'--check' if check else '--digits'}.")
+        for option, given in (("--explain", explain), ("--sensitivity", sensitivity)):
+            if given:
+                raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
         from hophoop.cli import precise
 
         precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet)
         return
 
+    from hophoop.cli._work import work_ahead
     from hophoop.explanation import phases
     from hophoop.simulation import simulate
 
     explained = phases(scenario) if explain else None  # says at once what it cannot explain
+    ahead = work_ahead(scenario)
+    if ahead is not None and not quiet:
+        say(ahead)
     motion = simulate(scenario)
+    derived = (
+        motion.sensitivity(sensitivity.split(","), wrt.split(",")) if sensitivity is not None and wrt is not None else None
+    )
     if json == "-":
         text = json_text.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
         typer.echo(text)
@@ -219,6 +251,8 @@ def run(
             _print_errors(motion)
         if explained is not None:
             _print_phases(explained, everything)
+        if derived is not None:
+            typer.echo(derived)
     if not motion.ok:
         say(unanswered(motion.duration, motion.status))
         raise typer.Exit(NO_ANSWER)

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 import hophoop
 from hophoop._jit import compiled, precompile
-from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, latest, script_until, steps_allowed
+from hophoop.arbitration import LATEST, MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.maps import kernel
 from hophoop.maps.axes import (
     Axis,
@@ -242,13 +242,14 @@ def decide(
     until = results.numbers[:, kernel.DOUBT_UNTIL]
     for k in np.flatnonzero(until <= LATEST)[:MOST_DECIDED].tolist():
         scenario = scenario_at(k)
-        decided, steps = -1.0, steps_allowed(scenario)
+        decided = -1.0
+        budget = Budget(steps_allowed(scenario))
         for _ in range(MOST):
             end = float(until[k])
             if not decided < end <= latest(scenario):
                 break
             decided = end
-            script, steps = script_until(scenario, end, steps)
+            script = script_until(scenario, end, budget)
             if not script.size:
                 break
             kernel.evaluate_block(cells, k, k + 1, span.angle, span.stop, span.timed, wanted, script, *results)

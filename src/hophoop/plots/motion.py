@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from hophoop.plots.bands import draw_bands
 from hophoop.plots.curves import curve
 from hophoop.plots.style import LINE, Against, abscissa, as_list, check_against, finish, new_axes, show_modes
 from hophoop.results import Sample
@@ -16,6 +17,8 @@ from hophoop.vocabulary import labels as axis_labels
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+    from hophoop.derivatives.uncertainty import Uncertainty
 else:
     Axes = Any
 
@@ -27,7 +30,13 @@ LOOK = [
 ]
 
 
-def velocities(motion: Trajectory, against: Against = "time", ax: Axes | None = None, modes: bool = True) -> Axes:
+def velocities(
+    motion: Trajectory,
+    against: Against = "time",
+    ax: Axes | None = None,
+    modes: bool = True,
+    uncertainty: Uncertainty | None = None,
+) -> Axes:
     """Velocity of the centre and angular velocity times the radius: one curve while the hoop rolls.
 
     Parameters
@@ -38,6 +47,8 @@ def velocities(motion: Trajectory, against: Against = "time", ax: Axes | None = 
         By default those of a new figure.
     modes : bool, default True
         Whether modes are shaded and events marked.
+    uncertainty : Uncertainty, optional
+        Of the motion: bands of two standard deviations, against time only.
 
     Returns
     -------
@@ -46,7 +57,7 @@ def velocities(motion: Trajectory, against: Against = "time", ax: Axes | None = 
     Raises
     ------
     ValueError
-        If `against` is neither.
+        If `against` is neither, or an angle with an uncertainty.
     ImportError
         If Matplotlib is missing.
     """
@@ -55,6 +66,7 @@ def velocities(motion: Trajectory, against: Against = "time", ax: Axes | None = 
     sample = curve(motion)
     across = _across(sample, against)
     radius = motion.scenario.hoop.radius
+    draw_bands(ax, uncertainty, sample, against, {"vx": (1.0, colors.CENTER_SPEED), "omega": (radius, colors.ROTATION_SPEED)})
     ax.plot(across, sample.vx, color=colors.CENTER_SPEED, lw=LINE, label="centre, $v$")
     ax.plot(
         across, radius * sample.omega, color=colors.ROTATION_SPEED, lw=LINE, ls=(0, (4, 1.6)),
@@ -251,7 +263,13 @@ def friction_utilization(
     return ax
 
 
-def gap(motion: Trajectory, against: Against = "time", ax: Axes | None = None, modes: bool = True) -> Axes:
+def gap(
+    motion: Trajectory,
+    against: Against = "time",
+    ax: Axes | None = None,
+    modes: bool = True,
+    uncertainty: Uncertainty | None = None,
+) -> Axes:
     """The gap between rim and plane: above zero the hoop hops.
 
     Parameters
@@ -262,6 +280,8 @@ def gap(motion: Trajectory, against: Against = "time", ax: Axes | None = None, m
         By default those of a new figure.
     modes : bool, default True
         Whether modes are shaded and events marked.
+    uncertainty : Uncertainty, optional
+        Of the motion: bands of two standard deviations, against time only.
 
     Returns
     -------
@@ -270,13 +290,14 @@ def gap(motion: Trajectory, against: Against = "time", ax: Axes | None = None, m
     Raises
     ------
     ValueError
-        If `against` is neither.
+        If `against` is neither, or an angle with an uncertainty.
     ImportError
         If Matplotlib is missing.
     """
     check_against(against)
     ax = new_axes(ax)
     sample = curve(motion)
+    draw_bands(ax, uncertainty, sample, against, {"height": (1.0, colors.BLACK)})
     ax.plot(_across(sample, against), sample.height, color=colors.BLACK, lw=LINE)
     ax.set_ylim(bottom=min(0.0, float(np.min(sample.height))))
     _frame(ax, motion, against, axis_labels.GAP, modes)

@@ -8,6 +8,7 @@ import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, jit, lean_jit
 from hophoop.panels.anchor import NONE
+from hophoop.panels.panel import Panel
 from hophoop.records.state import State, whole_angle
 
 # Panels solved for one motion, those given up for narrower ones included: a few seconds, and 70 MB where all are kept.
@@ -165,4 +166,13 @@ def state_of(row):
     return State(
         row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["turns"], row["theta"], row["theta_low"],
         row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"], NONE,
+    )  # fmt: skip
+
+
+@apart_jit
+def panel_of(row):
+    """The panel of a segment of rolling or slip."""
+    return Panel(
+        row["sigma"], row["kind"], row["level"], row["way"], row["ref"], row["ref_low"], row["sine"], row["cosine"],
+        row["extent"], row["arm"], row["stiffness"], row["u"], row["slip"],
     )  # fmt: skip

@@ -9,7 +9,7 @@ from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.numerics.trigonometry import sine_cosine
-from hophoop.panels.panel import FLY, HOLD, SKIMMING, TIME, Panel, Totals, fill_inside, no_panel
+from hophoop.panels.panel import FLY, HOLD, SKIMMING, TIME, Totals, fill_inside, no_panel
 from hophoop.physics.body import Mode
 from hophoop.physics.contact import rolling_forces, slip_load
 from hophoop.physics.flight import flight_displacement, flight_gap
@@ -17,7 +17,7 @@ from hophoop.physics.massless import skim_state
 from hophoop.physics.painleve import slip_coefficients
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import flown, moved, whole_angle, with_losses, with_velocities
-from hophoop.records.writing import state_of
+from hophoop.records.writing import panel_of, state_of
 from hophoop.rigid.contact_phase import state_on_panel
 from hophoop.rigid.panel_choice import solve
 from hophoop.scenario import Scenario
@@ -108,11 +108,7 @@ def sample(body, segments, times, left, out):
             now = with_velocities(now, vt, 0.0, om)
         else:
             if index != solved:
-                panel = Panel(
-                    segment["sigma"], segment["kind"], segment["level"], segment["way"], segment["ref"], segment["ref_low"],
-                    segment["sine"], segment["cosine"], segment["extent"], segment["arm"],
-                    segment["stiffness"], segment["u"], segment["slip"],
-                )  # fmt: skip
+                panel = panel_of(segment)
                 totals = solve(body, panel, scratch.work)
                 fill_inside(panel, scratch.work)
                 solved = index

@@ -1,0 +1,96 @@
+"""What derivatives cost beside the motion: `python benchmarks/derivatives.py [--json]`.
+
+The article's motion (v0 = 3.1 m/s, 2 s) and its derivatives with respect to 1 and 12 parameters, measured in turn in one
+process, so that the ratios hold on a busy machine too: the bare kernels, and the calls from Python.
+"""
+
+import argparse
+import json
+import math
+import statistics
+import time
+
+import numpy as np
+
+import hophoop as hh
+from hophoop._jit import compiled
+from hophoop.derivatives.carrying import carry
+from hophoop.derivatives.layout import CARRIED, KEPT
+from hophoop.derivatives.panels import ROWS
+from hophoop.derivatives.parameters import directions_of
+from hophoop.derivatives.replay import replay
+from hophoop.numerics.collocation import ORDER
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.simulation import NO_SCRIPT, run, start_of
+
+PATHS = (
+    "hoop.load_fraction", "hoop.radius", "hoop.mass", "plane.gravity", "plane.slope", "plane.mu_static",
+    "plane.mu_kinetic", "plane.restitution", "start.x", "start.angle", "start.speed", "duration",
+)  # fmt: skip
+ROUNDS = 400
+
+
+def plain(scenario):
+    """The bare kernel of the motion, as a call without arguments."""
+    body, start, scratch = scenario.to_body(), start_of(scenario), new_scratch()
+    events, segments = np.empty(64, EVENT), np.empty(256, SEGMENT)
+    end = scenario.duration / math.sqrt(scenario.hoop.radius / scenario.plane.gravity)
+    arguments = (body, start, end, math.nan, 0, events, segments, scratch, NO_SCRIPT)
+    kernel = compiled(run, *arguments)
+    return lambda: kernel(*arguments)
+
+
+def derived(motion, paths):
+    """The bare kernel of the derivatives."""
+    scenario, events, segments = motion.scenario, motion.tables["events"], motion.tables["segments"]
+    given, count = directions_of(scenario, paths), len(paths)
+    arguments = (
+        scenario.to_body(), events, segments, given.changes, given.start.copy(), scenario.duration / motion.units.time,
+        np.zeros((len(events), KEPT, count)), np.zeros((len(segments), CARRIED, count)),
+        np.zeros(count, np.int64), np.full(count, -1, np.int64), new_scratch(), np.zeros((ROWS, ORDER)),
+    )  # fmt: skip
+    kernel = compiled(replay, *arguments)
+
+    def call():
+        arguments[4][:] = given.start
+        kernel(*arguments)
+
+    return call
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--json", action="store_true", help="print JSON")
+    as_json = parser.parse_args().json
+    scenario = hh.Scenario(duration=2.0)
+    motion = hh.simulate(scenario)
+    calls = {
+        "motion, kernel": plain(scenario),
+        "1 parameter, kernel": derived(motion, PATHS[:1]),
+        "12 parameters, kernel": derived(motion, PATHS),
+        "simulate()": lambda: hh.simulate(scenario),
+        "12 parameters, carried": lambda: carry(motion, PATHS),
+        "motion.sensitivity(1 of 12)": lambda: motion.sensitivity("takeoff.angle", PATHS),
+        "motion.sensitivity(8 of 12)": lambda: motion.sensitivity(
+            ["takeoff.t", "takeoff.angle", "hop.height", "hop.distance", "hop.duration", "impact.slip", "end.x", "energy_lost"],
+            PATHS,
+        ),
+    }
+    seconds = {name: [] for name in calls}
+    for _ in range(ROUNDS):
+        for name, call in calls.items():
+            began = time.perf_counter()
+            call()
+            seconds[name].append(time.perf_counter() - began)
+    medians = {name: statistics.median(each) for name, each in seconds.items()}
+    if as_json:
+        print(json.dumps(medians))
+        return
+    for name, each in medians.items():
+        beside = "motion, kernel" if "kernel" in name else "simulate()"
+        print(f"{name:<30} {each * 1e6:8.1f} µs   {each / medians[beside]:6.2f} times {beside}")
+
+
+if __name__ == "__main__":
+    main()

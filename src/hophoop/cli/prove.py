@@ -1,0 +1,102 @@
+"""`hophoop prove`: enclosures of every event and a certificate of the sequence; `--check` verifies a certificate."""
+
+from __future__ import annotations
+
+import json as json_text
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from hophoop.cli._options import with_scenario
+
+if TYPE_CHECKING:
+    from hophoop.prove import Proof
+
+OUTPUT = "Output"
+
+
+@with_scenario
+def prove(
+    scenario: Any,
+    file: Any,
+    digits: Annotated[int, typer.Option("--digits", help="Digits that the enclosures determine.")] = 15,
+    until: Annotated[
+        str,
+        typer.Option("--until", help="duration, or revolution: the first of a whole turn, a turning point and a take-off."),
+    ] = "duration",
+    check: Annotated[
+        Path | None,
+        typer.Option("--check", metavar="CERTIFICATE", help="Verify a certificate instead; no scenario is read."),
+    ] = None,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Write the certificate as JSON.", rich_help_panel=OUTPUT)
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print the certificate as JSON.", rich_help_panel=OUTPUT)] = False,
+) -> None:
+    """Prove which events a motion has, and enclose them; status 1 where something stays undecided."""
+    from hophoop.cli import NO_ANSWER, say
+    from hophoop.cli._output import check_apart, check_folder
+    from hophoop.prove import prove as proof_of
+    from hophoop.scenario import InputError
+
+    if check is not None:
+        if file is not None or out is not None or json:
+            raise InputError("--check takes a certificate alone, which holds its scenario.")
+        _verify(check)
+        return
+    if out is not None:
+        check_folder("--out", out)
+        check_apart([out], file)
+    proof = proof_of(scenario, digits, until)
+    if out is not None and proof.proved:
+        proof.save(out)
+    if json and proof.certificate is not None:
+        typer.echo(json_text.dumps(proof.certificate, ensure_ascii=False))
+    elif not json:
+        _show(proof)
+    if not proof.proved:
+        say(f"Undecided after {len(proof.events)} events: {proof.why}.")
+        raise typer.Exit(NO_ANSWER)
+
+
+def _verify(path: Path) -> None:
+    """Print what the checker says of a certificate."""
+    from hophoop.cli import NO_ANSWER, say
+    from hophoop.prove import check
+    from hophoop.scenario import InputError
+
+    try:
+        certificate = json_text.loads(path.read_text(encoding="utf-8"))
+    except (UnicodeDecodeError, json_text.JSONDecodeError) as error:
+        raise InputError(f"--check = {path} must be a certificate in JSON: {error}.") from None
+    if not isinstance(certificate, dict):
+        raise InputError(f"--check = {path} must be a certificate in JSON.")
+    verdict = check(certificate)
+    if verdict.accepted:
+        typer.echo(f"accepted  {certificate['sequence']}, {certificate['status']}: {verdict.events} events verified")
+        return
+    say(f"Refused after {verdict.events} events: it cannot be shown that {verdict.why}.")
+    raise typer.Exit(NO_ANSWER)
+
+
+def _show(proof: Proof) -> None:
+    """The events with their enclosures."""
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for title in ("event", "mode", "t (s)", "θ (rad)", "x (m)", "v (m/s)", "θ̇ (rad/s)"):
+        table.add_column(title, justify="left" if title in ("event", "mode") else "right", no_wrap=True)
+    for event in proof.events:
+        change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
+        numbers = (event.t, event.angle, event.x, event.vx, event.omega)
+        table.add_row(event.kind.replace("_", " "), change, *map(str, numbers))
+    console = Console(highlight=False)
+    if not console.is_terminal:  # a pipe has no width of its own; a table that is cut is worth little
+        console = Console(highlight=False, width=4000)
+    console.print(table)
+    typer.echo(f"phases  {proof.sequence}\nverdict {proof.verdict}")
+    if proof.proved:
+        typer.echo(f"status  {proof.status.replace('_', ' ')}\ndigits  {proof.digits_proved}")

@@ -1,0 +1,337 @@
+"""A motion with the derivatives that its replay carries, read in SI units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.derivatives.layout import (
+    BEFORE_OM,
+    BEFORE_VN,
+    BEFORE_VT,
+    CARRIED,
+    EPS,
+    GN,
+    GT,
+    IMPACT_N,
+    IMPACT_T,
+    KAP,
+    KEPT,
+    OM,
+    P_N,
+    P_T,
+    TH,
+    VN,
+    VT,
+    Reason,
+    T,
+    X,
+    Y,
+)
+from hophoop.derivatives.panels import ROWS
+from hophoop.derivatives.parameters import Directions, Floats, directions_of
+from hophoop.derivatives.replay import replay
+from hophoop.derivatives.sampling import sample_changes
+from hophoop.numerics.collocation import ORDER
+from hophoop.physics.body import Body
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.results import Motion
+from hophoop.rigid.kernel import run
+from hophoop.scenario import InputError
+from hophoop.scenario.scenario import time_unit
+
+# Exponents of the units of length, time and mass.
+LENGTH, TIME, ANGLE, SPEED, TURNING = (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, -1, 0), (0, -1, 0)
+MOMENTUM, ENERGY = (1, -1, 1), (2, -2, 1)
+# What can be asked of an event: column of the record, row of its derivatives, unit.
+DIRECT = {
+    "t": ("t", T, TIME),
+    "x": ("x", X, LENGTH),
+    "height": ("height", Y, LENGTH),
+    "angle": ("angle", TH, ANGLE),
+    "omega": ("omega", OM, TURNING),
+    "slip": ("slip", VT, SPEED),
+    "vy": ("vy", VN, SPEED),
+    "before.omega": ("before_omega", BEFORE_OM, TURNING),
+    "before.slip": ("before_slip", BEFORE_VT, SPEED),
+    "before.vy": ("before_vy", BEFORE_VN, SPEED),
+    "impulse_normal": ("impulse_normal", P_N, MOMENTUM),
+    "impulse_tangential": ("impulse_tangential", P_T, MOMENTUM),
+    "impact_normal": ("impact_normal", IMPACT_N, ENERGY),
+    "impact_tangential": ("impact_tangential", IMPACT_T, ENERGY),
+}
+SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
+ENERGIES = ("kinetic", "potential", "total", "friction")
+FIELDS = (*DIRECT, *SUMS, *ENERGIES)
+SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOMENTUM: "N s", ENERGY: "J"}
+
+
+def unit_of(field: str) -> str:
+    """SI unit of what can be asked of an event or a time.
+
+    Parameters
+    ----------
+    field : str
+        One of FIELDS.
+
+    Returns
+    -------
+    unit : str
+    """
+    if field in ENERGIES:
+        return SI[ENERGY]
+    return SI[SPEED] if field in SUMS else SI[DIRECT[field][2]]
+
+
+@dataclass(frozen=True)
+class Rated:
+    """A number, or some, in SI units, with its derivatives in all directions."""
+
+    value: Any
+    rates: Floats
+
+    def __add__(self, other: Rated) -> Rated:
+        return Rated(self.value + other.value, self.rates + other.rates)
+
+    def __sub__(self, other: Rated) -> Rated:
+        return Rated(self.value - other.value, self.rates - other.rates)
+
+    def __neg__(self) -> Rated:
+        return Rated(-self.value, -self.rates)
+
+
+@dataclass(frozen=True)
+class Carried:
+    """A motion, some directions, and what the replay says of them; made by `carry`.
+
+    Attributes
+    ----------
+    motion : Motion
+    directions : Directions
+    at_events : ndarray, shape (events, KEPT, n)
+    at_segments : ndarray, shape (segments, CARRIED, n)
+        In kernel units.
+    reasons, failed : ndarray of int, shape (n,)
+        Why there is no derivative, and from which event on.
+    """
+
+    motion: Motion
+    directions: Directions
+    at_events: Floats
+    at_segments: Floats
+    reasons: NDArray[np.int64]
+    failed: NDArray[np.int64]
+
+    @property
+    def one_sided(self) -> list[int]:
+        """The directions that may have another derivative towards smaller parameters."""
+        return [k for k, reason in enumerate(self.reasons) if reason < 0 or reason == Reason.BORDER]
+
+    def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
+        """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
+        unit = self.motion.units
+        size = unit.length ** exponents[0] * unit.time ** exponents[1] * unit.mass ** exponents[2]
+        by_units = np.asarray(exponents, float) @ self.directions.units
+        return Rated(size * value, size * (rates + np.asarray(value)[..., None] * by_units))
+
+    def at_event(self, index: int, field: str) -> Rated:
+        """A number of an event.
+
+        Parameters
+        ----------
+        index : int
+        field : str
+            One of FIELDS.
+
+        Returns
+        -------
+        rated : Rated
+        """
+        row = self.motion.tables["events"][index]
+        kept = self.at_events[index]
+        if field in SUMS:
+            one, other = (self._direct(row, kept, name) for name in SUMS[field])
+            return self.in_si(one[0] + other[0], one[1] + other[1], SPEED)
+        if field not in ENERGIES:
+            return self.in_si(*self._direct(row, kept, field), DIRECT[field][2])
+        state = np.array([float(row[name]) for name in ("x", "height", "theta", "omega", "slip", "vy")])
+        state[2] += row["theta_low"]
+        losses = float(row["impact_normal"] + row["impact_tangential"])
+        if field == "friction":
+            return self.in_si(float(row["friction"]), self._friction(state, kept, losses)[1], ENERGY)
+        return self.in_si(*self._energy(field, state, kept), ENERGY)
+
+    def at_times(self, times: Floats, fields: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
+        """Numbers of the state at some times.
+
+        Parameters
+        ----------
+        times : ndarray, shape (m,)
+            [s].
+        fields : sequence of str
+            Of FIELDS those that are not of an event alone.
+        left : bool, default False
+            At an event: just before it.
+
+        Returns
+        -------
+        rated : dict of str to (ndarray, ndarray)
+            Values, shape (m,), and derivatives, shape (m, n), by field.
+        """
+        motion = self.motion
+        segments = motion.tables["segments"]
+        count = self.at_segments.shape[2]
+        states = np.empty((times.size, 6))
+        out = np.empty((times.size, CARRIED, count))
+        clock = -self.directions.units[1]
+        sample_changes(
+            motion.scenario.to_body(), segments, self.at_segments, self.directions.changes, clock,
+            motion.units.kernel_times(segments, times), left, states, out, new_scratch(), _local(),
+        )  # fmt: skip
+        sample = motion.at(times, "left" if left else "right")
+        losses = (sample.impact_normal + sample.impact_tangential) / motion.units.energy
+        result: dict[str, tuple[Floats, Floats]] = {}
+        for field in fields:
+            values = np.asarray(getattr(sample, field), float)
+            if field == "friction":
+                found = (values / motion.units.energy, self._friction(states, out, losses)[1], ENERGY)
+            elif field in ENERGIES:
+                found = (*self._energy(field, states, out), ENERGY)
+            elif field == "vx":
+                found = (states[:, 3] + states[:, 4], out[:, OM] + out[:, VT], SPEED)
+            else:
+                _, row, exponents = DIRECT[field]
+                size = 1.0 if exponents == ANGLE else motion.units.of(field)
+                found = (values / size, out[:, row], exponents)
+            result[field] = (values, self.in_si(*found).rates)
+        return result
+
+    def _direct(self, row: np.void, kept: Floats, field: str) -> tuple[float, Floats]:
+        column, place, _ = DIRECT[field]
+        return float(row[column]), kept[place]
+
+    def _energy(self, field: str, state: Floats, rates: Floats) -> tuple[Any, Floats]:
+        """Kinetic, potential or both, of (x, height, θ, θ̇, v_t, v_n) at one time or many."""
+        value: Any = 0.0
+        slope: Any = 0.0
+        for name, part in (("kinetic", _kinetic), ("potential", _potential)):
+            if field in (name, "total"):
+                more, steeper = part(self.motion.scenario.to_body(), state, rates, self.directions.changes)
+                value = value + more
+                slope = slope + steeper
+        return value, slope
+
+    def _friction(self, state: Floats, rates: Floats, losses: Any) -> tuple[Any, Floats]:
+        """What slip has lost: what has gone of the energy, less what impacts have lost."""
+        row = self.motion.tables["events"][0]
+        first = np.array([row[name] for name in ("x", "height", "theta", "omega", "slip", "vy")])
+        begin = self._energy("total", first, self.at_events[0])
+        now = self._energy("total", state, rates)
+        return begin[0] - now[0] - losses, begin[1] - now[1] - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :]
+
+
+def _kinetic(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[Floats, Floats]:
+    th, om, vt, vn = (state[..., i, None] for i in range(2, 6))
+    s, c = np.sin(th), np.cos(th)
+    dth, dom = rates[..., TH, :], rates[..., OM, :]
+    along = vt + om * (1.0 + body.eps * c)
+    up = vn - body.eps * om * s
+    d_along = rates[..., VT, :] + dom * (1.0 + body.eps * c) + om * (changes[EPS] * c - body.eps * s * dth)
+    d_up = rates[..., VN, :] - changes[EPS] * om * s - body.eps * (dom * s + om * c * dth)
+    value = 0.5 * (along**2 + up**2 + body.kap * om**2)
+    return value[..., 0], along * d_along + up * d_up + 0.5 * changes[KAP] * om**2 + body.kap * om * dom
+
+
+def _potential(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[Floats, Floats]:
+    x, y, th = (state[..., i, None] for i in range(3))
+    s = np.sin(th)
+    dth = rates[..., TH, :]
+    fallen = -2.0 * np.sin(0.5 * th) ** 2
+    drop = y + body.eps * fallen
+    ahead = x + body.eps * s
+    d_drop = rates[..., Y, :] + changes[EPS] * fallen - body.eps * s * dth
+    d_ahead = rates[..., X, :] + changes[EPS] * s + body.eps * np.cos(th) * dth
+    value = body.gn * drop - body.gt * ahead
+    return value[..., 0], changes[GN] * drop + body.gn * d_drop - changes[GT] * ahead - body.gt * d_ahead
+
+
+def _local() -> Floats:
+    return np.zeros((ROWS, ORDER))
+
+
+def doubtful_from(motion: Motion) -> float:
+    """From which time on double precision cannot tell what follows: a graze, or the border of two classes.
+
+    Parameters
+    ----------
+    motion : Motion
+        With rigid contact.
+
+    Returns
+    -------
+    t : float
+        In kernel units [√(R/g)]; inf where everything is certain.
+    """
+    scenario = motion.scenario
+    row = motion.tables["events"][0]
+    start = start_state(row["x"], row["height"], row["angle"], row["slip"], row["vy"], row["omega"])
+    events = np.empty(len(motion.tables["events"]) + 8, EVENT)
+    scratch = new_scratch()
+    second = time_unit(scenario.hoop, scenario.plane)
+    run(
+        scenario.to_body(), start, scenario.duration / second, math.nan, 0, events, np.empty(0, SEGMENT), scratch,
+        np.empty(0, EVENT),
+    )  # fmt: skip
+    return math.inf if math.isnan(scratch.doubt[0]) else float(scratch.doubt[0])
+
+
+def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
+    """Go through a motion again with its derivatives with respect to some parameters.
+
+    Parameters
+    ----------
+    motion : Motion
+        With rigid contact.
+    paths : sequence of str
+    sign : float, default 1
+        −1 for how it changes when the parameters become smaller, told as if they became larger [1].
+
+    Returns
+    -------
+    carried : Carried
+
+    Raises
+    ------
+    ValueError
+        If the contact is compliant or a path is no parameter.
+    """
+    scenario = motion.scenario
+    if scenario.contact.model != "rigid":
+        raise InputError("Derivatives need rigid contact: contact.model = 'compliant' has none.")
+    given = directions_of(scenario, paths)
+    events, segments = motion.tables["events"], motion.tables["segments"]
+    count = len(paths)
+    at_events = np.zeros((len(events), KEPT, count))
+    at_segments = np.zeros((len(segments), CARRIED, count))
+    reasons, failed = np.zeros(count, np.int64), np.full(count, -1, np.int64)
+    duration = scenario.duration / motion.units.time
+    replay(
+        scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration,
+        at_events, at_segments, reasons, failed, new_scratch(), _local(),
+    )  # fmt: skip
+    doubt = doubtful_from(motion)
+    if doubt < math.inf:
+        at_events[events["t"] > doubt] = math.nan
+        at_segments[segments["t"] >= doubt] = math.nan
+        first = int(np.searchsorted(events["t"], doubt, side="right"))
+        sooner = (failed < 0) | (failed > first)
+        failed[sooner] = first
+        reasons[sooner] = int(Reason.BORDER)
+    return Carried(motion, given, sign * at_events, sign * at_segments, reasons, failed)

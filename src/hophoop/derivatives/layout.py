@@ -1,0 +1,48 @@
+"""Which derivative stands where: rows of the arrays that the kernels fill, one column a direction.
+
+A direction is a way to change all parameters and the start together. What a kernel carries for it says which state the
+changed motion has when: at the time t + dt it is at x + dx, θ + dθ and so on. Moving along the motion changes all of
+them and says the same, so that each piece takes the form that suits it.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+# What changes in a body; END is the duration.
+EPS, KAP, MU_S, MU_K, GN, GT, REST, END = range(8)
+PARAMETERS = 8
+
+# What is carried from event to event.
+T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T = range(9)
+CARRIED = 9
+
+# What is kept of an event beside that: the velocities before it, and its impulse.
+BEFORE_OM, BEFORE_VT, BEFORE_VN, P_N, P_T = range(CARRIED, CARRIED + 5)
+KEPT = CARRIED + 5
+
+
+class Reason(IntEnum):
+    """Why a derivative does not exist, or is not computed."""
+
+    NONE = 0
+    GRAZE = 1
+    BORDER = 2
+    PLASTIC = 3
+    CONTACT = 4
+    SINGULAR = 5
+    MASSLESS = 6
+    FRICTIONLESS = 7
+    ENDED = 8
+
+
+REASONS = {
+    Reason.GRAZE: "a quantity that sets off the event only touches zero there",
+    Reason.BORDER: "the motion lies on the border of two classes: the least change may lead to other events",
+    Reason.PLASTIC: "restitution is 0 and the rim has landed: with any restitution it would bounce",
+    Reason.CONTACT: "the motion starts in contact: with the rim lifted or thrown up it would begin with a flight",
+    Reason.SINGULAR: "the slip runs into p_σ = 0, where the contact force has no bound",
+    Reason.MASSLESS: "the massless hoop (γ = 1) is a singular limit once the contact force is lost",
+    Reason.FRICTIONLESS: "without friction the hoop rests on no more than a border of two classes",
+    Reason.ENDED: "the motion has no answer from there on",
+}

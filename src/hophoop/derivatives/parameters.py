@@ -1,0 +1,289 @@
+"""What a parameter of a scenario changes: body, start and units of the kernel, by its path."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.derivatives.layout import CARRIED, END, EPS, GN, GT, KAP, MU_K, MU_S, OM, PARAMETERS, REST, TH, VN, VT, X, Y
+from hophoop.scenario import InputError, Scenario
+from hophoop.scenario.paths import parameter
+from hophoop.scenario.scenario import time_unit
+
+Floats = NDArray[np.float64]
+
+
+@dataclass
+class Change:
+    """Rates of change with one parameter, of numbers in SI units and of the numbers without a unit.
+
+    `radius`, `mass`, `gravity` and `duration` are SI; so are those of the start, whose slip is v_t.
+    """
+
+    radius: float = 0.0
+    mass: float = 0.0
+    gravity: float = 0.0
+    slope: float = 0.0
+    eccentricity: float = 0.0
+    inertia_ratio: float = 0.0
+    mu_static: float = 0.0
+    mu_kinetic: float = 0.0
+    restitution: float = 0.0
+    duration: float = 0.0
+    start: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Directions:
+    """The directions of some parameters, in kernel units.
+
+    Attributes
+    ----------
+    changes : ndarray, shape (PARAMETERS, n)
+        Of the body and the duration.
+    start : ndarray, shape (CARRIED, n)
+        Of the start.
+    units : ndarray, shape (3, n)
+        Logarithmic rates of the units of length, time and mass.
+    """
+
+    changes: Floats
+    start: Floats
+    units: Floats
+
+
+def _of_part(scenario: Scenario, path: str) -> Change:
+    """A number of one part: mass, ε and κ follow by the parallel axis theorem."""
+    hoop = scenario.hoop
+    _, _, place, name = path.split(".")
+    parts = hoop.parts
+    if parts is None or int(place) >= len(parts):
+        raise InputError(f"{path} is not a number of this hoop: it has {len(parts or ())} parts.")
+    part = parts[int(place)]
+    value = getattr(part, name)
+    # mass, place and inertia are polynomials of degree two at most, of which a central difference is the derivative
+    step = 0.5 * abs(value) if value != 0.0 else 1.0
+    # not validated, since the steps are large
+    numbers = part.to_dict()
+    more, less = (type(part).model_construct(**numbers | {name: value + sign * step}) for sign in (1.0, -1.0))
+    dmass, dat, dinertia = (
+        (getattr(more, each) - getattr(less, each)) / (2.0 * step) if hasattr(part, each) else 0.0
+        for each in ("mass", "at", "inertia")
+    )
+    radius, mass = hoop.radius, hoop.mass
+    centre = math.fsum(each.mass * each.at / radius for each in parts) / mass
+    away = part.at / radius - centre
+    dcentre = (dmass * away + part.mass * dat / radius) / mass
+    # the parts' first moment about G is zero, so that a change of G adds nothing
+    dinertia_ratio = (
+        dinertia / radius**2 + dmass * away**2 + 2.0 * part.mass * away * dat / radius - dmass * hoop.inertia_ratio
+    ) / mass
+    return Change(mass=dmass, eccentricity=math.copysign(1.0, centre) * dcentre, inertia_ratio=dinertia_ratio)
+
+
+def _of_radius(scenario: Scenario) -> Change:
+    hoop, start = scenario.hoop, scenario.start
+    change = Change(radius=1.0)
+    if start.speed is not None:
+        change.start["omega"] = -start.speed / hoop.radius**2
+    else:
+        change.start["slip"] = -(start.omega or 0.0)
+    if hoop.parts is not None:
+        change.eccentricity = -hoop.eccentricity / hoop.radius
+        change.inertia_ratio = -2.0 * hoop.inertia_ratio / hoop.radius
+    return change
+
+
+def _of_mass(scenario: Scenario) -> Change:
+    if scenario.hoop.parts is not None:
+        raise InputError("hoop.mass follows from hoop.parts; a derivative is with respect to hoop.parts.0.mass and so on.")
+    return Change(mass=1.0)
+
+
+def _of_load(scenario: Scenario) -> Change:
+    gamma = scenario.hoop.load_fraction
+    if gamma is None:
+        raise InputError("hoop.load_fraction is not what this hoop is given by; take hoop.eccentricity and hoop.inertia_ratio.")
+    return Change(eccentricity=1.0, inertia_ratio=-2.0 * gamma)
+
+
+def _of_speed(scenario: Scenario) -> Change:
+    if scenario.start.speed is None:
+        raise InputError("start.speed is not what this start is given by; take start.vx and start.omega.")
+    return Change(start={"omega": 1.0 / scenario.hoop.radius})
+
+
+def _of_friction(scenario: Scenario, path: str) -> Change:
+    both = path == "plane.mu"
+    if both and scenario.plane.mu is None:
+        raise InputError("plane.mu is not what this plane is given by; take plane.mu_static and plane.mu_kinetic.")
+    name = path.removeprefix("plane.")
+    if math.isinf(getattr(scenario.plane, name)):
+        raise InputError(f"{path} = inf has no derivative.")
+    return Change(mu_static=float(both or name == "mu_static"), mu_kinetic=float(both or name == "mu_kinetic"))
+
+
+_SIMPLE: Mapping[str, Callable[[Scenario], Change]] = {
+    "hoop.radius": _of_radius,
+    "hoop.mass": _of_mass,
+    "hoop.load_fraction": _of_load,
+    "hoop.eccentricity": lambda _: Change(eccentricity=1.0),
+    "hoop.inertia_ratio": lambda _: Change(inertia_ratio=1.0),
+    "plane.gravity": lambda _: Change(gravity=1.0),
+    "plane.slope": lambda _: Change(slope=1.0),
+    "plane.restitution": lambda _: Change(restitution=1.0),
+    "start.x": lambda _: Change(start={"x": 1.0}),
+    "start.height": lambda _: Change(start={"height": 1.0}),
+    "start.angle": lambda _: Change(start={"angle": 1.0}),
+    "start.speed": _of_speed,
+    "start.vx": lambda _: Change(start={"slip": 1.0}),
+    "start.vy": lambda _: Change(start={"vy": 1.0}),
+    "start.omega": lambda scenario: Change(start={"omega": 1.0, "slip": -scenario.hoop.radius}),
+    "duration": lambda _: Change(duration=1.0),
+}
+_FRICTION = ("plane.mu", "plane.mu_static", "plane.mu_kinetic")
+PATHS = (*_SIMPLE, *_FRICTION)
+
+
+def change_of(scenario: Scenario, path: str) -> Change:
+    """What changes with one parameter.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    path : str
+        Such as ``"plane.mu"`` or ``"hoop.parts.0.mass"``.
+
+    Returns
+    -------
+    change : Change
+
+    Raises
+    ------
+    ValueError
+        If the path is no number that the motion depends on, or not what the scenario is given by.
+    """
+    if path in _SIMPLE:
+        return _SIMPLE[path](scenario)
+    if path in _FRICTION:
+        return _of_friction(scenario, path)
+    known = parameter(path)
+    if path.startswith("hoop.parts.") and known.unit != "":
+        return _of_part(scenario, path)
+    raise InputError(f"wrt = {path!r} is not a number that the motion depends on; there are {', '.join(PATHS)}.")
+
+
+def value_of(scenario: Scenario, path: str) -> float:
+    """The value of a parameter.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    path : str
+        As `change_of` takes it.
+
+    Returns
+    -------
+    value : float
+        In its SI unit [the parameter's].
+    """
+    if path == "start.omega":
+        return scenario.start.state(scenario.hoop).omega
+    node: object = scenario
+    for step in path.split("."):
+        node = node[int(step)] if isinstance(node, tuple) else getattr(node, step)
+    return float(node)  # type: ignore[arg-type]
+
+
+_LOWEST = {
+    "hoop.load_fraction": 0.0,
+    "hoop.eccentricity": 0.0,
+    "hoop.inertia_ratio": 0.0,
+    "plane.gravity": 0.0,
+    "plane.restitution": 0.0,
+    "plane.mu": 0.0,
+    "plane.mu_kinetic": 0.0,
+    "start.height": 0.0,
+}
+_HIGHEST = {"hoop.load_fraction": 1.0, "hoop.eccentricity": 1.0, "plane.restitution": 1.0}
+
+
+def allowed_sides(scenario: Scenario, path: str) -> tuple[bool, bool]:
+    """Whether the parameter may be smaller, and whether it may be larger, than it is.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    path : str
+
+    Returns
+    -------
+    smaller, larger : bool
+    """
+    value = value_of(scenario, path)
+    smaller = not value <= _LOWEST.get(path, -math.inf)
+    larger = not value >= _HIGHEST.get(path, math.inf)
+    plane = scenario.plane
+    if plane.mu_static == plane.mu_kinetic:
+        smaller = smaller and path != "plane.mu_static"
+        larger = larger and path != "plane.mu_kinetic"
+    return smaller, larger
+
+
+def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
+    """What changes with some parameters, in kernel units.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    paths : sequence of str
+
+    Returns
+    -------
+    directions : Directions
+
+    Raises
+    ------
+    ValueError
+        As `change_of`.
+    """
+    hoop, plane = scenario.hoop, scenario.plane
+    count = len(paths)
+    changes = np.zeros((PARAMETERS, count))
+    start = np.zeros((CARRIED, count))
+    units = np.zeros((3, count))
+    given = scenario.start.state(hoop)
+    length, second = hoop.radius, time_unit(hoop, plane)
+    weight = 1.0 if plane.gravity > 0.0 else 0.0
+    sine, cosine = math.sin(plane.slope), math.cos(plane.slope)
+    for k, path in enumerate(paths):
+        change = change_of(scenario, path)
+        by_length = change.radius / length
+        by_time = 0.5 * by_length
+        if plane.gravity > 0.0:
+            by_time -= 0.5 * change.gravity / plane.gravity
+            changes[GN, k] = -weight * sine * change.slope
+            changes[GT, k] = weight * cosine * change.slope
+        else:
+            changes[GN, k] = cosine * change.gravity
+            changes[GT, k] = sine * change.gravity
+        units[:, k] = by_length, by_time, change.mass / hoop.mass
+        changes[EPS, k] = change.eccentricity
+        changes[KAP, k] = change.inertia_ratio
+        changes[MU_S, k] = change.mu_static
+        changes[MU_K, k] = change.mu_kinetic
+        changes[REST, k] = change.restitution
+        changes[END, k] = (change.duration - scenario.duration * by_time) / second
+        by_speed = by_length - by_time
+        more = change.start
+        start[X, k] = (more.get("x", 0.0) - given.x * by_length) / length
+        start[Y, k] = (more.get("height", 0.0) - given.height * by_length) / length
+        start[TH, k] = more.get("angle", 0.0)
+        start[OM, k] = (more.get("omega", 0.0) + given.omega * by_time) * second
+        start[VT, k] = (more.get("slip", 0.0) - given.slip * by_speed) * second / length
+        start[VN, k] = (more.get("vy", 0.0) - given.vy * by_speed) * second / length
+    return Directions(changes, start, units)

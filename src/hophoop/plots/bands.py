@@ -1,0 +1,47 @@
+"""Bands about a curve: two standard deviations to either side."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.derivatives.uncertainty import Uncertainty
+from hophoop.plots.style import Against
+from hophoop.results import Sample
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+else:
+    Axes = Any
+
+WIDTH = 2.0  # standard deviations
+OPACITY = 0.25
+
+
+def deviations(uncertainty: Uncertainty, sample: Sample, fields: Mapping[str, Any]) -> dict[str, NDArray[np.float64]]:
+    """Standard deviations at the times of a sample, which has each event's instant from the left and from the right."""
+    left = np.append(sample.t[1:] == sample.t[:-1], False)
+    found = {name: np.empty(sample.t.shape) for name in fields}
+    for side, chosen in (("left", left), ("right", ~left)):
+        if chosen.any():
+            there = uncertainty.at(sample.t[chosen], side)
+            for name, values in found.items():
+                values[chosen] = getattr(there, name)
+    return found
+
+
+def draw_bands(
+    ax: Axes, uncertainty: Uncertainty | None, sample: Sample, against: Against, fields: Mapping[str, tuple[float, str]]
+) -> None:
+    """Draw the bands of some fields of a sample, each with a factor and a colour; nothing without an uncertainty."""
+    if uncertainty is None:
+        return
+    if against != "time":
+        raise ValueError(f"against = {against!r} must be 'time' with an uncertainty, which is that at a time.")
+    found = deviations(uncertainty, sample, fields)
+    for name, (factor, color) in fields.items():
+        middle, half = factor * getattr(sample, name), factor * WIDTH * found[name]
+        ax.fill_between(sample.t, middle - half, middle + half, color=color, alpha=OPACITY, lw=0)

@@ -1,0 +1,27 @@
+"""Proofs: enclosures of every event of a rigid motion, and certificates that its sequence is the one stated.
+
+What they rest on, and how to check one without trusting the program, is said in docs/proofs.md.
+"""
+
+from hophoop.prove.boxes import Box, ProvedMap, prove_box, prove_map
+from hophoop.prove.checker import Verdict, check
+from hophoop.prove.proof import Enclosure, Proof, ProvedEvent, prove
+from hophoop.prove.statements import ProvedStatement, statements
+from hophoop.prove.thresholds import ProvedNumber, thresholds
+
+__all__ = [
+    "Box",
+    "Enclosure",
+    "Proof",
+    "ProvedEvent",
+    "ProvedMap",
+    "ProvedNumber",
+    "ProvedStatement",
+    "Verdict",
+    "check",
+    "prove",
+    "prove_box",
+    "prove_map",
+    "statements",
+    "thresholds",
+]

@@ -1,0 +1,112 @@
+"""python-flint, loaded when first used: Arb balls, whose every operation encloses the true result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from typing import Any
+
+from hophoop._extras import need
+
+Ball = Any  # a flint.arb
+Series = Any  # a flint.arb_series
+Jet = list[Ball]  # Taylor coefficients: value, slope, half of the second derivative, …
+
+
+def __getattr__(name: str) -> Any:
+    if name.startswith("__"):
+        raise AttributeError(name)
+    value = getattr(need("flint", "prove"), name)
+    globals()[name] = value
+    return value
+
+
+class Undecided(Exception):
+    """Something that the proof needs could not be shown; the text says what, as a clause."""
+
+
+def arb(*values: Any) -> Ball:
+    """A ball: of a number, or of a middle and a radius."""
+    return need("flint", "prove").arb(*values)
+
+
+def series(coefficients: list[Any]) -> Series:
+    """A power series, cut off where the present order is."""
+    return need("flint", "prove").arb_series(coefficients)
+
+
+def rational(value: Fraction | int) -> Ball:
+    """The ball of a rational number."""
+    flint = need("flint", "prove")
+    number = Fraction(value)
+    return flint.arb(flint.fmpq(number.numerator, number.denominator))
+
+
+@contextmanager
+def precision(bits: int) -> Iterator[None]:
+    """Work at so many bits, and leave python-flint's global settings as they were."""
+    ctx = need("flint", "prove").ctx
+    before, cap = ctx.prec, ctx.cap
+    ctx.prec = bits
+    try:
+        yield
+    finally:
+        ctx.prec, ctx.cap = before, cap
+
+
+@contextmanager
+def order(terms: int) -> Iterator[None]:
+    """Cut series off after so many terms."""
+    ctx = need("flint", "prove").ctx
+    before = ctx.cap
+    ctx.cap = terms
+    try:
+        yield
+    finally:
+        ctx.cap = before
+
+
+def bits() -> int:
+    """The present working precision."""
+    return int(need("flint", "prove").ctx.prec)
+
+
+def pi() -> Ball:
+    """π."""
+    return need("flint", "prove").arb.pi()
+
+
+def sign(value: Ball, what: str) -> int:
+    """Sign of a number, 0 only where it is exactly zero."""
+    if value > 0:
+        return 1
+    if value < 0:
+        return -1
+    if value.is_zero():
+        return 0
+    raise Undecided(f"the sign of {what} is not certain")
+
+
+def symmetric(radius: Ball) -> Ball:
+    """The interval [−radius, radius]."""
+    return arb(0, radius.abs_upper())
+
+
+def coefficients(value: Series, terms: int) -> Jet:
+    """The first coefficients of a series (which drops trailing zeros)."""
+    found = list(value.coeffs())[:terms]
+    return found + [arb(0)] * (terms - len(found))
+
+
+def polynomial(values: Jet, x: Ball) -> Ball:
+    """Horner's scheme."""
+    total = arb(0)
+    for value in reversed(values):
+        total = total * x + value
+    return total
+
+
+def intersection(a: Ball, b: Ball) -> Ball:
+    """What two enclosures of one number have in common."""
+    return a.intersection(b) if a.overlaps(b) else a

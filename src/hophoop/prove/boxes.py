@@ -1,0 +1,208 @@
+"""Whole boxes of parameters proved to have one sequence, and a map proved cell by cell.
+
+A parameter that is a ball stands for every number in it: what is shown for the ball is shown for all of them at once.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from hophoop.physics.body import MODE_LETTERS, Mode
+from hophoop.precise.problem import Problem
+from hophoop.prove._flint import arb, precision
+from hophoop.prove.model import FREE
+from hophoop.prove.motion import REVOLUTION, Run
+from hophoop.prove.proof import PASSING
+from hophoop.scenario import InputError, Scenario
+
+BITS = 48  # a box is much wider than rounding
+MOST_EVENTS = 40
+LEAST_DEPTH, MOST_DEPTH = 0, 40
+
+Ranges = Mapping[str, tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class Box:
+    """A box of parameters and what is proved of the first revolution of all motions in it.
+
+    Attributes
+    ----------
+    ranges : dict of str to tuple of float
+        Least and greatest value of each parameter, by its path [SI units].
+    sequence : str
+        One letter a phase; as far as it is proved.
+    ending : str
+        revolutions, reversal or takeoff; empty where it is undecided.
+    why : str
+        What could not be shown; empty where all is.
+    """
+
+    ranges: dict[str, tuple[float, float]]
+    sequence: str
+    ending: str
+    why: str
+
+    @property
+    def proved(self) -> bool:
+        """Whether all motions in the box are proved to have this sequence and ending."""
+        return not self.why
+
+
+@dataclass(frozen=True)
+class ProvedMap:
+    """A window of parameters, divided into boxes.
+
+    Attributes
+    ----------
+    cells : tuple of Box
+        Together the window; those that stay undecided are as small as was allowed.
+    """
+
+    cells: tuple[Box, ...]
+
+    def area(self, cell: Box) -> float:
+        """Area of a cell.
+
+        Parameters
+        ----------
+        cell : Box
+
+        Returns
+        -------
+        area : float
+            Product of its sides [product of their SI units].
+        """
+        found = 1.0
+        for low, high in cell.ranges.values():
+            found *= high - low
+        return found
+
+    def share(self, sequence: str | None = None) -> float:
+        """Share of the window that is proved, or proved to have one sequence.
+
+        Parameters
+        ----------
+        sequence : str, optional
+            Such as 'RKRSH'.
+
+        Returns
+        -------
+        share : float
+            From 0 to 1 [1].
+        """
+        whole = sum(map(self.area, self.cells))
+        return sum(self.area(cell) for cell in self.cells if cell.proved and sequence in (None, cell.sequence)) / whole
+
+    def sequences(self) -> list[str]:
+        """All sequences of proved cells, the one with the greatest share first.
+
+        Returns
+        -------
+        sequences : list of str
+        """
+        return sorted({cell.sequence for cell in self.cells if cell.proved}, key=self.share, reverse=True)
+
+
+def prove_box(scenario: Scenario, ranges: Ranges) -> Box:
+    """Prove that all motions in a box of parameters have one sequence in their first revolution.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What the box does not say.
+    ranges : mapping of str to tuple of float
+        Least and greatest value of each parameter, by its path, such as ``{"plane.mu": (0.99, 1.01)}`` [SI units].
+
+    Returns
+    -------
+    box : Box
+
+    Raises
+    ------
+    ValueError
+        If a parameter cannot be a range, or a range is empty.
+    """
+    _check(ranges)
+    problem = Problem.of(scenario)
+    with precision(BITS):
+        free = {path: arb(low).union(arb(high)) for path, (low, high) in ranges.items()}
+        run = Run(problem, free, until=REVOLUTION, timed=False, max_events=MOST_EVENTS).run()
+    marks = [fact for fact in run.facts if fact.kind not in PASSING]
+    letters = [MODE_LETTERS[fact.after_mode] for fact in (marks[:-1] if run.proved else marks) if fact.after_mode < Mode.FLIGHT]
+    if run.proved and run.ending == "takeoff":
+        letters.append("H")
+    ending = run.ending if run.proved else ""
+    return Box(dict(ranges), "".join(letters), ending, run.why)
+
+
+def prove_map(
+    scenario: Scenario,
+    ranges: Ranges,
+    depth: int = 8,
+    seconds: float | None = None,
+    progress: Callable[[int, float], None] | None = None,
+) -> ProvedMap:
+    """Divide a window of parameters into boxes that are proved to have one sequence each.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        What the window does not say.
+    ranges : mapping of str to tuple of float
+        As in `prove_box` [SI units].
+    depth : int, default 8
+        How often a box is halved at most [1].
+    seconds : float, optional
+        Boxes are no longer halved after this time [s].
+    progress : callable, optional
+        Called with the number of boxes done and the share of the window in them [1].
+
+    Returns
+    -------
+    proved : ProvedMap
+
+    Raises
+    ------
+    ValueError
+        If a parameter cannot be a range, a range is empty, or depth is out of its range.
+    """
+    _check(ranges)
+    if not isinstance(depth, int) or not LEAST_DEPTH <= depth <= MOST_DEPTH:
+        raise InputError(f"depth = {depth!r} must be a whole number from {LEAST_DEPTH} to {MOST_DEPTH}.")
+    begin, cells, done = time.monotonic(), [], 0.0
+    level: list[dict[str, tuple[float, float]]] = [dict(ranges)]
+    for k in range(depth + 1):  # level by level, so that what time there is goes to the large boxes first
+        following = []
+        for box in level:
+            late = seconds is not None and time.monotonic() - begin > seconds
+            found = Box(box, "", "", "there was no time for it") if late else prove_box(scenario, box)
+            if found.proved or late or k == depth:
+                cells.append(found)
+                done += 0.5**k
+                if progress is not None:
+                    progress(len(cells), done)
+            else:
+                following += _halves(box, ranges)
+        level = following
+    return ProvedMap(tuple(cells))
+
+
+def _halves(box: dict[str, tuple[float, float]], whole: Ranges) -> list[dict[str, tuple[float, float]]]:
+    """A box cut across its longest side, as part of the window's."""
+    path = max(box, key=lambda one: (box[one][1] - box[one][0]) / (whole[one][1] - whole[one][0]))
+    low, high = box[path]
+    middle = 0.5 * (low + high)
+    return [{**box, path: (low, middle)}, {**box, path: (middle, high)}]
+
+
+def _check(ranges: Ranges) -> None:
+    if not ranges:
+        raise InputError("ranges = {} must name at least one parameter.")
+    for path, (low, high) in ranges.items():
+        if path not in FREE:
+            raise InputError(f"ranges has {path}, which must be one of {', '.join(FREE)}.")
+        if not low < high:
+            raise InputError(f"{path} = {low:g} to {high:g} must be a range with its least value first.")

@@ -1,0 +1,378 @@
+"""Go through a certificate event by event."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from decimal import Decimal, InvalidOperation
+from fractions import Fraction
+from typing import Any
+
+from hophoop.prove._flint import Ball, Jet, arb, pi, precision, rational
+from hophoop.prove.checker.equations import Equations, Refused, State
+from hophoop.prove.checker.intervals import positive, require, root
+from hophoop.prove.checker.rolling import roll
+from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
+from hophoop.prove.checker.slipping import Turn, slip
+
+SCHEMA = "hophoop-proof/1"
+MOST_BITS = 20_000
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What the checker says of a certificate.
+
+    Attributes
+    ----------
+    accepted : bool
+        Whether everything that the certificate states is verified.
+    why : str
+        What could not be verified, as a clause; empty where all is.
+    events : int
+        How many events are verified [1].
+    """
+
+    accepted: bool
+    why: str
+    events: int
+
+
+def check(certificate: dict[str, Any]) -> Verdict:
+    """Verify a certificate by interval evaluation, independently of what made it.
+
+    Parameters
+    ----------
+    certificate : dict
+        As `hophoop prove --out` writes it.
+
+    Returns
+    -------
+    verdict : Verdict
+
+    Raises
+    ------
+    ImportError
+        If python-flint is not installed.
+    """
+    walk: Walk | None = None
+    try:
+        require(certificate.get("schema") == SCHEMA, f"the schema is {SCHEMA}")
+        bits = int(certificate["bits"])
+        require(30 <= bits <= MOST_BITS, "the working precision is sensible")
+        with precision(bits):
+            walk = Walk(certificate)
+            walk.run()
+    except Refused as reason:
+        return Verdict(False, str(reason), walk.seen if walk else 0)
+    except (ArithmeticError, ValueError, KeyError, TypeError, IndexError, AttributeError, InvalidOperation) as error:
+        return Verdict(False, f"the certificate cannot be read or evaluated ({error!r})", walk.seen if walk else 0)
+    return Verdict(True, "", walk.seen)
+
+
+class Stopped(Exception):
+    """All events that are claimed are verified."""
+
+
+class Walk:
+    """A certificate, as far as it is verified.
+
+    Parameters
+    ----------
+    certificate : dict
+    """
+
+    def __init__(self, certificate: dict[str, Any]) -> None:
+        self.events: list[dict[str, Any]] = certificate["events"]
+        self.phases: list[dict[str, Any]] = list(certificate["phases"])
+        self.until: str = certificate["until"]
+        self.claim = certificate
+        self.closing = arb(certificate["closing"])
+        require(self.until in ("duration", "revolution"), "until is duration or revolution")
+        self.equations = Equations(certificate["scenario"])
+        require(bool(self.equations.kap > 0), "the ring has mass")
+        self.state = self.equations.start
+        self.origin = self.state.th
+        self.mode, self.zeros = "H", 0
+        self.bounce = arb(0)
+        self.seen = 0
+        self.letters: list[tuple[str, Ball]] = []
+        self.over = ""
+
+    # --- events --------------------------------------------------------------------------------
+
+    def event(self, kind: str, before: str | None, after: str) -> None:
+        """The next event is this one, and its numbers enclose the present state."""
+        if self.seen == len(self.events) and self.claim["status"] == "event_limit":
+            raise Stopped  # more than these events is not claimed
+        require(self.seen < len(self.events), "no event is left out")
+        one = self.events[self.seen]
+        said = (one["kind"], one["from"], one["to"])
+        require(
+            said == (kind, before, after),
+            f"event {self.seen} is {kind} {before} → {after}, not {said[0]} {said[1]} → {said[2]}",
+        )
+        model, state = self.equations, self.state
+        values = {
+            "t": state.t * model.time, "x": state.x * model.length, "height": state.y * model.length, "angle": state.th,
+            "vx": (state.vt + state.om) * model.speed, "vy": state.vn * model.speed, "omega": state.om / model.time,
+        }  # fmt: skip
+        for name, value in values.items():
+            require(_encloses(one[name], value), f"{name} of event {self.seen} ({kind}) is where it is said to be")
+        if kind not in ("apex", "turn", "kane_gain", "rest"):
+            self.letters.append((after, state.t))
+        self.seen += 1
+
+    def settle(self, kind: str, before: str | None, gains: bool = False) -> None:
+        """The mode rule after an event."""
+        for _ in range(8):
+            rises = sign(self.state.vn, "v_n") > 0
+            mode = "H" if rises else next_mode(self.equations, self.state)
+            require(not (kind == "stick" and mode == before), "slip that stops does not go on")
+            named = mode
+            if len(mode) > 1:
+                way = sign(self.state.vt, "v_t")
+                named = "R" if way == 0 else "K" if way > 0 else "S"
+            if kind == "stick" and named != "R":
+                kind = "takeoff" if named == "H" else "slip_reversal"
+            self.event(kind, before, named)
+            if gains:
+                self.event("kane_gain", named, named)
+            if mode == "undetermined":
+                self.end("undetermined", "undetermined", "R")
+                return
+            if len(mode) == 1:
+                self.enter(mode)
+                return
+            if mode == "indeterminate":
+                self.event("painleve_indeterminate", named, named if self.equations.strike else "H")
+                if not self.equations.strike:
+                    self.enter("H")
+                    return
+            else:
+                self.event("painleve_inconsistent", named, named)
+            kind, before = "impact", named
+            self.state, gains = collide(self.equations, self.state, self.equations.rest)
+        raise Refused("impacts without collision come to an end")
+
+    def enter(self, mode: str) -> None:
+        """Begin a phase."""
+        self.mode, state = mode, self.state
+        if mode == "H":
+            if not state.vn.is_zero():
+                self.zeros = 1
+            else:
+                f_n = self.equations.eps * state.th.cos() * state.om * state.om - self.equations.gn
+                self.zeros = 2 if sign(f_n, "f_n") > 0 else 3
+        elif mode in SIGMA:
+            self.zeros = slip_zeros(self.equations, state, SIGMA[mode])
+
+    def end(self, status: str, ending: str, mode: str | None = None) -> None:
+        """The last event."""
+        last = mode or self.mode
+        self.event("end", last, last)
+        self.over = status
+        require(self.claim["status"] == status and self.claim["ending"] == ending, "status and ending are as said")
+
+    # --- phases --------------------------------------------------------------------------------
+
+    def run(self) -> None:
+        """From the start to the end, or to the limit of events."""
+        try:
+            self.walk()
+            require(bool(self.over), "the motion comes to its end")
+        except Stopped:
+            require(self.claim["ending"] == "event_limit", "the ending is as said")
+        require(self.seen == len(self.events) and not self.phases, "nothing follows the end")
+        pairs = zip(self.letters, self.letters[1:], strict=False)
+        found = "".join(a[0] for a, b in pairs if a[1] < b[1]) + ("H" if self.claim["ending"] == "takeoff" else "")
+        found = found or self.letters[-1][0]
+        require(self.claim["sequence"] == found, "the sequence is that of the events")
+
+    def walk(self) -> None:
+        """From the start, phase after phase."""
+        state = self.state
+        if state.y.is_zero() and state.vn.is_zero():
+            self.settle("start", None)
+        else:
+            self.event("start", "H", "H")
+            if state.y.is_zero() and state.vn < 0:
+                self.land()
+            else:
+                require(bool(state.y > 0) or bool(state.vn > 0), "the rim starts above the plane")
+                self.zeros = 1 if state.y.is_zero() else 0
+        while not self.over:
+            {"R": self.rolling, "S": self.slipping, "K": self.slipping, "H": self.flying}[self.mode]()
+
+    def record(self, mode: str) -> dict[str, Any]:
+        """What the certificate says of the present phase."""
+        if not self.phases and self.seen == len(self.events) and self.claim["status"] == "event_limit":
+            raise Stopped
+        require(bool(self.phases) and self.phases[0]["mode"] == mode, "every phase has its record")
+        return self.phases.pop(0)
+
+    def rolling(self) -> None:
+        """A piece of rolling, up to an event or a turning point."""
+        if self.state.om.is_zero() and self._stays():
+            self.event("rest", "R", "R")
+            self.state = replace(self.state, t=self.equations.t_end)
+            self.end("at_rest", "rest")
+            return
+        one = self.record("R")
+        self.state = roll(self.equations, self.state, one, self.until, self.origin)
+        self.after(one["what"])
+
+    def _stays(self) -> bool:
+        s, c = self.state.th.sin_cos()
+        return bool(self.equations.contact(s, c, arb(0), 0).alpha.is_zero())
+
+    def slipping(self) -> None:
+        """A slip phase with its turning points."""
+        one, sigma = self.record(self.mode), SIGMA[self.mode]
+        limits: dict[str, Any] = {}
+        if self.until == "duration":
+            limits["t_end"] = self.equations.t_end
+        else:
+            limits["turn_end"] = self._turn_left
+        what, state, turns = slip(self.equations, sigma, self.state, self.zeros, one, limits)
+        for turn in turns:
+            self.state = turn
+            self.after("turn")
+            if self.over:
+                return
+        self.state = replace(state, vt=arb(0)) if what == "stop" else state
+        if what == "limit":
+            self.state = replace(self.state, t=self.equations.t_end)
+        self.after(what)
+
+    def _turn_left(self, piece: Any, x: Ball) -> Jet:
+        slope = 2 * x if isinstance(piece, Turn) else arb(-1)
+        return [2 * pi() - piece.way * (piece.angle(x) - self.origin), slope]
+
+    def after(self, what: str) -> None:
+        """What follows the end of a phase of contact, or a turning point in it."""
+        was = self.mode
+        if what == "turn":
+            self.event("turn", was, was)
+            if self.until == "revolution":
+                self.end("completed", "reversal")
+        elif what in ("limit", "span"):
+            self.end("completed", "duration" if what == "limit" else "revolutions")
+        elif what == "lift":
+            self.event("takeoff", was, "H")
+            self.mode, self.zeros = "H", 3
+        elif what == "stop":
+            self.settle("stick", was)
+        elif opening(self.equations, self.state) >= 0:
+            self.event("takeoff", "R", "H")
+            self.enter("H")
+        elif what == "open":
+            self.end("undetermined", "undetermined", "R")
+        else:
+            require(what in ("ahead", "back"), "the end of a phase is a known one")
+            self.mode = "S" if what == "ahead" else "K"
+            self.event("slip_start", "R", self.mode)
+            self.zeros = 2 if self.equations.equal_friction else 1
+
+    # --- flight --------------------------------------------------------------------------------
+
+    def gap(self, tau: Ball, terms: int) -> Jet:
+        """The gap in flight and its derivatives, over factorials."""
+        state, eps = self.state, self.equations.eps
+        th, om = state.th + state.om * tau, state.om
+        rise = state.vn - eps * om * state.th.sin()
+        jet = [
+            state.y + eps * (state.th.cos() - th.cos()) + (rise - self.equations.gn * tau / 2) * tau,
+            rise - self.equations.gn * tau + eps * om * th.sin(),
+            (eps * om * om * th.cos() - self.equations.gn) / 2,
+            -eps * om * om * om * th.sin() / 6,
+        ]
+        return jet[:terms]
+
+    def flown(self, tau: Ball) -> State:
+        """The state after a time in flight: G keeps its velocity along the plane but for gravity."""
+        state, eps, pull = self.state, self.equations.eps, self.equations.gt
+        th = state.th + state.om * tau
+        along = state.vt + state.om * (1 + eps * state.th.cos())
+        x = state.x - eps * (th.sin() - state.th.sin()) + (along + pull * tau / 2) * tau
+        vt = along + pull * tau - state.om * (1 + eps * th.cos())
+        y, vn = self.gap(tau, 2)
+        return State(state.t + tau, x, y, th, vt, vn, state.om)
+
+    def flying(self) -> None:
+        """A flight, its apex and its landing."""
+        if self.until == "revolution":
+            self.end("completed", "takeoff")
+            return
+        one, longest = self.record("H"), self.equations.t_end - self.state.t
+
+        def functions(tau: Ball, terms: int) -> list[Jet]:
+            return [self.gap(tau, terms)]
+
+        if one["to"] is None and self._skims():
+            tau, lands = longest, False  # a graze with ẏ = 0 is no event
+        elif one["to"] is None:
+            positive(functions, arb(0), longest, "nothing lands before the end of the time", [self.zeros])
+            tau, lands = longest, False
+        else:
+            low, high = (arb(text) for text in one["to"])
+            require(bool(low > 0), "the landing is ahead")
+            positive(functions, arb(0), low, "the gap is positive in flight", [self.zeros])
+            tau, lands = root(functions, 0, low, high, "the rim lands"), True
+            require(bool(tau < longest), "the landing comes before the end of the time")
+        landed = self.flown(tau)
+        if one["apex"] is not None:
+            low, high = (arb(text) for text in one["apex"])
+
+            def rates(x: Ball, terms: int) -> list[Jet]:
+                jet = self.gap(x, terms + 1)
+                return [[(k + 1) * jet[k + 1] for k in range(terms)]]
+
+            top = root(rates, 0, low, high, "the rim is highest")
+            require(bool(top > 0) and bool(top < tau), "the apex is in the flight")
+            begin, self.state = self.state, replace(self.flown(top), vn=arb(0))
+            self.event("apex", "H", "H")
+            self.state = begin
+        self.state = landed
+        if not lands:
+            self.end("completed", "duration")
+            return
+        self.state = replace(landed, y=arb(0))
+        self.land()
+
+    def _skims(self) -> bool:
+        """Without gravity and with G at a constant height ε above the centre or less, the rim never comes down."""
+        state, eps = self.state, self.equations.eps
+        still = (state.vn - eps * state.om * state.th.sin()).is_zero() and self.equations.gn.is_zero()
+        least = state.y + eps * (state.th.cos() - 1)
+        return bool(still and (least.is_zero() or least > 0))
+
+    def land(self) -> None:
+        """An impact, or the one that closes endless bounces by the rule that the certificate names."""
+        before = self.state
+        self.state, gains = collide(self.equations, before, self.equations.rest)
+        kind = "impact"
+        if self._last(before):
+            kind, gains = "bounce_limit", False
+            self.state, _ = collide(self.equations, before, arb(0))
+            require(bool(self.state.vn.is_zero()), "the last bounce ends on the plane")
+        self.bounce = self.state.vn
+        self.settle(kind, "H", gains)
+
+    def _last(self, before: State) -> bool:
+        state, last = self.state, self.bounce
+        fall = self.equations.gn - self.equations.eps * state.th.cos() * state.om * state.om
+        if sign(state.vn, "v_n") <= 0 or sign(fall, "f_n") <= 0 or not last > 0:
+            return False
+        require(bool(state.vn < last) or bool(last <= state.vn), "whether bounces shrink is certain")
+        if not state.vn < last:
+            return False
+        left = 2 * state.vn / (fall * (1 - state.vn / last))
+        most = self.closing * before.t.max(arb(1))
+        require(bool(left < most) or bool(most <= left), "whether bounces are closed is certain")
+        return bool(left < most)
+
+
+def _encloses(claim: list[str], value: Ball) -> bool:
+    """Whether [middle − radius, middle + radius] holds all of a ball; both are decimal numbers."""
+    middle, radius = (rational(Fraction(Decimal(text))) for text in claim)
+    return bool(abs(value - middle) <= radius) or bool(radius.is_zero() and (value - middle).is_zero())

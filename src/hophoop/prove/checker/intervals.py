@@ -1,0 +1,106 @@
+"""Inequalities on intervals, and a root that a certificate names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from hophoop.prove._flint import Ball, Jet
+from hophoop.prove.checker.equations import Refused
+
+Functions = Callable[[Ball, int], Sequence[Jet]]  # (x, terms) → Taylor coefficients of each, valid on the ball x
+MOST_PARTS = 4000
+
+
+def require(fact: bool, what: str) -> None:
+    """Refuse a step whose condition is not certain."""
+    if not fact:
+        raise Refused(what)
+
+
+def positive(functions: Functions, begin: Ball, end: Ball, what: str, zeros: Sequence[int] | None = None) -> None:
+    """Refuse unless all functions are positive on (begin, end].
+
+    `zeros` counts, per function, the derivatives that vanish at the begin (the value included): the next one is then
+    shown to be positive on the part that begins there. Such a `begin` may be a ball.
+    """
+    low = begin.lower()
+    if end.upper() <= low:
+        return
+    first = list(zeros or [])
+    terms = max([1, *first]) + 1
+    work = [(low, end.upper(), True)]
+    for _ in range(MOST_PARTS):
+        if not work:
+            return
+        a, b, starts = work.pop()
+        try:
+            clear = _clear(functions, a, b, terms, first if starts else [])
+        except (ValueError, ZeroDivisionError):  # a divisor may vanish on so wide an interval
+            clear = False
+        if not clear:
+            middle = ((a + b) / 2).mid()
+            require(bool(a < middle) and bool(middle < b), what)
+            work += [(middle, b, False), (a, middle, starts)]
+    raise Refused(what)
+
+
+def _clear(functions: Functions, a: Ball, b: Ball, terms: int, zeros: Sequence[int]) -> bool:
+    whole = a.union(b)
+    middle = whole.mid()
+    jets = functions(whole, terms)
+    centre: Sequence[Jet] | None = None
+    for k, jet in enumerate(jets):
+        known = zeros[k] if k < len(zeros) else 0
+        if known:
+            if not jet[known] > 0:
+                return False
+        elif not jet[0] > 0:
+            centre = functions(middle, 1) if centre is None else centre
+            if not centre[k][0] + jet[1] * (whole - middle) > 0:
+                return False
+    return True
+
+
+def root(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> Ball:
+    """The only root of one function in [low, high], where it falls from above to below zero; all others are positive there."""
+
+    def others(x: Ball, terms: int) -> list[Jet]:
+        return [jet for k, jet in enumerate(functions(x, terms)) if k != index]
+
+    require(bool(functions(low, 1)[index][0] > 0), f"{what}: not before its bracket")
+    require(bool(functions(high, 1)[index][0] < 0), f"{what}: not within its bracket")
+    positive(others, low, high, f"{what}: something else comes in its bracket")
+    _falling(functions, index, low, high, f"{what}: only one in its bracket")
+    x = low.union(high)
+    for _ in range(100):
+        middle = x.mid()
+        try:
+            step = middle - functions(middle, 1)[index][0] / functions(x, 2)[index][1]
+        except (ValueError, ZeroDivisionError):
+            break
+        if not step.is_finite():
+            break
+        require(bool(x.overlaps(step)), f"{what}: it is in its bracket")
+        closer = x.intersection(step)
+        if not closer.rad() < x.rad() * 3 / 4:
+            return closer
+        x = closer
+    return x
+
+
+def _falling(functions: Functions, index: int, low: Ball, high: Ball, what: str) -> None:
+    """Refuse unless one function falls from low to high."""
+    work = [(low.lower(), high.upper())]
+    for _ in range(MOST_PARTS):
+        if not work:
+            return
+        a, b = work.pop()
+        try:
+            clear = bool(functions(a.union(b), 2)[index][1] < 0)
+        except (ValueError, ZeroDivisionError):
+            clear = False
+        if not clear:
+            middle = ((a + b) / 2).mid()
+            require(bool(a < middle) and bool(middle < b), what)
+            work += [(middle, b), (a, middle)]
+    raise Refused(what)

@@ -1,0 +1,85 @@
+"""The highest value of an analytic function on an interval, by branch and bound on balls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+
+from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits
+from hophoop.prove.search import exact, refined
+
+Function = Callable[[Ball, int], Jet]  # (x, terms) → Taylor coefficients, valid on the ball x
+PARTS = 64
+
+
+@dataclass(frozen=True)
+class Highest:
+    """The highest value, and where it is: at all of these places one may be it."""
+
+    value: Ball
+    places: tuple[Ball, ...]
+
+
+def highest(function: Function, low: Ball, high: Ball) -> Highest:
+    """The highest value on [low, high], which must be exact numbers.
+
+    Parameters
+    ----------
+    function : callable
+    low, high : Ball
+
+    Raises
+    ------
+    Undecided
+        Where a top is too flat to be told.
+    """
+    width = (high - low) / PARTS
+    marks = [low, *(exact(low + width * k) for k in range(1, PARTS)), high]
+    best = function(low, 1)[0]
+    for mark in marks[1:]:
+        best = best.max(function(mark, 1)[0])
+    tops: list[Ball] = []
+    work = list(pairwise(marks))
+    while work:
+        a, b = work.pop()
+        if not b - a > arb(2) ** (-bits() // 2):
+            raise Undecided("a largest value is too flat to be told")
+        verdict = _top(function, a, b, best)
+        if verdict is None:
+            middle = exact((a + b) / 2)
+            work += [(a, middle), (middle, b)]
+        else:
+            tops += verdict
+    values = [(function(place, 1)[0], place) for place in [low, *tops, high]]
+    value = values[0][0]
+    for other, _ in values[1:]:
+        value = value.max(other)
+    return Highest(value, tuple(place for one, place in values if not one < value))
+
+
+def _top(function: Function, a: Ball, b: Ball, best: Ball) -> list[Ball] | None:
+    """Tops inside [a, b] that may be the highest, apart from the ends of the whole interval; None: look closer."""
+    whole = a.union(b)
+    try:
+        jet = function(whole, 3)
+    except (ValueError, ZeroDivisionError):
+        return None
+    middle = exact(whole)
+    if jet[0] < best or function(middle, 1)[0] + jet[1] * (whole - middle) < best:
+        return []
+    if jet[1] > 0 or jet[1] < 0:
+        return []
+    if not jet[2] < 0:
+        return None
+    first, last = function(a, 2)[1], function(b, 2)[1]
+    if first < 0 or last > 0:
+        return []
+    if not (first > 0 and last < 0):
+        return None
+
+    def slope(x: Ball, terms: int) -> list[Jet]:
+        found = function(x, terms + 1)
+        return [[(k + 1) * found[k + 1] for k in range(terms)]]
+
+    return [refined(slope, 0, a, b)]

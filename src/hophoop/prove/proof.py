@@ -1,0 +1,334 @@
+"""A proof: the events of a motion with enclosures, and the certificate that a checker verifies."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, replace
+from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
+from fractions import Fraction
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+from hophoop._files import replacing
+from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Event, Mode, Status
+from hophoop.precise.problem import Problem
+from hophoop.prove._flint import Ball, precision
+from hophoop.prove.checker import Verdict, check
+from hophoop.prove.model import Model
+from hophoop.prove.motion import CLOSING, DURATION, REVOLUTION, Fact, Run
+from hophoop.scenario import InputError, Scenario
+
+SCHEMA = "hophoop-proof/1"
+NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
+PASSING = {Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST}
+LEAST_DIGITS, MOST_DIGITS = 1, 200
+BITS_A_DIGIT = 3.3219280948873626
+GUARD = 45  # bits
+CHECKER_GUARD = 40  # bits that the checker works with beyond those of the proof
+TRIES = 5
+
+
+@dataclass(frozen=True)
+class Enclosure:
+    """A number that is proved to lie within `radius` of `middle`; both are exact decimal numbers."""
+
+    middle: Decimal
+    radius: Decimal
+
+    def holds(self, value: float | Decimal | Fraction) -> bool:
+        """Whether a number lies in it.
+
+        Parameters
+        ----------
+        value : float, Decimal or Fraction
+            In the unit of the enclosure [SI units].
+
+        Returns
+        -------
+        inside : bool
+        """
+        return abs(Fraction(value) - Fraction(self.middle)) <= Fraction(self.radius)
+
+    def distance(self, value: float) -> float:
+        """How far a number is from it, 0 inside.
+
+        Parameters
+        ----------
+        value : float
+            In the unit of the enclosure [SI units].
+
+        Returns
+        -------
+        distance : float
+            In the same unit [SI units].
+        """
+        return max(0.0, float(abs(Fraction(value) - Fraction(self.middle)) - Fraction(self.radius)))
+
+    def __str__(self) -> str:
+        return f"{self.middle} ± {self.radius:.0e}" if self.radius else f"{self.middle}"
+
+
+@dataclass(frozen=True)
+class ProvedEvent:
+    """One event that is proved; the state is the one just after it.
+
+    Attributes
+    ----------
+    kind : str
+        One of the kinds of the file format.
+    from_mode, to_mode : str or None
+        Letters of the modes before and after.
+    t : Enclosure
+        Time [s].
+    x, height, angle : Enclosure
+        Centre along the plane [m], gap [m], θ [rad].
+    vx, vy, omega : Enclosure
+        Velocity of the centre [m/s], θ̇ [rad/s].
+    """
+
+    kind: str
+    from_mode: str | None
+    to_mode: str
+    t: Enclosure
+    x: Enclosure
+    height: Enclosure
+    angle: Enclosure
+    vx: Enclosure
+    vy: Enclosure
+    omega: Enclosure
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What is proved of a motion; made by `prove`.
+
+    Attributes
+    ----------
+    scenario : Scenario
+        Its doubles are taken as the exact numbers that they are.
+    verdict : str
+        'proved', or 'undecided' where something could not be shown.
+    why : str
+        What could not be shown, as a clause; empty where all is.
+    sequence : str
+        One letter a phase, as far as it is proved.
+    status, ending : str
+        How the motion ended, where it is proved.
+    digits : int
+        Digits asked for [1].
+    digits_proved : int
+        Digits of every number, beside itself or its unit made of R and g, that its enclosure determines [1].
+    events : tuple of ProvedEvent
+        The events that are proved; where it is undecided, those before.
+    certificate : dict or None
+        What `check` verifies; None where the motion is undecided.
+    """
+
+    scenario: Scenario
+    verdict: str
+    why: str
+    sequence: str
+    status: str
+    ending: str
+    digits: int
+    digits_proved: int
+    events: tuple[ProvedEvent, ...]
+    certificate: dict[str, Any] | None
+
+    @property
+    def proved(self) -> bool:
+        """Whether the whole motion is proved."""
+        return self.verdict == "proved"
+
+    @property
+    def rank(self) -> tuple[bool, int, int]:
+        """What makes one attempt better than another."""
+        return self.proved, len(self.events), self.digits_proved
+
+    def save(self, path: str | Path) -> None:
+        """Write the certificate as JSON.
+
+        Parameters
+        ----------
+        path : str or Path
+
+        Raises
+        ------
+        ValueError
+            If the motion is undecided.
+        """
+        if self.certificate is None:
+            raise InputError(f"There is no certificate to write: {self.why}.")
+        with replacing(Path(path)) as file:
+            file.write_text(json.dumps(self.certificate, ensure_ascii=False, separators=(",", ":")) + "\n", encoding="utf-8")
+
+
+def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_events: int = 4000) -> Proof:
+    """Prove the sequence of events of a rigid motion, with an enclosure of each.
+
+    It is proved where the enclosures are found and the checker, which shares no solver with them, accepts the certificate.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        With rigid contact; its doubles are taken as the exact numbers that they are.
+    digits : int, default 15
+        Digits of every number that the enclosures are to determine, from 1 to 200 [1].
+    until : str, default 'duration'
+        'duration' of the scenario, or 'revolution': the first of a whole turn, a turning point and a take-off.
+    max_events : int, default 4000
+        More events are not looked at [1].
+
+    Returns
+    -------
+    proof : Proof
+
+    Raises
+    ------
+    ValueError
+        If digits or until is out of its range, or the contact is compliant.
+    ImportError
+        If python-flint is not installed.
+    """
+    check_digits(digits)
+    if until not in (DURATION, REVOLUTION):
+        raise InputError(f"until = {until!r} must be {DURATION} or {REVOLUTION}.")
+    if scenario.contact.model != "rigid":
+        raise InputError("A proof needs rigid contact; this scenario has a compliant one.")
+    problem = Problem.of(scenario)
+    bits = int(digits * BITS_A_DIGIT) + GUARD + min(problem.tiny(), 200)
+    best: Proof | None = None
+    reached: list[int] = []  # how many events, attempt by attempt
+    for _ in range(TRIES):
+        with precision(bits):
+            run = Run(problem, until=until, max_events=max_events).run()
+            right = _digits_of(run)
+            found = _proof(scenario, run, digits, max(0, min(digits, right - 1)), bits)
+        if found.certificate is not None:
+            verdict = check(found.certificate)
+            if verdict.accepted and right > digits:
+                return found
+            if not verdict.accepted:
+                found = _refused(found, verdict)
+        if best is None or found.rank > best.rank:
+            best = found
+        reached.append(len(run.facts))
+        if not run.proved and reached[-3:] == [reached[-1]] * 3:
+            break  # twice as many digits, twice, have not helped
+        bits = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT)) if run.proved else 2 * bits
+    assert best is not None
+    return best
+
+
+def check_digits(digits: int) -> None:
+    """Refuse a number of digits that cannot be asked for."""
+    whole = isinstance(digits, int) and not isinstance(digits, bool)
+    if not whole or not LEAST_DIGITS <= digits <= MOST_DIGITS:
+        raise InputError(f"digits = {digits!r} must be a whole number from {LEAST_DIGITS} to {MOST_DIGITS}.")
+
+
+def _refused(proof: Proof, verdict: Verdict) -> Proof:
+    why = f"the checker does not accept the certificate, for it cannot show that {verdict.why}"
+    return replace(proof, verdict="undecided", why=why, certificate=None, events=proof.events[: verdict.events])
+
+
+def _values(fact: Fact, model: Model) -> dict[str, tuple[Ball, Ball]]:
+    """Numbers of an event in SI units, each with its unit."""
+    state, rate = fact.state, 1 / model.time
+    return {
+        "t": (state.t * model.time, model.time),
+        "x": (state.x * model.length, model.length),
+        "height": (state.y * model.length, model.length),
+        "angle": (state.th, model.length / model.length),
+        "vx": ((state.vt + state.om) * model.speed, model.speed),
+        "vy": (state.vn * model.speed, model.speed),
+        "omega": (state.om * rate, rate),
+    }
+
+
+def _digits_of(run: Run) -> int:
+    """Digits that every enclosure has."""
+    worst = 10_000
+    for fact in run.facts:
+        for value, unit in _values(fact, run.model).values():
+            size = abs(value).mid().max(unit.mid())
+            if not value.is_zero():
+                ratio = value.rad() / size
+                if not ratio.is_zero():
+                    worst = min(worst, int(-float(ratio.log()) / 2.302585092994046))
+    return worst
+
+
+def decimal_of(exact: Ball, rounding: str, digits: int) -> Decimal:
+    """An exact binary number as a decimal one with so many significant digits."""
+    man, exponent = (int(part) for part in exact.man_exp())
+    context = Context(prec=max(digits, 1), rounding=rounding)
+    power = Fraction(2) ** exponent * man
+    return context.divide(Decimal(power.numerator), Decimal(power.denominator))
+
+
+def enclosure(value: Ball, unit: Ball, digits: int) -> Enclosure:
+    """Decimal numbers that enclose a ball, as wide as the digits say."""
+    if value.is_zero():
+        return Enclosure(Decimal(0), Decimal(0))
+    size = abs(value).mid().max(unit.mid())
+    tolerance = decimal_of(size, ROUND_CEILING, 1).scaleb(-digits)
+    whole = decimal_of(value.mid(), ROUND_HALF_EVEN, digits + 40)
+    middle = whole.quantize(Decimal(1).scaleb(tolerance.adjusted() - 1), rounding=ROUND_HALF_EVEN, context=Context(prec=400))
+    least = decimal_of((value.rad() * 2).upper() if not value.is_exact() else value.rad(), ROUND_CEILING, 2)
+    radius = max(tolerance, least + Decimal(2).scaleb(tolerance.adjusted() - 1))
+    return Enclosure(middle, Context(prec=1, rounding=ROUND_CEILING).plus(radius))
+
+
+def sequence_of(facts: list[Fact], ending: str = DURATION) -> str:
+    """One letter a phase that lasts, and the flight that a take-off begins where it ends the motion."""
+    marks = [fact for fact in facts if fact.kind not in PASSING]
+    letters = [_letter(a.after_mode) for a, b in pairwise(marks) if a.state.t < b.state.t]
+    if ending == "takeoff":
+        letters.append("H")
+    return "".join(letters) or (_letter(marks[-1].after_mode) if marks else "")
+
+
+def _letter(mode: int) -> str:
+    return MODE_LETTERS[min(mode, int(Mode.SKIM))]
+
+
+def _proof(scenario: Scenario, run: Run, digits: int, right: int, bits: int) -> Proof:
+    events = []
+    for fact in run.facts:
+        numbers = {name: enclosure(value, unit, max(right, 1)) for name, (value, unit) in _values(fact, run.model).items()}
+        before = None if fact.before_mode is None else _letter(fact.before_mode)
+        events.append(ProvedEvent(EVENT_NAMES[fact.kind], before, _letter(fact.after_mode), **numbers))
+    status = Status(run.status).name.lower() if run.proved else ""
+    sequence = sequence_of(run.facts, run.ending)
+    certificate = None
+    if run.proved:
+        from hophoop import __version__
+
+        certificate = {
+            "schema": SCHEMA,
+            "version": __version__,
+            "scenario": scenario.to_dict(),
+            "until": run.until,
+            "closing": CLOSING,
+            "bits": bits + CHECKER_GUARD,
+            "digits": right,
+            "sequence": sequence,
+            "status": status,
+            "ending": run.ending,
+            "events": [_event_dict(event) for event in events],
+            "phases": run.witnesses,
+        }
+    return Proof(
+        scenario, "proved" if run.proved else "undecided", run.why, sequence, status, run.ending if run.proved else "",
+        digits, right, tuple(events), certificate,
+    )  # fmt: skip
+
+
+def _event_dict(event: ProvedEvent) -> dict[str, Any]:
+    found: dict[str, Any] = {"kind": event.kind, "from": event.from_mode, "to": event.to_mode}
+    for name in NUMBERS:
+        one: Enclosure = getattr(event, name)
+        found[name] = [str(one.middle), str(one.radius)]
+    return found

@@ -1,0 +1,158 @@
+"""Derivatives through every kind of event, against motions in 30 digits."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._jit import forced
+from hophoop.derivatives.carrying import carry
+from hophoop.derivatives.parameters import value_of
+from hophoop.physics.body import EVENT_NAMES
+from oracles.derivatives import CASES, FILE, PARTS, differences, scenario_of
+
+TRUE = json.loads(FILE.read_text(encoding="utf-8"))
+AGREEMENT = 1e-9  # beside the derivative, or beside 1
+NAMES = {"before_omega": "before.omega", "before_slip": "before.slip", "before_vy": "before.vy"}
+
+
+@pytest.fixture(autouse=True)
+def _interpreted():
+    with forced("interpreted"):
+        yield
+
+
+def disagreement(ours, true):
+    """The largest difference beside the derivative or 1, and where it is."""
+    worst = (0.0, "")
+    for (what, ours_value), right in zip(ours, true, strict=True):
+        error = abs(ours_value - right) / max(1.0, abs(right))
+        if not error <= worst[0]:
+            worst = (error, f"{what}: {ours_value!r}, not {right!r}")
+    return worst
+
+
+def compare(scenario, path, found):
+    """Our derivatives of a parameter beside those of the differences: the worst disagreement."""
+    motion = hh.simulate(scenario)
+    carried = carry(motion, [path])
+    kinds = motion.tables["events"]["kind"]
+    ours, true = [], []
+    for key, fields in found.items():
+        kind, place = key.split()
+        places = np.flatnonzero(kinds == EVENT_NAMES.index(kind))
+        if int(place) >= len(places):
+            assert kind in ("turn", "rest"), f"{kind} is missing"  # of a start at rest
+            continue
+        for field, digits in fields.items():
+            if kind == "bounce_limit" and field.startswith("before"):
+                continue  # zero at the limit, which doubles close a little before
+            ours.append((f"{key} {field}", float(carried.at_event(places[int(place)], NAMES.get(field, field)).rates[0])))
+            true.append(float(digits))
+    assert len(true) >= 10
+    return disagreement(ours, true)
+
+
+@pytest.mark.parametrize("name", [*CASES, "parts"])
+def test_each_derivative_is_that_of_thirty_digits(name):
+    scenario = scenario_of(name)
+    assert set(TRUE[name]) == set(PARTS if name == "parts" else CASES[name][1])
+    for path, found in TRUE[name].items():
+        worst, where = compare(scenario, path, found)
+        assert worst < AGREEMENT, f"{path}: {where}"
+
+
+def test_the_cases_have_every_kind_of_event():
+    met = {key.split()[0] for case in TRUE.values() for found in case.values() for key in found}
+    assert met >= set(EVENT_NAMES) - {"painleve_inconsistent", "painleve_indeterminate", "kane_gain"} - {"bounce_limit"}
+    assert "bounce_limit 0" in TRUE["endless_bounces"]["plane.restitution"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["hop", "stronge", "slip_from_rest"])
+def test_the_stored_differences_come_out_again(name):
+    path = CASES[name][1][0]
+    found = differences(scenario_of(name), path)
+    assert found.keys() == TRUE[name][path].keys()
+    for key, fields in found.items():
+        true = {field: float(digits) for field, digits in TRUE[name][path][key].items()}
+        assert {field: float(digits) for field, digits in fields.items()} == pytest.approx(true, rel=1e-14)
+
+
+def test_the_reference_in_natural_units():
+    # R = m = g = 1: found by three programs of others that share no code with this one
+    scenario = hh.Scenario(plane=hh.Plane(gravity=1.0), start=hh.Start.rolling(3.1 / math.sqrt(9.81)), duration=6.5)
+    result = hh.sensitivity(scenario, "takeoff.angle", ["start.speed", "hoop.load_fraction", "plane.mu"])
+    assert result.derivatives[0] == pytest.approx([-3.1987967, -5.14606248, 0.22178816], rel=3e-8)
+
+
+def test_angles_depend_on_the_froude_number_alone():
+    """v²/(g R) and no more: R ∂/∂R + g ∂/∂g + ½ v ∂/∂v … must cancel, and mass counts for energies alone."""
+    motion = hh.simulate(scenario_of("hop"))
+    paths = ["start.speed", "plane.gravity", "hoop.radius", "hoop.mass"]
+    of = ["takeoff.angle", "impact.t", "impact.x", "end.friction"]
+    result = motion.sensitivity(of, [*paths, "duration"])
+    by_speed, by_gravity, by_radius, by_mass, by_duration = (
+        result.derivatives[:, k] * value_of(motion.scenario, path) for k, path in enumerate([*paths, "duration"])
+    )
+    # scales of length: R → λ R, g → λ g, v → λ v leaves all times alone
+    length = by_speed + by_gravity + by_radius
+    assert length == pytest.approx([0.0, 0.0, result.values[2], 2 * result.values[3]], abs=1e-11 * abs(result.values).max())
+    # of time: g → g/λ², v → v/λ
+    time = by_duration - 2 * by_gravity - by_speed
+    assert time == pytest.approx([0.0, result.values[1], 0.0, -2 * result.values[3]], abs=1e-10 * abs(result.values).max())
+    assert by_mass == pytest.approx([0.0, 0.0, 0.0, result.values[3]], abs=1e-12)
+
+
+@pytest.mark.parametrize("name", ["hop", "skid", "stronge", "rest_in_the_valley", "massless_slides"])
+def test_energies_and_times_follow_differences_of_doubles(name):
+    """The state at fixed times, with its energies, against four motions beside this one."""
+    scenario = scenario_of(name)
+    motion = hh.simulate(scenario)
+    paths = [path for path in CASES[name][1][:4] if path != "plane.gravity"]
+    carried = carry(motion, paths)
+    events = np.array(sorted({event.t for event in motion.events}))
+    times = np.sort(np.concatenate([0.5 * (events[1:] + events[:-1]), events[:-1] + 0.123 * np.diff(events)]))
+    fields = ("x", "height", "angle", "vx", "vy", "omega", "slip", "kinetic", "potential", "total", "friction", "impact_normal")
+    rated = carried.at_times(times, fields)
+    for k, path in enumerate(paths):
+        value = value_of(scenario, path)
+        step = 2.0**-14 * (abs(value) or 1.0)
+        beside = [hh.simulate(scenario.with_values({path: value + side * step})).at(times) for side in (-2, -1, 1, 2)]
+        for field in fields:
+            low, less, more, high = (np.asarray(getattr(each, field)) for each in beside)
+            true = (low - 8 * less + 8 * more - high) / (12 * step)
+            assert rated[field][1][:, k] == pytest.approx(true, rel=2e-6, abs=2e-6), (path, field)
+            assert rated[field][0] == pytest.approx(np.asarray(getattr(motion.at(times), field)), abs=1e-14)
+
+
+@pytest.mark.parametrize("name", ["hop", "slip_from_rest", "poisson", "jam", "massless_slides"])
+def test_the_state_at_a_time_beside_an_event_is_that_of_the_event(name):
+    """At a fixed time: the total derivative less the velocity times dt, on either side of the event."""
+    scenario = scenario_of(name)
+    motion = hh.simulate(scenario)
+    carried = carry(motion, CASES[name][1])
+    for index, event in enumerate(motion.events[1:-1], 1):
+        if event.kind in ("apex", "jam") or event.t == motion.events[index + 1].t or event.t == motion.events[index - 1].t:
+            continue
+        for left in (True, False):
+            rates = carried.at_times(np.array([event.t]), ["angle", "x"], left)
+            before = event.before
+            speeds = (before.omega, before.vx) if left else (event.omega, event.vx)
+            if not math.isfinite(speeds[0]):
+                continue
+            for field, speed in zip(("angle", "x"), speeds, strict=True):
+                at_event = carried.at_event(index, field).rates - speed * carried.at_event(index, "t").rates
+                assert rates[field][1][0] == pytest.approx(at_event, rel=1e-7, abs=1e-7), (event.kind, field)
+
+
+@pytest.mark.compiled
+def test_compiled_and_interpreted_agree():
+    motion = hh.simulate(scenario_of("hop"))
+    paths = CASES["hop"][1]
+    interpreted = carry(motion, paths).at_events
+    with forced("compiled"):
+        compiled = carry(motion, paths).at_events
+    assert compiled == pytest.approx(interpreted, rel=1e-11, abs=1e-11)

@@ -1,0 +1,235 @@
+"""Where a derivative does not exist: nan, the reason, and one-sided derivatives against one-sided differences."""
+
+import math
+from decimal import Decimal
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._jit import forced
+from hophoop.derivatives.layout import REASONS, Reason
+from hophoop.derivatives.sensitivity import EDGE, SIDED
+
+GRAZES = (REASONS[Reason.BORDER], REASONS[Reason.GRAZE])
+
+
+@pytest.fixture(autouse=True)
+def _interpreted():
+    with forced("interpreted"):
+        yield
+
+
+def one_sided(scenario, path, kind, field, side):
+    """Derivative to one side from four motions in 30 digits."""
+    step = side * 2.0**-26
+    value = 0.0 if path.startswith("plane.restitution") else getattr(scenario.start, path.partition(".")[2])
+    results = [
+        getattr(hh.simulate(scenario.with_values({path: value + n * step}), digits=30).find(kind)[-1], field)
+        for n in (1, 2, 3, 4)
+    ]
+    still = getattr(hh.simulate(scenario, digits=30).find(kind)[-1], field)
+    weights = (Decimal(-25) / 12, Decimal(4), Decimal(-3), Decimal(4) / 3, Decimal(-1) / 4)
+    return float(sum(w * r for w, r in zip(weights, [still, *results], strict=True)) / Decimal(step))
+
+
+@pytest.mark.parametrize("path", ["start.vx", "start.omega"])
+def test_a_start_without_slip_that_spins_has_two_one_sided_derivatives(path):
+    """Too little friction to roll: with a little slip ahead, friction first acts the other way."""
+    scenario = hh.Scenario(start=hh.Start(vx=1.0, omega=1.0, angle=1.0), plane=hh.Plane(mu=0.1), duration=0.7)
+    assert hh.simulate(scenario).sequence == "SKRS"
+    result = hh.sensitivity(scenario, ["stick.angle", "end.x"], [path, "start.angle"])
+    assert result.reasons == ((SIDED, ""), (SIDED, ""))
+    assert np.isnan(result["stick.angle", path])
+    for i, (kind, field) in enumerate((("stick", "angle"), ("end", "x"))):
+        assert result.larger[i, 0] == pytest.approx(one_sided(scenario, path, kind, field, 1.0), rel=1e-9)
+        assert result.smaller[i, 0] == pytest.approx(one_sided(scenario, path, kind, field, -1.0), rel=1e-9)
+        assert abs(result.larger[i, 0] - result.smaller[i, 0]) > 0.01
+    assert (result.smaller[:, 1] == result.derivatives[:, 1]).all()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("path", ["start.vx", "start.omega"])
+def test_a_rolling_start_that_begins_to_slip_has_a_derivative_all_the_same(path):
+    """Whichever way it slips, the same impulse along the plane ends it."""
+    scenario = hh.Scenario(start=hh.Start(vx=3.0, omega=3.0, angle=0.2), duration=1.5)
+    result = hh.sensitivity(scenario, ["takeoff.angle", "end.x"], path)
+    for i, (kind, field) in enumerate((("takeoff", "angle"), ("end", "x"))):
+        for side in (-1.0, 1.0):
+            assert result.derivatives[i, 0] == pytest.approx(one_sided(scenario, path, kind, field, side), rel=1e-8)
+
+
+@pytest.mark.parametrize("law", ["stronge", "newton", "poisson"])
+def test_a_hoop_dropped_without_rotation_lands_without_slip(law):
+    """v_t = 0 at the landing: a little slip is ended by the impact, by the same impulse on either side."""
+    plane = hh.Plane(mu=0.9, restitution=0.4, impact_law=law)
+    scenario = hh.Scenario(start=hh.Start(height=0.3, angle=0.6), plane=plane, duration=0.3)
+    result = hh.sensitivity(scenario, ["impact.omega", "impact.vy", "impact.slip"], "start.vx")
+    for i, field in enumerate(("omega", "vy", "slip")):
+        for side in (-1.0, 1.0):
+            true = one_sided(scenario, "start.vx", "impact", field, side)
+            assert result.derivatives[i, 0] == pytest.approx(true, rel=1e-8, abs=1e-12)
+
+
+def test_the_edge_of_what_is_allowed():
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    result = motion.sensitivity("takeoff.angle", ["plane.mu_static", "plane.mu_kinetic", "plane.restitution", "plane.mu"])
+    assert result.reasons[0] == (EDGE, EDGE, EDGE, "")
+    assert np.isnan(result.derivatives[0, :3]).all()
+    # μs may only grow and μk may only fall; both together are what μ does
+    assert np.isnan(result.smaller[0, 0])
+    assert np.isnan(result.larger[0, 1])
+    assert result.larger[0, 0] + result.smaller[0, 1] == pytest.approx(result["takeoff.angle", "plane.mu"], rel=1e-12)
+    assert result.larger[0, 2] == 0.0  # the take-off is before any impact
+
+
+def reason_of(scenario, of, wrt):
+    result = hh.sensitivity(scenario, of, wrt)
+    assert np.isnan(result.derivatives).all()
+    return result.reasons[0][0]
+
+
+def test_restitution_that_is_zero():
+    assert reason_of(hh.Scenario(duration=2.0), "end.x", "plane.restitution") == REASONS[Reason.PLASTIC]
+
+
+@pytest.mark.parametrize("path", ["start.height", "start.vy"])
+def test_a_start_in_contact(path):
+    assert reason_of(hh.Scenario(duration=1.0), "end.angle", path) in (REASONS[Reason.CONTACT], EDGE)
+
+
+@pytest.mark.parametrize("mu", [1.0, math.inf])
+def test_the_border_of_two_classes(mu):
+    """At the top N = m (g − ε v²/R) = 0: a little faster it hops at once, a little slower it rolls."""
+    plane = hh.Plane(gravity=1.0, mu=mu)
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.25), plane=plane, start=hh.Start.rolling(2.0), duration=1.0)
+    assert reason_of(scenario, "end.angle", "hoop.load_fraction") == REASONS[Reason.BORDER]
+
+
+def halved(low, high, is_low, turns=54):
+    """The last numbers on either side of where something changes."""
+    assert is_low(low)
+    assert not is_low(high)
+    for _ in range(turns):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if is_low(middle) else (low, middle)
+    return low, high
+
+
+def test_a_graze_of_the_friction_cone():
+    """The friction that is just enough to roll on: its margin touches zero in passing."""
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.4), start=hh.Start.rolling(0.5), duration=1.6)
+
+    def slips(mu):
+        return bool(hh.simulate(scenario.with_values({"plane.mu": mu})).find("slip_start"))
+
+    low, high = halved(0.05, 1.0, slips)
+    for mu in (low, high):
+        assert reason_of(scenario.with_values({"plane.mu": mu}), "end.angle", "plane.mu") in GRAZES
+    assert hh.sensitivity(scenario.with_values({"plane.mu": 1.01 * high}), "end.angle", "plane.mu").derivatives[0, 0] == 0.0
+
+
+def test_the_rim_that_touches_the_plane_in_flight_without_approach():
+    """A hoop that spins so fast that its rim comes down and goes up again: at one height it touches the plane."""
+    hoop, plane = hh.Hoop(eccentricity=0.9, inertia_ratio=0.1), hh.Plane(mu=0.5)
+
+    def thrown(height):
+        return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start(height=height, vy=1.3, omega=9.5, angle=3.88), duration=0.3)
+
+    low, high = halved(0.1, 0.3, lambda height: bool(hh.simulate(thrown(height)).find("impact")))
+    assert reason_of(thrown(high), "end.x", "start.height") == REASONS[Reason.GRAZE]
+    assert abs(hh.sensitivity(thrown(low), "end.x", "start.height").derivatives[0, 0]) > 1e6
+    assert hh.sensitivity(thrown(high + 1e-6), "end.x", "start.height").reasons == (("",),)
+
+
+def test_rest_without_friction():
+    scenario = hh.Scenario(plane=hh.Plane(mu=0.0), start=hh.Start.rolling(0.0), duration=1.0)
+    motion = hh.simulate(scenario)
+    assert motion.status == "at_rest"
+    assert motion.sensitivity("end.angle", "start.angle").reasons[0][0] == REASONS[Reason.FRICTIONLESS]
+
+
+def test_the_massless_hoop_after_the_loss_of_its_contact_force():
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=hh.Start.rolling(1.0), duration=3.0)
+    result = hh.sensitivity(scenario, ["skim.angle", "impact.t"], "hoop.load_fraction")
+    assert result.reasons == ((REASONS[Reason.MASSLESS],), (REASONS[Reason.MASSLESS],))
+
+
+def test_a_motion_without_an_answer():
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(1.0), start=hh.Start(height=0.1), duration=1.0)
+    motion = hh.simulate(scenario)
+    assert motion.status == "undetermined"
+    result = motion.sensitivity("end.t", "start.angle")
+    assert np.isnan(result.derivatives[0, 0]) or result.derivatives[0, 0] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("of", "wrt", "sentence"),
+    [
+        ("takeoff.colour", "plane.mu", "an event has t, x"),
+        ("leap.t", "plane.mu", "is no quantity"),
+        ("nothing", "plane.mu", "is no quantity"),
+        ("takeoff[3].t", "plane.mu", "has 1 takeoff"),
+        ("stick.t", "plane.colour", "plane.colour is not a parameter"),
+        ("stick.t", "plane.impact_law", "is not a number that the motion depends on"),
+        ("stick.t", "contact.max_events", "is not a number that the motion depends on"),
+        ("stick.t", "start.vy", None),
+        ("at(9).angle", "plane.mu", "from 0 to the motion's end"),
+        ("at(soon).angle", "plane.mu", "is no time in seconds"),
+        ("at(0.1).t", "plane.mu", "a time has x"),
+        ("hop.colour", "plane.mu", "a hop has height"),
+        ("hop[1].height", "plane.mu", "has 1 hop"),
+        ([], "plane.mu", "at least one"),
+        ("stick.t", ["plane.mu", "plane.mu"], "none twice"),
+        ("stick.t", "hoop.parts.0.mass", "has 0 parts"),
+    ],
+)
+def test_what_is_refused(of, wrt, sentence):
+    motion = hh.simulate(hh.Scenario(duration=2.0))
+    if sentence is None:
+        assert motion.sensitivity(of, wrt).reasons == ((REASONS[Reason.CONTACT],),)
+        return
+    with pytest.raises(ValueError, match=sentence.replace("(", r"\(")):
+        motion.sensitivity(of, wrt)
+
+
+def test_what_a_scenario_is_not_given_by():
+    free = hh.simulate(
+        hh.Scenario(
+            hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.6),
+            plane=hh.Plane(mu_static=0.6, mu_kinetic=0.5),
+            start=hh.Start(vx=1.0, omega=2.0),
+            duration=0.5,
+        )
+    )
+    for path in ("hoop.load_fraction", "start.speed", "plane.mu"):
+        with pytest.raises(ValueError, match="is not what this"):
+            free.sensitivity("end.x", path)
+    parts = hh.simulate(hh.Scenario(hoop=hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.9, 1.0)]), duration=0.5))
+    with pytest.raises(ValueError, match="mass follows from"):
+        parts.sensitivity("end.x", "hoop.mass")
+    with pytest.raises(ValueError, match="inf has no derivative"):
+        hh.sensitivity(hh.Scenario(plane=hh.Plane(mu=math.inf), duration=0.1), "end.x", "plane.mu")
+
+
+def test_compliant_contact_has_none():
+    with pytest.raises(ValueError, match="rigid contact"):
+        hh.sensitivity(hh.Scenario(contact=hh.Compliant(), duration=0.01), "end.x", "plane.mu")
+
+
+def test_a_result_reads_as_text_and_as_json():
+    result = hh.simulate(hh.Scenario(duration=2.0)).sensitivity(
+        ["hop.height", "takeoff.angle"], ["plane.mu", "plane.mu_static"]
+    )
+    text = str(result).splitlines()
+    assert len(text) == 4
+    assert text[0].startswith("hop.height")
+    assert "none, the parameter is at the edge" in text[1]
+    told = result.to_dict()
+    assert told["derivatives"][0]["derivative"] == result["hop.height", "plane.mu"]
+    assert told["derivatives"][1]["derivative"] is None
+    assert told["derivatives"][1]["larger"] == result.larger[0, 1]
+    assert told["quantities"][1] == {"of": "takeoff.angle", "value": result.values[1], "unit": "rad"}
+    assert result.relative()[1, 0] == pytest.approx(result["takeoff.angle", "plane.mu"] / result.values[1])
+    with pytest.raises(KeyError, match="was not asked for"):
+        result["hop.height", "start.speed"]

@@ -1,0 +1,152 @@
+"""Proofs against motions that were computed otherwise: reference data to 25 digits, and the kernel."""
+
+from __future__ import annotations
+
+import json
+import time
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+import hophoop as hh
+from hophoop.prove import check, prove
+from precise_tools import scenario_of
+from random_scenarios import draw
+from random_scenarios import scenario_of as random_scenario
+
+pytest.importorskip("flint")
+
+DATA = Path(__file__).resolve().parents[1] / "data"
+NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
+HOP = hh.Scenario(duration=2.0)
+SEED = 2026
+EVENTS = 40
+QUICK = [0, 1, 2, 3, 6, 8, 9, 10, 11, 16, 18, 19, 21, 22, 25, 26, 28, 30, 83, 129]
+# What the kernel is off the enclosure at most, beside the number or 0.001 of its SI unit.
+KERNEL = 1e-8
+
+
+class Case:
+    """The scenario's numbers in a file of reference data."""
+
+    def __init__(self, name: str) -> None:
+        self.data = json.loads((DATA / f"{name}.json").read_text(encoding="utf-8"))
+        self.__dict__.update(self.data["case"])
+
+
+REFERENCES = ["slope_10deg", "static_above_kinetic", "rolling_back", "general_body", "spinning_start"]
+MORE = [
+    "article_v3.1_mu1", "article_v0.1_mu0.3", "article_v2.8_mu1", "article_v2_mu1", "immediate_hop", "skidding_start",
+    "scaled_body", "dropped_with_spin", "spinning_start_hops_at_once",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", [*REFERENCES, *(pytest.param(name, marks=pytest.mark.slow) for name in MORE)])
+def test_the_reference_lies_in_the_enclosures(name):
+    """The oracles integrate in time, in mpmath: nothing of a proof is in them."""
+    case = Case(name)
+    proof = prove(scenario_of(case), 15)
+    assert proof.proved, proof.why
+    events = [event for event in proof.events if event.kind not in ("apex", "rest")]
+    expected = [event for event in case.data["events"] if event["kind"] not in ("apex", "rest")]
+    said = [(e["kind"], None if e["kind"] == "start" else e["from"], e["to"]) for e in expected]
+    found = [(e.kind, None if e.kind == "start" else e.from_mode, e.to_mode) for e in events]
+    assert found[: len(said)] == said[: len(found)]
+    for event, one in zip(events, expected, strict=False):
+        for number in NUMBERS:
+            assert getattr(event, number).holds(Fraction(one[number])), (event.kind, number)
+
+
+def test_as_many_digits_as_asked():
+    """Thirty digits of the take-off, as the oracle has 25 of them, and enclosures that get narrower."""
+    rough, fine = (prove(HOP, digits) for digits in (8, 30))
+    assert (rough.digits_proved, fine.digits_proved) == (8, 30)
+    one = next(event for event in fine.events if event.kind == "takeoff")
+    assert one.angle.radius < Fraction(1, 10**28)
+    assert str(one.angle.middle).startswith("5.508908425381762464555592")
+    for a, b in zip(rough.events, fine.events, strict=True):
+        assert all(getattr(a, name).holds(getattr(b, name).middle) for name in NUMBERS)
+
+
+def test_eighteen_digits_of_the_hop_take_less_than_a_second():
+    """Of processor time, the checker included."""
+    times = []
+    for _ in range(3):
+        begin = time.process_time()
+        assert prove(HOP, 18).digits_proved == 18
+        times.append(time.process_time() - begin)
+    assert min(times) < 1.0
+
+
+def test_a_graze_is_no_event():
+    """Without gravity, from θ = 0 with ẏ = 0, the rim comes back to the plane once a turn with ẏ = 0, and never lands."""
+    start = hh.Start(angle=0.0, vx=1.0, omega=3.0)
+    proof = prove(hh.Scenario(plane=hh.Plane(gravity=0.0), start=start, duration=5.0), 10)
+    assert (proof.verdict, proof.sequence) == ("proved", "H")
+    assert not [event for event in proof.events if event.kind == "impact"]
+
+
+def test_what_is_not_covered_stays_undecided():
+    proof = prove(hh.Scenario(hoop=hh.Hoop.ideal(1.0)), 10)
+    assert (proof.verdict, proof.certificate) == ("undecided", None)
+    assert "massless" in proof.why
+
+
+def test_bad_input_is_refused():
+    for wrong in (0, 201, 1.5, True):
+        with pytest.raises(ValueError, match="digits"):
+            prove(HOP, wrong)
+    with pytest.raises(ValueError, match="until"):
+        prove(HOP, 10, until="tomorrow")
+    with pytest.raises(ValueError, match="rigid"):
+        prove(hh.Scenario(contact=hh.Compliant()), 10)
+    with pytest.raises(ValueError, match="no certificate"):
+        prove(hh.Scenario(hoop=hh.Hoop.ideal(1.0)), 10).save("nowhere.json")
+
+
+def contradiction(index: int) -> str:
+    """How a proof and the kernel contradict each other, '' where they do not, 'undecided' without a proof."""
+    _, sections = draw(SEED, index)
+    scenario = random_scenario(sections, max_events=EVENTS)
+    proof, motion = prove(scenario, 10, max_events=EVENTS), hh.simulate(scenario)
+    # the top of a flight changes no mode, and the kernel does not name one where the end of the time cuts the flight off
+    events = [event for event in motion.events if event.kind != "apex"]
+    facts = [event for event in proof.events if event.kind != "apex"]
+    for fact, event in zip(facts, events, strict=False):
+        if (fact.kind, fact.from_mode, fact.to_mode) != (event.kind, event.from_mode, event.to_mode):
+            return f"{index}: {fact.kind} is proved where the kernel has {event.kind} at {event.t}"
+        for name in NUMBERS:
+            value = getattr(event, name)
+            if getattr(fact, name).distance(value) > KERNEL * max(abs(value), 1e-3):
+                return f"{index}: {name} of {event.kind} at {event.t} is off"
+    if proof.proved and proof.status != "event_limit" and len(facts) != len(events):
+        return f"{index}: {len(facts)} events are proved, {len(events)} computed"
+    return "" if proof.proved else "undecided"
+
+
+@pytest.mark.parametrize("index", QUICK)
+def test_random_motion(index):
+    """Twenty of every kind that take no longer than a second."""
+    assert contradiction(index) == ""
+
+
+@pytest.mark.slow
+def test_two_hundred_random_motions():
+    """No proof contradicts the kernel, and at least 95 % are proved."""
+    found = [contradiction(index) for index in range(200)]
+    assert [one for one in found if one not in ("", "undecided")] == []
+    assert found.count("undecided") <= 10
+
+
+def test_every_sequence_of_the_catalogue_exists():
+    """The kept certificates are accepted, and are about the classes of the catalogue, none left out."""
+    classes = set()
+    for path in sorted((DATA / "proofs").glob("*.json")):
+        certificate = json.loads(path.read_text(encoding="utf-8"))
+        verdict = check(certificate)
+        assert verdict.accepted, (path.name, verdict.why)
+        assert certificate["scenario"]["hoop"] == {"radius": 1.0, "mass": 1.0, "load_fraction": 0.75}
+        assert certificate["until"] == "revolution"
+        classes.add((certificate["sequence"], certificate["ending"]))
+    assert classes == {(entry.sequence, entry.ending) for entry in hh.maps.catalogue()}
