@@ -13,6 +13,7 @@ __version__ = "0.1.0"
 if TYPE_CHECKING:
     import hophoop.animate as animate
     import hophoop.article as article
+    import hophoop.claims as claims
     import hophoop.engines as engines
     import hophoop.jax as jax
     import hophoop.maps as maps
@@ -69,6 +70,7 @@ _HOMES: dict[str, str | None] = {
     "plan": "hophoop.fitting",
     "theory": None,
     "article": None,
+    "claims": None,
     "maps": None,
     "plots": None,
     "precise": None,
@@ -104,6 +106,7 @@ __all__ = [
     "plan",
     "theory",
     "article",
+    "claims",
     "maps",
     "plots",
     "precise",

@@ -13,6 +13,8 @@ from scipy import integrate, optimize
 
 import hophoop as hh
 from hophoop import theory
+from hophoop.scenario import to_body
+from hophoop.theory._columns import body_from
 from oracles import elliptic, mechanics
 from oracles.cases import case_of
 from strategies import hoops
@@ -367,3 +369,10 @@ def test_bad_arguments_get_a_sentence(call, sentence):
     with pytest.raises(ValueError) as refusal:
         call()
     assert sentence in str(refusal.value)
+
+
+@pytest.mark.parametrize("hoop", [hh.Hoop.ideal(0.75), hh.Hoop(eccentricity=0.5, inertia_ratio=0.39)])
+def test_a_row_of_a_table_gives_the_body_back(hoop):
+    plane = hh.Plane(mu_static=0.9, mu_kinetic=0.7, slope=0.2, restitution=0.3, painleve="impact")
+    body = to_body(hoop, plane)
+    assert body_from(np.array(body, dtype=float)) == body

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from hophoop.article import rolling, slipping
 from hophoop.article.runs import Runs
-from hophoop.article.statement import FAILS, Statement
+from hophoop.article.statement import FAILS, Check, Statement
 
 SECTIONS = ("A First Attempt", "Increase the Speed", "Let's Hop!", "Revisiting Low Friction")
 
@@ -33,16 +33,20 @@ def statements(runs: Runs | None = None, progress: Callable[[str], None] | None 
     runs = runs or Runs()
     found = []
     for check in (*rolling.CHECKS, *slipping.CHECKS):
-        try:
-            statement = check(runs)
-        except (IndexError, StopIteration, ValueError):
-            # no such event or phase in the motion: the statement does not hold, whatever else it asks for
-            why = "The computed motion does not have what the statement is about."
-            statement = Statement(check.__name__, SECTIONS[0], check.__name__, "–", "–", FAILS, why)
+        statement = checked(check, runs)
         found.append(statement)
         if progress is not None:
             progress(statement.key)
     return tuple(sorted(found, key=lambda statement: SECTIONS.index(statement.section)))
+
+
+def checked(check: Check, runs: Runs) -> Statement:
+    """One statement checked; it fails where the computed motion does not have what it is about."""
+    try:
+        return check(runs)
+    except (IndexError, StopIteration, ValueError):
+        why = "The computed motion does not have what the statement is about."
+        return Statement(check.__name__, SECTIONS[0], check.__name__, "–", "–", FAILS, why)
 
 
 def count() -> int:

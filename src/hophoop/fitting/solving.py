@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._extras import need
-from hophoop.fitting.guess import SPREADS, Candidate
+from hophoop.fitting.guess import SPREADS, Candidate, gathered
 from hophoop.fitting.problem import PARAMETERS, Problem
 from hophoop.scenario import InputError
 
@@ -253,12 +253,16 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
     blind : list of str
     """
     found: list[tuple[Solution, list[str]]] = []
+    explained = False
+    tried: set[str] = set()
     for start in starts:
-        one = _approach(problem, choice.at(start.values), soft)
-        found.append(one)
-        # what is explained to its scatter needs no other start
-        if one[0].cost < 1.15 * problem.count:
-            break
+        sequence = gathered(start.sequence)
+        # once the data are explained to their scatter, another sequence may still explain them better
+        if explained and sequence in tried:
+            continue
+        found.append(_approach(problem, choice.at(start.values), soft))
+        tried.add(sequence)
+        explained = explained or found[-1][0].cost < 1.15 * problem.count
     best, blind = min(found, key=lambda pair: pair[0].cost)
     for values in _walks(problem, choice, best, soft):
         other = _approach(problem, choice.at(values), soft)

@@ -1,0 +1,136 @@
+"""All claims, in the order of their years, and what has become of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+
+from hophoop.article import rolling, slipping
+from hophoop.article.runs import Runs
+from hophoop.article.statement import Check
+from hophoop.article.statements import checked
+from hophoop.claims.claim import Claim, Finding, judged
+from hophoop.claims.contact import DETACHMENT, IMPACTS, PARADOX
+from hophoop.claims.hoop import MASSLESS, ON_SLOPES, WITH_MASS
+from hophoop.scenario import InputError
+
+ARTICLE = "Sonnerlind2023"
+# The article's statements with a number of their own that take no long motion; `hophoop reproduce` checks all of them.
+FROM_ARTICLE: tuple[Check, ...] = (
+    rolling.friction_needed,
+    rolling.faster_utilization,
+    rolling.critical_speed,
+    slipping.littlewood,
+    slipping.hops,
+    slipping.positive_potential,
+    slipping.landing,
+    slipping.impact_loss,
+    slipping.low_friction,
+    slipping.low_friction_slips,
+)
+
+Progress = Callable[[int, int], None]
+
+
+def registry() -> tuple[Claim, ...]:
+    """All claims with a number, but for those of the article.
+
+    Returns
+    -------
+    claims : tuple of Claim
+        By the year of the work.
+
+    Examples
+    --------
+    >>> registry()[0].work
+    'Routh1877'
+    """
+    every = (*MASSLESS, *WITH_MASS, *ON_SLOPES, *DETACHMENT, *PARADOX, *IMPACTS)
+    return tuple(sorted(every, key=lambda claim: claim.work[-4:]))
+
+
+def works() -> tuple[str, ...]:
+    """The works that the claims are from.
+
+    Returns
+    -------
+    keys : tuple of str
+        Keys of references.bib, by year.
+
+    Examples
+    --------
+    >>> "Littlewood1953" in works()
+    True
+    """
+    return tuple(sorted({claim.work for claim in registry()} | {ARTICLE}, key=lambda work: (work[-4:], work)))
+
+
+def count(chosen: Iterable[str] = ()) -> int:
+    """How many claims there are.
+
+    Parameters
+    ----------
+    chosen : iterable of str
+        Keys of works; empty for all of them.
+
+    Returns
+    -------
+    number : int
+    """
+    wanted = _wanted(chosen)
+    return sum(claim.work in wanted for claim in registry()) + (len(FROM_ARTICLE) if ARTICLE in wanted else 0)
+
+
+def findings(chosen: Iterable[str] = (), progress: Progress | None = None) -> tuple[Finding, ...]:
+    """Compute our number for each claim and give the verdict.
+
+    Parameters
+    ----------
+    chosen : iterable of str
+        Keys of works; empty for all of them.
+    progress : callable, optional
+        Called with the number of claims done and of all.
+
+    Returns
+    -------
+    findings : tuple of Finding
+        By the year of the work. A claim whose number does not come out again has the verdict 'fails'.
+
+    Raises
+    ------
+    ValueError
+        If there is no claim of a chosen work.
+
+    Examples
+    --------
+    >>> [one.verdict for one in findings(["Kane1984"])]
+    ['agrees']
+    """
+    wanted, total = _wanted(chosen), count(chosen)
+    found = []
+    for work in sorted(wanted, key=works().index):
+        for judge in _judges(work):
+            found.append(judge())
+            if progress is not None:
+                progress(len(found), total)
+    return tuple(found)
+
+
+def _wanted(chosen: Iterable[str]) -> tuple[str, ...]:
+    wanted = tuple(dict.fromkeys(chosen))
+    for work in wanted:
+        if work not in works():
+            raise InputError(f"work = {work} must be one of {', '.join(works())}.")
+    return wanted or works()
+
+
+def _judges(work: str) -> list[Callable[[], Finding]]:
+    if work == ARTICLE:
+        runs = Runs()
+        return [partial(_of_article, check, runs) for check in FROM_ARTICLE]
+    return [partial(judged, claim) for claim in registry() if claim.work == work]
+
+
+def _of_article(check: Check, runs: Runs) -> Finding:
+    one = checked(check, runs)
+    return Finding(one.key, ARTICLE, one.statement, one.article, one.ours, one.verdict, one.why)

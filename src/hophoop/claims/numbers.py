@@ -1,0 +1,270 @@
+"""Our numbers: each computed from the motion or from theory, by itself."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+from hophoop import theory
+from hophoop.article.scenarios import GAMMA, scenarios
+from hophoop.maps import catalogue
+from hophoop.scenario import Disk, Hoop, Plane, Start
+from hophoop.simulation import simulate
+from hophoop.trajectory import Trajectory
+
+HOOP, PLANE = Hoop.ideal(GAMMA), Plane(mu=1.0)
+WITHOUT_LIMIT = Plane(mu=math.inf)
+
+# The massless hoop
+
+
+@cache
+def _skimming(speed: float = 1e-3) -> Trajectory:
+    return simulate(Hoop.ideal(1.0), Plane(mu=2.0), Start.rolling(speed), duration=6.0)
+
+
+def massless_loss_angle() -> float:
+    """Where the contact force of the massless hoop vanishes after the smallest push [°]."""
+    return math.degrees(float(theory.massless_loss(0.0, plane=Plane(mu=2.0)).angle))
+
+
+def massless_skim_angle() -> float:
+    """The same in the computed motion from 1 mm/s [°]."""
+    return math.degrees(_skimming().find("skim")[0].angle)
+
+
+@cache
+def massless_height() -> float:
+    """How high the massless hoop rises above the plane, in any event or between [m]."""
+    motion = _skimming()
+    times = motion.times(2001)
+    return max(*(float(height) for height in motion.at(times).height), *(event.height for event in motion.events))
+
+
+def massless_fall() -> float:
+    """Time from the loss of the force until the load strikes the plane [s]."""
+    motion = _skimming()
+    return motion.find("impact")[0].t - motion.find("skim")[0].t
+
+
+def massless_strike() -> float:
+    """The angle at which the load strikes the plane [°]."""
+    return math.degrees(_skimming().find("impact")[0].angle)
+
+
+def massless_hop_speed() -> float:
+    """Speed from which on the massless hoop has no contact force from the start [m/s]."""
+    return float(theory.immediate_hop_speed(Hoop.ideal(1.0)))
+
+
+# The hoop with mass in its rim
+
+
+@cache
+def _hop() -> Trajectory:
+    return simulate(scenarios()["hop"])
+
+
+def _slip_before_take_off() -> tuple[Any, Any]:
+    motion = _hop()
+    off = motion.find("takeoff")[0]
+    return [event for event in motion.find("slip_start") if event.t < off.t][-1], off
+
+
+def take_off_angle() -> float:
+    """Where the article's hoop takes off at 3.1 m/s [°]."""
+    return math.degrees(_hop().find("takeoff")[0].angle)
+
+
+def slip_before_take_off() -> float:
+    """How far it turns in slip before it takes off [°]."""
+    slip, off = _slip_before_take_off()
+    if off.from_mode not in ("S", "K"):
+        raise ValueError("The hoop takes off out of another mode than slip.")
+    return math.degrees(off.angle - slip.angle)
+
+
+def over_rotation_angle() -> float:
+    """Where the slip begins that ends in the take-off [°]."""
+    return math.degrees(_slip_before_take_off()[0].angle)
+
+
+def take_offs_out_of_rolling() -> float:
+    """Classes of the first revolution, at any γ of the catalogue, that roll last before they take off."""
+    from hophoop.maps import catalogued
+
+    return sum(entry.sequence.endswith("RH") for gamma in catalogued() for entry in catalogue(gamma))
+
+
+@cache
+def force_lost_speed() -> float:
+    """Speed from which on rolling would need the plane to pull, whatever the friction [m/s]."""
+    low, high = 2.0, float(theory.immediate_hop_speed(HOOP))
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        if math.isinf(float(theory.needed_friction(HOOP, middle, WITHOUT_LIMIT).mu)):
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+@cache
+def first_hop_speed() -> float:
+    """Speed from which on the article's hoop takes off in its first turn, bisected between 2.9 and 2.92 m/s [m/s]."""
+    low, high = 2.9, 2.92
+    for _ in range(24):
+        middle = 0.5 * (low + high)
+        motion = simulate(HOOP, PLANE, Start.rolling(middle), duration=2.0)
+        if any(event.angle < 2.0 * math.pi for event in motion.find("takeoff")):
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+def immediate_hop_speed() -> float:
+    """Speed from which on the article's hoop leaves the plane at the first instant [m/s]."""
+    return float(theory.immediate_hop_speed(HOOP))
+
+
+def first_slip_speed() -> float:
+    """Speed from which on the article's hoop slips in its first turn [m/s]."""
+    return float(theory.first_slip_speed(HOOP, PLANE))
+
+
+def friction_from_rest() -> float:
+    """Friction that the article's hoop needs to roll from the smallest push."""
+    return float(theory.needed_friction(HOOP, 0.0, PLANE).mu)
+
+
+def sequences() -> float:
+    """Sequences of phases in the first revolution, γ = 3/4, whatever ends it."""
+    return len({entry.sequence for entry in catalogue(GAMMA)})
+
+
+def sequences_with_endings() -> float:
+    """Sequences with what ends the revolution, γ = 3/4."""
+    return len(catalogue(GAMMA))
+
+
+# Friction without limit, slopes
+
+
+@cache
+def _quasi_jump() -> Any:
+    motion = simulate(HOOP, WITHOUT_LIMIT, Start.rolling(3.1), duration=2.0)
+    if motion.status != "undetermined":
+        raise ValueError("The motion on a plane of infinite friction goes on.")
+    return motion.events[-1]
+
+
+def quasi_jump_angle() -> float:
+    """Where N vanishes in rolling on infinite friction, with 3.1 m/s at the top [°]."""
+    return math.degrees(_quasi_jump().angle)
+
+
+def quasi_jump_free_acceleration() -> float:
+    """Acceleration of the contact point away from the plane there, if it were free [m/s²]."""
+    event = _quasi_jump()
+    return GAMMA * float(event.omega) ** 2 * math.cos(event.angle) - PLANE.gravity
+
+
+@cache
+def _cylinder(mu: float) -> Trajectory:
+    body = Hoop.from_parts(radius=0.05, parts=[Disk(0.02, 0.05), Disk(0.06, 0.003, at=0.04)])
+    slope = math.radians(30.0)
+    return simulate(body, Plane(mu=mu, slope=slope), Start(angle=-slope + 0.02), duration=1.0)
+
+
+def cylinder_slip_angle() -> float:
+    """Where a cylinder with a rod, released on 30° with μ = 1, slips first [°]."""
+    return math.degrees(_cylinder(1.0).find("slip_start")[0].angle)
+
+
+def cylinder_jump_angle() -> float:
+    """Where it leaves the slope [°]."""
+    return math.degrees(_cylinder(1.0).find("takeoff")[0].angle)
+
+
+def cylinder_force_lost_angle() -> float:
+    """Where N vanishes if the same cylinder rolls without slip [°]."""
+    return math.degrees(_cylinder(math.inf).events[-1].angle)
+
+
+# Painlevé's paradox, impacts
+
+
+def painleve_friction() -> float:
+    """Least friction for Painlevé's paradox, γ = 3/4."""
+    return float(theory.painleve_minimum(HOOP).mu)
+
+
+@cache
+def _jam() -> Trajectory:
+    motion = simulate(Hoop.ideal(0.85), Plane(mu=0.8), Start.rolling(8.9), duration=2.0)
+    if motion.status != "jammed":
+        raise ValueError("The motion does not jam.")
+    return motion
+
+
+def jam_angle() -> float:
+    """Where a thrown hoop with γ = 0.85, μ = 0.8, 8.9 m/s jams [°]."""
+    return math.degrees(_jam().events[-1].angle)
+
+
+def jam_angle_of_theory() -> float:
+    """The same from p_σ = 0 and f_n = 0 alone [°]."""
+    states = theory.jam_states(Hoop.ideal(0.85), Plane(mu=0.8))
+    here = math.radians(jam_angle())
+    return math.degrees(min((state.angle for state in states), key=lambda angle: abs(angle - here)))
+
+
+def impulse_without_collision() -> float:
+    """Impulse of the impact without collision just above Painlevé's threshold, θ = −0.7, v_t = 2 m/s [N s]."""
+    threshold = float(theory.painleve_threshold(-0.7, HOOP))
+    start = Start(angle=-0.7, vx=3.0, omega=1.0)
+    motion = simulate(HOOP, Plane(mu=threshold * (1.0 + 1e-9)), start, duration=0.01)
+    return next(event for event in motion.find("impact") if not event.collision).impulse_normal
+
+
+def impulse_of_slip() -> float:
+    """Impulse that stops the slip just below it, 10⁻⁶ of the threshold [N s]."""
+    threshold = float(theory.painleve_threshold(-0.7, HOOP))
+    start = Start(angle=-0.7, vx=3.0, omega=1.0)
+    body = simulate(HOOP, Plane(mu=threshold * (1.0 - 1e-6)), start, duration=0.01)
+    stop = body.find("stick")[0]
+    # the impulse along the normal is the change of the momentum of G and what gravity took
+    rise = [one.vy - HOOP.eccentricity * one.omega * math.sin(one.angle) for one in (body.at(0.0), stop)]
+    return HOOP.mass * (rise[1] - rise[0] + PLANE.gravity * float(stop.t))
+
+
+@cache
+def _blow(law: str) -> Trajectory:
+    body = Hoop(radius=1.0, mass=1.0, eccentricity=0.5, inertia_ratio=0.39)
+    plane = Plane(mu=0.5, restitution=1.0, impact_law=law)
+    return simulate(body, plane, Start(angle=-math.atan2(4.0, 3.0), vx=-1.0, vy=-3.0), duration=0.01)
+
+
+def kane_gain() -> float:
+    """Energy that Newton's law creates in a blow of 5 J with friction [J]."""
+    return float(_blow("newton").find("kane_gain")[0].gain)
+
+
+def stronge_separation() -> float:
+    """Velocity with which the rim parts after the same blow under Stronge's law [m/s]."""
+    return float(_blow("stronge").find("impact")[0].vy)
+
+
+def stronge_normal_loss() -> float:
+    """What the same blow loses in the normal direction under Stronge's law with e = 1 [J]."""
+    return abs(float(_blow("stronge").find("impact")[0].impact_normal))
+
+
+def routh_reversal() -> float:
+    """Slip after a plastic blow whose friction is too small to hold it, backwards before [m/s]."""
+    body = Hoop(radius=1.0, mass=1.0, eccentricity=0.5, inertia_ratio=0.39)
+    plane = Plane(mu=0.125, restitution=0.0)
+    motion = simulate(body, plane, Start(angle=-math.atan2(4.0, 3.0), vx=-1.0, vy=-3.0), duration=0.01)
+    return float(motion.find("impact")[0].slip)

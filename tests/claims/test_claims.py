@@ -1,0 +1,207 @@
+"""The claims of the literature: our numbers, computed anew and by hand, and what happens where one no longer holds."""
+
+import dataclasses
+import json
+import math
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import hophoop as hh
+from hophoop.article.statement import AGREES, DIFFERS, FAILS
+from hophoop.cite import references
+from hophoop.claims import numbers
+from hophoop.claims import registry as claims_of
+from hophoop.claims.claim import VERDICTS, decimals, judged
+from hophoop.claims.literature import FROM_ARTICLE
+from hophoop.claims.pages import END, filled
+from hophoop.cli import app
+from hophoop.cli.claims import COLORS
+
+LITERATURE = Path(__file__).parents[2] / "docs" / "literature"
+CLAIMS = claims_of()
+G = 9.81
+
+
+def pages():
+    return {path.stem: path.read_text(encoding="utf-8") for path in sorted(LITERATURE.glob("*.md"))}
+
+
+# Numbers
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.key)
+def test_our_number_comes_out_again(claim):
+    found = judged(claim)
+    assert (found.verdict, found.holds) == (claim.verdict, True)
+    assert found.ours.endswith(claim.ours + claim.unit if claim.unit in ("", "°") else f"{claim.ours} {claim.unit}")
+
+
+@pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.key)
+def test_a_number_that_is_off_by_one_digit_fails(claim):
+    places = decimals(claim.ours)
+    for step in (-1, 1):
+        off = dataclasses.replace(claim, ours=f"{float(claim.ours) + step * 10.0**-places:.{places}f}")
+        found = judged(off)
+        assert (found.verdict, found.holds) == (FAILS, False)
+        assert off.ours in found.why
+
+
+@pytest.mark.parametrize("claim", [one for one in CLAIMS if one.theirs_number is not None], ids=lambda claim: claim.key)
+def test_a_verdict_follows_from_the_number_of_the_work(claim):
+    apart = claim.theirs_number + 2.0 * claim.reading + 1.0 if claim.verdict == AGREES else float(claim.ours)
+    assert judged(dataclasses.replace(claim, theirs_number=apart)).verdict == FAILS
+
+
+def test_a_motion_without_the_event_fails():
+    lost = dataclasses.replace(CLAIMS[0], compute=lambda: numbers._skimming().find("takeoff")[0].t)
+    found = judged(lost)
+    assert (found.verdict, found.ours, found.value) == (FAILS, "–", None)
+
+
+def test_numbers_by_hand():
+    assert numbers.massless_skim_angle() == pytest.approx(math.degrees(math.acos(1e-6 / G)), abs=1e-9)
+    assert numbers.massless_fall() == pytest.approx((math.sqrt(3.0) - 1.0) / math.sqrt(G), abs=2e-6)
+    assert numbers.massless_hop_speed() == pytest.approx(math.sqrt(G), rel=1e-14)
+    assert numbers.immediate_hop_speed() == pytest.approx(math.sqrt(G / 0.75), rel=1e-14)
+    assert numbers.painleve_friction() == pytest.approx(math.sqrt(1.0 - 0.75**2) / 0.75, rel=1e-14)
+    assert numbers.routh_reversal() == pytest.approx(115.0 / 97.0, rel=1e-12)
+    assert numbers.kane_gain() == pytest.approx(257.0 / 448.0, rel=1e-12)
+    assert numbers.stronge_separation() == pytest.approx(math.sqrt(20631.0) / 52.0, rel=1e-12)
+    assert numbers.jam_angle() == pytest.approx(numbers.jam_angle_of_theory(), abs=1e-9)
+
+
+def test_the_first_hop_is_that_of_theory():
+    assert numbers.first_hop_speed() == pytest.approx(float(hh.theory.first_hop_speed(numbers.HOOP, numbers.PLANE)), abs=5e-9)
+
+
+def test_the_force_at_the_quasi_jump_by_newton():
+    """N of rolling from energy and Newton's law alone, at our angle, is zero: R = m = 1."""
+    theta, gamma, v0, step = math.radians(numbers.quasi_jump_angle()), 0.75, 3.1, 1e-5
+
+    def square(angle):
+        return (gamma * G * (1.0 - math.cos(angle)) + v0**2 * (1.0 + gamma)) / (1.0 + gamma * math.cos(angle))
+
+    acceleration = (square(theta + step) - square(theta - step)) / (4.0 * step)
+    normal = G - gamma * (acceleration * math.sin(theta) + square(theta) * math.cos(theta))
+    assert normal == pytest.approx(0.0, abs=1e-7)
+    free = gamma * square(theta) * math.cos(theta) - G
+    assert numbers.quasi_jump_free_acceleration() == pytest.approx(free, rel=1e-10)
+
+
+# The registry
+
+
+def test_keys_works_and_verdicts():
+    assert len({claim.key for claim in CLAIMS}) == len(CLAIMS) >= 30
+    assert set(hh.claims.works()) <= set(references())
+    assert set(COLORS) == set(VERDICTS)
+    for claim in CLAIMS:
+        assert claim.verdict in VERDICTS
+        assert claim.verdict != FAILS
+        assert all((claim.claim, claim.theirs, claim.quantity, claim.ours, claim.why)), claim.key
+        assert claim.verdict not in (DIFFERS,) or len(claim.why) > 30
+
+
+def test_the_article_is_not_written_down_twice():
+    found = hh.claims.findings(["Sonnerlind2023"])
+    assert len(found) == len(FROM_ARTICLE) == hh.claims.count(["Sonnerlind2023"])
+    assert all(one.holds for one in found)
+    assert not any(claim.work == "Sonnerlind2023" for claim in CLAIMS)
+
+
+def test_progress_counts_to_the_end():
+    seen = []
+    hh.claims.findings(["Kane1984", "Stronge2000"], lambda done, of: seen.append((done, of)))
+    assert seen == [(1, 3), (2, 3), (3, 3)]
+
+
+# Pages
+
+
+def test_every_work_has_a_page_and_its_table_is_that_of_the_registry():
+    found = []
+    for name, text in pages().items():
+        assert filled(text) == text, f"docs/literature/{name}.md: run python examples/claim_tables.py"
+        for line in text.split("\n"):
+            if line.startswith("<!-- claims: "):
+                found += line.removeprefix("<!-- claims: ").removesuffix(" -->").split()
+    assert sorted(found) == sorted(set(hh.claims.works()) - {"Sonnerlind2023"})
+
+
+def test_a_page_says_what_it_must():
+    for name, text in pages().items():
+        if name == "index":
+            continue
+        for heading in ("## What it claims", "## What it assumes", "## Our number beside it", "## Verdict", "## See it"):
+            assert heading in text, (name, heading)
+        assert "Read:" in text, name
+        assert "hophoop " in text.split("## See it")[1], name
+
+
+def commands():
+    lines = {line for text in pages().values() for line in text.split("\n")}
+    return sorted(
+        line for line in lines if line.startswith(("hophoop run ", "hophoop claims ")) and not line.endswith("Sonnerlind2023")
+    )
+
+
+@pytest.mark.parametrize("command", commands())
+def test_a_command_of_a_page_runs(command):
+    done = CliRunner().invoke(app, command.split()[1:])
+    assert done.exit_code == (1 if "--mu inf" in command or "--mu 0.8 --v0 8.9" in command else 0), done.stderr
+    assert done.stdout.strip()
+
+
+def test_a_wrong_table_is_made_right():
+    text = f"# A\n<!-- claims: Kane1984 -->\n| old |\n{END}\nrest"
+    once = filled(text)
+    assert "257/448" in once
+    assert "old" not in once
+    assert once.endswith(f"\n{END}\nrest")
+    assert filled(once) == once
+    assert filled("# no mark\n") == "# no mark\n"
+
+
+# The command
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, ["claims", *arguments])
+
+
+def test_the_table_has_works_numbers_and_verdicts():
+    done = run("Littlewood1953", "Kane1984")
+    assert done.exit_code == 0
+    for text in ("Littlewood1953", "90.000000°", "differs", "0.573661 J"):
+        assert text in done.stdout
+
+
+def test_json_has_every_digit():
+    done = run("Kane1984", "--json")
+    data = json.loads(done.stdout)
+    assert (data["schema"], data["version"], data["holds"]) == ("hophoop-claims/1", hh.__version__, True)
+    (one,) = data["claims"]
+    assert list(one) == ["key", "work", "claim", "theirs", "ours", "value", "verdict", "why"]
+    assert one["value"] == numbers.kane_gain()
+
+
+def test_quiet_prints_nothing():
+    done = run("Kane1984", "--quiet")
+    assert (done.exit_code, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_a_number_that_no_longer_holds_ends_with_status_1(monkeypatch):
+    wrong = dataclasses.replace(next(one for one in CLAIMS if one.work == "Kane1984"), ours="0.573662")
+    monkeypatch.setattr("hophoop.claims.literature.IMPACTS", (wrong,))
+    done = run("Kane1984")
+    assert done.exit_code == 1
+    assert "A number of ours no longer holds: kane_gain." in done.stderr
+    assert json.loads(run("Kane1984", "--json").stdout)["holds"] is False
+
+
+def test_a_work_without_claims_is_refused():
+    done = run("Newton1687")
+    assert done.exit_code == 2
+    assert done.stderr.startswith("Error: work = Newton1687 must be one of Routh1877, ")
