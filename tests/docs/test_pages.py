@@ -1,6 +1,8 @@
 """Pages for people: their code runs, their numbers are ours, and the navigation leads to all of them."""
 
 import re
+import runpy
+import sys
 from pathlib import Path
 
 import pytest
@@ -44,6 +46,17 @@ def test_names_pass_from_block_to_block_only_downwards():
 def test_every_page_stands_once_in_the_navigation():
     stored = {page.relative_to(DOCS).with_suffix("").as_posix() for page in DOCS.rglob("*.md") if page.parent.name != "tables"}
     assert sorted(toctree_pages(DOCS)) == sorted(stored - {"index"})
+
+
+def test_the_moving_picture_is_the_computed_motion(tmp_path, monkeypatch):
+    number = re.compile(r"-?\d*\.\d+")
+    monkeypatch.setattr(sys, "argv", ["front_page.py", str(tmp_path / "hop.svg")])
+    runpy.run_path(str(DOCS.parent / "examples" / "front_page.py"))
+    drawn, kept = (path.read_text(encoding="utf-8") for path in (tmp_path / "hop.svg", DOCS / "_static" / "hop.svg"))
+    assert number.sub("", drawn) == number.sub("", kept)
+    values = [[float(value) for value in number.findall(text)] for text in (drawn, kept)]
+    assert len(values[0]) > 500
+    assert values[0] == pytest.approx(values[1], abs=0.011)  # the last digit written
 
 
 def test_solutions_answer_every_task():
