@@ -187,7 +187,20 @@ def test_unknown_names_are_not():
 
 # The rooms whose functions users call; kernels are documented by physics formulas beside the code.
 ROOMS = ["scenario", "simulation", "trajectory", "theory", "io", "export", "portrait", "poses"]
-ROOMS += ["cite", "convergence", "maps", "plots", "animate", "article", "lab", "precise", "prove", "engines"]
+ROOMS += [
+    "cite",
+    "convergence",
+    "maps",
+    "plots",
+    "animate",
+    "article",
+    "lab",
+    "precise",
+    "prove",
+    "engines",
+    "tracking",
+    "fitting",
+]
 
 
 def public_objects(room):

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     import hophoop.theory as theory
     from hophoop.designing import design
     from hophoop.explanation import phases
+    from hophoop.fitting import Fit, fit, load_fit, plan
     from hophoop.io import load
     from hophoop.lab.widget import show
     from hophoop.scenario import (
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
         Start,
     )
     from hophoop.simulation import sensitivity, simulate
+    from hophoop.tracking import Track, read_track, track
     from hophoop.trajectory import Trajectory
 
 # Where each public name lives; None is a module of its own.
@@ -59,6 +61,13 @@ _HOMES: dict[str, str | None] = {
     "load": "hophoop.io",
     "phases": "hophoop.explanation",
     "show": "hophoop.lab.widget",
+    "track": "hophoop.tracking",
+    "read_track": "hophoop.tracking",
+    "Track": "hophoop.tracking",
+    "fit": "hophoop.fitting",
+    "Fit": "hophoop.fitting",
+    "load_fit": "hophoop.fitting",
+    "plan": "hophoop.fitting",
     "theory": None,
     "article": None,
     "claims": None,
@@ -88,6 +97,13 @@ __all__ = [
     "design",
     "phases",
     "load",
+    "track",
+    "read_track",
+    "Track",
+    "fit",
+    "Fit",
+    "load_fit",
+    "plan",
     "theory",
     "article",
     "claims",

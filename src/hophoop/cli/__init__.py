@@ -19,7 +19,9 @@ import typer
 from typer.core import TyperGroup
 
 # In the order in which --help shows them.
-COMMANDS = ("run", "prove", "theory", "reproduce", "claims", "animate", "map", "compare", "lab")
+COMMANDS = (
+    "run", "prove", "theory", "reproduce", "claims", "animate", "map", "track", "fit", "plan", "compare", "lab",
+)  # fmt: skip
 
 DONE, NO_ANSWER, BAD_INPUT, STOPPED, TERMINATED = 0, 1, 2, 130, 143
 

@@ -1,12 +1,12 @@
-"""What commands share of output: names of files that are checked before anything is computed, tables that fit."""
+"""What commands share: names of files that are checked before anything is computed, tables that fit, words of a refusal."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
-
-from hophoop.scenario import InputError
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -15,26 +15,45 @@ if TYPE_CHECKING:
 PICTURES = (".png", ".svg", ".pdf", ".jpg")
 
 
+def _refuse(sentence: str) -> Exception:
+    from hophoop.scenario import InputError  # loads pydantic, which --help does without
+
+    return InputError(sentence)
+
+
 def check_ending(option: str, path: Path, endings: tuple[str, ...]) -> None:
     """Refuse a name that does not tell a known format."""
     if not path.name.lower().endswith(endings):
-        raise InputError(f"{option} = {path} must end in {', '.join(endings[:-1])} or {endings[-1]}.")
+        known = " or ".join(part for part in (", ".join(endings[:-1]), endings[-1]) if part)
+        raise _refuse(f"{option} = {path} must end in {known}.")
 
 
 def check_folder(option: str, path: Path) -> None:
     """Refuse a name in a folder that is not there, before anything long is computed."""
     if not path.absolute().parent.is_dir():
-        raise InputError(f"{option} = {path} must be in a folder that is there; {path.parent} is not.")
+        raise _refuse(f"{option} = {path} must be in a folder that is there; {path.parent} is not.")
 
 
 def check_apart(paths: list[Path], source: str | None = None) -> None:
-    """Refuse two outputs into one file, or one over the scenario that is read."""
+    """Refuse two outputs into one file, or one over the file that is read."""
     whole = [path.absolute() for path in paths]
     for k, path in enumerate(whole):
         if path in whole[:k]:
-            raise InputError(f"{paths[k]} is named for two outputs.")
+            raise _refuse(f"{paths[k]} is named for two outputs.")
         if source not in (None, "-") and path == Path(str(source)).absolute():
-            raise InputError(f"{paths[k]} is the scenario itself: name another file for the output.")
+            raise _refuse(f"{paths[k]} is the scenario itself: name another file for the output.")
+
+
+@contextmanager
+def named_options(names: Mapping[str, str]) -> Iterator[None]:
+    """A refusal names the option, not the argument of the function that refuses; `names` maps one to the other."""
+    try:
+        yield
+    except ValueError as error:
+        words = str(error)
+        for name, option in names.items():
+            words = re.sub(rf"^{name}(?= (=|holds))|(?<!-)\b{name}(?= = )", option, words)
+        raise _refuse(words) from None
 
 
 def fitted(table: Table, console: Console, spare: Sequence[str]) -> list[str]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from hophoop.cli._options import with_scenario
+from hophoop.cli._output import named_options
 
 PICTURE, PACE, COMPARE = "Picture", "Pace", "Comparison"
 SCENES = (".html", ".glb")
@@ -123,7 +123,7 @@ def animate(
     need("matplotlib", "films")  # which brings the extra 'plots' as well
     from hophoop import animate as films
 
-    with _named_options():
+    with named_options(NAMED):
         slow = tuple(_mark(text) for text in slow_at or ())
         timing = films.Timing(fps, speed, slow, slow_factor, slow_width, begin, end, step)
         pixels, labels = (int(match[1]), int(match[2])), label or None
@@ -154,20 +154,6 @@ NAMED = {
     "slow_width": "--slow-width", "start": "--from", "end": "--to", "step": "--step", "size": "--size",
     "theme": "--theme", "camera": "--camera", "panels": "--panel", "labels": "--label", "out": "--out",
 }  # fmt: skip
-
-
-@contextmanager
-def _named_options() -> Iterator[None]:
-    """A refusal names the option, not the argument of the function that refuses."""
-    from hophoop.scenario import InputError
-
-    try:
-        yield
-    except ValueError as error:
-        words = str(error)
-        for name, option in NAMED.items():
-            words = re.sub(rf"^{name}(?= (=|holds))|\b{name}(?= = )", option, words)
-        raise InputError(words) from None
 
 
 def _varied(scenario: Any, vary: str | None) -> list[Any]:

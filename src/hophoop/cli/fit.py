@@ -1,0 +1,188 @@
+"""`hophoop fit`: parameters of a filmed hoop."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+OUTPUT, DATA, MODEL = "Output", "Data", "Model"
+
+
+def fit(
+    data: Annotated[
+        Path,
+        typer.Argument(
+            metavar="DATA",
+            help="A track of `hophoop track` (.json, .csv), Tracker's export or .trk, or a table with named columns.",
+            show_default=False,
+        ),
+    ],
+    out: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Folder for index.html, fit.json, scenario.toml.", rich_help_panel=OUTPUT)
+    ] = None,
+    film: Annotated[
+        Path | None, typer.Option(metavar="VIDEO", help="The film, to lay the motion over; with --out.", rich_help_panel=OUTPUT)
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="The fit with its data, .json.", rich_help_panel=OUTPUT)
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print it as JSON, without the data.", rich_help_panel=OUTPUT)] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
+    radius: Annotated[float | None, typer.Option(help="Of the rim, m, if the data do not say.", rich_help_panel=DATA)] = None,
+    sigma: Annotated[
+        float | None,
+        typer.Option(help="Standard deviation of each coordinate, m, if the data do not say.", rich_help_panel=DATA),
+    ] = None,
+    sigma_angle: Annotated[float | None, typer.Option(help="The same of angles, rad.", rich_help_panel=DATA)] = None,
+    centre: Annotated[str | None, typer.Option(help="Name of the point that is the centre.", rich_help_panel=DATA)] = None,
+    marker: Annotated[str | None, typer.Option(help="Name of the point that is the marker.", rich_help_panel=DATA)] = None,
+    angle_unit: Annotated[str | None, typer.Option(help="rad or deg, if not written.", rich_help_panel=DATA)] = None,
+    hoop: Annotated[
+        str, typer.Option(help="ideal, general, or a scenario file with the hoop's measured parts.", rich_help_panel=MODEL)
+    ] = "ideal",
+    start: Annotated[str, typer.Option(help="auto, rolling, sliding or flying.", rich_help_panel=MODEL)] = "auto",
+    fix: Annotated[
+        list[str] | None, typer.Option(metavar="NAME=VALUE", help="A known parameter; may be repeated.", rich_help_panel=MODEL)
+    ] = None,
+    free: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME",
+            help="Fit also slope, scale, tilt, origin_y, row_delay, marker_angle or marker_ratio; may be repeated.",
+            rich_help_panel=MODEL,
+        ),
+    ] = None,
+    bound: Annotated[
+        list[str] | None, typer.Option(metavar="NAME=LOW:HIGH", help="May be repeated.", rich_help_panel=MODEL)
+    ] = None,
+    tie: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME=EXPRESSION", help="A parameter by others; may be repeated.", rich_help_panel=MODEL),
+    ] = None,
+    gravity: Annotated[float, typer.Option(help="m/s².", rich_help_panel=MODEL)] = 9.81,
+    law: Annotated[str, typer.Option(help="Of impacts: stronge, newton or poisson.", rich_help_panel=MODEL)] = "stronge",
+    squares: Annotated[
+        bool, typer.Option("--squares", help="Plain squares: outliers count in full.", rich_help_panel=MODEL)
+    ] = False,
+) -> None:
+    """Fit the exact motion to a track; status 1 where no fit is good."""
+    from hophoop.cli import NO_ANSWER
+    from hophoop.cli._output import check_ending, check_folder
+    from hophoop.fitting import fit as find
+    from hophoop.scenario import InputError, Plane
+    from hophoop.tracking import Reading, read_track
+
+    for option, path in (("--save", save), ("--out", out)):
+        if path is not None:
+            check_folder(option, path)
+    if save is not None:
+        check_ending("--save", save, (".json",))
+    if film is not None and out is None:
+        raise InputError("--film needs --out, the folder of the page that shows it.")
+    track = read_track(data, Reading(centre, marker, angle_unit, radius, sigma, sigma_angle))
+    found = find(
+        track,
+        _hoop(hoop),
+        start,
+        {name: _number("--fix", name, text) for name, text in _pairs("--fix", fix)},
+        tuple(free or ()),
+        {name: _range(name, text) for name, text in _pairs("--bound", bound)},
+        dict(_pairs("--tie", tie)),
+        Plane(gravity=gravity, impact_law=law),
+        sigma,
+        sigma_angle,
+        not squares,
+    )
+    _show(found, json)
+    if save is not None:
+        found.save(save)
+    if out is not None:
+        _write(found, out, film, quiet)
+    if not found.good:
+        raise typer.Exit(NO_ANSWER)
+
+
+def _hoop(text: str) -> Any:
+    from hophoop.scenario import Scenario
+
+    return text if text in ("ideal", "general") else Scenario.load(text).hoop
+
+
+def _pairs(option: str, given: list[str] | None) -> list[tuple[str, str]]:
+    from hophoop.scenario import InputError
+
+    result = []
+    for text in given or ():
+        name, sign, value = text.partition("=")
+        if not sign or not name.strip() or not value.strip():
+            raise InputError(f"{option} {text} must be a name and a value, such as restitution=0.3.")
+        result.append((name.strip(), value.strip()))
+    return result
+
+
+def _number(option: str, name: str, text: str) -> float:
+    from hophoop.scenario import InputError
+
+    try:
+        return float(text)
+    except ValueError:
+        raise InputError(f"{option} {name}={text} must be a number.") from None
+
+
+def _range(name: str, text: str) -> tuple[float, float]:
+    from hophoop.scenario import InputError
+
+    low, sign, high = text.partition(":")
+    if not sign:
+        raise InputError(f"--bound {name}={text} must be two numbers, such as 0:0.5.")
+    return _number("--bound", name, low), _number("--bound", name, high)
+
+
+def _show(found: Any, json: bool) -> None:
+    import json as json_text
+
+    if json:
+        whole = {key: value for key, value in found.to_dict().items() if key != "track"}
+        typer.echo(json_text.dumps(finite(whole), indent=1, ensure_ascii=False, allow_nan=False))
+        return
+    table(found.rows())
+    for sentence in found.sentences():
+        typer.echo(sentence)
+
+
+def finite(value: Any) -> Any:
+    """The same for JSON, without nan and infinity."""
+    from hophoop.fitting.result import plain
+
+    return plain(value)
+
+
+def table(rows: list[tuple[str, str, str]]) -> None:
+    """Print parameters, values and meanings."""
+    from rich import box
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=200)
+    shown = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for name in ("parameter", "value", "meaning"):
+        shown.add_column(name, no_wrap=name != "meaning")
+    for row in rows:
+        shown.add_row(*(escape(cell) for cell in row))
+    console.print(shown)
+
+
+def _write(found: Any, out: Path, film: Path | None, quiet: bool) -> None:
+    from contextlib import nullcontext
+
+    from hophoop.animate.export import bar
+    from hophoop.cli import say
+    from hophoop.fitting import report
+
+    with nullcontext(None) if quiet or film is None else bar("drawing") as progress:
+        say(f"The page: {report(found, out, film, progress)}")

@@ -1,0 +1,51 @@
+"""`hophoop plan`: what a film that you intend to take would determine."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from hophoop.cli._options import with_scenario
+
+FILM = "The film"
+
+
+@with_scenario
+def plan(
+    scenario: Any,
+    rate: Annotated[float, typer.Option(help="Frames a second.", rich_help_panel=FILM)] = 240.0,
+    sigma: Annotated[
+        float, typer.Option(help="Standard deviation of each coordinate in a frame, m.", rich_help_panel=FILM)
+    ] = 2e-4,
+    sigma_angle: Annotated[float, typer.Option(help="The same of the angle, rad.", rich_help_panel=FILM)] = 2e-3,
+    no_marker: Annotated[
+        bool, typer.Option("--no-marker", help="There is no marker, so no angle.", rich_help_panel=FILM)
+    ] = False,
+    free: Annotated[
+        list[str] | None, typer.Option(metavar="NAME", help="Fit this as well, such as slope.", rich_help_panel=FILM)
+    ] = None,
+    fixed: Annotated[list[str] | None, typer.Option(metavar="NAME", help="This is known.", rich_help_panel=FILM)] = None,
+    hoop_known: Annotated[
+        bool, typer.Option("--hoop-known", help="The hoop is known from its parts.", rich_help_panel=FILM)
+    ] = False,
+    json: Annotated[bool, typer.Option("--json", help="Print it as JSON.", rich_help_panel=FILM)] = False,
+) -> None:
+    """Say which parameters a film of a motion would determine, and how well."""
+    import json as json_text
+    from dataclasses import asdict
+
+    from hophoop.cli._output import named_options
+    from hophoop.cli.fit import finite, table
+    from hophoop.fitting import plan as make
+
+    with named_options({"rate": "--rate", "sigma": "--sigma", "sigma_angle": "--sigma-angle"}):
+        found = make(
+            scenario, rate, sigma, None if no_marker else sigma_angle, tuple(free or ()), tuple(fixed or ()), hoop_known
+        )
+    if json:
+        typer.echo(json_text.dumps(finite(asdict(found)), indent=1, ensure_ascii=False, allow_nan=False))
+        return
+    table(found.rows())
+    for sentence in found.sentences():
+        typer.echo(sentence)

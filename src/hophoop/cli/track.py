@@ -1,0 +1,165 @@
+"""`hophoop track`: where the hoop is in each frame of a film."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+OUTPUT, FILM, HINTS, CAMERA = "Output", "The film", "Hints, where it does not find the hoop by itself", "Camera"
+
+
+def track(
+    video: Annotated[Path, typer.Argument(metavar="VIDEO", help="A film, anything that FFmpeg reads.", show_default=False)],
+    radius: Annotated[float, typer.Option(help="Of the outside of the rim, m; it gives the scale.", show_default=False)],
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Folder for index.html, overlay.mp4, track.json, track.csv.", rich_help_panel=OUTPUT),
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="The track: .json (everything) or .csv.", rich_help_panel=OUTPUT)
+    ] = None,
+    film: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="The film with what was found, .mp4.", rich_help_panel=OUTPUT)
+    ] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
+    rate: Annotated[
+        float | None, typer.Option(help="Frames a second as taken, if the file shows slow motion.", rich_help_panel=FILM)
+    ] = None,
+    exposure: Annotated[float, typer.Option(help="How long the shutter is open, s.", rich_help_panel=FILM)] = 0.0,
+    row_delay: Annotated[float, typer.Option(help="Rolling shutter, s from row to row.", rich_help_panel=FILM)] = 0.0,
+    pick: Annotated[bool, typer.Option("--pick", help="Open a page and click in a still.", rich_help_panel=HINTS)] = False,
+    marker: Annotated[
+        str, typer.Option(help="Colour of the marker: auto, none, a name such as red, or #rrggbb.", rich_help_panel=HINTS)
+    ] = "auto",
+    ring: Annotated[str, typer.Option(help="auto, dark or light.", rich_help_panel=HINTS)] = "auto",
+    centre: Annotated[
+        str | None, typer.Option(metavar="COLUMN,ROW", help="The hoop's centre in a frame, pixels.", rich_help_panel=HINTS)
+    ] = None,
+    rim: Annotated[float | None, typer.Option(help="Radius of the rim in that frame, pixels.", rich_help_panel=HINTS)] = None,
+    at: Annotated[float, typer.Option(help="Time of that frame, s.", rich_help_panel=HINTS)] = 0.0,
+    ground: Annotated[
+        str | None,
+        typer.Option(metavar="C,R,C,R", help="Two points of the line on which the rim stands, pixels.", rich_help_panel=CAMERA),
+    ] = None,
+    level_deg: Annotated[
+        float, typer.Option(help="By how much a level line rises to the right in the picture, degrees.", rich_help_panel=CAMERA)
+    ] = 0.0,
+    slope_deg: Annotated[
+        float | None, typer.Option(help="Slope of the plane, downhill to the right, degrees.", rich_help_panel=CAMERA)
+    ] = None,
+    tilt_deg: Annotated[
+        str | None,
+        typer.Option(
+            metavar="A,B",
+            help="Turn of the plane of motion about the picture's horizontal and vertical axis, degrees; 0,0 is straight on. "
+            "Found from the film by default.",
+            rich_help_panel=CAMERA,
+        ),
+    ] = None,
+    focal: Annotated[float | None, typer.Option(help="Focal length, pixels.", rich_help_panel=CAMERA)] = None,
+) -> None:
+    """Find a hoop in a film: time, centre and angle with an uncertainty a frame, printed as CSV or saved."""
+    from hophoop.cli import say
+    from hophoop.cli._output import named_options
+    from hophoop.tracking import Hints
+    from hophoop.tracking import track as find
+
+    _check(out, save, film, video)
+    tilt = _numbers("--tilt-deg", tilt_deg, 2)
+    with named_options(NAMED):
+        hints = Hints(
+            marker, ring, _numbers("--centre", centre, 2), rim, at, _numbers("--ground", ground, 4), math.radians(level_deg),
+            None if slope_deg is None else math.radians(slope_deg), exposure, row_delay, rate,
+            None if tilt is None else (math.radians(tilt[0]), math.radians(tilt[1])), focal,
+        )  # fmt: skip
+        if pick:
+            hints = _picked(video, hints)
+        with _bar("tracking", quiet) as progress:
+            found = find(video, radius, hints, progress)
+    say(f"Found in {int(found.found.sum())} of {len(found.t)} frames. " + " ".join(found.notes))
+    _write(found, video, out, save, film, quiet)
+
+
+def _check(out: Path | None, save: Path | None, film: Path | None, video: Path) -> None:
+    from hophoop.cli._output import check_apart, check_ending, check_folder
+
+    if save is not None:
+        check_ending("--save", save, (".json", ".csv"))
+        check_folder("--save", save)
+    if film is not None:
+        check_ending("--film", film, (".mp4",))
+        check_folder("--film", film)
+    if out is not None:
+        check_folder("--out", out)
+    named = [path for path in (out, save, film) if path is not None]
+    check_apart(named)
+    if any(path.absolute() == video.absolute() for path in named):
+        from hophoop.scenario import InputError
+
+        raise InputError(f"{video} is the film itself: name another file for the output.")
+
+
+def _write(found: Any, video: Path, out: Path | None, save: Path | None, film: Path | None, quiet: bool) -> None:
+    from hophoop.cli import say
+    from hophoop.tracking import overlay
+
+    page = None
+    if out is not None:
+        out.mkdir(exist_ok=True)
+        found.save(out / "track.json")
+        found.save(out / "track.csv")
+        page, film = out / "index.html", film or out / "overlay.mp4"
+    if save is not None:
+        found.save(save)
+    if film is not None:
+        with _bar("drawing", quiet) as progress:
+            overlay(video, found, film, page, progress)
+    if out is not None:
+        say(f"The page: {out / 'index.html'}")
+    if out is None and save is None and film is None:
+        _print(found)
+
+
+def _print(found: Any) -> None:
+    import csv
+    import sys
+
+    csv.writer(sys.stdout, lineterminator="\n").writerows(found.rows())
+
+
+def _picked(video: Path, hints: Any) -> Any:
+    from hophoop.lab.pick import pick
+
+    return pick(video, hints)
+
+
+def _numbers(option: str, text: str | None, count: int) -> Any:
+    from hophoop.scenario import InputError
+
+    if text is None:
+        return None
+    try:
+        values = tuple(float(word) for word in text.split(","))
+    except ValueError:
+        values = ()
+    if len(values) != count:
+        raise InputError(f"{option} {text} must be {count} numbers with commas between them.")
+    return values
+
+
+# What the functions of tracking call their arguments, and the options that give them.
+NAMED = {
+    name: "--" + name.replace("_", "-")
+    for name in ("radius", "marker", "ring", "centre", "rim", "ground", "rate", "exposure", "row_delay", "focal")
+} | {"level": "--level-deg", "slope": "--slope-deg", "tilt": "--tilt-deg"}
+
+
+def _bar(words: str, quiet: bool) -> Any:
+    from contextlib import nullcontext
+
+    from hophoop.animate.export import bar
+
+    return nullcontext(None) if quiet else bar(words)

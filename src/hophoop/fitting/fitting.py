@@ -1,0 +1,195 @@
+"""Parameters of a filmed hoop."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from hophoop.fitting.guess import candidates, guess, start_kind
+from hophoop.fitting.judging import correlations, lacking, least_static_friction, shares
+from hophoop.fitting.problem import PARAMETERS, REFUSED, STARTS, Problem, defaults, problem_of
+from hophoop.fitting.result import Fit
+from hophoop.fitting.solving import Choice, Solution, at_end, best_of, one_sided, solve
+from hophoop.scenario import Hoop, InputError, Plane
+from hophoop.tracking import Track, read_track
+
+
+def fit(
+    data: Track | str | Path,
+    hoop: Hoop | str = "ideal",
+    start: str = "auto",
+    fixed: Mapping[str, float] | None = None,
+    free: Sequence[str] = (),
+    bounds: Mapping[str, tuple[float, float]] | None = None,
+    tied: Mapping[str, str] | None = None,
+    plane: Plane | None = None,
+    sigma: float | None = None,
+    sigma_angle: float | None = None,
+    soft: bool = True,
+    seed: int = 0,
+) -> Fit:
+    """Find the parameters with which the exact motion is nearest to a track.
+
+    Parameters
+    ----------
+    data : Track, str or Path
+        A track, or a file of one.
+    hoop : Hoop or {'ideal', 'general'}, default 'ideal'
+        A hoop that is known (from its parts, say), so that only the contact is fitted; or an ideal one, given by gamma; or any,
+        given by eccentricity and inertia_ratio.
+    start : {'auto', 'rolling', 'sliding', 'flying'}, default 'auto'
+        How the hoop moves in the first frame.
+    fixed : dict, optional
+        Parameters that are known, and their values [SI units].
+    free : sequence of str, optional
+        Parameters to fit beside the usual ones: slope, scale, tilt, origin_y, row_delay, marker_angle, marker_ratio.
+    bounds : dict, optional
+        Least and greatest values of parameters [SI units].
+    tied : dict, optional
+        Parameters that follow from others, as expressions of them.
+    plane : Plane, optional
+        Gravity and the law of impacts.
+    sigma, sigma_angle : float, optional
+        Standard deviations of places [m] and angles [rad], in place of the track's own.
+    soft : bool, default True
+        Let outliers count less than by their square.
+    seed : int, default 0
+        Of the starts that are drawn [1].
+
+    Returns
+    -------
+    fit : Fit
+
+    Raises
+    ------
+    ValueError
+        If a name is not known, cannot be fitted, or the data are too few.
+    ImportError
+        If lmfit is missing.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import hophoop as hh
+    >>> from hophoop.tracking.table import track_of
+    >>> motion = hh.simulate(hh.Hoop.ideal(0.6, radius=0.3), hh.Plane(mu=0.9), hh.Start.rolling(1.5), duration=0.4)
+    >>> t = np.linspace(0.0, 0.4, 60)
+    >>> state = motion.at(t)
+    >>> data = {"x": state.x, "y": state.height + 0.3, "angle": state.angle}
+    >>> found = hh.fit(track_of(t, data, radius=0.3, placed=True), sigma=1e-4, sigma_angle=1e-3)
+    >>> round(found.values["gamma"], 3), found.limits["mu_static"][0]
+    (0.6, '≥')
+    """
+    track = data if isinstance(data, Track) else read_track(data)
+    if isinstance(hoop, str) and hoop not in ("ideal", "general"):
+        raise InputError(f"hoop = {hoop!r} must be 'ideal', 'general' or a Hoop.")
+    if start != "auto" and start not in STARTS:
+        raise InputError(f"start = {start!r} must be auto, {', '.join(STARTS)}.")
+    plane = plane or Plane()
+    problem = problem_of(track, hoop, "rolling" if start == "auto" else start, plane, (sigma, sigma_angle))
+    if start == "auto" and (kind := start_kind(problem)) != "rolling":
+        problem = problem_of(track, hoop, kind, plane, (sigma, sigma_angle))
+    choice = _choice(problem, track, fixed or {}, free, bounds or {}, tied or {})
+    found = guess(problem, choice.values)
+    first = {name: found[name] if name in choice.free else value for name, value in choice.values.items()}
+    if len(choice.free) >= problem.count:
+        raise InputError(f"{len(choice.free)} parameters cannot be fitted to {problem.count} numbers.")
+    starts = candidates(problem, first, set(choice.free), seed)
+    if not starts:
+        raise InputError("No motion could be computed from what the data say of themselves: fix or bound some parameters.")
+    solution, blind = best_of(problem, choice, starts, soft)
+    settings: dict[str, object] = {
+        "hoop": hoop if isinstance(hoop, str) else hoop.to_dict(),
+        "start": problem.start,
+        "gravity": plane.gravity,
+        "law": plane.impact_law,
+        "soft": soft,
+        "sigma": sigma,
+        "sigma_angle": sigma_angle,
+    }
+    return _told(problem, choice, solution, blind, track, settings)
+
+
+def _choice(
+    problem: Problem,
+    track: Track,
+    fixed: Mapping[str, float],
+    free: Sequence[str],
+    bounds: Mapping[str, tuple[float, float]],
+    tied: Mapping[str, str],
+) -> Choice:
+    values, usual = defaults(problem, track)
+    for name in (*fixed, *free, *bounds, *tied):
+        if name in REFUSED:
+            raise InputError(f"{name} is no parameter of a fit: {REFUSED[name]}.")
+        if name not in problem.names:
+            raise InputError(f"{name!r} is no parameter of this fit; it has {', '.join(problem.names)}.")
+    for name in fixed:
+        if name in free or name in tied:
+            raise InputError(f"{name} cannot be fixed and {'free' if name in free else 'tied'}.")
+        if not np.isfinite(fixed[name]):
+            raise InputError(f"fixed {name} = {fixed[name]} must be a finite number.")
+    for name, (low, high) in bounds.items():
+        if not low < high:
+            raise InputError(f"bounds of {name} = {low}, {high} must be a lower and a greater number.")
+    if "row_delay" in free and problem.rows is None:
+        raise InputError("row_delay cannot be fitted: the data do not say in which row of the picture the hoop was.")
+    chosen = tuple(name for name in problem.names if (name in usual or name in free) and name not in fixed and name not in tied)
+    values |= {name: float(value) for name, value in fixed.items()}
+    for name in chosen:
+        low, high = bounds.get(name, (PARAMETERS[name].low, PARAMETERS[name].high))
+        values[name] = float(np.clip(values[name], low, high))
+    return Choice(values, chosen, dict(bounds), dict(tied))
+
+
+def _told(
+    problem: Problem, choice: Choice, solution: Solution, blind: list[str], track: Track, settings: dict[str, object]
+) -> Fit:
+    """The fit with what it does not say: limits of what is at an end, or out of sight."""
+    limits: dict[str, tuple[str, float]] = {}
+    notes = []
+    soft = bool(settings["soft"])
+    for name in solution.free:
+        side = at_end(choice, solution, name)
+        if side:
+            end = choice.limits(name)[0 if side < 0 else 1]
+            choice = choice.at(solution.values).without(name, end)
+            for other in blind:
+                choice = choice.without(other, choice.values[other])
+            solution = solve(problem, choice, soft)
+            limit = one_sided(problem, choice, solution, name, side, soft)
+            limits[name] = ("≤" if side < 0 else "≥", limit)
+    motion = problem.motion(solution.values)
+    letters = set(motion.sequence)
+    slips, lands = bool(letters & {"S", "K"}), bool(motion.find("impact"))
+    for name in blind:
+        limits[name] = ("", float("nan"))
+    if not slips and {"mu_kinetic", "mu_excess"} & set(blind):
+        least = least_static_friction(motion)
+        limits["mu_static"] = ("≥", least)
+        notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction is not seen.")
+    if not lands and "restitution" in blind:
+        notes.append("There is no impact in the film, so that it says nothing about restitution.")
+    for name in blind:
+        if name not in ("mu_kinetic", "mu_excess", "restitution"):
+            notes.append(f"The film says nothing about {name}.")
+    chi_square = float((solution.residuals**2).sum())
+    freedom = problem.count - len(solution.free)
+    scale = max(1.0, float(np.sqrt(chi_square / max(freedom, 1))))
+    return Fit(
+        solution.values,
+        solution.free,
+        solution.covariance,
+        chi_square,
+        freedom,
+        limits,
+        shares(problem, solution, scale),
+        correlations(solution),
+        lacking(problem, motion, solution.residuals),
+        tuple(notes),
+        track,
+        settings,
+        solution.calls,
+    )

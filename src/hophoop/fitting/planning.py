@@ -1,0 +1,187 @@
+"""What a film that you intend to take would determine: the uncertainties of a fit, from the motion alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from hophoop.fitting.judging import correlations, least_static_friction
+from hophoop.fitting.problem import PARAMETERS, REFUSED, Problem, defaults, problem_of
+from hophoop.fitting.result import rounded
+from hophoop.fitting.solving import Choice, Solution, inverse, slopes, unseen
+from hophoop.scenario import InputError, Scenario
+from hophoop.simulation import simulate
+from hophoop.tracking import Track
+from hophoop.tracking.table import track_of
+
+MOST_FRAMES = 200_000
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a film would tell.
+
+    Attributes
+    ----------
+    values : dict of float
+        The parameters of the motion [SI units].
+    errors : dict of float
+        Standard deviations that a fit would have [SI units].
+    unseen : tuple of str
+        Parameters of which the film would say nothing.
+    correlated : list
+        Pairs that the film could hardly tell apart, with their correlation [1].
+    sequence : str
+        Of the motion.
+    frames : int
+        [1]
+    least_static_friction : float
+        What static friction would be known to exceed, where the hoop never slips; nan where it does [1].
+    """
+
+    values: dict[str, float]
+    errors: dict[str, float]
+    unseen: tuple[str, ...]
+    correlated: list[tuple[str, str, float]]
+    sequence: str
+    frames: int
+    least_static_friction: float
+
+    def rows(self) -> list[tuple[str, str, str]]:
+        """Parameters for people: name, value with uncertainty, meaning.
+
+        Returns
+        -------
+        rows : list of (str, str, str)
+        """
+        result = []
+        for name, error in self.errors.items():
+            unit = "" if PARAMETERS[name].unit == "1" else f" {PARAMETERS[name].unit}"
+            result.append((name, rounded(self.values[name], error) + unit, PARAMETERS[name].meaning))
+        result += [(name, "not seen", PARAMETERS[name].meaning) for name in self.unseen]
+        if np.isfinite(self.least_static_friction):
+            result.append(("mu_static", f"≥ {self.least_static_friction:.3g}", "static friction: the hoop never slips"))
+        return result
+
+    def sentences(self) -> list[str]:
+        """What there is to say beside the table.
+
+        Returns
+        -------
+        sentences : list of str
+        """
+        said = [f"{self.frames} frames of the sequence {self.sequence}."]
+        said += [
+            f"{first} and {second} could hardly be told apart (correlation {size:+.3f})."
+            for first, second, size in self.correlated
+        ]
+        return said
+
+
+def plan(
+    scenario: Scenario,
+    rate: float = 240.0,
+    sigma: float = 2e-4,
+    sigma_angle: float | None = 2e-3,
+    free: Sequence[str] = (),
+    fixed: Sequence[str] = (),
+    hoop_known: bool = False,
+) -> Plan:
+    """The uncertainties that a fit to a film of a motion would have.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        The motion, as it is expected.
+    rate : float, default 240
+        Frames a second [Hz].
+    sigma : float, default 2e-4
+        Standard deviation of each coordinate of the centre in a frame [m].
+    sigma_angle : float, optional
+        The same of the angle; None where there is no marker [rad].
+    free : sequence of str, optional
+        Parameters to fit beside the usual ones.
+    fixed : sequence of str, optional
+        Parameters that are known.
+    hoop_known : bool, default False
+        Whether the hoop is known from its parts, so that only the contact and the start are fitted.
+
+    Returns
+    -------
+    plan : Plan
+
+    Raises
+    ------
+    ValueError
+        If a name is not known, a number is not allowed, or the motion is too short.
+    ImportError
+        If lmfit is missing.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.6, radius=0.3), start=hh.Start.rolling(1.5), duration=0.3)
+    >>> hh.plan(scenario, rate=120.0).unseen
+    ('mu_kinetic', 'mu_excess', 'restitution')
+    """
+    for name, value in (("rate", rate), ("sigma", sigma), ("sigma_angle", 1.0 if sigma_angle is None else sigma_angle)):
+        if not (np.isfinite(value) and value > 0):
+            raise InputError(f"{name} = {value} must be a number above 0.")
+    motion = simulate(scenario)
+    count = int(motion.duration * rate) + 1
+    if not 12 <= count <= MOST_FRAMES:
+        raise InputError(f"The film would have {count} frames; a plan needs 12 to {MOST_FRAMES:,}.")
+    track = _film(scenario, np.arange(count) / rate, sigma, sigma_angle)
+    start = _start(scenario)
+    ideal = scenario.hoop.load_fraction is not None
+    hoop = scenario.hoop if hoop_known or scenario.hoop.massless else "ideal" if ideal else "general"
+    problem = problem_of(track, hoop, start, scenario.plane, (None, None))
+    values = _values(problem, track, scenario)
+    _, usual = defaults(problem, track)
+    for name in (*free, *fixed):
+        if name in REFUSED or name not in problem.names:
+            raise InputError(f"{name!r} is no parameter of this plan; it has {', '.join(problem.names)}.")
+    names = tuple(name for name in problem.names if (name in usual or name in free) and name not in fixed)
+    choice = Choice(values, names, {}, {})
+    blind = tuple(unseen(problem, choice))
+    seen = tuple(name for name in names if name not in blind)
+    jacobian = slopes(problem, choice, seen, problem.residuals)
+    covariance = inverse(jacobian.T @ jacobian)
+    errors = {name: float(np.sqrt(covariance[k, k])) for k, name in enumerate(seen)}
+    solution = Solution(values, seen, covariance, 0.0, np.zeros(0), 0)
+    never = not set(motion.sequence) & {"S", "K"}
+    least = least_static_friction(motion) if never else float("nan")
+    return Plan(values, errors, blind, correlations(solution), motion.sequence, count, least)
+
+
+def _film(scenario: Scenario, t: np.ndarray, sigma: float, sigma_angle: float | None) -> Track:
+    state = simulate(scenario).at(t)
+    radius = scenario.hoop.radius
+    spread = np.full(len(t), sigma)
+    columns = {"x": state.x, "y": state.height + radius, "sigma_x": spread, "sigma_y": spread}
+    if sigma_angle is not None:
+        columns |= {"angle": state.angle, "sigma_angle": np.full(len(t), sigma_angle)}
+    return track_of(t, columns, radius=radius, slope=scenario.plane.slope, placed=True)
+
+
+def _start(scenario: Scenario) -> str:
+    start = scenario.start
+    if start.speed is not None:
+        return "rolling"
+    if start.height > 0 or start.vy > 0:
+        return "flying"
+    return "rolling" if start.state(scenario.hoop).slip == 0.0 else "sliding"
+
+
+def _values(problem: Problem, track: Track, scenario: Scenario) -> dict[str, float]:
+    values, _ = defaults(problem, track)
+    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
+    known = {
+        "gamma": hoop.load_fraction, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
+        "mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic, "restitution": plane.restitution,
+        "slope": plane.slope, "x0": start.x, "angle0": start.angle, "speed": start.vx, "height0": start.height,
+        "vx0": start.vx, "vy0": start.vy, "omega0": start.omega,
+    }  # fmt: skip
+    return values | {name: float(value) for name, value in known.items() if name in values and value is not None}

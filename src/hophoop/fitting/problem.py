@@ -1,0 +1,406 @@
+"""What is fitted: parameters in, the exact motion and its distance from the data out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
+from hophoop.simulation import simulate
+from hophoop.tracking import Track
+from hophoop.trajectory import Trajectory
+
+Floats = NDArray[np.float64]
+
+FAR = 1e4  # residual of a motion that cannot be, in standard deviations
+BEYOND = 1.0 + 1e-9  # by how much the motion is longer than the data
+
+
+class Kind(NamedTuple):
+    """A parameter that can be fitted."""
+
+    unit: str
+    meaning: str
+    low: float
+    high: float
+    step: float  # of a numerical derivative
+
+
+INFINITE = float("inf")
+PARAMETERS: dict[str, Kind] = {
+    "gamma": Kind("1", "share of the mass in the load", 0.01, 0.99, 1e-5),
+    "eccentricity": Kind("1", "distance of the centre of gravity from the centre over the radius", 0.001, 0.999, 1e-5),
+    "inertia_ratio": Kind("1", "moment of inertia over m R²", 0.001, 2.0, 1e-5),
+    "mu_kinetic": Kind("1", "kinetic friction", 0.0, 3.0, 1e-5),
+    "mu_excess": Kind("1", "static less kinetic friction", 0.0, 2.0, 1e-5),
+    "restitution": Kind("1", "restitution", 0.0, 0.9, 1e-5),
+    "slope": Kind("rad", "slope of the plane", -1.0, 1.0, 1e-6),
+    "x0": Kind("m", "place of the centre in the first frame", -INFINITE, INFINITE, 1e-6),
+    "angle0": Kind("rad", "angle in the first frame", -INFINITE, INFINITE, 1e-6),
+    "speed": Kind("m/s", "speed of the centre in the first frame, rolling", -INFINITE, INFINITE, 1e-6),
+    "height0": Kind("m", "height of the rim above the plane in the first frame", 0.0, INFINITE, 1e-6),
+    "vx0": Kind("m/s", "velocity of the centre along the plane in the first frame", -INFINITE, INFINITE, 1e-6),
+    "vy0": Kind("m/s", "velocity of the centre away from the plane in the first frame", -INFINITE, INFINITE, 1e-6),
+    "omega0": Kind("rad/s", "angular velocity in the first frame", -INFINITE, INFINITE, 1e-6),
+    "scale": Kind("1", "length in the data over length", 0.5, 2.0, 1e-6),
+    "tilt": Kind("rad", "angle by which the plane rises along x of the data", -1.0, 1.0, 1e-6),
+    "origin_y": Kind("m", "height of the plane in the data at x = 0", -INFINITE, INFINITE, 1e-6),
+    "row_delay": Kind("s", "from the exposure of a row to that of the next", -1e-3, 1e-3, 1e-8),
+    "marker_angle": Kind("rad", "angle from the load to the marker", -INFINITE, INFINITE, 1e-6),
+    "marker_ratio": Kind("1", "distance of the marker from the centre over the radius", 0.01, 1.5, 1e-6),
+}  # fmt: skip
+# How the first frame may be: which parameters say it.
+STARTS = {
+    "rolling": ("x0", "angle0", "speed"),
+    "sliding": ("x0", "angle0", "vx0", "omega0"),
+    "flying": ("x0", "height0", "angle0", "vx0", "vy0", "omega0"),
+}
+# Said in place of a parameter that cannot be one.
+REFUSED = {
+    "t0": "the time of the start says the same as its place, angle and speed together, so the start is the first frame",
+    "radius": "the radius gives the scale of the film and is measured; scale can be fitted",
+    "mass": "no film can tell the mass: the motion does not depend on it",
+    "mu_static": "static friction is mu_kinetic + mu_excess; fix or free those",
+    "gravity": "gravity is given, not fitted; scale can be",
+}
+
+
+class Channel(NamedTuple):
+    """One quantity that was measured."""
+
+    name: str  # x, y, angle, marker_x or marker_y
+    rows: NDArray[np.int64]  # of the track
+    values: Floats
+    errors: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Data and what is known, of which the parameters make a motion.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times from the first frame [s].
+    channels : tuple of Channel
+    rows : ndarray, shape (n,) or None
+        Row of the picture in which the centre stands, less their mean [pixel].
+    radius : float
+        [m]
+    hoop : Hoop or None
+        Where it is known.
+    general : bool
+        Whether the hoop is any, not an ideal one.
+    start : str
+        A key of STARTS.
+    plane : Plane
+        Gravity and the law of impacts.
+    """
+
+    t: Floats
+    channels: tuple[Channel, ...]
+    rows: Floats | None
+    radius: float
+    hoop: Hoop | None
+    general: bool
+    start: str
+    plane: Plane = field(default_factory=Plane)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Parameters that this problem has."""
+        hoop = () if self.hoop is not None else ("eccentricity", "inertia_ratio") if self.general else ("gamma",)
+        return (
+            *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", *STARTS[self.start],
+            "scale", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
+        )  # fmt: skip
+
+    @property
+    def count(self) -> int:
+        """Numbers that were measured [1]."""
+        return sum(len(channel.values) for channel in self.channels)
+
+    @property
+    def data(self) -> Floats:
+        """All that was measured, channel after channel."""
+        return np.concatenate([channel.values for channel in self.channels])
+
+    @property
+    def errors(self) -> Floats:
+        """Standard deviations of the data."""
+        return np.concatenate([channel.errors for channel in self.channels])
+
+    def scenario(self, values: dict[str, float]) -> Scenario:
+        """The scenario of parameters.
+
+        Parameters
+        ----------
+        values : dict
+            All of `names`.
+
+        Returns
+        -------
+        scenario : Scenario
+
+        Raises
+        ------
+        ValueError
+            If there is no such hoop or plane.
+        """
+        if self.hoop is not None:
+            hoop = self.hoop
+        elif self.general:
+            hoop = Hoop(radius=self.radius, eccentricity=values["eccentricity"], inertia_ratio=values["inertia_ratio"])
+        else:
+            hoop = Hoop(radius=self.radius, load_fraction=values["gamma"])
+        plane = Plane(
+            gravity=self.plane.gravity,
+            slope=values["slope"],
+            mu_static=values["mu_kinetic"] + values["mu_excess"],
+            mu_kinetic=values["mu_kinetic"],
+            restitution=values["restitution"],
+            impact_law=self.plane.impact_law,
+            painleve=self.plane.painleve,
+        )
+        if self.start == "rolling":
+            start = Start(x=values["x0"], angle=values["angle0"], speed=values["speed"])
+        else:
+            free = self.start == "flying"
+            start = Start(
+                x=values["x0"],
+                height=values["height0"] if free else 0.0,
+                angle=values["angle0"],
+                vx=values["vx0"],
+                vy=values["vy0"] if free else 0.0,
+                omega=values["omega0"],
+            )
+        margin = abs(values["row_delay"]) * (float(np.ptp(self.rows)) if self.rows is not None else 0.0)
+        return Scenario(hoop=hoop, plane=plane, start=start, duration=float(self.t[-1]) * BEYOND + margin)
+
+    def motion(self, values: dict[str, float]) -> Trajectory:
+        """The motion of parameters.
+
+        Parameters
+        ----------
+        values : dict
+            All of `names`.
+
+        Returns
+        -------
+        motion : Trajectory
+
+        Raises
+        ------
+        ValueError
+            If there is no such hoop or plane.
+        """
+        return simulate(self.scenario(values))
+
+    def places(self, motion: Trajectory, values: dict[str, float]) -> dict[str, Floats]:
+        """What the data would be for a motion, in every frame.
+
+        Parameters
+        ----------
+        motion : Trajectory
+        values : dict
+            All of `names`.
+
+        Returns
+        -------
+        places : dict of ndarray
+            By names of channels [m or rad].
+        """
+        times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
+        state = motion.at(np.clip(times, 0.0, motion.duration))
+        reach = values["marker_ratio"] * self.radius
+        marked = state.angle + values["marker_angle"]
+        x, y = state.x, state.height + self.radius
+        cos, sin = values["scale"] * np.cos(values["tilt"]), values["scale"] * np.sin(values["tilt"])
+
+        def turned(a: Floats, b: Floats) -> tuple[Floats, Floats]:
+            return cos * a - sin * b, values["origin_y"] + sin * a + cos * b
+
+        first, second = turned(x, y)
+        third, fourth = turned(x + reach * np.sin(marked), y + reach * np.cos(marked))
+        return {"x": first, "y": second, "marker_x": third, "marker_y": fourth, "angle": marked - values["tilt"]}
+
+    def residuals(self, values: dict[str, float]) -> Floats:
+        """Data less motion, in standard deviations.
+
+        Parameters
+        ----------
+        values : dict
+            All of `names`.
+
+        Returns
+        -------
+        residuals : ndarray, shape (count,)
+            [1]
+        """
+        try:
+            motion = self.motion(values)
+        except ValueError:
+            return np.full(self.count, FAR)
+        return self.distances(self.places(motion, values))
+
+    def distances(self, places: dict[str, Floats]) -> Floats:
+        """Data less places, in standard deviations.
+
+        Parameters
+        ----------
+        places : dict of ndarray
+            As `places` gives them [m or rad].
+
+        Returns
+        -------
+        residuals : ndarray, shape (count,)
+            [1]
+        """
+        parts = [(channel.values - places[channel.name][channel.rows]) / channel.errors for channel in self.channels]
+        return np.nan_to_num(np.concatenate(parts), nan=FAR, posinf=FAR, neginf=-FAR)
+
+
+def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: tuple[float | None, float | None]) -> Problem:
+    """The problem that a track poses.
+
+    Parameters
+    ----------
+    track : Track
+    hoop : Hoop or {'ideal', 'general'}
+        Known, or of which kind.
+    start : str
+        A key of STARTS.
+    plane : Plane
+        Gravity and the law of impacts.
+    sigma : tuple of float or None
+        Standard deviations of places [m] and angles [rad], in place of the track's own.
+
+    Returns
+    -------
+    problem : Problem
+
+    Raises
+    ------
+    ValueError
+        If the radius is not known, or there is too little data.
+    """
+    radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
+    if not (np.isfinite(radius) and radius > 0):
+        raise InputError("The radius of the hoop is missing: the data do not say it.")
+    channels = _channels(track, sigma)
+    first = min(int(channel.rows[0]) for channel in channels)
+    last = max(int(channel.rows[-1]) for channel in channels)
+    kept = tuple(channel._replace(rows=channel.rows - first) for channel in channels)
+    rows = track.pixel[first : last + 1, 1]
+    rowed = bool(np.isfinite(rows).any())
+    return Problem(
+        track.t[first : last + 1] - track.t[first],
+        kept,
+        np.nan_to_num(rows - np.nanmean(rows)) if rowed else None,
+        float(radius),
+        hoop if isinstance(hoop, Hoop) else None,
+        hoop == "general",
+        start,
+        plane,
+    )
+
+
+def _channels(track: Track, sigma: tuple[float | None, float | None]) -> tuple[Channel, ...]:
+    """The centre with the angle, or the marker where there is no centre."""
+    t, result = track.t, []
+    centred = np.isfinite(track.centre[:, 0]).any()
+    pairs: list[tuple[str, Floats, Floats, float | None]] = []
+    if centred:
+        pairs += [(name, track.centre[:, k], track.centre_error[:, k], sigma[0]) for k, name in enumerate(("x", "y"))]
+    elif np.isfinite(track.marker[:, 0]).any():
+        pairs += [(f"marker_{name}", track.marker[:, k], track.marker_error, sigma[0]) for k, name in enumerate(("x", "y"))]
+    if centred and np.isfinite(track.angle).any():
+        error = track.angle_error
+        if np.isnan(error).all() and np.isfinite(track.marker_error).any():
+            reach = np.hypot(*(track.marker - track.centre).T)
+            error = np.hypot(track.marker_error, track.centre_error.mean(axis=1)) / reach
+        pairs.append(("angle", track.angle, error, sigma[1]))
+    elif np.isfinite(track.angle).any() and not pairs:
+        pairs.append(("angle", track.angle, track.angle_error, sigma[1]))
+    for name, values, errors, given in pairs:
+        rows = np.flatnonzero(np.isfinite(values))
+        own = errors[rows] if given is None else np.full(len(rows), given)
+        if not (np.isfinite(own) & (own > 0)).all():
+            usual = scatter(t[rows], values[rows])
+            own = np.where(np.isfinite(own) & (own > 0), own, usual)
+        result.append(Channel(name, rows, values[rows], own))
+    if sum(len(channel.rows) for channel in result) < 12:
+        raise InputError("The track knows the hoop in too few frames to fit anything.")
+    return tuple(result)
+
+
+def scatter(t: Floats, values: Floats) -> float:
+    """Standard deviation of one value, from third differences, to which a smooth motion adds little.
+
+    Parameters
+    ----------
+    t, values : ndarray, shape (n,)
+        Times [s] and what was measured then [1].
+
+    Returns
+    -------
+    sigma : float
+        In the values' own unit [1].
+
+    Raises
+    ------
+    ValueError
+        If there are less than eight values, or they are free of scatter.
+    """
+    if len(t) < 8:
+        raise InputError(f"The uncertainty of the data is missing, and {len(t)} frames do not tell it: give sigma.")
+    thirds = []
+    for k in range(len(t) - 3):
+        at = t[k : k + 4] - t[k]
+        weights = np.array([1.0 / np.prod([at[i] - at[j] for j in range(4) if j != i]) for i in range(4)])
+        thirds.append(float(weights @ values[k : k + 4] / np.sqrt(weights @ weights)))
+    usual = 1.4826 * float(np.median(np.abs(thirds)))
+    if not usual > 1e-12 * max(1.0, float(np.abs(values).max())):
+        raise InputError("The uncertainty of the data is missing, and they do not scatter: give sigma.")
+    return usual
+
+
+def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]]:
+    """Values that parameters have before anything is fitted, and which of them are free unless said otherwise.
+
+    Parameters
+    ----------
+    problem : Problem
+    track : Track
+
+    Returns
+    -------
+    values : dict
+    free : set of str
+    """
+    measured = {channel.name for channel in problem.channels}
+    values: dict[str, Any] = {
+        "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,
+        "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
+        "x0": 0.0, "angle0": 0.0, "speed": 1.0, "height0": 0.0, "vx0": 1.0, "vy0": 0.0, "omega0": 1.0 / problem.radius,
+        "scale": 1.0, "tilt": 0.0, "origin_y": 0.0, "row_delay": 0.0, "marker_angle": 0.0, "marker_ratio": 1.0,
+    }  # fmt: skip
+    if track.view is not None and np.isfinite(track.view.marker_ratio):
+        values["marker_ratio"] = track.view.marker_ratio
+    free = {name for name in problem.names if name in ("gamma", "eccentricity", "inertia_ratio", *STARTS[problem.start])}
+    free |= {"mu_kinetic", "mu_excess", "restitution"}
+    if not track.placed:
+        free |= {"tilt", "origin_y"} & set(problem.names)
+    if "x" not in measured and "marker_x" not in measured:
+        free -= {"x0", "tilt", "origin_y"}
+    if "marker_x" in measured:
+        free |= {"marker_ratio"}
+    return {name: values[name] for name in problem.names}, free
+
+
+__all__ = [
+    "Channel", "Floats", "Kind", "PARAMETERS", "Problem", "REFUSED", "STARTS", "defaults", "problem_of", "scatter",
+]  # fmt: skip

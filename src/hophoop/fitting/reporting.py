@@ -1,0 +1,180 @@
+"""The page of a fit: what it found, how far the data are from the motion, energies, and the film with both hoops."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from html import escape
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import hophoop
+from hophoop._files import replacing
+from hophoop.fitting.guess import rates_of
+from hophoop.fitting.result import Fit
+from hophoop.tracking import overlay
+from hophoop.tracking.page import STYLE, Curve, plot
+from hophoop.vocabulary import colors
+from hophoop.vocabulary.words import mode_words
+
+Floats = NDArray[np.float64]
+
+UNITS = {"x": ("m", 1e3, "mm"), "y": ("m", 1e3, "mm"), "angle": ("rad", 1e3, "mrad")}
+MEASURED, COMPUTED = "#0b6", "#222"
+
+
+def report(
+    fit: Fit, folder: str | Path, video: str | Path | None = None, progress: Callable[[int, int], None] | None = None
+) -> Path:
+    """Write a fit as a page, with its scenario, and with the film if there is one.
+
+    Parameters
+    ----------
+    fit : Fit
+    folder : str or Path
+        Made if it is not there: index.html, fit.json, scenario.toml, and fitted.mp4 with a film.
+    video : str or Path, optional
+        The film of the track, over which the fitted hoop is drawn.
+    progress : callable, optional
+        Called with the number of frames drawn and of all.
+
+    Returns
+    -------
+    page : Path
+
+    Raises
+    ------
+    ValueError
+        If the track is not of a film and there is one.
+    OSError
+        If a file cannot be written.
+    """
+    target = Path(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    fit.save(target / "fit.json")
+    fit.scenario.save(target / "scenario.toml")
+    film = None
+    if video is not None:
+        film = target / "fitted.mp4"
+        overlay(video, fit.track, film, progress=progress, model=places_in_film(fit))
+    page = target / "index.html"
+    with replacing(page) as fresh:
+        fresh.write_text(_page(fit, None if film is None else film.name), encoding="utf-8")
+    return page
+
+
+def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
+    """Centre and marker's angle of the fitted motion in every frame of the track; nan outside the data's time.
+
+    Parameters
+    ----------
+    fit : Fit
+
+    Returns
+    -------
+    centre : ndarray, shape (n, 2)
+        [m]
+    angle : ndarray, shape (n,)
+        [rad]
+    """
+    problem = fit.problem
+    places = problem.places(fit.motion, fit.values)
+    first = len(fit.track.t) - int(np.searchsorted(-fit.track.t[::-1], -_first_time(fit), side="right"))
+    count = len(problem.t)
+    centre, angle = np.full((len(fit.track.t), 2), np.nan), np.full(len(fit.track.t), np.nan)
+    centre[first : first + count] = np.stack([places["x"], places["y"]], axis=-1)
+    angle[first : first + count] = places["angle"]
+    return centre, angle
+
+
+def _first_time(fit: Fit) -> float:
+    known = np.isfinite(fit.track.centre[:, 0]) | np.isfinite(fit.track.marker[:, 0]) | np.isfinite(fit.track.angle)
+    return float(fit.track.t[np.flatnonzero(known)[0]])
+
+
+def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
+    """Energies a kilogram, measured beside computed.
+
+    Parameters
+    ----------
+    fit : Fit
+
+    Returns
+    -------
+    energies : dict
+        'kinetic' and 'potential', each with times [s], measured and computed values [J/kg]; empty where the centre or
+        the angle was not measured.
+    """
+    problem, scenario = fit.problem, fit.scenario
+    x, y, angle = (rates_of(problem, name) for name in ("x", "y", "angle"))
+    if x is None or y is None or angle is None:
+        return {}
+    hoop, plane = scenario.hoop, scenario.plane
+    t = angle.t
+    turn, offset = fit.values["tilt"], fit.values["marker_angle"]
+    theta, omega = angle.value + turn - offset, angle.rate
+    cos, sin = np.cos(turn), np.sin(turn)
+    flat = [np.interp(t, one.t, part) / fit.values["scale"] for one in (x, y) for part in (one.value, one.rate)]
+    place_x, place_y = (
+        cos * flat[0] + sin * (flat[2] - fit.values["origin_y"]),
+        -sin * flat[0] + cos * (flat[2] - fit.values["origin_y"]),
+    )
+    speed_x, speed_y = cos * flat[1] + sin * flat[3], -sin * flat[1] + cos * flat[3]
+    arm = hoop.eccentricity * hoop.radius
+    vx, vy = speed_x + arm * omega * np.cos(theta), speed_y - arm * omega * np.sin(theta)
+    kinetic = 0.5 * (vx**2 + vy**2 + hoop.inertia_ratio * (hoop.radius * omega) ** 2)
+    gravity, slope = plane.gravity, plane.slope
+    rise = place_y - hoop.radius + arm * (np.cos(theta) - 1.0)
+    potential = gravity * (np.cos(slope) * rise - np.sin(slope) * (place_x + arm * np.sin(theta)))
+    state = fit.motion.at(np.clip(t, 0.0, fit.motion.duration))
+    return {
+        "kinetic": (t, kinetic, state.kinetic / hoop.mass),
+        "potential": (t, potential, state.potential / hoop.mass),
+    }
+
+
+def _page(fit: Fit, film: str | None) -> str:
+    name = escape(fit.track.source or "a hoop")
+    rows = "".join(
+        f"<tr><td>{escape(a)}</td><td class='value'>{escape(b)}</td><td>{escape(c)}</td></tr>" for a, b, c in fit.rows()
+    )
+    said = "".join(f"<li>{escape(sentence)}</li>" for sentence in fit.sentences())
+    parts = [
+        "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'>",
+        f"<title>Fit of {name}</title><style>{STYLE}</style></head><body><h1>Fit of {name}</h1>",
+        f"<ul>{said}</ul><table><thead><tr><th>parameter</th><th>value</th><th>meaning</th></tr></thead><tbody>{rows}</tbody></table>",
+        "<p>In the lab: <code>hophoop lab scenario.toml</code>, or its link with "
+        f"<code>?{escape(fit.scenario.to_query())}</code></p>",
+    ]
+    if film is not None:
+        parts.append(
+            f"<h2>Film</h2><p>Yellow is the hoop as tracked, dashed magenta the fitted motion.</p>"
+            f"<video controls loop muted src='{escape(film, quote=True)}'></video>"
+        )
+    parts.append("<h2>Residuals</h2><p>Data less motion; the ribbon is the motion's mode.</p>")
+    t, problem = fit.problem.t, fit.problem
+    ribbon = _ribbon(fit)
+    for channel in problem.channels:
+        _, factor, unit = UNITS.get(channel.name, ("m", 1e3, "mm"))
+        off = fit.residuals[channel.name] * channel.errors * factor
+        label = f"{channel.name} ({unit}), one standard deviation {factor * float(np.median(channel.errors)):.2g}"
+        parts.append(plot([Curve(t[channel.rows], off, MEASURED)], label, ribbon=ribbon, zero=True))
+    both = energies(fit)
+    if both:
+        parts.append("<h2>Energies</h2><p>Dots from the data, a line from the motion.</p>")
+        for key, (times, measured, computed) in both.items():
+            curves = [Curve(times, measured, MEASURED), Curve(times, computed, COMPUTED, line=True)]
+            parts.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
+    parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
+    return "".join(parts)
+
+
+def _ribbon(fit: Fit) -> list[tuple[float, float, str]]:
+    """Pieces of time and the colour of their mode."""
+    t = np.linspace(0.0, min(float(fit.problem.t[-1]), fit.motion.duration), 600)
+    state = fit.motion.at(t)
+    modes = mode_words(state.mode, state.omega)
+    borders = [0, *(np.flatnonzero(modes[1:] != modes[:-1]) + 1).tolist(), len(t)]
+    return [(float(t[a]), float(t[min(b, len(t) - 1)]), colors.mode_color(str(modes[a]))) for a, b in pairwise(borders)]

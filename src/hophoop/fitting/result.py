@@ -1,0 +1,339 @@
+"""A fit: parameters with their uncertainties, what they rest on, and what the data do not tell."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cached_property
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import hophoop
+from hophoop._files import replacing
+from hophoop.fitting.guess import gathered
+from hophoop.fitting.judging import WORDS
+from hophoop.fitting.problem import PARAMETERS, Problem, problem_of
+from hophoop.scenario import Hoop, InputError, Plane, Scenario
+from hophoop.tracking import Track
+from hophoop.tracking.table import track_from_dict
+from hophoop.trajectory import Trajectory
+
+Floats = NDArray[np.float64]
+
+SCHEMA = "hophoop-fit/1"
+WORST = 2.0  # chi-square over degrees of freedom, above which no fit is good
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """What a filmed hoop tells about itself.
+
+    Attributes
+    ----------
+    values : dict of float
+        All parameters [SI units].
+    free : tuple of str
+        Those that were fitted and that the data see.
+    covariance : ndarray, shape (len(free), len(free))
+        Of these [1].
+    chi_square : float
+        Sum of the squared residuals over their variances [1].
+    freedom : int
+        Numbers measured less parameters fitted [1].
+    limits : dict
+        What is known of parameters on one side only: by name, the sign ('≥' or '≤') and the value [SI units].
+    shares : dict of float
+        Sequences that motions within the uncertainties have, and their shares [1].
+    correlated : list
+        Pairs of parameters that the data can hardly tell apart, with their correlation [1].
+    lacking : list of dict
+        Where residuals run together.
+    notes : tuple of str
+        What a person should know, a sentence each.
+    track : Track
+        The data.
+    settings : dict
+        How it was fitted: start, hoop, gravity, law, soft, sigma, sigma_angle.
+    calls : int
+        How many motions were computed [1].
+    """
+
+    values: dict[str, float]
+    free: tuple[str, ...]
+    covariance: Floats
+    chi_square: float
+    freedom: int
+    limits: dict[str, tuple[str, float]]
+    shares: dict[str, float]
+    correlated: list[tuple[str, str, float]]
+    lacking: list[dict[str, Any]]
+    notes: tuple[str, ...]
+    track: Track
+    settings: dict[str, Any]
+    calls: int = 0
+
+    @property
+    def reduced(self) -> float:
+        """Chi-square over the degrees of freedom; 1 where the model explains the data [1]."""
+        return self.chi_square / max(self.freedom, 1)
+
+    @property
+    def good(self) -> bool:
+        """Whether the motion explains the data: chi-square at most twice the degrees of freedom."""
+        return self.reduced <= WORST
+
+    @property
+    def inflation(self) -> float:
+        """By how much the errors are enlarged, since the residuals are larger than they said [1]."""
+        return max(1.0, float(np.sqrt(self.reduced)))
+
+    def error(self, name: str) -> float:
+        """Standard deviation of a parameter.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        error : float
+            In the unit of the parameter; 0 where it was not fitted [1].
+
+        Raises
+        ------
+        ValueError
+            If there is no such parameter.
+        """
+        if name == "mu_static":
+            both = [self.free.index(part) for part in ("mu_kinetic", "mu_excess") if part in self.free]
+            return self.inflation * float(np.sqrt(self.covariance[np.ix_(both, both)].sum()))
+        if name not in self.values:
+            raise InputError(f"{name!r} is none of {', '.join(self.values)}.")
+        if name not in self.free:
+            return 0.0
+        place = self.free.index(name)
+        return self.inflation * float(np.sqrt(self.covariance[place, place]))
+
+    @cached_property
+    def problem(self) -> Problem:
+        """Data and model."""
+        how = self.settings
+        hoop = Hoop(**how["hoop"]) if isinstance(how["hoop"], dict) else how["hoop"]
+        plane = Plane(gravity=how["gravity"], impact_law=how["law"])
+        return problem_of(self.track, hoop, how["start"], plane, (how["sigma"], how["sigma_angle"]))
+
+    @cached_property
+    def scenario(self) -> Scenario:
+        """The fitted motion's scenario, for the lab or another duration."""
+        return self.problem.scenario(self.values)
+
+    @cached_property
+    def motion(self) -> Trajectory:
+        """The fitted motion; its time begins with the first frame in which something was found."""
+        return self.problem.motion(self.values)
+
+    @cached_property
+    def residuals(self) -> dict[str, Floats]:
+        """Data less motion in standard deviations, by quantity [1]."""
+        off, begin, result = self.problem.residuals(self.values), 0, {}
+        for channel in self.problem.channels:
+            result[channel.name] = off[begin : begin + len(channel.rows)]
+            begin += len(channel.rows)
+        return result
+
+    def rows(self) -> list[tuple[str, str, str]]:
+        """Parameters for people: name, value with uncertainty or limit, unit and meaning.
+
+        Returns
+        -------
+        rows : list of (str, str, str)
+        """
+        result = []
+        for name in self.values:
+            kind = PARAMETERS[name]
+            unit = "" if kind.unit == "1" else f" {kind.unit}"
+            if name in self.limits:
+                sign, value = self.limits[name]
+                text = f"{sign} {value:.3g}{unit}" if np.isfinite(value) else "not seen"
+            elif name in self.free:
+                text = f"{rounded(self.values[name], self.error(name))}{unit}"
+            else:
+                text = f"{self.values[name]:.6g}{unit} (given)"
+            result.append((name, text, kind.meaning))
+        if "mu_static" not in self.limits and {"mu_kinetic", "mu_excess"} <= set(self.free):
+            static = self.values["mu_kinetic"] + self.values["mu_excess"]
+            result.append(("mu_static", rounded(static, self.error("mu_static")), "static friction, the sum of the two"))
+        elif "mu_static" in self.limits:
+            sign, value = self.limits["mu_static"]
+            result.append(("mu_static", f"{sign} {value:.3g}", "static friction"))
+        return result
+
+    def sentences(self) -> list[str]:
+        """What the fit says, for people.
+
+        Returns
+        -------
+        sentences : list of str
+        """
+        sequence = gathered(self.motion.sequence)
+        said = [f"χ² = {self.chi_square:.1f} for {self.freedom} degrees of freedom ({self.reduced:.2f} each)."]
+        if not self.good:
+            said.append(f"No fit is good: χ² is {self.reduced:.1f} times the degrees of freedom, more than {WORST:g}.")
+        elif self.inflation > 1.05:
+            said.append(f"Errors are enlarged by {self.inflation:.2f}, since the residuals are larger than the data said.")
+        said.append(f"Sequence {sequence}: {100 * self.shares.get(sequence, 0.0):.0f} % of the posterior has it.")
+        if len(self.shares) > 1:
+            others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(self.shares.items())[:4])
+            said[-1] = said[-1].rstrip(".") + f" ({others})."
+        for first, second, size in self.correlated[:4]:
+            said.append(f"{first} and {second} can hardly be told apart (correlation {size:+.3f}).")
+        for place in self.lacking:
+            said.append(
+                f"Residuals of {WORDS[place['quantity']]} run together in {place['phase']} "
+                f"({-place['deviation']:.0f} standard deviations fewer runs than chance): the model lacks something there."
+            )
+        return [*said, *self.notes]
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, with the data.
+
+        Returns
+        -------
+        fit : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        return {
+            "schema": SCHEMA,
+            "version": hophoop.__version__,
+            "values": self.values,
+            "errors": {name: self.error(name) for name in self.free},
+            "free": list(self.free),
+            "covariance": self.covariance.tolist(),
+            "chi_square": self.chi_square,
+            "freedom": self.freedom,
+            "good": self.good,
+            "limits": {name: list(limit) for name, limit in self.limits.items()},
+            "shares": self.shares,
+            "correlated": [list(pair) for pair in self.correlated],
+            "lacking": self.lacking,
+            "notes": list(self.notes),
+            "settings": self.settings,
+            "calls": self.calls,
+            "scenario": self.scenario.to_dict(),
+            "track": self.track.to_dict(),
+        }
+
+    def save(self, path: str | Path) -> None:
+        """Write it with its data, to be read by `load_fit`.
+
+        Parameters
+        ----------
+        path : str or Path
+            Ends in .json.
+
+        Raises
+        ------
+        ValueError
+            If it ends otherwise.
+        OSError
+            If it cannot be written.
+        """
+        file = Path(path)
+        if file.suffix.lower() != ".json":
+            raise InputError(f"{file} must end in .json.")
+        with replacing(file) as fresh:
+            text = json.dumps(plain(self.to_dict()), ensure_ascii=False, allow_nan=False)
+            fresh.write_text(text + "\n", encoding="utf-8")
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td style='text-align:left'>{escape(name)}</td><td>{escape(text)}</td>"
+            f"<td style='text-align:left'>{escape(meaning)}</td></tr>"
+            for name, text, meaning in self.rows()
+        )
+        said = " ".join(escape(sentence) for sentence in self.sentences())
+        return f"<div><p>{said}</p><table><tbody>{rows}</tbody></table></div>"
+
+    def __repr__(self) -> str:
+        some = ", ".join(f"{name} = {rounded(self.values[name], self.error(name))}" for name in self.free[:4])
+        return f"<Fit of {self.track.source or 'a hoop'}: {some}, χ²/dof = {self.reduced:.2f}>"
+
+
+def rounded(value: float, error: float) -> str:
+    """A value and its uncertainty with as many digits as it has.
+
+    Parameters
+    ----------
+    value, error : float
+        [1]
+
+    Returns
+    -------
+    text : str
+        Such as '0.6002 ± 0.0003'.
+    """
+    if not (np.isfinite(error) and error > 0):
+        return f"{value:.6g}"
+    digits = max(0, min(12, 1 - int(np.floor(np.log10(error)))))
+    return f"{value:.{digits}f} ± {error:.{digits}f}"
+
+
+def load_fit(path: str | Path) -> Fit:
+    """Read a fit that was saved.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    fit : Fit
+
+    Raises
+    ------
+    ValueError
+        If it is no fit.
+    OSError
+        If it cannot be read.
+    """
+    file = Path(path)
+    try:
+        data = json.loads(file.read_text(encoding="utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{file} is not valid JSON: {error}.") from None
+    if not isinstance(data, dict) or data.get("schema") != SCHEMA:
+        raise InputError(f"{file} is not a fit of hophoop ({SCHEMA}).")
+    try:
+        return Fit(
+            data["values"],
+            tuple(data["free"]),
+            np.array(data["covariance"], dtype=float).reshape(len(data["free"]), -1),
+            float(data["chi_square"]),
+            int(data["freedom"]),
+            {
+                name: (str(limit[0]), float(limit[1]) if limit[1] is not None else np.nan)
+                for name, limit in data["limits"].items()
+            },
+            data["shares"],
+            [(pair[0], pair[1], float(pair[2])) for pair in data["correlated"]],
+            data["lacking"],
+            tuple(data["notes"]),
+            track_from_dict(data["track"], str(file)),
+            data["settings"],
+            int(data["calls"]),
+        )
+    except (KeyError, TypeError, IndexError) as error:
+        raise InputError(f"{file} is not whole: {error}.") from None
+
+
+def plain(value: Any) -> Any:
+    """The same without nan and infinity, which JSON has not."""
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(one) for one in value]
+    return None if isinstance(value, float) and not np.isfinite(value) else value

@@ -1,0 +1,354 @@
+"""Least squares of the exact motion against the data, from several starts, and what the data cannot see."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._extras import need
+from hophoop.fitting.guess import SPREADS, Candidate, gathered
+from hophoop.fitting.problem import PARAMETERS, Problem
+from hophoop.scenario import InputError
+
+Floats = NDArray[np.float64]
+
+SOFT = 3.0  # standard deviations from which a residual counts less than its square
+FIRST_CALLS, MOST_CALLS = 60, 600  # of the motion: in the first approach, and in the last
+BLIND = 1e-3  # rise of the sum of squares over the whole range of a parameter that the data do not see
+WALK = 15  # steps along a parameter
+WORTH_TRYING, MOST_WALKS = 4.0, 4  # how much worse a step may be, and how many are tried
+AT_END = 0.02  # so near to an end of its range, in standard deviations or the range, a parameter is at it
+CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What is fitted and within what.
+
+    Attributes
+    ----------
+    values : dict
+        Values to begin with, or to stay at.
+    free : tuple of str
+    bounds : dict
+        Least and greatest value.
+    tied : dict
+        Expressions of other parameters.
+    """
+
+    values: dict[str, float]
+    free: tuple[str, ...]
+    bounds: dict[str, tuple[float, float]]
+    tied: dict[str, str]
+
+    def limits(self, name: str) -> tuple[float, float]:
+        """Least and greatest value of a parameter."""
+        kind = PARAMETERS[name]
+        low, high = self.bounds.get(name, (kind.low, kind.high))
+        return max(low, kind.low), min(high, kind.high)
+
+    def without(self, name: str, value: float) -> Choice:
+        """The same with a parameter that stays."""
+        free = tuple(other for other in self.free if other != name)
+        return Choice({**self.values, name: value}, free, self.bounds, self.tied)
+
+    def at(self, values: Mapping[str, float]) -> Choice:
+        """The same from other values."""
+        return Choice({**self.values, **values}, self.free, self.bounds, self.tied)
+
+
+class Solution(NamedTuple):
+    """A minimum."""
+
+    values: dict[str, float]
+    free: tuple[str, ...]
+    covariance: Floats  # of the free ones
+    cost: float  # sum of the squares, softened
+    residuals: Floats  # as they are [standard deviations]
+    calls: int
+
+
+def soften(residuals: Floats, soft: bool) -> Floats:
+    """Residuals whose square is the soft loss: as they are when small, growing as a root when large."""
+    if not soft:
+        return residuals
+    part = np.abs(residuals) / SOFT
+    size: Floats = SOFT * np.sqrt(2.0 * (np.sqrt(1.0 + part * part) - 1.0))
+    return np.sign(residuals) * size
+
+
+def solve(problem: Problem, choice: Choice, soft: bool, most: int = MOST_CALLS) -> Solution:
+    """One minimum, by Levenberg and Marquardt.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+    soft : bool
+        Whether outliers count less.
+    most : int
+        Calls of the motion at most [1].
+
+    Returns
+    -------
+    solution : Solution
+
+    Raises
+    ------
+    ValueError
+        If an expression makes no sense.
+    """
+    lmfit = need("lmfit", "fit")
+    parameters = _parameters(lmfit, problem, choice)
+
+    def residuals(now: Any) -> Floats:
+        return soften(problem.residuals(now.valuesdict()), soft)
+
+    if not choice.free:
+        values = dict(parameters.valuesdict())
+        off = problem.residuals(values)
+        return Solution(values, (), np.zeros((0, 0)), float((soften(off, soft) ** 2).sum()), off, 1)
+    result = lmfit.minimize(
+        residuals, parameters, method="leastsq", epsfcn=1e-11, max_nfev=most, scale_covar=False, ftol=1e-8, xtol=1e-8
+    )
+    values = dict(result.params.valuesdict())
+    off = problem.residuals(values)
+    free = tuple(result.var_names)
+    jacobian = slopes(problem, choice.at(values), free, problem.residuals)
+    return Solution(
+        values, free, _covariance(jacobian, off, soft), float((soften(off, soft) ** 2).sum()), off, int(result.nfev)
+    )
+
+
+def _covariance(jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
+    """Of the parameters: that of least squares, or of an M-estimator, in which outliers say little.
+
+    With ψ the slope of half the loss it is E[ψ²]/E[ψ']² times the inverse of the information, for residuals as large
+    as the data say.
+    """
+    if not soft:
+        return inverse(jacobian.T @ jacobian)
+    nodes, weights = np.polynomial.hermite_e.hermegauss(40)
+    weights = weights / weights.sum()
+    square, slope = weights @ _psi(nodes) ** 2, weights @ _psi_slope(nodes)
+    information = jacobian.T @ (_psi_slope(residuals)[:, None] * jacobian) / slope
+    return inverse(information) * float(square / slope**2)
+
+
+def _psi(residuals: Floats) -> Floats:
+    return np.asarray(residuals / np.sqrt(1.0 + (residuals / SOFT) ** 2), dtype=float)
+
+
+def _psi_slope(residuals: Floats) -> Floats:
+    return np.asarray((1.0 + (residuals / SOFT) ** 2) ** -1.5, dtype=float)
+
+
+def _parameters(lmfit: Any, problem: Problem, choice: Choice) -> Any:
+    parameters = lmfit.Parameters()
+    for name in problem.names:
+        low, high = choice.limits(name)
+        value = choice.values[name]
+        if name in choice.free:
+            # the transform of a bound has no slope at the bound itself
+            inside = 1e-4 * (high - low) if np.isfinite(high - low) else 0.0
+            value = float(np.clip(value, low + inside, high - inside))
+            parameters.add(name, value=value, min=low, max=high)
+        else:
+            parameters.add(name, value=value, vary=False)
+    for name, text in choice.tied.items():
+        try:
+            parameters[name].set(expr=text)
+            if not np.isfinite(parameters[name].value):
+                raise ValueError
+        except Exception:
+            raise InputError(f"tied {name} = {text!r} is no expression of the other parameters.") from None
+    return parameters
+
+
+def slopes(problem: Problem, choice: Choice, names: tuple[str, ...], residuals: Callable[[dict[str, float]], Floats]) -> Floats:
+    """Derivatives of the residuals by parameters, from differences both ways where there is room.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+        Where.
+    names : tuple of str
+    residuals : callable
+        Of values.
+
+    Returns
+    -------
+    jacobian : ndarray, shape (count, len(names))
+        [1]
+    """
+    lmfit = need("lmfit", "fit")
+    parameters = _parameters(lmfit, problem, choice)
+
+    def at(name: str, value: float) -> Floats:
+        parameters[name].value = value
+        found = residuals(dict(parameters.valuesdict()))
+        return found
+
+    columns = []
+    for name in names:
+        low, high = choice.limits(name)
+        here = float(parameters[name].value)
+        step = PARAMETERS[name].step * max(1.0, abs(here))
+        above, below = min(here + step, high), max(here - step, low)
+        columns.append((at(name, above) - at(name, below)) / (above - below))
+        parameters[name].value = here
+    return np.column_stack(columns) if columns else np.zeros((problem.count, 0))
+
+
+def inverse(information: Floats) -> Floats:
+    """The inverse, scaled so that units do not matter; infinite where there is nothing known."""
+    size = np.sqrt(np.maximum(np.diag(information), 1e-300))
+    try:
+        inverse = np.linalg.inv(information / np.outer(size, size))
+    except np.linalg.LinAlgError:
+        inverse = np.full_like(information, np.inf)
+    return np.asarray(inverse / np.outer(size, size), dtype=float)
+
+
+def unseen(problem: Problem, choice: Choice) -> list[str]:
+    """Free parameters that change nothing in the data where the motion is now.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+
+    Returns
+    -------
+    names : list of str
+    """
+    jacobian = slopes(problem, choice, choice.free, problem.residuals)
+    result = []
+    for k, name in enumerate(choice.free):
+        low, high = choice.limits(name)
+        span = min(high - low, 1.0) if np.isfinite(high - low) else 1.0
+        if float((jacobian[:, k] ** 2).sum()) * span**2 < BLIND:
+            result.append(name)
+    return result
+
+
+def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: bool) -> tuple[Solution, list[str]]:
+    """The lowest minimum that is reached from several starts, and the parameters that the data do not see there.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+    starts : list of Candidate
+    soft : bool
+
+    Returns
+    -------
+    solution : Solution
+    blind : list of str
+    """
+    found: list[tuple[Solution, list[str]]] = []
+    explained = False
+    tried: set[str] = set()
+    for start in starts:
+        sequence = gathered(start.sequence)
+        # once the data are explained to their scatter, another sequence may still explain them better
+        if explained and sequence in tried:
+            continue
+        found.append(_approach(problem, choice.at(start.values), soft))
+        tried.add(sequence)
+        explained = explained or found[-1][0].cost < 1.15 * problem.count
+    best, blind = min(found, key=lambda pair: pair[0].cost)
+    for values in _walks(problem, choice, best, soft):
+        other = _approach(problem, choice.at(values), soft)
+        if other[0].cost < best.cost - 1e-6:
+            best, blind = other
+    seeing = _blinded(choice.at(best.values), blind)
+    last = solve(problem, seeing, soft)
+    again = unseen(problem, seeing.at(last.values))
+    if again:  # on the way something went out of sight
+        blind = [*blind, *again]
+        last = solve(problem, _blinded(choice.at(last.values), blind), soft)
+    return last, blind
+
+
+def _walks(problem: Problem, choice: Choice, best: Solution, soft: bool) -> list[dict[str, float]]:
+    """Other places to begin: along one parameter of the contact at a time, the two lowest that are not the minimum itself.
+
+    Along these the sum of squares has steps and flats, such as restitution so small that nothing bounces.
+    """
+    result = []
+    for name, (low, high) in SPREADS.items():
+        if name not in choice.free:
+            continue
+        least, most = choice.limits(name)
+        grid = np.linspace(max(low, least), min(high, most), WALK)
+        costs = [
+            (float((soften(problem.residuals({**best.values, name: float(value)}), soft) ** 2).sum()), float(value))
+            for value in grid
+        ]
+        for cost, value in sorted(costs)[:2]:
+            if cost < WORTH_TRYING * best.cost:
+                result.append((cost, {**best.values, name: value}))
+    return [values for _, values in sorted(result, key=lambda pair: pair[0])[:MOST_WALKS]]
+
+
+def _approach(problem: Problem, choice: Choice, soft: bool) -> tuple[Solution, list[str]]:
+    blind = unseen(problem, choice)
+    return solve(problem, _blinded(choice, blind), soft, FIRST_CALLS), blind
+
+
+def _blinded(choice: Choice, blind: list[str]) -> Choice:
+    for name in blind:
+        choice = choice.without(name, choice.values[name])
+    return choice
+
+
+def at_end(choice: Choice, solution: Solution, name: str) -> int:
+    """Whether a free parameter has come to an end of its range: −1 the lower, 1 the upper, 0 neither."""
+    low, high = choice.limits(name)
+    value = solution.values[name]
+    error = float(np.sqrt(max(solution.covariance[solution.free.index(name), solution.free.index(name)], 0.0)))
+    if not np.isfinite(error):
+        error = 0.0
+    near = max(AT_END * error, 1e-4 * (high - low) if np.isfinite(high - low) else 0.0)
+    return -1 if value - low < near else 1 if high - value < near else 0
+
+
+def one_sided(problem: Problem, choice: Choice, solution: Solution, name: str, side: int, soft: bool) -> float:
+    """How far a parameter that is at the end of its range may be from it, at 95 %, the others adapting.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+    solution : Solution
+        With the parameter at the end of its range.
+    name : str
+    side : {-1, 1}
+        At which end it is.
+    soft : bool
+
+    Returns
+    -------
+    limit : float
+        In the parameter's own unit [1].
+    """
+    low, high = choice.limits(name)
+    end = low if side < 0 else high
+    near, far, step = end, None, 0.01 * min(high - low, 1.0)
+    for _ in range(12):
+        value = float(np.clip(near - side * step, low, high))
+        cost = solve(problem, choice.at(solution.values).without(name, value), soft, 30).cost
+        if cost - solution.cost > CONFIDENT:
+            far, step = value, 0.5 * abs(value - near)
+        else:
+            near, step = value, (2.0 * step if far is None else 0.5 * abs(far - value))
+        if value in (low, high) and value != end and far is None:
+            break
+    return near

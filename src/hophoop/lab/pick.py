@@ -1,0 +1,201 @@
+"""A small page to click in a still of a film: the rim, the marker and the ground, as hints for tracking."""
+
+from __future__ import annotations
+
+import json
+import threading
+import webbrowser
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+from urllib.parse import parse_qs, urlparse
+
+import numpy as np
+
+from hophoop.scenario import InputError
+from hophoop.tracking.circle import fit_circle
+from hophoop.tracking.hints import Hints
+from hophoop.tracking.video import Bytes, Picture, jpeg, kept, rgb
+
+LOOPBACK = "127.0.0.1"
+MOST_BYTES = 10_000  # of an answer
+
+
+def pick(video: str | Path, hints: Hints | None = None, show: Callable[[str], Any] = webbrowser.open) -> Hints:
+    """Open a page with stills of a film and wait until somebody has clicked in one.
+
+    Parameters
+    ----------
+    video : str or Path
+    hints : Hints, optional
+        What is known already, and stays where nothing is clicked.
+    show : callable, optional
+        Called with the page's address; opens a browser by default.
+
+    Returns
+    -------
+    hints : Hints
+        With the rim, and the marker's colour and the ground where they were clicked.
+
+    Raises
+    ------
+    ValueError
+        If the film cannot be read.
+    OSError
+        If it cannot be opened.
+    ImportError
+        If PyAV is missing.
+    """
+    known = hints or Hints()
+    stills = [picture for picture, _ in kept(video, known.rate)]
+    page = Page(stills, known, Path(video).name)
+    server = ThreadingHTTPServer((LOOPBACK, 0), partial(_Answer, page))
+    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        show(f"http://{LOOPBACK}:{server.server_address[1]}/")
+        page.done.wait()
+    finally:
+        server.shutdown()
+        server.server_close()
+    return page.hints
+
+
+class Page:
+    """The stills that are shown, and what was clicked."""
+
+    def __init__(self, stills: list[Picture], hints: Hints, name: str) -> None:
+        self.stills, self.hints, self.name = stills, hints, name
+        self.done = threading.Event()
+
+    def html(self) -> str:
+        """The page."""
+        times = json.dumps([round(still.t, 6) for still in self.stills])
+        text = files("hophoop.lab").joinpath("static/pick.html").read_text(encoding="utf-8")
+        return text.replace("__TIMES__", times).replace("__NAME__", json.dumps(self.name).replace("<", "\\u003c"))
+
+    def still(self, number: int) -> bytes:
+        """A picture as JPEG."""
+        return jpeg(rgb(self.stills[number]))
+
+    def take(self, said: Any) -> None:
+        """Make hints of what was clicked.
+
+        Raises
+        ------
+        ValueError
+            If the clicks do not make a circle, or something else was sent.
+        """
+        self.hints = clicked(said, self.stills, self.hints)
+        self.done.set()
+
+
+def clicked(said: Any, stills: list[Picture], hints: Hints) -> Hints:
+    """Hints from clicks.
+
+    Parameters
+    ----------
+    said : dict
+        ``still``, the number of the picture; ``rim``, three or more points; ``marker``, a point or None; ``ground``,
+        two points or none.
+    stills : list of Picture
+    hints : Hints
+        What is known already.
+
+    Returns
+    -------
+    hints : Hints
+
+    Raises
+    ------
+    ValueError
+        If the clicks do not make a circle, or something else was sent.
+    """
+    try:
+        still = stills[int(said["still"])]
+        rim = np.array(said["rim"], dtype=float).reshape(-1, 2)
+        ground = np.array(said.get("ground") or [], dtype=float).reshape(-1, 2)
+        marker = said.get("marker")
+        spot = None if marker is None else np.array(marker, dtype=float).reshape(2)
+    except (KeyError, IndexError, TypeError, ValueError, AttributeError):
+        raise InputError("What was clicked cannot be read.") from None
+    if len(rim) < 3:
+        raise InputError(f"{len(rim)} points on the rim are not enough: click at least 3.")
+    x, y, radius, _ = fit_circle(rim)
+    wide, tall = still.size
+    if not (np.isfinite([x, y, radius]).all() and 5 < radius < 2 * max(wide, tall)):
+        raise InputError("The points on the rim do not lie on a circle.")
+    values: dict[str, Any] = {"centre": (x, y), "rim": radius, "at": still.t}
+    if spot is not None:
+        values["marker"] = colour_at(rgb(still), spot[0], spot[1])
+    if len(ground) == 2:
+        values["ground"] = (ground[0, 0], ground[0, 1], ground[1, 0], ground[1, 1])
+    return replace(hints, **values)
+
+
+def colour_at(image: Bytes, x: float, y: float) -> str:
+    """The colour around a point, as #rrggbb.
+
+    Parameters
+    ----------
+    image : ndarray, shape (height, width, 3)
+        [1]
+    x, y : float
+        [pixel]
+
+    Returns
+    -------
+    colour : str
+    """
+    column, row = (round(v) for v in (x, y))
+    near = image[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2].reshape(-1, 3)
+    if not len(near):
+        raise InputError("The marker was clicked outside the picture.")
+    return "#" + "".join(f"{round(value):02x}" for value in np.median(near, axis=0))
+
+
+class _Answer(BaseHTTPRequestHandler):
+    def __init__(self, page: Page, *args: Any) -> None:
+        self.page = page
+        super().__init__(*args)
+
+    def do_GET(self) -> None:
+        """The page, or a still."""
+        address = urlparse(self.path)
+        if address.path == "/":
+            self._send("text/html; charset=utf-8", self.page.html().encode())
+        elif address.path == "/still":
+            try:
+                image = self.page.still(int(parse_qs(address.query)["k"][0]))
+            except (KeyError, ValueError, IndexError):
+                self.send_error(404)
+                return
+            self._send("image/jpeg", image)
+        else:
+            self.send_error(404)
+
+    def do_POST(self) -> None:
+        """What was clicked."""
+        length = int(self.headers.get("Content-Length") or 0)
+        try:
+            if not 0 < length <= MOST_BYTES:
+                raise InputError("What was clicked cannot be read.")
+            self.page.take(json.loads(self.rfile.read(length)))
+        except ValueError as error:
+            self._send("application/json", json.dumps({"error": str(error)}).encode(), 422)
+            return
+        self._send("application/json", b"{}")
+
+    def _send(self, kind: str, body: bytes, status: int = 200) -> None:
+        self.send_response(status)
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, *args: Any) -> None:
+        """Say nothing."""

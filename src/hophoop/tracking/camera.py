@@ -1,0 +1,157 @@
+"""What a camera makes of the plane of motion: straight on, or with its lens out of axis.
+
+The plane is described by rectified pixels: coordinates along the picture's columns and up its rows, in the size that
+things have where the optical axis meets the plane. With no tilt a rectified pixel is a pixel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._extras import need
+from hophoop.tracking.circle import fit_circle
+
+Floats = NDArray[np.float64]
+
+USUAL_FOCAL = 0.9  # of a phone, in widths of its picture; known to within a third
+FOCAL_SPREAD = 0.3
+TILT_SPREAD = 0.25  # prior of a tilt [rad]
+RADIUS_ERROR = 0.07  # of a picture [pixel]
+WORTH = 30.0  # by how much a tilt must lessen the sum of squares over the variance to be believed
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A pinhole camera in front of the plane of motion.
+
+    Parameters
+    ----------
+    width, height : int
+        Size of the picture [pixel].
+    focal : float
+        Focal length [pixel].
+    tilt_x, tilt_y : float, default 0
+        Turn of the plane about the picture's horizontal and vertical axis [rad].
+    """
+
+    width: int
+    height: int
+    focal: float
+    tilt_x: float = 0.0
+    tilt_y: float = 0.0
+
+    @property
+    def middle(self) -> Floats:
+        """The pixel on the optical axis [pixel]."""
+        return np.array([0.5 * (self.width - 1), 0.5 * (self.height - 1)])
+
+    def _axes(self) -> Floats:
+        a, b = self.tilt_x, self.tilt_y
+        about_x = np.array([[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]])
+        about_y = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
+        axes: Floats = about_x @ about_y
+        return axes
+
+    def to_picture(self, points: Floats) -> Floats:
+        """Pixels of points of the plane.
+
+        Parameters
+        ----------
+        points : ndarray, shape (…, 2)
+            In rectified pixels, up is positive [pixel].
+
+        Returns
+        -------
+        pixels : ndarray, shape (…, 2)
+            Column and row [pixel].
+        """
+        seen = points @ self._axes()[:, :2].T
+        shrink = self.focal / (self.focal + seen[..., 2])
+        result: Floats = self.middle + np.stack([seen[..., 0] * shrink, -seen[..., 1] * shrink], axis=-1)
+        return result
+
+    def to_plane(self, pixels: Floats) -> Floats:
+        """Points of the plane that pixels look at.
+
+        Parameters
+        ----------
+        pixels : ndarray, shape (…, 2)
+            Column and row [pixel].
+
+        Returns
+        -------
+        points : ndarray, shape (…, 2)
+            In rectified pixels, up is positive [pixel].
+        """
+        axes = self._axes()
+        away = (pixels - self.middle) * [1.0, -1.0]
+        ray = np.concatenate([away / self.focal, np.ones((*away.shape[:-1], 1))], axis=-1)
+        reach = self.focal * axes[2, 2] / (ray @ axes[:, 2])
+        place = ray * reach[..., None]
+        place[..., 2] -= self.focal
+        result: Floats = place @ axes[:, :2]
+        return result
+
+
+def fit_camera(camera: Camera, edges: list[Floats], focal_known: bool) -> tuple[Camera, bool]:
+    """The tilt with which all images of one circle have one radius.
+
+    Parameters
+    ----------
+    camera : Camera
+        The picture's size and a focal length to begin with.
+    edges : list of ndarray, shape (n, 2)
+        Points of the rim in several pictures [pixel].
+    focal_known : bool
+        Whether the focal length is to stay.
+
+    Returns
+    -------
+    camera : Camera
+    tilted : bool
+        Whether the tilt is worth believing; if not, the camera is as given.
+    """
+    optimize = need("scipy.optimize", "track")
+    first = camera.focal
+    edges = [points[:: max(1, len(points) // 60)] for points in edges]
+    spread = _spread(camera, edges)
+    counts = np.array([len(points) for points in edges])
+    # blur and coding make the radius of a picture worse than its many points say
+    error = np.sqrt(spread**2 / counts + RADIUS_ERROR**2)
+
+    def of(values: Floats) -> Camera:
+        return replace(camera, tilt_x=values[0], tilt_y=values[1], focal=first * np.exp(0.0 if focal_known else values[2]))
+
+    def residuals(values: Floats) -> Floats:
+        now = of(values)
+        fits = [fit_circle(now.to_plane(points)) for points in edges]
+        radii = np.array([fit[2] for fit in fits])
+        prior = np.array([values[0] / TILT_SPREAD, values[1] / TILT_SPREAD, values[2] / FOCAL_SPREAD])
+        off = (radii - np.average(radii, weights=error**-2)) / error
+        result: Floats = np.concatenate([*(fit[3] / spread for fit in fits), off, prior])
+        return result
+
+    def cost(values: Floats) -> float:
+        return float((2.0 * (np.sqrt(1.0 + residuals(values) ** 2) - 1.0)).sum())
+
+    # what foreshortens a circle cannot tell which side is nearer; only its size across the picture does
+    starts = [np.array([a, b, 0.0]) for a in (-0.12, -0.04, 0.04, 0.12) for b in (-0.12, -0.04, 0.04, 0.12)]
+    limits = ([-0.5, -0.5, -1.2], [0.5, 0.5, 1.2])
+    found = [
+        optimize.least_squares(residuals, start, loss="soft_l1", bounds=limits, max_nfev=12, xtol=1e-5, ftol=1e-5)
+        for start in sorted(starts, key=cost)[:2]
+    ]
+    best = min(found, key=lambda one: float(one.cost))
+    if cost(np.zeros(3)) - 2.0 * best.cost < WORTH:
+        return camera, False
+    return of(best.x), True
+
+
+def _spread(camera: Camera, edges: list[Floats]) -> float:
+    """How far a point of an edge is off, from the differences of neighbours, which a tilt hardly changes [pixel]."""
+    steps = [np.diff(fit_circle(camera.to_plane(points))[3]) for points in edges]
+    together = np.concatenate(steps)
+    return max(float(1.4826 * np.median(np.abs(together - np.median(together))) / np.sqrt(2.0)), 0.05)

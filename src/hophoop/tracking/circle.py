@@ -1,0 +1,186 @@
+"""Circles through points: algebraic to begin with, geometric and robust to end with, and by lot among many strangers."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+BINS = 72  # of the circumference
+
+
+class Circle(NamedTuple):
+    """A circle in the plane or the picture [pixel]."""
+
+    x: float
+    y: float
+    radius: float
+
+
+def fit_circle(points: Floats, rounds: int = 3) -> tuple[float, float, float, Floats]:
+    """Geometric least squares from an algebraic start.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 2)
+        At least three [pixel].
+    rounds : int, default 3
+        Steps after Gauss and Newton [1].
+
+    Returns
+    -------
+    x, y, radius : float
+        The circle [pixel].
+    off : ndarray, shape (n,)
+        Distance of each point from it, outwards [pixel].
+    """
+    shift = points.mean(axis=0)
+    near = points - shift
+    design = np.column_stack([2.0 * near, np.ones(len(near))])
+    first = _least_squares(design, (near * near).sum(axis=1))
+    x, y = float(first[0]), float(first[1])
+    radius = float(np.sqrt(max(first[2] + x * x + y * y, 1e-12)))
+    away, distance = _from(near, x, y)
+    for _ in range(rounds):
+        jacobian = np.column_stack([away / distance[:, None], np.ones(len(near))])
+        step = _least_squares(jacobian, distance - radius)
+        x, y, radius = x + float(step[0]), y + float(step[1]), radius + float(step[2])
+        away, distance = _from(near, x, y)
+        if np.abs(step).max() < 1e-6:
+            break
+    return x + float(shift[0]), y + float(shift[1]), radius, distance - radius
+
+
+def _from(points: Floats, x: float, y: float) -> tuple[Floats, Floats]:
+    away = points - (x, y)
+    return away, np.maximum(np.hypot(away[:, 0], away[:, 1]), 1e-9)
+
+
+def _least_squares(design: Floats, right: Floats) -> Floats:
+    # three unknowns about their own middle: normal equations lose nothing that matters
+    normal = design.T @ design
+    normal[np.diag_indices(len(normal))] *= 1.0 + 1e-12
+    try:
+        found = np.linalg.solve(normal, design.T @ right)
+    except np.linalg.LinAlgError:  # points on a line
+        found = np.linalg.lstsq(design, right, rcond=None)[0]
+    return np.asarray(found, dtype=float)
+
+
+class Fitted(NamedTuple):
+    """A robust fit of a circle to edges."""
+
+    circle: Circle
+    covariance: Floats  # of x, y and radius [pixel²]
+    inside: NDArray[np.bool_]  # which points belong to it
+    spread: float  # of those points about it [pixel]
+
+
+def robust_circle(points: Floats, start: Circle, reach: float, expected: tuple[float, float] | None) -> Fitted | None:
+    """A circle through most of the points, geometric, with Tukey's weights.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 2)
+        [pixel]
+    start : Circle
+    reach : float
+        Points further away than this from the start do not count [pixel].
+    expected : tuple of float or None
+        Radius that is known, and how well; it holds the fit where only a part of the rim is seen [pixel].
+
+    Returns
+    -------
+    fit : Fitted or None
+        None where the points do not make a circle.
+    """
+    x, y, radius = start
+    width = reach
+    weight = np.zeros(len(points))
+    normal: Floats = np.eye(3)
+    spread = reach
+    for _ in range(10):
+        away, distance = _from(points, x, y)
+        off = distance - radius
+        near = np.abs(off) < width
+        if near.sum() < 8:
+            return None
+        # the median of what is near is small already when half of the rest are strangers
+        spread = max(float(1.4826 * np.median(np.abs(off[near] - np.median(off[near])))), 0.03)
+        scale = max(4.685 * spread, 0.3)
+        weight = np.where(np.abs(off) < scale, (1.0 - (off / scale) ** 2) ** 2, 0.0)
+        jacobian = np.column_stack([away / distance[:, None], np.ones(len(points))])
+        normal = jacobian.T @ (weight[:, None] * jacobian)
+        right = jacobian.T @ (weight * off)
+        if expected is not None:
+            hold = (spread / expected[1]) ** 2
+            normal[2, 2] += hold
+            right[2] += hold * (expected[0] - radius)
+        if np.linalg.det(normal) <= 1e-4 * float(np.trace(normal)) ** 2:
+            return None  # a part of the rim too short to be told from a line
+        step = np.linalg.solve(normal, right)
+        x, y, radius = x + float(step[0]), y + float(step[1]), radius + float(step[2])
+        width = max(3.0 * spread, 1.0)
+        if np.abs(step).max() < 1e-3:
+            break
+    covariance = np.asarray(spread**2 * np.linalg.inv(normal), dtype=float)
+    return Fitted(Circle(x, y, radius), covariance, weight > 0.0, spread)
+
+
+def circles_by_lot(
+    points: Floats, sizes: tuple[float, float], picture: tuple[int, int], rng: np.random.Generator, draws: int = 240
+) -> list[tuple[float, Circle]]:
+    """Circles through three points drawn by lot, those first on whose circumference most points lie.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 2)
+        [pixel]
+    sizes : tuple of float
+        Least and greatest radius [pixel].
+    picture : tuple of int
+        Width and height; only what lies in it counts as circumference [pixel].
+    rng : numpy.random.Generator
+    draws : int, default 240
+        How many triples [1].
+
+    Returns
+    -------
+    found : list of (float, Circle)
+        Share of the circumference that is covered [1], and the circle; at most three, apart from each other.
+    """
+    if len(points) < 12:
+        return []
+    a, b, c = (points[rng.integers(0, len(points), draws)] for _ in range(3))
+    cross = 2.0 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        first, second = ((b - a) ** 2).sum(axis=1), ((c - a) ** 2).sum(axis=1)
+        x = ((c - a)[:, 1] * first - (b - a)[:, 1] * second) / cross
+        y = ((b - a)[:, 0] * second - (c - a)[:, 0] * first) / cross
+    radius = np.hypot(x, y)
+    centre = a + np.stack([x, y], axis=1)
+    fair = np.isfinite(radius) & (radius > sizes[0]) & (radius < sizes[1])
+    centre, radius = centre[fair], radius[fair]
+    if not len(radius):
+        return []
+    away = points[None, :, :] - centre[:, None, :]
+    near = np.abs(np.hypot(away[..., 0], away[..., 1]) - radius[:, None]) < np.maximum(1.2, 0.015 * radius)[:, None]
+    place = ((np.arctan2(away[..., 1], away[..., 0]) / (2 * np.pi) + 0.5) * BINS).astype(int) % BINS
+    covered = np.zeros((len(radius), BINS), dtype=bool)
+    rows = np.nonzero(near)
+    covered[rows[0], place[rows]] = True
+    around = (np.arange(BINS) + 0.5) / BINS * 2 * np.pi - np.pi
+    rim = centre[:, None, :] + radius[:, None, None] * np.stack([np.cos(around), np.sin(around)], axis=-1)
+    seen = ((rim >= 0) & (rim < np.array(picture))).all(axis=-1)
+    share = (covered & seen).sum(axis=1) / np.maximum(seen.sum(axis=1), 0.25 * BINS)
+    result: list[tuple[float, Circle]] = []
+    for k in np.argsort(-share):
+        one = Circle(float(centre[k, 0]), float(centre[k, 1]), float(radius[k]))
+        if all(np.hypot(one.x - old.x, one.y - old.y) + abs(one.radius - old.radius) > 0.1 * old.radius for _, old in result):
+            result.append((float(share[k]), one))
+        if len(result) == 3:
+            break
+    return result

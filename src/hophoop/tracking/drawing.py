@@ -1,0 +1,225 @@
+"""What was found, drawn over the film: a film, and a page of stills."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Callable, Iterator
+from contextlib import nullcontext
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import hophoop
+from hophoop._files import replacing
+from hophoop.scenario import InputError
+from hophoop.tracking.page import STYLE, Curve, plot
+from hophoop.tracking.table import FOUND, LOST, Track, View
+from hophoop.tracking.video import Bytes, Writer, jpeg, pictures, rgb, writing
+
+Floats = NDArray[np.float64]
+Colour = tuple[int, int, int]
+
+RIM, MARK, GROUND, GONE = (255, 214, 10), (0, 229, 255), (255, 255, 255), (230, 30, 30)
+MODEL = (255, 60, 220)  # a computed hoop
+POINTS = "#0b6"
+DARK = (20, 20, 20)
+STILLS = 9
+LOST_STILLS = 3
+STILL_WIDTH = 640
+
+
+def curve(image: Bytes, pixels: Floats, colour: Colour, width: int = 2) -> None:
+    """Draw a line through points, with a dark edge so that it shows on any ground.
+
+    Parameters
+    ----------
+    image : ndarray, shape (height, width, 3)
+        Drawn upon [1].
+    pixels : ndarray, shape (n, 2)
+        [pixel]
+    colour : tuple of int
+        Red, green and blue [1].
+    width : int, default 2
+        [pixel]
+    """
+    if len(pixels) < 2 or not np.isfinite(pixels).all():
+        return
+    size = np.array([image.shape[1], image.shape[0]])
+    pixels = pixels.clip(-size, 2 * size)
+    lengths = np.hypot(*np.diff(pixels, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(lengths)])
+    fine = np.linspace(0.0, along[-1], max(2, int(2 * along[-1])))
+    points = np.stack([np.interp(fine, along, pixels[:, k]) for k in (0, 1)], axis=-1)
+    for brush, paint in ((width + 2, DARK), (width, colour)):
+        span = np.arange(brush) - 0.5 * (brush - 1)
+        dots = (points[:, None, None, :] + np.stack(np.meshgrid(span, span), axis=-1)[None]).reshape(-1, 2).round().astype(int)
+        inside = ((dots >= 0) & (dots < size)).all(axis=1)
+        image[dots[inside, 1], dots[inside, 0]] = paint
+
+
+def draw(image: Bytes, view: View, radius: float, centre: Floats, angle: float, colour: Colour = RIM, dashes: int = 0) -> None:
+    """Draw a hoop over a picture.
+
+    Parameters
+    ----------
+    image : ndarray, shape (height, width, 3)
+        Drawn upon [1].
+    view : View
+    radius : float
+        [m]
+    centre : ndarray, shape (2,)
+        Along the plane and above it [m].
+    angle : float
+        Of the marker; nan where it is not known [rad].
+    colour : tuple of int, optional
+        Of the rim [1].
+    dashes : int, default 0
+        Pieces of the rim that are left out, so that what lies under it shows [1].
+    """
+    around = np.linspace(0.0, 2 * np.pi, 91)
+    rim = centre + radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
+    pieces = np.array_split(rim, 2 * dashes)[::2] if dashes else [rim]
+    for piece in pieces:
+        curve(image, view.to_picture(piece, radius), colour)
+    cross = 0.06 * radius
+    for along in ((cross, 0.0), (0.0, cross)):
+        curve(image, view.to_picture(np.array([centre - along, centre + along]), radius), colour, 1)
+    if np.isfinite(angle):
+        reach = radius * (view.marker_ratio if np.isfinite(view.marker_ratio) else 1.0)
+        tip = centre + reach * np.array([np.sin(angle), np.cos(angle)])
+        curve(image, view.to_picture(np.array([centre, tip]), radius), MARK)
+        small = tip + 0.05 * radius * np.stack([np.sin(around), np.cos(around)], axis=-1)
+        curve(image, view.to_picture(small, radius), MARK)
+
+
+def _marked(image: Bytes, track: Track, row: int) -> Bytes:
+    view = track.view
+    assert view is not None
+    span = np.linspace(np.nanmin(track.centre[:, 0]) - 3 * track.radius, np.nanmax(track.centre[:, 0]) + 3 * track.radius, 60)
+    curve(image, view.to_picture(np.stack([span, 0.0 * span], axis=-1), track.radius), GROUND, 1)
+    if track.state[row] == LOST:
+        edge = max(4, image.shape[1] // 160)
+        image[:edge], image[-edge:], image[:, :edge], image[:, -edge:] = GONE, GONE, GONE, GONE
+    else:
+        draw(image, view, track.radius, track.centre[row], track.angle[row])
+    return image
+
+
+def overlay(
+    video: str | Path,
+    track: Track,
+    film: str | Path | None = None,
+    page: str | Path | None = None,
+    progress: Callable[[int, int], None] | None = None,
+    model: tuple[Floats, Floats] | None = None,
+) -> None:
+    """Draw what was found over the film.
+
+    Parameters
+    ----------
+    video : str or Path
+        The film that was tracked.
+    track : Track
+    film : str or Path, optional
+        Film to write, ends in .mp4: rim and marker as found, the ground, and a red frame where the hoop is lost.
+    page : str or Path, optional
+        Page of stills to write, ends in .html.
+    progress : callable, optional
+        Called with the number of frames done and of all.
+    model : tuple of ndarray, optional
+        Another hoop to draw: its centre in each frame, shape (n, 2) [m], and the angle of its marker, shape (n,) [rad].
+
+    Raises
+    ------
+    ValueError
+        If the track is not of a film, or a name ends otherwise.
+    OSError
+        If a file cannot be read or written.
+    ImportError
+        If PyAV is missing.
+    """
+    if track.view is None:
+        raise InputError("The track is not of a film, so that it cannot be laid over one.")
+    for name, path, ending in (("film", film, ".mp4"), ("page", page, ".html")):
+        if path is not None and Path(path).suffix.lower() != ending:
+            raise InputError(f"{name} = {path} must end in {ending}.")
+    wanted = set(_stills(track)) if page is not None else set()
+    stills: list[tuple[int, bytes]] = []
+    camera = track.view.camera
+    target: Any = nullcontext(None) if film is None else writing(Path(film), (camera.width, camera.height))
+    with target as writer:
+        for row, picture in _rows(video, track):
+            if writer is not None or row in wanted:
+                image = _marked(rgb(picture), track, row)
+                if model is not None and np.isfinite(model[0][row]).all():
+                    draw(image, track.view, track.radius, model[0][row], model[1][row], MODEL, 12)
+                if isinstance(writer, Writer):
+                    writer.add(image, picture.t)
+                if row in wanted:
+                    by = max(1, image.shape[1] // STILL_WIDTH)
+                    stills.append((row, jpeg(np.ascontiguousarray(image[::by, ::by]))))
+            if progress is not None:
+                progress(row + 1, len(track.t))
+    if page is not None:
+        with replacing(Path(page)) as fresh:
+            fresh.write_text(_page(track, stills, None if film is None else Path(film).name), encoding="utf-8")
+
+
+def _rows(video: str | Path, track: Track) -> Iterator[tuple[int, Any]]:
+    assert track.view is not None
+    for row, picture in enumerate(pictures(video, track.view.rate)):
+        if row >= len(track.t):
+            break
+        yield row, picture
+
+
+def _stills(track: Track) -> list[int]:
+    """Frames from the whole film, and some in which something is missing."""
+    found = np.flatnonzero(track.found)
+    even = found[np.unique(np.linspace(0, len(found) - 1, STILLS).astype(int))]
+    missing = np.array([k for k, word in enumerate(track.state) if word != FOUND], dtype=int)
+    if len(missing):
+        missing = missing[np.unique(np.linspace(0, len(missing) - 1, LOST_STILLS).astype(int))]
+    return sorted({*even.tolist(), *missing.tolist()})
+
+
+def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> str:
+    good, bare = int(track.found.sum()), sum(word != FOUND for word in track.state)
+    usual = [
+        float(np.nanmedian(values)) if np.isfinite(values).any() else np.nan
+        for values in (track.centre_error, track.angle_error)
+    ]
+    words = [f"Found in {good} of {len(track.t)} frames, with marker in {len(track.t) - bare}."]
+    words.append(f"Usual uncertainty of the centre {1e3 * usual[0]:.2g} mm" + ("." if np.isnan(usual[1]) else ""))
+    if np.isfinite(usual[1]):
+        words[-1] += f", of the angle {1e3 * usual[1]:.2g} mrad."
+    words += track.notes
+    parts = [
+        "<!doctype html><html lang='en'><head><meta charset='utf-8'>",
+        f"<meta name='viewport' content='width=device-width'><title>Track of {escape(track.source)}</title>",
+        f"<style>{STYLE}</style>",
+        f"</head><body><h1>Track of {escape(track.source)}</h1><p>{escape(' '.join(words))}</p>",
+    ]
+    if film is not None:
+        parts.append(f"<video controls loop muted src='{escape(film, quote=True)}'></video>")
+    parts.append("<h2>Stills</h2><div class='stills'>")
+    for row, image in stills:
+        caption = f"t = {track.t[row]:.3f} s, {track.state[row]}"
+        if np.isfinite(track.angle[row]):
+            caption += f", {np.degrees(track.angle[row]):.1f}°"
+        code = base64.b64encode(image).decode("ascii")
+        parts.append(
+            f"<figure><img alt='' src='data:image/jpeg;base64,{code}'><figcaption>{escape(caption)}</figcaption></figure>"
+        )
+    parts.append("</div><h2>Motion</h2>")
+    parts.append(plot([Curve(track.t, track.centre[:, 0], POINTS)], "x (m)"))
+    parts.append(
+        plot([Curve(track.t, 1e3 * (track.centre[:, 1] - track.radius), POINTS)], "height of the rim above the plane (mm)")
+    )
+    if np.isfinite(track.angle).any():
+        parts.append(plot([Curve(track.t, np.degrees(track.angle), POINTS)], "angle (°)"))
+    parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
+    return "".join(parts)

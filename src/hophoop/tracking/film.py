@@ -1,0 +1,199 @@
+"""A film in, a track out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import InputError
+from hophoop.tracking.following import Follower, Rows
+from hophoop.tracking.ground import Ground, given_line, ground_line
+from hophoop.tracking.hints import Hints
+from hophoop.tracking.learning import Learned, learn
+from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, track_of
+from hophoop.tracking.video import count, kept, pictures
+
+Floats = NDArray[np.float64]
+
+LEAST_ERROR = 0.02  # of a centre, below which lens and sensor say more than the scatter of edges does [pixel]
+
+
+def track(
+    video: str | Path, radius: float, hints: Hints | None = None, progress: Callable[[int, int | None], None] | None = None
+) -> Track:
+    """Find a hoop in every frame of a film.
+
+    Parameters
+    ----------
+    video : str or Path
+        Anything that FFmpeg reads; times are those of its frames.
+    radius : float
+        Of the outside of the rim, which gives the scale [m].
+    hints : Hints, optional
+        What is known about the film.
+    progress : callable, optional
+        Called with the number of frames done and of all, None where the file does not say.
+
+    Returns
+    -------
+    track : Track
+        Frames in which the hoop was not found are marked as lost.
+
+    Raises
+    ------
+    ValueError
+        If the file is no video, shows no hoop, or a value is not allowed.
+    OSError
+        If the file cannot be opened.
+    ImportError
+        If PyAV or SciPy is missing.
+    """
+    if not (np.isfinite(radius) and radius > 0):
+        raise InputError(f"radius = {radius} must be a number above 0 (metres).")
+    hints = hints or Hints()
+    source = Path(video).name
+    total = count(video)
+    known = learn(kept(video, hints.rate), hints, source)
+    follower = Follower(known.search, known.marker, hints.exposure, hints.row_delay)
+    for k, picture in enumerate(pictures(video, hints.rate)):
+        if picture.size != (known.search.camera.width, known.search.camera.height):
+            raise InputError(f"{source} changes the size of its pictures on the way.")
+        follower.add(picture)
+        if progress is not None:
+            progress(k + 1, total)
+    return _assembled(follower.rows, known, hints, radius, source)
+
+
+def _assembled(rows: Rows, known: Learned, hints: Hints, radius: float, source: str) -> Track:
+    """From rectified pixels to metres along and above the plane."""
+    circle, covariance = np.array(rows.circle), np.array(rows.covariance)
+    arrow, angle = _at_one_time(rows, circle)
+    camera = known.search.camera
+    there = np.isfinite(circle[:, 0])
+    if there.sum() < 3:
+        raise InputError(f"{source} shows the hoop in {int(there.sum())} frames; tracking needs at least 3.")
+    size = float(np.median(circle[there, 2]))
+    scale = size / radius
+    if hints.ground is not None:
+        ends = camera.to_plane(np.reshape(np.array(hints.ground, dtype=float), (2, 2)))
+        line = given_line(ends[0], ends[1], size)
+    else:
+        line = ground_line(circle[there, :2], np.sqrt(covariance[there, 2]), size)
+    cos, sin = np.cos(line.angle), np.sin(line.angle)
+    turn = np.array([[cos, sin], [-sin, cos]])  # from the picture's axes to those of the plane
+    base = np.array([line.x, line.y])
+    origin = base + ((circle[there][0, :2] - base) @ turn[0]) * turn[0]
+    place = (circle[:, :2] - origin) @ turn.T / scale + [0.0, radius]
+    error = np.sqrt(_turned_variances(covariance, turn) + LEAST_ERROR**2) / scale
+    ratio = float("nan") if known.marker is None else known.marker.ratio
+    marker_error = _marker_error(np.array(rows.t), arrow, angle, covariance) / scale
+    reach = np.hypot(arrow[:, 0], arrow[:, 1]) / scale
+    marker = place + arrow @ turn.T / scale
+    pixel = camera.to_picture(circle[:, :2])
+    columns: dict[str, Floats] = {
+        "x": place[:, 0], "y": place[:, 1], "sigma_x": error[:, 0], "sigma_y": error[:, 1],
+        "angle": angle + line.angle, "sigma_angle": marker_error / reach,
+        "marker_x": marker[:, 0], "marker_y": marker[:, 1],
+        "sigma_marker": np.hypot(marker_error, error.mean(axis=1)),
+        "column": pixel[:, 0], "row": pixel[:, 1],
+        "marker_column": np.array(rows.marker_pixel)[:, 0], "marker_row": np.array(rows.marker_pixel)[:, 1],
+    }  # fmt: skip
+    marked = np.isfinite(columns["angle"])
+    state = [FOUND if b else UNMARKED if a else LOST for a, b in zip(there, marked, strict=True)]
+    view = View(
+        camera, scale, float(origin[0]), float(origin[1]), line.angle,
+        None if known.marker is None else (known.marker.blue, known.marker.red), ratio,
+        hints.exposure, hints.row_delay, hints.rate,
+    )  # fmt: skip
+    slope = hints.slope if hints.slope is not None else hints.level - line.angle
+    others: dict[str, Any] = {"radius": radius, "slope": slope, "placed": True, "view": view, "source": source}
+    return track_of(np.array(rows.t), columns, state, notes=_notes(rows, state, known, line, hints), **others)
+
+
+def _turned_variances(covariance: Floats, turn: Floats) -> Floats:
+    whole = np.empty((len(covariance), 2, 2))
+    whole[:, 0, 0], whole[:, 1, 1] = covariance[:, 0], covariance[:, 2]
+    whole[:, 0, 1] = whole[:, 1, 0] = covariance[:, 1]
+    result: Floats = np.einsum("ik,nkl,il->ni", turn, whole, turn)
+    return result
+
+
+def _at_one_time(rows: Rows, circle: Floats) -> tuple[Floats, Floats]:
+    """Arrows from centre to marker, and their angles, when the row of the centre is exposed.
+
+    With a rolling shutter the marker's row comes earlier or later; how far all moves and turns until then is known from the
+    frames before and after.
+    """
+    t, arrow, angle, late = np.array(rows.t), np.array(rows.arrow), np.array(rows.angle), np.array(rows.late)
+    there = np.flatnonzero(np.isfinite(angle))
+    if len(there) < 2 or not late.any():
+        return arrow, angle
+    velocity = np.gradient(circle[there, :2], t[there], axis=0)
+    omega = np.gradient(angle[there], t[there])
+    straight = arrow[there] - velocity * late[there, None]
+    turn = omega * late[there]  # to be turned back, which is counterclockwise
+    cos, sin = np.cos(turn), np.sin(turn)
+    back = np.stack([cos * straight[:, 0] - sin * straight[:, 1], sin * straight[:, 0] + cos * straight[:, 1]], axis=-1)
+    arrow[there] = back
+    bare = np.arctan2(back[:, 0], back[:, 1])
+    angle[there] = bare + 2 * np.pi * np.round((angle[there] - bare) / (2 * np.pi))
+    return arrow, angle
+
+
+def _marker_error(t: Floats, arrow: Floats, angle: Floats, covariance: Floats) -> Floats:
+    """How far the marker is off across the line to the centre [rectified pixels].
+
+    Two estimates, each of which can only be too large: how it scatters along that line, and the third differences of its angle,
+    to which the motion itself adds little in a fast film.
+    """
+    reach = np.hypot(arrow[:, 0], arrow[:, 1])
+    known = reach[np.isfinite(reach)]
+    if not len(known):
+        return np.full(len(reach), np.nan)
+    scatter = [_spread(known)]
+    third = _third_differences(t, angle)
+    if len(third) >= 8:
+        scatter.append(_spread(third) * float(np.median(known)))
+    least = np.sqrt(np.maximum(0.5 * (covariance[:, 0] + covariance[:, 2]), LEAST_ERROR**2))
+    return np.where(np.isfinite(reach), np.maximum(min(scatter), least), np.nan)
+
+
+def _spread(values: Floats) -> float:
+    return 1.4826 * float(np.median(np.abs(values - np.median(values))))
+
+
+def _third_differences(t: Floats, values: Floats) -> Floats:
+    """What four values in a row differ from a parabola, in standard deviations of one of them."""
+    result = []
+    for k in range(len(t) - 3):
+        four = values[k : k + 4]
+        if np.isfinite(four).all():
+            at = t[k : k + 4] - t[k]
+            weights = np.array([1.0 / np.prod([at[i] - at[j] for j in range(4) if j != i]) for i in range(4)])
+            result.append(float(weights @ four / np.sqrt(weights @ weights)))
+    return np.array(result)
+
+
+def _notes(rows: Rows, state: list[str], known: Learned, line: Ground, hints: Hints) -> tuple[str, ...]:
+    notes = []
+    lost, bare = state.count(LOST), state.count(UNMARKED)
+    if lost:
+        notes.append(f"The hoop is lost in {lost} of {len(state)} frames.")
+    if known.marker is None:
+        notes.append("No marker was found, so that there are no angles.")
+    elif bare:
+        notes.append(f"The marker is hidden in {bare} frames.")
+    if rows.unsure:
+        notes.append(f"Whole turns may be missing after {rows.unsure[0]:.3f} s, where the marker comes back.")
+    if not line.told:
+        notes.append("The hoop stays in one place, so that the slope cannot be told; the picture's rows are taken as level.")
+    elif hints.ground is None:
+        notes.append(f"The plane is the line under the hoop in {line.frames} frames.")
+    if known.tilted:
+        a, b = np.degrees([known.search.camera.tilt_x, known.search.camera.tilt_y])
+        notes.append(f"The plane of motion is turned by {a:.1f}° and {b:.1f}° about the picture's axes.")
+    return tuple(notes)

@@ -1,0 +1,86 @@
+"""The line on which the hoop stands, from where its centre is lowest."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+LOW = 0.15  # share of the frames that lies under the first line
+LEAST_WAY = 0.7  # way of the centre that tells a direction, over the radius
+
+
+class Ground(NamedTuple):
+    """The line along which the centre goes while the rim touches the ground [rectified pixels]."""
+
+    x: float
+    y: float
+    angle: float  # by which it rises to the right [rad]
+    frames: int  # in contact, from which it comes; 0 where it was given
+    told: bool  # whether the direction could be told
+
+
+def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
+    """The line under the way of the centre.
+
+    Parameters
+    ----------
+    points : ndarray, shape (n, 2)
+        Centres [rectified pixels].
+    errors : ndarray, shape (n,)
+        Of the heights [rectified pixels].
+    radius : float
+        [rectified pixels]
+
+    Returns
+    -------
+    ground : Ground
+        Level where the hoop stays in one place.
+    """
+    x, y = points[:, 0], points[:, 1]
+    middle = float(x.mean())
+    told = bool(np.ptp(x) > LEAST_WAY * radius)
+    design = np.column_stack([np.ones(len(x)), x - middle]) if told else np.ones((len(x), 1))
+    line = np.linalg.lstsq(design, y, rcond=None)[0]
+    for _ in range(60):  # quantile regression by reweighting
+        off = y - design @ line
+        weight = np.where(off > 0, LOW, 1.0 - LOW) / np.maximum(np.abs(off), 1e-3)
+        line = np.linalg.lstsq(design * np.sqrt(weight)[:, None], y * np.sqrt(weight), rcond=None)[0]
+    error = max(float(np.median(errors)), 0.05)
+    near = np.abs(y - design @ line) < 4.0 * error
+    for _ in range(20):
+        if near.sum() < max(3, 2 * design.shape[1]):
+            break
+        line = np.linalg.lstsq(design[near], y[near], rcond=None)[0]
+        off = y - design @ line
+        now = np.abs(off) < 3.0 * max(error, float(1.4826 * np.median(np.abs(off[near]))))
+        if (now == near).all():
+            break
+        near = now
+    angle = float(np.arctan(line[1])) if told else 0.0
+    return Ground(middle, float(line[0]), angle, int(near.sum()), told)
+
+
+def given_line(first: Floats, second: Floats, radius: float) -> Ground:
+    """The centre's line over two points of the ground.
+
+    Parameters
+    ----------
+    first, second : ndarray, shape (2,)
+        [rectified pixels]
+    radius : float
+        [rectified pixels]
+
+    Returns
+    -------
+    ground : Ground
+    """
+    if first[0] > second[0]:
+        first, second = second, first
+    along = second - first
+    angle = float(np.arctan2(along[1], along[0]))
+    raised = first + radius * np.array([-np.sin(angle), np.cos(angle)])
+    return Ground(float(raised[0]), float(raised[1]), angle, 0, True)

@@ -1,0 +1,197 @@
+"""What a few pictures of a film tell about hoop, marker and camera, before it is followed from frame to frame."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import InputError
+from hophoop.tracking.camera import USUAL_FOCAL, Camera, fit_camera
+from hophoop.tracking.circle import Circle, fit_circle
+from hophoop.tracking.detection import Hoop, Search, confirm, detect, reduced, reduction
+from hophoop.tracking.hints import Hints
+from hophoop.tracking.marker import Marker, colour_chroma, find_marker, with_area
+from hophoop.tracking.video import Picture
+
+Floats = NDArray[np.float64]
+
+ALIKE = 0.12  # by how much radii in different pictures may differ before the camera is known
+TIGHT = 0.004  # and how well the radius is known after that
+MOST_FOR_CAMERA = 14
+STILL = 0.02  # way over the radius, below which a circle belongs to the background
+
+
+class Learned(NamedTuple):
+    """What is known before following."""
+
+    search: Search
+    marker: Marker | None
+    tilted: bool
+    seen: list[tuple[Picture, Circle]]
+
+
+def learn(pairs: list[tuple[Picture, Picture | None]], hints: Hints, source: str) -> Learned:
+    """Find hoop, marker and camera in pictures from all over the film.
+
+    Parameters
+    ----------
+    pairs : list of (Picture, Picture or None)
+        Each with the one after it, which tells how fast the hoop moves.
+    hints : Hints
+    source : str
+        Name of the film.
+
+    Returns
+    -------
+    learned : Learned
+
+    Raises
+    ------
+    ValueError
+        If no hoop is found.
+    """
+    pictures = [picture for picture, _ in pairs]
+    wide, tall = pictures[0].size
+    if any(picture.size != (wide, tall) for picture in pictures):
+        raise InputError(f"{source} changes the size of its pictures on the way.")
+    focal = hints.focal or USUAL_FOCAL * max(wide, tall)
+    tilt = hints.tilt or (0.0, 0.0)
+    camera = Camera(wide, tall, focal, *tilt)
+    rng = np.random.default_rng(0)
+    search, seen = _hoops(pictures, camera, hints, rng)
+    if len(seen) < 2:
+        raise InputError(
+            f"{source} shows no hoop that could be followed; a hint may help: its centre and radius in a frame, "
+            f"or whether it is dark or light."
+        )
+    if hints.row_delay:
+        seen = _uprighted(seen, dict(zip(map(id, pictures), (after for _, after in pairs), strict=True)), search, hints, rng)
+    tilted = False
+    if hints.tilt is None and len(seen) >= 4:
+        chosen = [seen[k] for k in np.unique(np.linspace(0, len(seen) - 1, MOST_FOR_CAMERA).astype(int))]
+        edges = [camera.to_picture(hoop.rim.points) for _, hoop in chosen]
+        camera, tilted = fit_camera(camera, edges, hints.focal is not None)
+    radius = _common_radius(camera, search.camera, seen)
+    search = search._replace(camera=camera, expected=(radius, TIGHT * radius))
+    again = []
+    for picture, hoop in seen:
+        point = camera.to_plane(search_place(hoop, Camera(wide, tall, focal, *tilt)))
+        found = confirm(picture.luma, search, Circle(float(point[0]), float(point[1]), radius), rng)
+        if found is not None:
+            again.append((picture, found.rim.circle))
+    if len(again) < 2:
+        raise InputError(f"{source} shows circles, but none that keeps its size like a hoop that is followed.")
+    places = np.array([circle[:2] for _, circle in again])
+    if np.ptp(places, axis=0).max() < STILL * radius:
+        raise InputError(f"{source} shows a circle that does not move, but no hoop.")
+    # near the fitted edge the radius is known better than any one picture tells
+    radius = float(np.median([circle.radius for _, circle in again]))
+    search = search._replace(expected=(radius, TIGHT * radius))
+    return Learned(search, _marker(again, camera, hints), tilted, again)
+
+
+def _uprighted(
+    seen: list[tuple[Picture, Hoop]],
+    following: dict[int, Picture | None],
+    search: Search,
+    hints: Hints,
+    rng: np.random.Generator,
+) -> list[tuple[Picture, Hoop]]:
+    """The same hoops, with what a rolling shutter made of the rim put right by how fast they move."""
+    result = []
+    for picture, hoop in seen:
+        after = following[id(picture)]
+        now = hoop.rim.circle
+        near = search._replace(expected=(now.radius, 0.02 * now.radius))
+        then = None if after is None else confirm(after.luma, near, now, rng)
+        if after is None or then is None:
+            continue
+        way = np.array([then.rim.circle.x - now.x, then.rim.circle.y - now.y]) / (after.t - picture.t) * hints.row_delay
+        again = confirm(picture.luma, near, now, rng, (float(way[0]), float(way[1])))
+        if again is not None:
+            result.append((picture, again))
+    return result if len(result) >= 2 else seen
+
+
+def search_place(hoop: Hoop, camera: Camera) -> Floats:
+    """The pixel of a hoop's centre, as a camera sees it [pixel]."""
+    return camera.to_picture(np.array([hoop.rim.circle.x, hoop.rim.circle.y]))
+
+
+def _hoops(
+    pictures: list[Picture], camera: Camera, hints: Hints, rng: np.random.Generator
+) -> tuple[Search, list[tuple[Picture, Hoop]]]:
+    """The hoop in as many of the pictures as it is found in, by what moves or else by what stands out."""
+    by = reduction(camera.width)
+    sign = {"dark": 1, "light": -1}.get(hints.ring, 0)
+    small = np.stack([reduced(picture.luma, by) for picture in pictures])
+    background = np.median(small, axis=0)
+    given = _given(pictures, camera, hints, sign, rng)
+    best: list[tuple[Picture, Hoop]] = []
+    result = Search(camera, None, by, sign, None)
+    for way in (background, None):
+        search = Search(camera, way, by, sign, None)
+        if given is not None:
+            search = search._replace(sign=given.sign, expected=(given.rim.circle.radius, ALIKE / 4 * given.rim.circle.radius))
+        found = []
+        for picture in pictures:
+            hoop = detect(picture.luma, search, rng)
+            if hoop is not None:
+                found.append((picture, hoop))
+        alike = _most_alike(found)
+        if len(alike) > len(best):
+            best, result = alike, search._replace(sign=alike[0][1].sign)
+        if len(best) >= max(2, 0.1 * len(pictures)):
+            break
+    return result, best
+
+
+def _given(pictures: list[Picture], camera: Camera, hints: Hints, sign: int, rng: np.random.Generator) -> Hoop | None:
+    """The hoop where a person has pointed at it."""
+    if hints.centre is None or hints.rim is None:
+        return None
+    picture = min(pictures, key=lambda one: abs(one.t - hints.at))
+    place = camera.to_plane(np.array(hints.centre, dtype=float))
+    search = Search(camera, None, 1, sign, None)
+    hoop = confirm(picture.luma, search, Circle(float(place[0]), float(place[1]), hints.rim), rng)
+    if hoop is None:
+        raise InputError(
+            f"centre = {hints.centre[0]:g}, {hints.centre[1]:g} with rim = {hints.rim:g} pixels shows no rim in the frame at "
+            f"{picture.t:.3f} s."
+        )
+    return hoop
+
+
+def _most_alike(found: list[tuple[Picture, Hoop]]) -> list[tuple[Picture, Hoop]]:
+    """The largest group of one size and one contrast; among equals the one that agrees best."""
+    best: list[tuple[Picture, Hoop]] = []
+    for _, seed in found:
+        size = seed.rim.circle.radius
+        group = [
+            (picture, hoop)
+            for picture, hoop in found
+            if hoop.sign == seed.sign and abs(hoop.rim.circle.radius - size) < ALIKE * size
+        ]
+        if (len(group), sum(hoop.rim.share for _, hoop in group)) > (len(best), sum(hoop.rim.share for _, hoop in best)):
+            best = group
+    return best
+
+
+def _common_radius(camera: Camera, before: Camera, seen: list[tuple[Picture, Hoop]]) -> float:
+    sizes = [fit_circle(camera.to_plane(before.to_picture(hoop.rim.points)))[2] for _, hoop in seen if hoop.rim.seen > 0.6]
+    sizes = sizes or [fit_circle(camera.to_plane(before.to_picture(hoop.rim.points)))[2] for _, hoop in seen]
+    return float(np.median(sizes))
+
+
+def _marker(seen: list[tuple[Picture, Circle]], camera: Camera, hints: Hints) -> Marker | None:
+    if hints.marker == "none":
+        return None
+    if hints.marker == "auto":
+        return find_marker(seen, camera)
+    blue, red = colour_chroma(hints.marker)
+    found = with_area(Marker(blue, red, np.nan, np.nan), seen, camera)
+    if np.isnan(found.area):
+        raise InputError(f"marker = {hints.marker!r}: no patch of that colour was seen on the hoop.")
+    return found

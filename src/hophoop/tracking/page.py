@@ -1,0 +1,89 @@
+"""What pages of tracks and fits share: their style, and small plots of something over time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+STYLE = """
+body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 1240px; padding: 0 1rem;
+  color: #1b1b1b; background: #fff; }
+.stills { display: grid; grid-template-columns: repeat(auto-fill, minmax(360px, 1fr)); gap: 0.8rem; }
+figure { margin: 0; } figure img, video { width: 100%; display: block; } figcaption { font-size: 0.85rem; color: #555; }
+svg { width: 100%; height: auto; display: block; margin: 0.4rem 0 1rem; }
+svg text { font: 12px system-ui, sans-serif; fill: #444; }
+table { border-collapse: collapse; margin: 1rem 0; } td, th { text-align: left; padding: 0.15rem 1.5rem 0.15rem 0; }
+td.value { font-variant-numeric: tabular-nums; white-space: nowrap; } th { border-bottom: 1px solid #999; }
+code { overflow-wrap: anywhere; }
+"""
+WIDE, TALL, LEFT, FOOT, HEAD = 1200, 190, 70, 20, 22
+
+
+class Curve(NamedTuple):
+    """What is drawn over time: points, or a line."""
+
+    t: Floats  # [s]
+    values: Floats
+    colour: str
+    line: bool = False
+
+
+def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, float, str]] = (), zero: bool = False) -> str:
+    """A small plot over time; where a value is missing there is a gap.
+
+    Parameters
+    ----------
+    curves : sequence of Curve
+    label : str
+        What it shows, with the unit.
+    ribbon : sequence of (float, float, str)
+        Pieces of time [s] and their colour, under the plot.
+    zero : bool, default False
+        Whether to draw a line at 0.
+
+    Returns
+    -------
+    svg : str
+    """
+    known = np.concatenate([curve.values[np.isfinite(curve.values)] for curve in curves])
+    low, high = (float(round(one, 9)) for one in (known.min(), known.max()))
+    if high - low < 1e-9:
+        low, high = low - 1.0, high + 1.0
+    begin = min(float(curve.t[0]) for curve in curves)
+    span = max(max(float(curve.t[-1]) for curve in curves) - begin, 1e-9)
+
+    def across(t: Floats) -> Floats:
+        return LEFT + (t - begin) / span * (WIDE - LEFT - 8)
+
+    def down(values: Floats) -> Floats:
+        return HEAD + 4 + (high - values) / (high - low) * (TALL - FOOT - HEAD - 12)
+
+    foot = TALL - FOOT
+    parts = [
+        f"<rect x='{LEFT}' y='{HEAD}' width='{WIDE - LEFT - 4}' height='{foot - HEAD - 4}' fill='none' stroke='#ccc'/>",
+        f"<text x='{LEFT}' y='14' font-weight='600'>{escape(label)}</text>",
+        f"<text x='2' y='{HEAD + 10}'>{high:.4g}</text><text x='2' y='{foot - 6}'>{low:.4g}</text>",
+        f"<text x='{LEFT}' y='{TALL - 4}'>{begin:.3g} s</text><text x='{WIDE - 56}' y='{TALL - 4}'>{begin + span:.3g} s</text>",
+    ]
+    for first, last, colour in ribbon:
+        a, b = across(np.array([first, last])).tolist()
+        parts.append(f"<rect x='{a:.1f}' y='{foot - 4}' width='{max(b - a, 1):.1f}' height='5' fill='{colour}'/>")
+    if zero and low < 0 < high:
+        level = float(down(np.array(0.0)))
+        parts.append(f"<line x1='{LEFT}' x2='{WIDE - 4}' y1='{level:.1f}' y2='{level:.1f}' stroke='#999'/>")
+    for curve in curves:
+        there = np.isfinite(curve.values)
+        places = list(zip(across(curve.t[there]).tolist(), down(curve.values[there]).tolist(), strict=True))
+        if curve.line:
+            path = " ".join(f"{a:.1f},{b:.1f}" for a, b in places)
+            parts.append(f"<polyline points='{path}' fill='none' stroke='{curve.colour}'/>")
+        else:
+            dots = "".join(f"<circle cx='{a:.1f}' cy='{b:.1f}' r='1.6'/>" for a, b in places)
+            parts.append(f"<g fill='{curve.colour}'>{dots}</g>")
+    return f"<svg viewBox='0 0 {WIDE} {TALL}' role='img' aria-label='{escape(label, quote=True)}'>{''.join(parts)}</svg>"

@@ -1,0 +1,233 @@
+"""Where the rim's outer edge is: the steepest place on each ray from the centre, to a fraction of a pixel."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._extras import need
+from hophoop.tracking.camera import Camera
+from hophoop.tracking.circle import Circle, Fitted, robust_circle
+from hophoop.tracking.video import Bytes
+
+Floats = NDArray[np.float64]
+
+RAYS = 180
+WIDE = 5  # samples either side of the steepest over which its place is averaged
+WEAKEST = 4.0  # rise of luma over two pixels that counts as an edge
+LOTS = 120  # pairs of rays drawn to find how far the rim has moved
+CLOSE = 4.0  # reach of the last search [pixel]
+
+
+class Edges(NamedTuple):
+    """Places of an edge, one for each ray that shows it."""
+
+    points: Floats  # in rectified pixels, shape (n, 2)
+    angles: Floats  # of the rays [rad]
+    offsets: Floats  # outwards from the circle that was looked at [pixel]
+    strength: Floats  # rise of luma over two pixels [1]
+    rows: Floats  # of the picture [pixel]
+    looked: int  # rays that lie in the picture
+
+
+class Rim(NamedTuple):
+    """A rim found in a picture."""
+
+    circle: Circle  # in rectified pixels
+    covariance: Floats  # [pixel²]
+    share: float  # of the rays in the picture that agree [1]
+    seen: float  # share of the circumference that lies in the picture [1]
+    spread: float  # of the edge about the circle [pixel]
+    points: Floats  # of the edge that agree, as if all rows were exposed at once [rectified pixels]
+
+
+def profile(luma: Bytes, camera: Camera, circle: Circle, angles: Floats, offsets: Floats) -> tuple[Floats, Floats, Floats]:
+    """Luma along rays.
+
+    Parameters
+    ----------
+    luma : ndarray, shape (height, width)
+        [1]
+    camera : Camera
+    circle : Circle
+    angles : ndarray, shape (n,)
+        Of the rays [rad].
+    offsets : ndarray, shape (k,)
+        From the circle, outwards [pixel].
+
+    Returns
+    -------
+    values : ndarray, shape (n, k)
+        nan outside the picture [1].
+    points : ndarray, shape (n, k, 2)
+        Where they are [rectified pixels].
+    pixels : ndarray, shape (n, k, 2)
+        The same in the picture [pixel].
+    """
+    ndimage = need("scipy.ndimage", "track")
+    away = circle.radius + offsets
+    points = np.array([circle.x, circle.y]) + away[:, None] * np.stack([np.cos(angles), np.sin(angles)], -1)[:, None, :]
+    pixels = camera.to_picture(points)
+    values = ndimage.map_coordinates(luma, [pixels[..., 1], pixels[..., 0]], output=np.float32, order=1, mode="nearest")
+    inside = ((pixels >= 0) & (pixels <= np.array([camera.width - 1, camera.height - 1]))).all(axis=-1)
+    return np.where(inside, values, np.nan), points, pixels
+
+
+def edges(luma: Bytes, camera: Camera, circle: Circle, sign: int, reach: float, step: float = 0.5) -> Edges:
+    """The steepest place on each ray near a circle.
+
+    Parameters
+    ----------
+    luma : ndarray, shape (height, width)
+        [1]
+    camera : Camera
+    circle : Circle
+    sign : {1, -1, 0}
+        1 where luma rises outwards, as at a dark hoop; 0 where either way is an edge.
+    reach : float
+        How far from the circle to look [pixel].
+    step : float, default 0.5
+        Between samples [pixel].
+
+    Returns
+    -------
+    edges : Edges
+    """
+    angles = (np.arange(RAYS) + 0.5) * 2 * np.pi / RAYS
+    apart = round(1.0 / step)
+    offsets = np.arange(-reach - 1.0, reach + 1.0 + 0.5 * step, step)
+    values, points, pixels = profile(luma, camera, circle, angles, offsets)
+    rise = values[:, 2 * apart :] - values[:, : -2 * apart]
+    rise = sign * rise if sign else np.abs(rise)
+    offsets, points, pixels = offsets[apart:-apart], points[:, apart:-apart], pixels[:, apart:-apart]
+    there = np.isfinite(rise).all(axis=1)
+    rise = np.where(np.isfinite(rise), rise, 0.0).clip(0.0)
+    best = np.argmax(rise * (1.0 - 0.4 * (offsets / (reach + 1.0)) ** 2), axis=1)
+    rows = np.arange(RAYS)
+    strength = rise[rows, best]
+    good = there & (strength >= max(WEAKEST, 0.25 * float(np.median(strength[there])) if there.any() else WEAKEST))
+    place = best[:, None] + np.arange(-WIDE, WIDE + 1)
+    fair = (place >= 0) & (place < len(offsets))
+    place = place.clip(0, len(offsets) - 1)
+    # only the hill around the steepest place, not another one beside it
+    weight = np.where(fair, rise[rows[:, None], place], 0.0)
+    weight = np.where(weight > 0.2 * strength[:, None], weight, 0.0)
+    mean = (weight * offsets[place]).sum(axis=1) / np.maximum(weight.sum(axis=1), 1e-9)
+    direction = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    found = np.array([circle.x, circle.y]) + (circle.radius + mean)[:, None] * direction
+    return Edges(found[good], angles[good], mean[good], strength[good], pixels[rows, best, 1][good], int(there.sum()))
+
+
+def moved(found: Edges, rng: np.random.Generator) -> tuple[float, float, float] | None:
+    """How far the circle has moved, from the offsets on all rays, of which many may be strangers.
+
+    Parameters
+    ----------
+    found : Edges
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    x, y, share : float or None
+        The shift, and the share of rays that agree with it [pixel].
+    """
+    count = len(found.angles)
+    if count < 12:
+        return None
+    a, b = rng.integers(0, count, LOTS), rng.integers(0, count, LOTS)
+    cos, sin = np.cos(found.angles), np.sin(found.angles)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        area = cos[a] * sin[b] - cos[b] * sin[a]
+        x = (found.offsets[a] * sin[b] - found.offsets[b] * sin[a]) / area
+        y = (found.offsets[b] * cos[a] - found.offsets[a] * cos[b]) / area
+    fair = np.abs(area) > 0.3
+    if not fair.any():
+        return None
+    x, y = x[fair], y[fair]
+    agree = np.abs(x[:, None] * cos + y[:, None] * sin - found.offsets) < 1.5
+    best = int(np.argmax(agree.sum(axis=1)))
+    return float(x[best]), float(y[best]), float(agree[best].sum() / max(found.looked, 1))
+
+
+def find_rim(
+    luma: Bytes,
+    camera: Camera,
+    circle: Circle,
+    sign: int,
+    reach: float,
+    expected: tuple[float, float] | None,
+    rng: np.random.Generator,
+    lean: tuple[float, float] = (0.0, 0.0),
+) -> Rim | None:
+    """The rim near a circle.
+
+    Parameters
+    ----------
+    luma : ndarray, shape (height, width)
+        [1]
+    camera : Camera
+    circle : Circle
+        Where to look.
+    sign : {1, -1}
+        1 for a dark hoop.
+    reach : float
+        How far from the circle to look [pixel].
+    expected : tuple of float or None
+        The radius and how well it is known [pixel].
+    rng : numpy.random.Generator
+    lean : tuple of float
+        How far the hoop moves while the shutter passes a row [rectified pixels a row].
+
+    Returns
+    -------
+    rim : Rim or None
+    """
+    if reach > 1.5 * CLOSE:
+        shift = moved(edges(luma, camera, circle, sign, reach, step=1.0), rng)
+        if shift is None or shift[2] < 0.25:
+            return None
+        circle = Circle(circle.x + shift[0], circle.y + shift[1], circle.radius)
+    fit: Fitted | None = None
+    for close in (CLOSE, CLOSE):
+        found = edges(luma, camera, circle, sign, close)
+        if len(found.points) < 12:
+            return None
+        row = camera.to_picture(np.array([circle.x, circle.y]))[1]
+        upright = found.points - np.outer(found.rows - row, lean)
+        fit = robust_circle(upright, circle, close + 2.0, expected)
+        if fit is None:
+            return None
+        circle = fit.circle
+    assert fit is not None
+    share = float(fit.inside.sum() / max(found.looked, 1))
+    return Rim(fit.circle, fit.covariance, share, found.looked / RAYS, fit.spread, upright[fit.inside])
+
+
+def find_disc(luma: Bytes, camera: Camera, circle: Circle) -> tuple[float, float] | None:
+    """The middle of a round patch whose outline shows in luma, which is finer than chroma.
+
+    Parameters
+    ----------
+    luma : ndarray, shape (height, width)
+        [1]
+    camera : Camera
+    circle : Circle
+        Where it is by its colour.
+
+    Returns
+    -------
+    x, y : float or None
+        None where the outline is not that of a disc [rectified pixels].
+    """
+    reach = min(max(2.0, 0.35 * circle.radius), 4.0)
+    found = edges(luma, camera, circle, 0, reach)
+    if len(found.points) < 0.6 * RAYS:
+        return None
+    fit = robust_circle(found.points, circle, reach + 1.0, (circle.radius, 0.1 * circle.radius))
+    if fit is None or fit.inside.sum() < 0.6 * RAYS or fit.spread > max(0.3, 0.08 * circle.radius):
+        return None
+    if np.hypot(fit.circle.x - circle.x, fit.circle.y - circle.y) > 0.3 + 0.1 * circle.radius:
+        return None
+    return fit.circle.x, fit.circle.y

@@ -1,0 +1,326 @@
+"""A track: where the hoop was and when, with uncertainties; to and from files."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._files import replacing
+from hophoop.scenario import InputError
+from hophoop.tracking.camera import Camera
+
+Floats = NDArray[np.float64]
+
+SCHEMA = "hophoop-track/1"
+FOUND, UNMARKED, LOST = "found", "no marker", "lost"
+
+
+@dataclass(frozen=True)
+class View:
+    """How a film's picture and the plane belong together.
+
+    Attributes
+    ----------
+    camera : Camera
+    scale : float
+        Rectified pixels a metre [1/m].
+    x, y : float
+        Where the centre stands at x = 0 in contact [rectified pixels].
+    rise : float
+        Angle by which the ground rises to the right in the picture [rad].
+    chroma : tuple of float or None
+        Colour of the marker, as differences of blue and red from luma [1].
+    marker_ratio : float
+        Distance of the marker from the centre over the radius [1].
+    exposure : float
+        How long the shutter is open [s].
+    row_delay : float
+        From a row of the picture to the next [s].
+    rate : float or None
+        Frames a second that were given instead of the file's times [Hz].
+    """
+
+    camera: Camera
+    scale: float
+    x: float
+    y: float
+    rise: float
+    chroma: tuple[float, float] | None = None
+    marker_ratio: float = float("nan")
+    exposure: float = 0.0
+    row_delay: float = 0.0
+    rate: float | None = None
+
+    def to_picture(self, points: Floats, radius: float) -> Floats:
+        """Pixels of points of the plane.
+
+        Parameters
+        ----------
+        points : ndarray, shape (…, 2)
+            Along the plane and above it [m].
+        radius : float
+            Of the hoop [m].
+
+        Returns
+        -------
+        pixels : ndarray, shape (…, 2)
+            Column and row [pixel].
+        """
+        x, y = self.scale * points[..., 0], self.scale * (points[..., 1] - radius)
+        cos, sin = np.cos(self.rise), np.sin(self.rise)
+        return self.camera.to_picture(np.stack([self.x + x * cos - y * sin, self.y + x * sin + y * cos], axis=-1))
+
+
+# Columns of a table: attribute and index, unit.
+COLUMNS: dict[str, tuple[str, int | None, str]] = {
+    "t": ("t", None, "s"),
+    "x": ("centre", 0, "m"),
+    "y": ("centre", 1, "m"),
+    "angle": ("angle", None, "rad"),
+    "sigma_x": ("centre_error", 0, "m"),
+    "sigma_y": ("centre_error", 1, "m"),
+    "sigma_angle": ("angle_error", None, "rad"),
+    "marker_x": ("marker", 0, "m"),
+    "marker_y": ("marker", 1, "m"),
+    "sigma_marker": ("marker_error", None, "m"),
+    "column": ("pixel", 0, "pixel"),
+    "row": ("pixel", 1, "pixel"),
+    "marker_column": ("marker_pixel", 0, "pixel"),
+    "marker_row": ("marker_pixel", 1, "pixel"),
+}
+PAIRS = {name for name, index, _ in COLUMNS.values() if index is not None}
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """Where a hoop was in each frame of a film; nan where it was not found.
+
+    Attributes
+    ----------
+    t : ndarray, shape (n,)
+        Times [s].
+    centre : ndarray, shape (n, 2)
+        x along the plane and y, the height above it, of the rim's centre [m].
+    marker : ndarray, shape (n, 2)
+        The same of the marker [m].
+    angle : ndarray, shape (n,)
+        From the plane's normal to the line from centre to marker, clockwise, without jumps [rad].
+    centre_error : ndarray, shape (n, 2)
+        Standard deviations of the centre [m].
+    marker_error, angle_error : ndarray, shape (n,)
+        Standard deviations of each of the marker's coordinates [m] and of the angle [rad].
+    pixel, marker_pixel : ndarray, shape (n, 2)
+        Centre and marker in the picture: column and row [pixel].
+    state : tuple of str
+        'found', 'no marker' or 'lost' for each frame.
+    radius : float
+        Of the rim [m]; nan where the data do not say.
+    slope : float
+        Of the plane, downhill to the right, if the camera was level [rad]; nan where the data do not say.
+    placed : bool
+        Whether x runs along the plane and y is the height above it; otherwise the fit has to find out.
+    view : View or None
+        How picture and plane belong together, of a film.
+    source : str
+        Where it comes from.
+    notes : tuple of str
+        What a person should know about it, a sentence each.
+    """
+
+    t: Floats
+    centre: Floats
+    marker: Floats
+    angle: Floats
+    centre_error: Floats
+    marker_error: Floats
+    angle_error: Floats
+    pixel: Floats
+    marker_pixel: Floats
+    state: tuple[str, ...]
+    radius: float = float("nan")
+    slope: float = float("nan")
+    placed: bool = False
+    view: View | None = None
+    source: str = ""
+    notes: tuple[str, ...] = field(default=())
+
+    @property
+    def found(self) -> NDArray[np.bool_]:
+        """Whether the hoop was found in each frame [1]."""
+        return np.array([word != LOST for word in self.state])
+
+    def to_dict(self) -> dict[str, Any]:
+        """All of it as numbers and words, nan as None.
+
+        Returns
+        -------
+        track : dict
+            Ready for `json.dumps`; SI units and radians.
+        """
+        columns = {name: _plain(self._column(name)) for name in COLUMNS if np.isfinite(self._column(name)).any()}
+        head: dict[str, Any] = {"schema": SCHEMA, "source": self.source, "placed": self.placed, "notes": list(self.notes)}
+        head |= {name: value for name in ("radius", "slope") if np.isfinite(value := getattr(self, name))}
+        if self.view is not None:
+            view = {key: value for key, value in asdict(self.view).items() if value is not None and value == value}
+            head["view"] = view
+        return head | {"state": list(self.state), "columns": columns}
+
+    def save(self, path: str | Path) -> None:
+        """Write it as JSON, which holds everything, or as CSV, the table alone.
+
+        Parameters
+        ----------
+        path : str or Path
+            Ends in .json or .csv.
+
+        Raises
+        ------
+        ValueError
+            If it ends otherwise.
+        OSError
+            If it cannot be written.
+        """
+        file = Path(path)
+        ending = file.suffix.lower()
+        if ending not in (".json", ".csv"):
+            raise InputError(f"{file} must end in .json or .csv.")
+        with replacing(file) as fresh:
+            if ending == ".json":
+                fresh.write_text(json.dumps(self.to_dict(), ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+            else:
+                with fresh.open("w", newline="", encoding="utf-8") as stream:
+                    csv.writer(stream).writerows(self.rows())
+
+    def _column(self, name: str) -> Floats:
+        attribute, index, _ = COLUMNS[name]
+        values: Floats = getattr(self, attribute)
+        return values if index is None else values[:, index]
+
+    def rows(self) -> Iterable[list[str]]:
+        """The table as text: names with units, then a row a frame; an empty cell is what is not known.
+
+        Yields
+        ------
+        row : list of str
+        """
+        names = [name for name in COLUMNS if np.isfinite(self._column(name)).any()]
+        yield [*(f"{name} [{COLUMNS[name][2]}]" for name in names), "state"]
+        columns = [self._column(name) for name in names]
+        for k, word in enumerate(self.state):
+            yield [*("" if np.isnan(column[k]) else repr(float(column[k])) for column in columns), word]
+
+    def __repr__(self) -> str:
+        good = int(self.found.sum())
+        return f"<Track of {self.source or 'a hoop'}: found in {good} of {len(self.t)} frames>"
+
+
+def track_of(
+    t: Floats,
+    columns: dict[str, Floats],
+    state: Iterable[str] | None = None,
+    **others: Any,
+) -> Track:
+    """A track from the columns that are known; the others are nan.
+
+    Parameters
+    ----------
+    t : ndarray, shape (n,)
+        Times [s].
+    columns : dict
+        By names of COLUMNS.
+    state : iterable of str, optional
+        By default from what is known in each row.
+    **others
+        Attributes of the track.
+
+    Returns
+    -------
+    track : Track
+
+    Raises
+    ------
+    ValueError
+        If there are less than three rows, times do not increase or nothing is known.
+    """
+    count = len(t)
+    if count < 3:
+        raise InputError(f"{others.get('source') or 'The track'} has {count} rows; at least 3 are needed.")
+    bad = np.flatnonzero(~(np.diff(t) > 0))
+    if len(bad) or not np.isfinite(t).all():
+        row = int(bad[0]) + 2 if len(bad) else int(np.flatnonzero(~np.isfinite(t))[0]) + 1
+        raise InputError(
+            f"{others.get('source') or 'The track'} must have times that increase, which they do not in row {row}."
+        )
+    arrays: dict[str, Any] = {}
+    for name, (attribute, index, _) in COLUMNS.items():
+        if attribute not in arrays:
+            arrays[attribute] = np.full((count, 2) if attribute in PAIRS else count, np.nan)
+        if name in columns:
+            arrays[attribute][(slice(None), index) if index is not None else slice(None)] = columns[name]
+    arrays["t"] = t
+    # half a place is no place
+    for name in PAIRS:
+        arrays[name][~np.isfinite(arrays[name]).all(axis=1)] = np.nan
+    placed = np.isfinite(arrays["centre"][:, 0])
+    marked = np.isfinite(arrays["marker"][:, 0]) | np.isfinite(arrays["angle"])
+    if not (placed | marked).any():
+        raise InputError(f"{others.get('source') or 'The track'} says in no row where the hoop is.")
+    if state is None:
+        only_marker = not placed.any()
+        state = (FOUND if b and (a or only_marker) else UNMARKED if a else LOST for a, b in zip(placed, marked, strict=True))
+    return Track(**arrays, state=tuple(state), **others)
+
+
+def track_from_dict(data: Any, name: str) -> Track:
+    """The track that `Track.to_dict` wrote.
+
+    Parameters
+    ----------
+    data : dict
+    name : str
+        Of the file, for what is said about it.
+
+    Returns
+    -------
+    track : Track
+
+    Raises
+    ------
+    ValueError
+        If it is not such a track.
+    """
+    if not isinstance(data, dict) or data.get("schema") != SCHEMA:
+        raise InputError(f"{name} is not a track of hophoop ({SCHEMA}).")
+    try:
+        columns = {key: np.array(values, dtype=float) for key, values in data["columns"].items() if key in COLUMNS}
+        view = None
+        if "view" in data:
+            parts = dict(data["view"])
+            parts["camera"] = Camera(**parts["camera"])
+            if "chroma" in parts:
+                parts["chroma"] = tuple(parts["chroma"])
+            view = View(**parts)
+        others = {key: float(data[key]) for key in ("radius", "slope") if key in data}
+        return track_of(
+            columns.pop("t"),
+            columns,
+            [str(word) for word in data["state"]],
+            placed=bool(data["placed"]),
+            view=view,
+            source=str(data["source"]),
+            notes=tuple(str(note) for note in data["notes"]),
+            **others,
+        )
+    except (KeyError, TypeError, AttributeError) as error:
+        raise InputError(f"{name} is not whole: {error}.") from None
+
+
+def _plain(values: Floats) -> list[float | None]:
+    return [float(value) if np.isfinite(value) else None for value in values]

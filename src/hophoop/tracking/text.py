@@ -1,0 +1,205 @@
+"""Tables as text: Tracker's export of one or several points, and plain CSV with named columns."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import InputError
+
+Floats = NDArray[np.float64]
+
+MOST_CELLS = 20_000_000
+NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
+ANGLES = {"angle", "theta", "θ", "θr", "thetar", "rotation"}
+OMEGAS = {"omega", "ω", "angular_velocity"}
+
+
+class Column(NamedTuple):
+    """A column of a table."""
+
+    point: str  # whose it is, in Tracker's words; '' where there is one point only
+    name: str
+    unit: str  # '' where it is not written
+    values: Floats  # nan where the cell is empty
+
+
+def read_columns(text: str, name: str) -> list[Column]:
+    """The columns of a table with tab, semicolon or comma between cells, and point or comma in numbers.
+
+    Parameters
+    ----------
+    text : str
+    name : str
+        Of the file, for what is said about it.
+
+    Returns
+    -------
+    columns : list of Column
+
+    Raises
+    ------
+    ValueError
+        If it is no such table.
+    """
+    lines = [line for line in text.lstrip("\ufeff").splitlines() if line.strip()]
+    while lines and lines[0].lstrip().startswith("#"):
+        lines.pop(0)  # '#multi:' and comments
+    if len(lines) < 2:
+        raise InputError(f"{name} holds no table.")
+    separator = _separator(lines)
+    rows = [[cell.strip().strip('"').strip() for cell in line.split(separator)] for line in lines]
+    first = next((k for k, row in enumerate(rows) if _is_data(row)), len(rows))
+    if first == 0:
+        raise InputError(f"{name} has no row of column names.")
+    if first == len(rows):
+        raise InputError(f"{name} has no row of numbers.")
+    heads = rows[first - 1]
+    while heads and not heads[-1]:
+        heads.pop()  # a separator at the end of every line
+    if len(heads) * (len(rows) - first) > MOST_CELLS:
+        raise InputError(f"{name} has {len(rows) - first:,} rows of {len(heads)} columns, more than a film has.")
+    points = _points(rows[first - 2], len(heads)) if first >= 2 else [""] * len(heads)
+    result = []
+    for k, head in enumerate(heads):
+        if head:
+            word, unit = _parted(head)
+            cells = [row[k] if k < len(row) else "" for row in rows[first:]]
+            result.append(Column(points[k], word, unit, _numbers(cells, name, head)))
+    return result
+
+
+def _separator(lines: list[str]) -> str:
+    """The sign that parts as many lines as possible into equally many cells; a comma may be a decimal one."""
+    sample = lines[: min(len(lines), 40)]
+    for sign in ("\t", ";"):
+        if sum(sign in line for line in sample) > 0.5 * len(sample):
+            return sign
+    return ","
+
+
+def _is_data(row: list[str]) -> bool:
+    """A row with numbers and no words but those of a last column, such as a state."""
+    filled = [cell for cell in row if cell]
+    return bool(filled) and NUMBER.fullmatch(filled[0]) is not None
+
+
+NOTHING = ("", "nan", "na", "n/a", "-", "null", "none")
+
+
+def _numbers(cells: list[str], name: str, head: str) -> Floats:
+    """A column; one of words, such as a state, is all nan."""
+    fits = [NUMBER.fullmatch(cell) is not None for cell in cells]
+    if any(fits):
+        for k, (cell, fit) in enumerate(zip(cells, fits, strict=True)):
+            if not fit and cell.lower() not in NOTHING:
+                raise InputError(f"{name} has {cell[:40]!r} in column {head}, row {k + 1}, where a number must stand.")
+    return np.array([float(cell.replace(",", ".")) if fit else np.nan for cell, fit in zip(cells, fits, strict=True)])
+
+
+def _points(row: list[str], count: int) -> list[str]:
+    """Whose each column is: a name stands over the first of its columns."""
+    result, now = [], ""
+    for k in range(count):
+        if k < len(row) and row[k]:
+            now = row[k]
+        result.append(now)
+    return result
+
+
+def _parted(head: str) -> tuple[str, str]:
+    """A column's name and unit: 'x [m]', 'x (m)', 'x'."""
+    found = re.fullmatch(r"(.*?)\s*[\[(]\s*([^\])]*)\s*[\])]", head)
+    word, unit = (found[1], found[2]) if found else (head, "")
+    word = word.strip().strip("$").replace("_{r}", "r").replace("{", "").replace("}", "").replace(" ", "_").lower()
+    return word, unit.strip()
+
+
+LENGTHS = {"": 1.0, "m": 1.0, "cm": 0.01, "mm": 0.001, "km": 1000.0, "in": 0.0254, "ft": 0.3048, "μm": 1e-6}
+TIMES = {"": 1.0, "s": 1.0, "ms": 1e-3, "min": 60.0}
+
+
+def in_metres(column: Column, name: str) -> Floats:
+    """Values of a length [m].
+
+    Raises
+    ------
+    ValueError
+        If its unit is not known.
+    """
+    return _scaled(column, LENGTHS, name)
+
+
+def in_seconds(column: Column, name: str) -> Floats:
+    """Values of a time [s].
+
+    Raises
+    ------
+    ValueError
+        If its unit is not known.
+    """
+    return _scaled(column, TIMES, name)
+
+
+def _scaled(column: Column, units: dict[str, float], name: str) -> Floats:
+    if column.unit not in units:
+        known = ", ".join(unit for unit in units if unit)
+        raise InputError(f"{name} gives {column.name} in {column.unit!r}; known units are {known}.")
+    return column.values * units[column.unit]
+
+
+def in_radians(column: Column, t: Floats, omega: Column | None, unit: str | None, name: str) -> Floats:
+    """Values of an angle; where no unit is written, the angular velocity beside it tells [rad].
+
+    Parameters
+    ----------
+    column : Column
+    t : ndarray, shape (n,)
+        Times [s].
+    omega : Column or None
+        Angular velocity, with a unit or in rad/s [rad/s].
+    unit : {'rad', 'deg'} or None
+        What a person says.
+    name : str
+        Of the file.
+
+    Returns
+    -------
+    angle : ndarray, shape (n,)
+        Without jumps of a turn [rad].
+
+    Raises
+    ------
+    ValueError
+        If the unit cannot be told.
+    """
+    said = unit or column.unit.replace("°", "deg").replace("degrees", "deg").replace("radians", "rad")
+    if said not in ("", "rad", "deg"):
+        raise InputError(f"{name} gives {column.name} in {column.unit!r}; known units are rad and deg.")
+    if not said:
+        said = _told_by(column.values, t, omega)
+    if not said:
+        raise InputError(
+            f"{name} does not say whether {column.name} is in radians or degrees: give the unit of angles, rad or deg."
+        )
+    turn = 2 * np.pi if said == "rad" else 360.0
+    values = column.values.copy()
+    there = np.flatnonzero(np.isfinite(values))
+    values[there] = np.unwrap(values[there], period=turn)
+    return values * (2 * np.pi / turn)
+
+
+def _told_by(values: Floats, t: Floats, omega: Column | None) -> str:
+    if omega is None or "deg" in omega.unit or "°" in omega.unit:
+        return ""
+    steps = np.diff(values)
+    steps = np.where(np.abs(steps) < 0.5 * np.nanmax(np.abs(values)) + 1e-12, steps, np.nan)  # but for jumps of a turn
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = steps / np.diff(t) / (0.5 * (omega.values[1:] + omega.values[:-1]))
+    usual = float(np.nanmedian(np.abs(ratio))) if np.isfinite(ratio).any() else np.nan
+    if abs(np.log(usual)) < 0.3:
+        return "rad"
+    return "deg" if abs(np.log(usual / np.degrees(1.0))) < 0.3 else ""

@@ -1,0 +1,308 @@
+"""Pictures of a video one after the other, with the times that the file gives them, and a film written picture by picture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop._extras import need
+from hophoop._files import replacing
+from hophoop.scenario import InputError
+
+Bytes = NDArray[np.uint8]
+Floats = NDArray[np.float64]
+
+# How far right of the first luma sample the first chroma sample stands, in luma pixels: H.264 and its successors put it
+# there itself, JPEG between two.
+CENTRED_CHROMA = ("mjpeg",)
+TICKS = 90_000  # of a written film, a second
+SMALLEST, LARGEST = 32, 16384  # side of a picture [pixel]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A frame: its time from the file [s], luma, and the two chroma planes at half the size."""
+
+    t: float
+    luma: Bytes
+    blue: Bytes
+    red: Bytes
+    chroma_shift: float  # of the chroma samples to the right [pixel]
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height [pixel]."""
+        return self.luma.shape[1], self.luma.shape[0]
+
+
+def pictures(path: str | Path, rate: float | None = None) -> Iterator[Picture]:
+    """The frames of a video in the order in which they are shown, one in memory at a time.
+
+    Parameters
+    ----------
+    path : str or Path
+    rate : float, optional
+        Frames a second as they were taken, where the file's own times are not to be believed, such as in slow motion [Hz].
+
+    Yields
+    ------
+    picture : Picture
+        Its time is that of the file, less that of the first frame.
+
+    Raises
+    ------
+    ValueError
+        If the file is no video that can be read, or its frames have no times.
+    OSError
+        If the file cannot be opened.
+    ImportError
+        If PyAV is missing.
+    """
+    av = need("av", "track")
+    file = Path(path)
+    with _refusals(file, av), av.open(str(file)) as box:
+        if not box.streams.video:
+            raise InputError(f"{file} holds no video.")
+        stream = box.streams.video[0]
+        stream.thread_type = "AUTO"
+        shift = 0.5 if stream.codec_context.name in CENTRED_CHROMA else 0.0
+        first = last = None
+        for k, frame in enumerate(box.decode(stream)):
+            if rate is not None:
+                t = k / rate
+            elif frame.pts is None:
+                raise InputError(f"{file} does not say when its frames were taken: give the rate, in frames a second.")
+            else:
+                t = float((frame.pts - (first or 0)) * frame.time_base) if first is not None else 0.0
+                first = frame.pts if first is None else first
+                if last is not None and not t > last:
+                    continue  # a frame that is shown twice
+            last = t
+            yield _picture(frame, t, shift, file)
+
+
+@contextmanager
+def _refusals(file: Path, av: Any) -> Iterator[None]:
+    try:
+        yield
+    except av.error.FileNotFoundError:
+        raise FileNotFoundError(2, "No such file or directory", str(file)) from None
+    except av.error.FFmpegError as error:
+        reason = str(getattr(error, "strerror", None) or error).rstrip(".")
+        raise InputError(f"{file} cannot be read as a video: {reason}.") from None
+
+
+def _picture(frame: Any, t: float, shift: float, file: Path) -> Picture:
+    wide, tall = frame.width, frame.height
+    if min(wide, tall) < SMALLEST or max(wide, tall) > LARGEST:
+        raise InputError(f"{file} has pictures of {wide} × {tall} pixels; each side must be from {SMALLEST} to {LARGEST}.")
+    if frame.format.name not in ("yuv420p", "yuvj420p"):
+        frame = frame.reformat(format="yuv420p")
+    luma, blue, red = (_plane(plane) for plane in frame.planes[:3])
+    turn = round(-getattr(frame, "rotation", 0) / 90) % 4
+    if turn:  # a phone held upright writes it into the file instead of turning the picture
+        luma, blue, red = (np.ascontiguousarray(np.rot90(plane, -turn)) for plane in (luma, blue, red))
+    return Picture(t, luma, blue, red, shift)
+
+
+def _plane(plane: Any) -> Bytes:
+    values = np.frombuffer(plane, dtype=np.uint8).reshape(-1, plane.line_size)
+    return np.ascontiguousarray(values[: plane.height, : plane.width])
+
+
+def count(path: str | Path) -> int | None:
+    """How many frames a video says that it has.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    frames : int or None
+        None where the file does not say [1].
+
+    Raises
+    ------
+    ValueError
+        If the file is no video that can be read.
+    OSError
+        If the file cannot be opened.
+    ImportError
+        If PyAV is missing.
+    """
+    av = need("av", "track")
+    file = Path(path)
+    with _refusals(file, av), av.open(str(file)) as box:
+        if not box.streams.video:
+            raise InputError(f"{file} holds no video.")
+        stream = box.streams.video[0]
+        if stream.frames:
+            return int(stream.frames)
+        if stream.duration and stream.average_rate:
+            return math.ceil(float(stream.duration * stream.time_base * stream.average_rate))
+    return None
+
+
+@dataclass
+class _Sample:
+    picture: Picture
+    following: Picture | None = None
+
+
+def kept(
+    path: str | Path, rate: float | None, most_bytes: float = 2e8, fewest: int = 8, most: int = 16
+) -> list[tuple[Picture, Picture | None]]:
+    """Pictures spread evenly over a video, in memory that does not grow with its length.
+
+    Parameters
+    ----------
+    path : str or Path
+    rate : float, optional
+        As in `pictures` [Hz].
+    most_bytes : float, default 2e8
+        Memory that they take at most, unless `fewest` take more [1].
+    fewest, most : int, default 8 and 16
+        Between how many and twice how many there are; all, where the video has fewer [1].
+
+    Returns
+    -------
+    pictures : list of (Picture, Picture or None)
+        The first one and every n-th that follows, each with the picture after it.
+
+    Raises
+    ------
+    ValueError
+        If the file is no video that can be read, or has fewer than three frames.
+    OSError
+        If the file cannot be opened.
+    """
+    result: list[_Sample] = []
+    stride, limit, seen = 1, 2 * most, 0
+    before: _Sample | None = None
+    for picture in pictures(path, rate):
+        if not result:
+            limit = 2 * max(fewest, min(most, int(most_bytes / (6 * picture.luma.nbytes))))
+        if before is not None:
+            before.following, before = picture, None
+        if seen % stride == 0 and len(result) >= limit:
+            result, stride = result[::2], 2 * stride
+        if seen % stride == 0:
+            before = _Sample(picture)
+            result.append(before)
+        seen += 1
+    if seen < 3:
+        raise InputError(f"{path} has {seen} frame{'s' if seen != 1 else ''}; tracking needs at least 3.")
+    return [(one.picture, one.following) for one in result]
+
+
+def rgb(picture: Picture) -> Bytes:
+    """A picture in colour, for drawing on it.
+
+    Parameters
+    ----------
+    picture : Picture
+
+    Returns
+    -------
+    rgb : ndarray, shape (height, width, 3)
+        Red, green and blue [1].
+    """
+    luma = (picture.luma.astype(np.float32) - 16) * 1.164
+    tall, wide = luma.shape
+    blue, red = (
+        np.repeat(np.repeat(plane, 2, axis=0), 2, axis=1)[:tall, :wide].astype(np.float32) - 128
+        for plane in (picture.blue, picture.red)
+    )
+    colours = np.stack([luma + 1.596 * red, luma - 0.392 * blue - 0.813 * red, luma + 2.017 * blue], axis=-1)
+    result: Bytes = colours.clip(0, 255).astype(np.uint8)
+    return result
+
+
+class Writer:
+    """Writes pictures into an MP4 file; used inside `writing`."""
+
+    def __init__(self, box: Any, av: Any, size: tuple[int, int]) -> None:
+        self._box, self._av = box, av
+        self._last = -1
+        self._stream = box.add_stream("libx264", rate=30)
+        self._stream.width, self._stream.height = size[0] // 2 * 2, size[1] // 2 * 2
+        self._stream.pix_fmt = "yuv420p"
+        self._stream.time_base = self._stream.codec_context.time_base = Fraction(1, TICKS)
+        self._stream.options = {"crf": "20", "preset": "veryfast"}
+
+    def add(self, colours: Bytes, t: float) -> None:
+        """Append a picture shown from a time on [s]."""
+        image = np.ascontiguousarray(colours[: self._stream.height, : self._stream.width])
+        frame = self._av.VideoFrame.from_ndarray(image, format="rgb24")
+        self._last = max(self._last + 1, round(t * TICKS))
+        frame.pts, frame.time_base = self._last, Fraction(1, TICKS)
+        self._box.mux(self._stream.encode(frame))
+
+    def end(self) -> None:
+        """Write what the encoder still holds."""
+        self._box.mux(self._stream.encode())
+
+
+@contextmanager
+def writing(path: Path, size: tuple[int, int]) -> Iterator[Writer]:
+    """A film that is there whole when all went well, or not at all.
+
+    Parameters
+    ----------
+    path : Path
+        Ends in .mp4.
+    size : tuple of int
+        Width and height [pixel].
+
+    Yields
+    ------
+    writer : Writer
+
+    Raises
+    ------
+    OSError
+        If the file cannot be written.
+    ImportError
+        If PyAV is missing.
+    """
+    av = need("av", "track")
+    with replacing(path) as fresh, av.open(str(fresh), "w", format="mp4") as box:
+        writer = Writer(box, av, size)
+        yield writer
+        writer.end()
+
+
+def jpeg(colours: Bytes) -> bytes:
+    """A picture as a JPEG file.
+
+    Parameters
+    ----------
+    colours : ndarray, shape (height, width, 3)
+        Red, green and blue [1].
+
+    Returns
+    -------
+    file : bytes
+
+    Raises
+    ------
+    ImportError
+        If PyAV is missing.
+    """
+    av = need("av", "track")
+    coder = av.CodecContext.create("mjpeg", "w")
+    coder.height, coder.width = colours.shape[0] // 2 * 2, colours.shape[1] // 2 * 2
+    coder.pix_fmt, coder.time_base = "yuvj420p", Fraction(1, 25)
+    coder.options = {"qmin": "3", "qmax": "5"}
+    image = np.ascontiguousarray(colours[: coder.height, : coder.width])
+    frame = av.VideoFrame.from_ndarray(image, format="rgb24").reformat(format="yuvj420p")
+    return b"".join(bytes(packet) for packet in [*coder.encode(frame), *coder.encode(None)])

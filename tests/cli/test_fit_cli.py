@@ -1,0 +1,94 @@
+"""`hophoop fit` and `hophoop plan`, as a person or a script calls them."""
+
+import json
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import hophoop as hh
+from hophoop.cli import app
+from hophoop.tracking.table import track_of
+
+pytestmark = pytest.mark.compiled
+
+
+def call(*arguments):
+    return CliRunner().invoke(app, [str(part) for part in arguments])
+
+
+@pytest.fixture(scope="module")
+def table(tmp_path_factory):
+    motion = hh.simulate(hh.Hoop.ideal(0.6, radius=0.3), hh.Plane(mu=0.8), hh.Start.rolling(1.5, angle=0.2), duration=0.4)
+    t, rng = np.arange(48) / 120, np.random.default_rng(1)
+    state = motion.at(t)
+    columns = {"x": state.x, "y": state.height + 0.3, "angle": state.angle}
+    columns = {name: values + rng.normal(0, 1e-3, 48) for name, values in columns.items()}
+    columns |= {f"sigma_{name}": np.full(48, 1e-3) for name in columns}
+    track = track_of(t, columns, radius=0.3, placed=True)
+    path = tmp_path_factory.mktemp("track") / "track.csv"
+    track.save(path)
+    return path
+
+
+def test_a_table_for_people_and_a_page(table, tmp_path):
+    done = call("fit", table, "--radius", 0.3, "--out", tmp_path / "fit", "--save", tmp_path / "fit.json", "--quiet")
+    assert done.exit_code == 0, done.output
+    assert "gamma" in done.stdout
+    assert "The hoop never slips" in done.stdout
+    assert {path.name for path in (tmp_path / "fit").iterdir()} == {"index.html", "fit.json", "scenario.toml"}
+    assert hh.load_fit(tmp_path / "fit.json").values["gamma"] == pytest.approx(0.6, abs=0.02)
+
+
+def test_json_for_scripts(table):
+    done = call("fit", table, "--radius", 0.3, "--json", "--fix", "restitution=0.2", "--bound", "gamma=0.5:0.7", "--squares")
+    assert done.exit_code == 0, done.output
+    answer = json.loads(done.stdout)
+    assert answer["values"]["restitution"] == 0.2
+    assert answer["errors"]["gamma"] > 0
+    assert "track" not in answer
+
+
+def test_no_good_fit_is_status_1(table):
+    done = call("fit", table, "--radius", 0.3, "--sigma", 1e-4, "--fix", "gamma=0.2")
+    assert done.exit_code == 1
+    assert "No fit is good" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--fix", "restitution"], "--fix restitution must be a name and a value"),
+        (["--fix", "restitution=much"], "--fix restitution=much must be a number"),
+        (["--bound", "gamma=1"], "--bound gamma=1 must be two numbers"),
+        (["--free", "t0"], "t0 is no parameter of a fit: the time of the start says the same as its place"),
+        (["--film", "film.mp4"], "--film needs --out"),
+        (["--save", "fit.txt"], "--save = fit.txt must end in .json"),
+        (["--hoop", "absent.toml"], "absent.toml"),
+        (["--angle-unit", "turn"], "angle_unit = 'turn'"),
+    ],
+)
+def test_bad_input_is_one_sentence(table, tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    done = call("fit", table, "--radius", 0.3, *arguments)
+    assert done.exit_code == 2
+    assert message in " ".join(done.output.split())
+
+
+def test_a_file_without_radius_is_asked_for_it(table):
+    done = call("fit", table)
+    assert done.exit_code == 2
+    assert "The radius of the hoop is missing" in done.output
+
+
+def test_a_plan(tmp_path):
+    options = ["plan", "--gamma", 0.6, "--radius", 0.3, "--v0", 1.9, "--mu-static", 0.55, "--mu-kinetic", 0.45, "--duration", 1]
+    done = call(*options)
+    assert done.exit_code == 0, done.output
+    assert "mu_excess" in done.stdout
+    better = json.loads(call(*options, "--json").stdout)
+    worse = json.loads(call(*options, "--json", "--no-marker").stdout)
+    assert worse["errors"]["gamma"] > better["errors"]["gamma"]
+    done = call(*options, "--rate", -1)
+    assert done.exit_code == 2
+    assert "--rate = -1.0 must be a number above 0" in done.output

@@ -1,0 +1,328 @@
+"""Fits against motions whose parameters are known, and against what can be known without a fit."""
+
+import dataclasses
+import json
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.fitting import report
+from hophoop.fitting.guess import gathered, rates
+from hophoop.fitting.judging import least_static_friction, runs
+from hophoop.fitting.problem import defaults, problem_of, scatter
+from hophoop.fitting.reporting import energies, places_in_film
+from hophoop.fitting.solving import Choice, slopes, soften
+from hophoop.tracking.table import track_of
+
+# a fit asks for hundreds of motions
+pytestmark = pytest.mark.compiled
+
+RADIUS = 0.3
+SIGMA, SIGMA_ANGLE = 1e-3, 3e-3
+TRUTH = {"gamma": 0.6, "mu_kinetic": 0.45, "mu_excess": 0.1, "restitution": 0.3, "x0": 0.0, "angle0": 0.1, "speed": 1.9}
+PLANE = hh.Plane(mu_static=0.55, mu_kinetic=0.45, restitution=0.3)
+
+
+def hopping(hoop=None, plane=PLANE, start=None, duration=1.01):
+    return hh.simulate(hoop or hh.Hoop.ideal(0.6, radius=RADIUS), plane, start or hh.Start.rolling(1.9, angle=0.1), duration)
+
+
+def filmed(motion, seed=1, rate=240.0, angle=True, sigma=SIGMA, sigma_angle=SIGMA_ANGLE, frames=None):
+    """A track as a film of a motion would give it."""
+    rng = np.random.default_rng(seed)
+    t = np.arange(frames or int(motion.duration * rate)) / rate
+    state, n = motion.at(t), len(t)
+    columns = {
+        "x": state.x + rng.normal(0, sigma, n),
+        "y": state.height + motion.scenario.hoop.radius + rng.normal(0, sigma, n),
+        "sigma_x": np.full(n, sigma),
+        "sigma_y": np.full(n, sigma),
+    }
+    if angle:
+        columns |= {"angle": state.angle + rng.normal(0, sigma_angle, n), "sigma_angle": np.full(n, sigma_angle)}
+    others = {"radius": motion.scenario.hoop.radius, "slope": motion.scenario.plane.slope, "placed": True, "source": "a film"}
+    return track_of(t, columns, **others)
+
+
+@pytest.fixture(scope="module")
+def hop():
+    return hopping()
+
+
+@pytest.fixture(scope="module")
+def found(hop):
+    return hh.fit(filmed(hop))
+
+
+def test_the_truth_is_found_within_its_uncertainties(found):
+    assert found.good
+    assert found.reduced == pytest.approx(1.0, abs=0.15)
+    assert set(found.free) == set(TRUTH)
+    for name, value in TRUTH.items():
+        assert abs(found.values[name] - value) < 4 * found.error(name), name
+    assert found.error("gamma") < 1e-3
+    assert found.error("mu_static") < 0.02
+    assert gathered(found.motion.sequence) == "RKRSH+KR"
+    assert found.shares["RKRSH+KR"] > 0.9
+    assert found.scenario.plane.mu_static == pytest.approx(0.55, abs=0.04)
+
+
+@pytest.mark.slow
+def test_pulls_over_two_hundred_films(hop):
+    fits = [hh.fit(filmed(hop, seed=seed)) for seed in range(200)]
+    assert sum(one.reduced < 1.2 for one in fits) >= 198
+    for name, value in TRUTH.items():
+        pulls = np.array([(one.values[name] - value) / one.error(name) for one in fits if name in one.free])
+        assert len(pulls) >= 195, name
+        # the mean of 200 has a standard error of 0.07, their spread one of 0.05
+        assert abs(np.mean(pulls)) < 0.25, name
+        assert 0.85 < np.std(pulls) < 1.15, name
+
+
+def test_the_centre_alone_tells_as_well(hop):
+    fit = hh.fit(filmed(hop, angle=False))
+    assert fit.good
+    assert fit.values["gamma"] == pytest.approx(0.6, abs=0.005)
+    assert np.cos(fit.values["angle0"]) == pytest.approx(np.cos(0.1), abs=0.01)
+    # and says what it cannot tell apart
+    assert {"gamma", "speed"} in [{first, second} for first, second, _ in fit.correlated]
+    assert any("can hardly be told apart" in sentence for sentence in fit.sentences())
+
+
+def test_a_plan_says_what_the_fit_then_has(hop, found):
+    plan = hh.plan(hop.scenario, rate=240.0, sigma=SIGMA, sigma_angle=SIGMA_ANGLE)
+    assert plan.unseen == ()
+    for name in TRUTH:
+        # the soft loss costs some per cent, and so does another place of the minimum
+        assert found.error(name) == pytest.approx(plan.errors[name], rel=0.35), name
+    twice = hh.plan(hop.scenario, rate=240.0, sigma=2 * SIGMA, sigma_angle=2 * SIGMA_ANGLE)
+    assert twice.errors["gamma"] == pytest.approx(2 * plan.errors["gamma"], rel=1e-6)
+    more = hh.plan(hop.scenario, rate=960.0, sigma=SIGMA, sigma_angle=SIGMA_ANGLE)
+    assert more.errors["gamma"] == pytest.approx(0.5 * plan.errors["gamma"], rel=0.1)
+
+
+def test_slopes_are_those_that_can_be_written_down(hop):
+    track = filmed(hop)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH
+    jacobian = slopes(
+        problem,
+        Choice(values, ("x0", "origin_y", "marker_angle"), {}, {}),
+        ("x0", "origin_y", "marker_angle"),
+        problem.residuals,
+    )
+    n = len(track.t)
+    expected = np.zeros((3 * n, 3))
+    expected[:n, 0] = expected[n : 2 * n, 1] = -1 / SIGMA
+    expected[2 * n :, 2] = -1 / SIGMA_ANGLE
+    assert jacobian == pytest.approx(expected, rel=1e-5, abs=1e-3)
+
+
+# --- what the film does not tell -------------------------------------------------------------------
+
+
+def test_a_hoop_that_never_slips_gives_a_lower_limit(hop):
+    motion = hopping(plane=hh.Plane(mu=0.9, restitution=0.2), start=hh.Start.rolling(1.0), duration=0.9)
+    assert motion.sequence == "R"
+    fit = hh.fit(filmed(motion))
+    sign, least = fit.limits["mu_static"]
+    assert sign == "≥"
+    # the friction that rolling needs, in closed form, over the way that was filmed
+    theta = np.linspace(0.0, motion.at(motion.duration).angle, 4000)
+    forces = hh.theory.rolling_forces(theta, motion.scenario.hoop, 1.0)
+    expected = np.max(np.abs(forces.friction / forces.normal))
+    assert least == pytest.approx(expected, rel=0.02)
+    assert least < 0.9
+    assert fit.free == ("gamma", "x0", "angle0", "speed")
+    assert any("never slips: static friction is at least" in note for note in fit.sentences())
+    assert any("no impact" in note for note in fit.sentences())
+    assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not seen"
+    assert least_static_friction(motion) == pytest.approx(least, rel=0.02)
+
+
+def test_at_an_end_of_its_range_a_parameter_has_a_limit():
+    plastic = hopping(plane=hh.Plane(mu_static=0.55, mu_kinetic=0.45, restitution=0.0))
+    fit = hh.fit(filmed(plastic, seed=3), fixed={"mu_excess": 0.1})
+    if "restitution" in fit.limits:
+        sign, limit = fit.limits["restitution"]
+        assert sign in ("≤", "")
+        assert not limit > 0.2
+    else:
+        assert fit.values["restitution"] < 4 * fit.error("restitution")
+
+
+@pytest.mark.parametrize("name", ["t0", "mass", "radius", "mu_static", "gravity"])
+def test_what_cannot_be_told_is_refused(hop, name):
+    with pytest.raises(ValueError, match=f"{name} is no parameter of a fit: "):
+        hh.fit(filmed(hop), free=[name])
+
+
+def test_residuals_that_run_together_are_told(hop):
+    # pieces of one sign, and signs that change as chance has it
+    assert runs(np.repeat([1.0, -1.0], 50)) < -9
+    assert abs(runs(np.random.default_rng(1).normal(size=1000))) < 3
+    # 3 runs of 10 and 10: expected 11 ± √(10·9/19)
+    assert runs(np.array([1.0] * 5 + [-1.0] * 10 + [1.0] * 5)) == pytest.approx((3 - 11) / np.sqrt(10 * 9 / 19))
+    track = filmed(hop)
+    braked = track.centre.copy()
+    braked[:, 0] -= 0.05 * track.t**2  # something that the model has not
+    fit = hh.fit(dataclasses.replace(track, centre=braked), fixed={"restitution": 0.3})
+    assert not fit.good
+    assert any(place["quantity"] == "x" for place in fit.lacking)
+    assert any("No fit is good" in sentence for sentence in fit.sentences())
+
+
+# --- what is fitted, fixed, tied -------------------------------------------------------------------
+
+
+def test_fixed_tied_and_bounded(hop):
+    track = filmed(hop)
+    fit = hh.fit(track, fixed={"restitution": 0.3}, tied={"mu_excess": "mu_kinetic / 4.5"}, bounds={"gamma": (0.5, 0.7)})
+    assert fit.good
+    assert fit.values["restitution"] == 0.3
+    assert fit.values["mu_excess"] == pytest.approx(fit.values["mu_kinetic"] / 4.5)
+    assert "mu_excess" not in fit.free
+    assert fit.error("restitution") == 0.0
+
+
+def test_a_hoop_known_from_its_parts(hop):
+    hoop = hh.Hoop.from_parts(radius=RADIUS, parts=[hh.Ring(0.4, 0.28, 0.3), hh.Disk(0.5, 0.02, at=0.27)])
+    motion = hopping(hoop=hoop, start=hh.Start.rolling(2.4))
+    fit = hh.fit(filmed(motion), hoop=hoop)
+    assert fit.good
+    assert "gamma" not in fit.values
+    assert fit.scenario.hoop == hoop
+
+
+def test_outliers_count_little(hop):
+    track = filmed(hop)
+    places, rng = track.centre.copy(), np.random.default_rng(2)
+    places[rng.choice(len(track.t), 12, replace=False)] += 0.02
+    spoilt = dataclasses.replace(track, centre=places)
+    soft, hard = hh.fit(spoilt), hh.fit(spoilt, soft=False)
+    clean = hh.fit(track)
+    off = [abs(one.values["speed"] - clean.values["speed"]) for one in (soft, hard)]
+    assert off[0] < 0.3 * off[1]
+    assert soften(np.array([0.1, -0.1]), True) == pytest.approx([0.1, -0.1], rel=1e-3)
+    assert soften(np.array([50.0]), True)[0] < 20.0
+
+
+def test_axes_of_the_data_that_do_not_lie_along_the_plane(hop):
+    track = filmed(hop)
+    turn = 0.05
+    turned = track.centre @ np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]]) + [0.3, -0.2]
+    fit = hh.fit(dataclasses.replace(track, centre=turned, angle=track.angle - turn, placed=False))
+    assert fit.good
+    assert fit.values["tilt"] == pytest.approx(turn, abs=1e-3)
+    assert fit.values["gamma"] == pytest.approx(0.6, abs=5e-3)
+
+
+def test_a_start_that_slides_or_flies(hop):
+    sliding = hopping(start=hh.Start(vx=2.0, omega=3.0, angle=0.4), duration=0.8)
+    fit = hh.fit(filmed(sliding))
+    assert fit.settings["start"] == "sliding"
+    assert fit.good
+    assert fit.values["omega0"] == pytest.approx(3.0, abs=0.1)
+    flying = hopping(start=hh.Start(vx=1.0, height=0.05, omega=4.0, angle=0.4), duration=0.8)
+    fit = hh.fit(filmed(flying))
+    assert fit.settings["start"] == "flying"
+    assert fit.good
+    assert fit.values["height0"] == pytest.approx(0.05, abs=2e-3)
+
+
+def test_a_hoop_that_rocks():
+    rocking = hopping(plane=hh.Plane(mu=0.6), start=hh.Start(angle=2.2), duration=2.0)
+    assert set(rocking.sequence) == {"R"}
+    fit = hh.fit(filmed(rocking, rate=120.0))
+    assert fit.good
+    assert fit.values["gamma"] == pytest.approx(0.6, abs=4 * fit.error("gamma"))
+    assert fit.limits["mu_static"][0] == "≥"
+
+
+# --- pieces ----------------------------------------------------------------------------------------
+
+
+def test_rates_of_a_parabola_are_its_own():
+    t = np.arange(40) / 240.0
+    found = rates(t, 1.0 + 2.0 * t - 5.0 * t**2, np.full(40, 1e-3))
+    assert found.rate == pytest.approx(2.0 - 10.0 * t, abs=1e-8)
+
+
+def test_scatter_from_third_differences():
+    t = np.sort(np.random.default_rng(3).uniform(0, 1, 4000))
+    values = 3.0 + t - 2.0 * t**2 + np.random.default_rng(4).normal(0, 0.01, 4000)
+    assert scatter(t, values) == pytest.approx(0.01, rel=0.1)
+    with pytest.raises(ValueError, match="do not scatter: give sigma"):
+        scatter(t, t**2)
+
+
+def test_energies_from_the_data_are_those_of_the_motion(found):
+    for times, measured, computed in energies(found).values():
+        inside = slice(6, -6)
+        assert np.ptp(times) > 0.9
+        assert measured[inside] == pytest.approx(computed[inside], abs=0.08 * np.ptp(computed))
+
+
+# --- files and pages -------------------------------------------------------------------------------
+
+
+def test_a_saved_fit_is_the_same(found, tmp_path):
+    found.save(tmp_path / "fit.json")
+    back = hh.load_fit(tmp_path / "fit.json")
+    assert back.values == found.values
+    assert (back.covariance == found.covariance).all()
+    assert back.motion.sequence == found.motion.sequence
+    assert back.rows() == found.rows()
+    assert back.sentences() == found.sentences()
+    for name, off in found.residuals.items():
+        assert (back.residuals[name] == off).all()
+    (tmp_path / "other.json").write_text("{}")
+    with pytest.raises(ValueError, match="is not a fit of hophoop"):
+        hh.load_fit(tmp_path / "other.json")
+
+
+def test_a_page_of_a_fit(found, tmp_path):
+    page = report(found, tmp_path / "out")
+    text = page.read_text(encoding="utf-8")
+    assert text.count("<svg") == 5
+    assert "mu_static" in text
+    assert json.loads((tmp_path / "out" / "fit.json").read_text())["good"] is True
+    assert hh.Scenario.load(tmp_path / "out" / "scenario.toml") == found.scenario
+    centre, angle = places_in_film(found)
+    assert np.nanmax(np.abs(centre - found.track.centre)) < 5 * SIGMA
+    assert np.nanmax(np.abs(angle - found.track.angle)) < 5 * SIGMA_ANGLE
+    assert "<table>" in found._repr_html_()
+
+
+# --- what goes wrong is one sentence ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"hoop": "round"}, "hoop = 'round' must be 'ideal', 'general' or a Hoop"),
+        ({"start": "late"}, "start = 'late' must be auto, rolling"),
+        ({"free": ["spin"]}, "'spin' is no parameter of this fit; it has gamma"),
+        ({"fixed": {"gamma": 0.5}, "free": ["gamma"]}, "gamma cannot be fixed and free"),
+        ({"fixed": {"gamma": float("nan")}}, "fixed gamma = nan must be a finite number"),
+        ({"bounds": {"gamma": (0.5, 0.2)}}, "bounds of gamma = 0.5, 0.2"),
+        ({"tied": {"mu_excess": "nonsense +"}}, "tied mu_excess = 'nonsense \\+' is no expression"),
+        ({"free": ["row_delay"]}, "row_delay cannot be fitted"),
+    ],
+)
+def test_bad_input(hop, options, message):
+    with pytest.raises(ValueError, match=message):
+        hh.fit(filmed(hop, frames=40), **options)
+
+
+def test_data_that_do_not_suffice(hop):
+    with pytest.raises(ValueError, match="too few frames to fit anything"):
+        hh.fit(filmed(hop, frames=3))
+    with pytest.raises(ValueError, match="radius of the hoop is missing"):
+        hh.fit(dataclasses.replace(filmed(hop), radius=float("nan")))
+    with pytest.raises(ValueError, match="would have 3 frames"):
+        hh.plan(hop.scenario, rate=2.0)
+    with pytest.raises(ValueError, match="sigma = 0"):
+        hh.plan(hop.scenario, sigma=0.0)

@@ -1,0 +1,279 @@
+"""Tracks from files of others: Tracker's export and project, and tables."""
+
+import json
+import zipfile
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.tracking import Camera, Reading, View, read_track
+from hophoop.tracking.table import COLUMNS, track_of
+
+T = np.arange(6) / 240.0
+X = 0.3 * np.arange(6) / 10 + 0.01
+Y = np.array([0.3, 0.301, 0.302, 0.3, 0.3, 0.3])
+
+
+def java(value):
+    """A number as Tracker's exporter writes it."""
+    mantissa, _, exponent = f"{value:.9E}".partition("E")
+    return f"{mantissa}E{int(exponent)}"
+
+
+def export(rows, names, columns, sep="\t", decimal=".", multi=False):
+    """Tracker's text export: names over the columns, which end with a separator, as do all rows."""
+    lines = ["#multi:"] if multi else []
+    lines.append(sep + "".join(name + sep * len(columns) for name in names))
+    lines.append("t" + sep + sep.join(sep.join(columns) for _ in names) + sep)
+    for row in rows:
+        lines.append(sep.join("" if value is None else java(value).replace(".", decimal) for value in row) + sep)
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize(("sep", "decimal"), [("\t", "."), ("\t", ","), (",", "."), (";", ","), (";", ".")])
+def test_an_export_of_one_point(tmp_path, sep, decimal):
+    # velocities lack both ends, as differences do
+    v = [None, *np.gradient(X, T)[1:-1], None]
+    file = tmp_path / "mass.txt"
+    file.write_text(export(zip(T, X, Y, v, strict=True), ["mass A"], ["x", "y", "vx"], sep, decimal), encoding="utf-8-sig")
+    track = read_track(file, Reading(radius=0.3, sigma=1e-3))
+    assert track.t == pytest.approx(T, rel=1e-9)
+    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1), rel=1e-9)
+    assert np.isnan(track.marker).all()
+    assert set(track.state) == {"no marker"}
+    assert not track.placed
+    assert (track.centre_error == 1e-3).all()
+    assert track.radius == 0.3
+
+
+def two_points(tmp_path, names):
+    marker = X + 0.25, Y + np.array([0.1, np.nan, 0.1, 0.1, 0.1, 0.1])
+    rows = [
+        [t, x, y, None if np.isnan(b) else a, None if np.isnan(b) else b]
+        for t, x, y, a, b in zip(T, X, Y, *marker, strict=True)
+    ]
+    file = tmp_path / "two.txt"
+    file.write_text(export(rows, names, ["x", "y"], multi=True), encoding="utf-8")
+    return file
+
+
+def test_an_export_of_two_points_with_empty_cells(tmp_path):
+    track = read_track(two_points(tmp_path, ["centre", "marker"]))
+    assert track.centre[:, 0] == pytest.approx(X)
+    assert track.marker[0] == pytest.approx([X[0] + 0.25, Y[0] + 0.1])
+    assert track.state[1] == "no marker"
+    assert np.isnan(track.marker[1]).all()
+    assert track.angle[0] == pytest.approx(np.arctan2(0.25, 0.1))
+
+
+def test_names_that_say_nothing_are_asked_for(tmp_path):
+    file = two_points(tmp_path, ["A", "B"])
+    with pytest.raises(ValueError, match="points A, B: say which is the centre and which the marker"):
+        read_track(file)
+    track = read_track(file, Reading(centre="B", marker="A"))
+    assert track.marker[:, 0] == pytest.approx(X)
+    with pytest.raises(ValueError, match="no point 'C'; its points are A, B"):
+        read_track(file, Reading(centre="C"))
+
+
+@pytest.mark.parametrize("unit", [1.0, 180 / np.pi])
+def test_the_unit_of_an_angle_is_told_by_its_velocity(tmp_path, unit):
+    angle = 3.0 * T + 40 * T**2
+    omega = 3.0 + 80 * T
+    file = tmp_path / "angle.csv"
+    lines = ["t,angle,omega"] + [f"{t},{a * unit},{w}" for t, a, w in zip(T, angle, omega, strict=True)]
+    file.write_text("\n".join(lines))
+    assert read_track(file).angle == pytest.approx(angle, rel=1e-12)
+
+
+def test_an_angle_without_unit_is_asked_for(tmp_path):
+    file = tmp_path / "angle.csv"
+    file.write_text("t,angle\n" + "\n".join(f"{t},{350 + 4000 * t if t < 0.004 else 4000 * t - 10}" for t in T))
+    with pytest.raises(ValueError, match="does not say whether angle is in radians or degrees"):
+        read_track(file)
+    # a jump of a whole turn is none
+    steps = np.diff(read_track(file, Reading(angle_unit="deg")).angle)
+    assert steps == pytest.approx(np.radians(4000 / 240), rel=1e-9)
+
+
+def test_units_in_the_header(tmp_path):
+    file = tmp_path / "plain.csv"
+    file.write_text(
+        "t [ms],x [cm],y [mm],angle [°]\n"
+        + "\n".join(f"{1e3 * t},{x * 100},{y * 1000},{30 * t}" for t, x, y in zip(T, X, Y, strict=True))
+    )
+    track = read_track(file)
+    assert track.t == pytest.approx(T)
+    assert track.centre == pytest.approx(np.stack([X, Y], axis=-1))
+    assert track.angle == pytest.approx(np.radians(30 * T))
+
+
+# --- Tracker's own file ----------------------------------------------------------------------------
+
+
+def trk(points, angle_deg=0.0, start=2, step_ms=4.0, unit="m", extra=""):
+    """A .trk file with the layout of Tracker's own saver, of which only what is read is here."""
+
+    def prop(name, kind, value):
+        return f'<property name="{name}" type="{kind}">{value}</property>'
+
+    def obj(cls, body):
+        return f'<object class="org.opensourcephysics.{cls}">{body}</object>'
+
+    def frames(cls, rows):
+        items = "".join(
+            prop(f"[{n}]", "object", obj(f"{cls}$FrameData", "".join(prop(k, "double", v) for k, v in row.items())))
+            for n, row in rows.items()
+        )
+        return f'<property name="framedata" type="array" class="[Lorg.opensourcephysics.{cls}$FrameData;">{items}</property>'
+
+    axes = {"xorigin": 100.0, "yorigin": 400.0, "angle": angle_deg, "xscale": 200.0, "yscale": 200.0}
+    masses = "".join(
+        prop(
+            "item",
+            "object",
+            obj(
+                "cabrillo.tracker.PointMass",
+                prop("mass", "double", 1.0) + prop("name", "string", name) + frames("cabrillo.tracker.PointMass", rows),
+            ),
+        )
+        for name, rows in points.items()
+    )
+    clip = prop("video_framecount", "int", 50) + prop("startframe", "int", start) + prop("starttime", "double", 10.0)
+    body = (
+        prop("videoclip", "object", obj("media.core.VideoClip", clip))
+        + prop(
+            "clipcontrol",
+            "object",
+            obj("media.core.StepperClipControl", prop("rate", "double", 1.0) + prop("delta_t", "double", step_ms)),
+        )
+        + prop("coords", "object", obj("media.core.ImageCoordSystem", frames("media.core.ImageCoordSystem", {0: axes})))
+        + (prop("length_unit", "string", unit) if unit else "")
+        + f'<property name="tracks" type="collection" class="java.util.ArrayList">{masses}</property>{extra}'
+    )
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + obj("cabrillo.tracker.TrackerPanel", body)
+
+
+POINTS = {
+    "Hub": {n: {"x": 100.0 + 10 * n, "y": 340.0} for n in range(2, 8)},
+    "Load": {n: {"x": 100.0 + 10 * n, "y": 290.0} for n in (2, 3, 5)},
+}
+
+
+@pytest.mark.parametrize("ending", [".trk", ".trz"])
+def test_a_file_of_tracker(tmp_path, ending):
+    file = tmp_path / f"hoop{ending}"
+    if ending == ".trk":
+        file.write_text(trk(POINTS), encoding="utf-8")
+    else:
+        with zipfile.ZipFile(file, "w") as archive:
+            archive.writestr("hoop.trk", trk(POINTS))
+            archive.writestr("videos/hoop.mp4", b"")
+    track = read_track(file)
+    assert track.t == pytest.approx(0.010 + 0.004 * np.arange(6))
+    assert track.centre == pytest.approx(np.stack([0.05 * np.arange(2, 8), np.full(6, 0.3)], axis=-1))
+    assert track.marker[0] == pytest.approx([0.1, 0.55])
+    assert list(track.state) == ["found", "found", "no marker", "found", "no marker", "no marker"]
+    assert track.angle[0] == pytest.approx(0.0)
+
+
+def test_axes_that_are_turned(tmp_path):
+    # Tracker: pixel = origin + scale (x cos − y sin, −x sin − y cos)
+    angle, place = np.radians(20.0), np.array([0.4, 0.7])
+    u = 100 + 200 * (place[0] * np.cos(angle) - place[1] * np.sin(angle))
+    v = 400 + 200 * (-place[0] * np.sin(angle) - place[1] * np.cos(angle))
+    file = tmp_path / "turned.trk"
+    file.write_text(trk({"Hub": {n: {"x": u, "y": v} for n in range(3)}}, angle_deg=20.0))
+    assert read_track(file).centre == pytest.approx(np.tile(place, (3, 1)))
+
+
+def test_a_unit_of_length_is_believed(tmp_path):
+    file = tmp_path / "cm.trk"
+    file.write_text(trk(POINTS, unit="cm"))
+    assert read_track(file).centre[0] == pytest.approx([0.001, 0.003])
+
+
+# --- our own ---------------------------------------------------------------------------------------
+
+
+def own():
+    rng = np.random.default_rng(5)
+    columns = {name: rng.normal(size=8) for name in COLUMNS if name != "t"}
+    columns["x"][3] = columns["y"][3] = np.nan
+    view = View(Camera(640, 360, 500.0, 0.01, -0.02), 200.0, -100.0, 3.0, 0.01, (-20.0, 90.0), 0.86, 1e-3, 1e-5, None)
+    others = {"radius": 0.3, "slope": 0.02, "placed": True, "view": view, "source": "film.mp4", "notes": ("A note.",)}
+    return track_of(np.arange(8) / 240.0, columns, **others)
+
+
+def test_a_saved_track_is_the_same(tmp_path):
+    track = own()
+    track.save(tmp_path / "track.json")
+    back = read_track(tmp_path / "track.json")
+    for name in ("t", "centre", "marker", "angle", "centre_error", "marker_error", "angle_error", "pixel", "marker_pixel"):
+        np.testing.assert_array_equal(getattr(back, name), getattr(track, name))
+    for name in ("state", "radius", "slope", "placed", "view", "source", "notes"):
+        assert getattr(back, name) == getattr(track, name)
+    track.save(tmp_path / "track.csv")
+    table = read_track(tmp_path / "track.csv")
+    np.testing.assert_array_equal(table.centre, track.centre)
+    np.testing.assert_array_equal(table.marker_error, track.marker_error)
+    assert table.placed
+    with pytest.raises(ValueError, match=r"must end in \.json or \.csv"):
+        track.save(tmp_path / "track.xls")
+
+
+# --- what goes wrong is one sentence ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "message"),
+    [
+        ("a.csv", "", "holds no table"),
+        ("a.csv", "1,2\n3,4\n", "has no row of column names"),
+        ("a.csv", "t,x,y\n", "holds no table"),
+        ("a.csv", "t,x,y\na,b,c\n", "has no row of numbers"),
+        ("a.csv", "x,y\n1,2\n3,4\n5,6\n", "has no column t: its columns are x, y"),
+        ("a.csv", "t,x\n0,1\n1,1\n2,1\n", "has a column x, but none y"),
+        ("a.csv", "t,speed\n0,1\n1,1\n2,1\n", "has neither x and y, nor marker_x and marker_y, nor angle"),
+        ("a.csv", "t,x,y\n0,1,1\n1,1,1\n", "has 2 rows; at least 3 are needed"),
+        ("a.csv", "t,x,y\n0,1,1\n2,1,1\n1,1,1\n", "must have times that increase, which they do not in row 3"),
+        ("a.csv", "t,x,y\n0,1,1\n1,fast,1\n2,1,1\n", "has 'fast' in column x, row 2"),
+        ("a.csv", "t,x,y\n0,1,inf\n1,1,1\n2,1,1\n", "has 'inf' in column y, row 1"),
+        ("a.csv", "t,x,y\n0,nan,nan\n1,nan,nan\n2,,\n", "says in no row where the hoop is"),
+        ("a.csv", "t [h],x,y\n0,1,1\n1,1,1\n2,1,1\n", "gives t in 'h'; known units are s, ms, min"),
+        ("a.xls", "t,x,y\n0,1,1\n", "must end in .json, .csv"),
+        ("a.json", "{", "is not valid JSON"),
+        ("a.json", "[1]", "is not a track of hophoop"),
+        ("a.json", json.dumps({"schema": "hophoop-track/1"}), "is not whole: 'columns'"),
+        ("a.trk", "<object>", "is not valid XML"),
+        ("a.trk", "<object/>", "no TrackerPanel"),
+        ("a.trk", trk({}), "holds no point mass with marks"),
+        ("a.trk", trk(POINTS, step_ms=0.0), "does not say the time between frames"),
+        ("a.trk", trk(POINTS, unit="furlong"), "known units are m, cm"),
+        ("a.trk", '<!DOCTYPE a [<!ENTITY b "c">]><object/>', "declares entities"),
+        ("a.trz", "no zip", "is not a ZIP archive"),
+    ],
+)
+def test_bad_files(tmp_path, name, text, message):
+    file = tmp_path / name
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError) as caught:
+        hh.read_track(file)
+    assert message in str(caught.value)
+    assert str(caught.value).endswith(".")
+
+
+def test_files_that_are_no_text(tmp_path):
+    file = tmp_path / "a.csv"
+    file.write_bytes(b"\xff\xfe\x00\x01")
+    with pytest.raises(ValueError, match="is not text"):
+        read_track(file)
+    with pytest.raises(FileNotFoundError):
+        read_track(tmp_path / "absent.csv")
+
+
+@pytest.mark.parametrize("values", [{"angle_unit": "turn"}, {"radius": -1.0}, {"sigma": 0.0}])
+def test_bad_readings(values):
+    with pytest.raises(ValueError, match=f"{next(iter(values))} = "):
+        Reading(**values)

@@ -1,0 +1,311 @@
+"""Where the hoop is in a film, against the motion from which the film was rendered by code of its own."""
+
+import dataclasses
+import functools
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from film_maker import Film, article_like, make, project
+from hophoop.tracking import Camera, Hints, overlay
+from hophoop.tracking.circle import Circle, fit_circle, robust_circle
+from hophoop.tracking.ground import ground_line
+from hophoop.tracking.video import kept, pictures
+
+RADIUS = 0.3
+
+
+def errors(track, motion, film):
+    """Distance of the centre from where it was [pixel], and error of the angle [rad], at the track's own times."""
+    state = motion.at(np.clip(track.t + film.first, 0.0, motion.duration))
+    away = track.pixel - project(film, state.x, state.height + RADIUS)
+    turned = track.angle - state.angle
+    # the angle counts from the plane's normal, and from the turn in which the film begins
+    return np.hypot(away[:, 0], away[:, 1]), turned - 2 * np.pi * np.round(np.nanmedian(turned) / (2 * np.pi))
+
+
+@functools.cache
+def tracked(film, path, **hints):
+    return hh.track(path, RADIUS, Hints(exposure=film.shutter, row_delay=film.row_delay, **hints))
+
+
+def test_centre_and_angle_through_hidden_markers_and_a_restless_background(films, motion):
+    path, film = films("hidden")
+    track = tracked(film, path)
+    centre, angle = errors(track, motion, film)
+    assert np.nanmax(centre) < 0.2
+    assert np.sqrt(np.nanmean(angle**2)) < 3e-3
+    # what is not there is marked, and nothing else
+    away = [word == "lost" for word in track.state]
+    assert [k for k, lost in enumerate(away) if lost] == list(range(30, 34))
+    assert {k for k, word in enumerate(track.state) if word == "no marker"} >= set(range(14, 20))
+    assert track.state.count("found") >= 30
+    assert np.isnan(track.centre[30:34]).all()
+    assert np.isnan(track.angle[14:20]).all()
+
+
+def test_times_are_those_of_the_file_and_the_middle_of_the_exposure(films):
+    path, film = films("short")
+    track = tracked(film, path)
+    from film_maker import frame_times
+
+    assert track.t == pytest.approx(frame_times(film) + 0.5 * film.shutter, abs=1e-12)
+    slow = hh.track(path, RADIUS, Hints(rate=240.0))
+    assert slow.t == pytest.approx(np.arange(film.frames) / 240.0, abs=1e-12)
+
+
+def test_a_lens_out_of_axis_with_a_rolling_shutter(films, motion):
+    path, film = films("tilted")
+    track = tracked(film, path)
+    centre, angle = errors(track, motion, film)
+    assert np.nanmax(centre) < 0.2
+    assert np.sqrt(np.nanmean(angle**2)) < 4e-3
+    camera = track.view.camera
+    assert np.degrees([camera.tilt_x, camera.tilt_y]) == pytest.approx([6.0, -8.0], abs=1.0)
+    # in metres: without the tilt the hoop would grow by a tenth on its way
+    state = motion.at(track.t + film.first)
+    x = track.centre[:, 0] - state.x
+    assert np.ptp(x) < 4e-3
+    assert np.ptp(track.centre[:, 1] - state.height - RADIUS) < 2e-3
+    flat = hh.track(path, RADIUS, Hints(exposure=film.shutter, row_delay=film.row_delay, tilt=(0.0, 0.0)))
+    off = flat.centre[flat.found, 0] - state.x[flat.found]
+    assert np.ptp(off) > 10 * np.ptp(x)
+
+
+def test_a_rolling_shutter_is_put_right(films, motion):
+    path, film = films("tilted")
+    with_delay, without = tracked(film, path), hh.track(path, RADIUS, Hints(exposure=film.shutter))
+    # the times differ by the row of the centre times the delay
+    assert with_delay.t - without.t == pytest.approx(film.row_delay * with_delay.pixel[:, 1], rel=0.02)
+    good, bad = (errors(track, motion, film) for track in (with_delay, without))
+    assert np.nanmean(bad[0]) > 3 * np.nanmean(good[0])
+    # the marker's row is exposed at another time than the centre's
+    assert abs(np.nanmean(bad[1])) > 3 * abs(np.nanmean(good[1]))
+
+
+def test_a_light_hoop_cut_by_the_edge_on_a_picture_that_is_not_level(films, motion):
+    path, film = films("light")
+    track = tracked(film, path)
+    centre, angle = errors(track, motion, film)
+    assert track.found.all()
+    assert np.nanmax(centre) < 0.25
+    # θ counts from the plane's normal, which the camera's roll does not change
+    assert np.sqrt(np.nanmean(angle**2)) < 5e-3
+    # a level line rises in a picture of a camera that is turned the other way
+    assert np.degrees(track.slope) == pytest.approx(film.roll_deg, abs=0.2) or np.degrees(track.slope) == pytest.approx(
+        -film.roll_deg, abs=0.2
+    )
+    leveled = tracked(film, path, level=-track.slope)
+    assert leveled.slope == pytest.approx(0.0, abs=4e-3)
+
+
+def test_errors_are_as_large_as_said(films, motion):
+    path, film = films("hidden")
+    track = tracked(film, path)
+    state = motion.at(track.t + film.first)
+    x = track.centre[:, 0] - state.x
+    pull = (x - np.nanmean(x)) / track.centre_error[:, 0]
+    assert 0.2 < np.nanstd(pull) < 2.0
+    _, angle = errors(track, motion, film)
+    assert 0.2 < np.nanstd(angle / track.angle_error) < 2.5
+
+
+def test_the_scale_comes_from_the_radius(films):
+    path, film = films("short")
+    one, two = tracked(film, path), hh.track(path, 2 * RADIUS, Hints(exposure=film.shutter))
+    assert one.view.scale == pytest.approx(film.scale, rel=2e-3)
+    assert two.centre == pytest.approx(2 * one.centre, nan_ok=True)
+
+
+def test_hints_are_followed(films, motion):
+    path, film = films("short")
+    track = tracked(film, path, marker="red", ring="dark")
+    assert np.nanmax(errors(track, motion, film)[0]) < 0.2
+    u, v = track.pixel[5]
+    pointed = tracked(film, path, centre=(u + 2, v - 2), rim=40.0, at=track.t[5])
+    assert np.nanmax(errors(pointed, motion, film)[0]) < 0.2
+    bare = tracked(film, path, marker="none")
+    assert set(bare.state) == {"no marker", "lost"}
+    below = tracked(film, path, ground=(0.0, 170.0, 319.0, 170.0), slope=0.1)
+    assert below.slope == 0.1
+    assert np.nanmedian(below.centre[:, 1]) == pytest.approx(RADIUS, abs=2e-3)
+    with pytest.raises(ValueError, match="shows no rim in the frame"):
+        tracked(film, path, centre=(280.0, 40.0), rim=25.0)
+    with pytest.raises(ValueError, match="no patch of that colour"):
+        tracked(film, path, marker="cyan")
+
+
+def test_what_was_found_is_drawn_where_it_is(films, tmp_path):
+    path, film = films("short")
+    track = tracked(film, path)
+    seen = []
+    overlay(path, track, tmp_path / "over.mp4", tmp_path / "page.html", lambda done, total: seen.append((done, total)))
+    assert seen[-1] == (18, 18)
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert page.count("data:image/jpeg") >= 9
+    assert "lost" in page
+    drawn = list(pictures(tmp_path / "over.mp4"))
+    assert len(drawn) == 18
+    place = track.view.to_picture(np.array([[track.centre[0, 0], track.centre[0, 1] + RADIUS]]), RADIUS)[0]
+    row, column = round(place[1]), round(place[0])
+    # the rim is yellow: much red, little blue
+    assert drawn[0].blue[row // 2, column // 2] < 100
+    assert next(iter(pictures(path))).blue[row // 2, column // 2] > 108
+    # a frame without hoop has a red edge
+    assert drawn[13].red[0, 100] > 180
+
+
+def test_memory_does_not_grow_with_length(films):
+    path, _ = films("short")
+    few = kept(path, None, fewest=2, most=3)
+    assert 3 <= len(few) <= 6
+    steps = np.diff([one.t for one, _ in few])
+    assert all(after is not None and after.t > one.t for one, after in few[:-1])
+    assert steps.max() < 1.8 * steps.min()
+
+
+# --- what goes wrong is one sentence ---------------------------------------------------------------
+
+
+def nothing(tmp_path, busy=True, frames=12):
+    film = Film(size=(320, 192), frames=frames, busy=busy, without=((0, frames),), samples=1)
+    return make(tmp_path / "empty.mp4", article_like(duration=0.2), film)
+
+
+def test_no_hoop_is_said(tmp_path):
+    with pytest.raises(ValueError, match=r"empty\.mp4 shows no hoop that could be followed"):
+        hh.track(nothing(tmp_path, busy=False), RADIUS)
+
+
+def test_a_circle_that_never_moves_is_no_hoop(tmp_path):
+    with pytest.raises(ValueError, match=r"shows a circle that does not move"):
+        hh.track(nothing(tmp_path, busy=True), RADIUS)
+
+
+def test_two_frames_are_too_few(tmp_path):
+    with pytest.raises(ValueError, match="has 2 frames; tracking needs at least 3"):
+        hh.track(nothing(tmp_path, frames=2), RADIUS)
+
+
+def test_files_that_are_no_films(tmp_path):
+    text = tmp_path / "film.mp4"
+    text.write_text("no film at all")
+    with pytest.raises(ValueError, match=r"film\.mp4 cannot be read as a video: Invalid data"):
+        hh.track(text, RADIUS)
+    with pytest.raises(FileNotFoundError):
+        hh.track(tmp_path / "absent.mp4", RADIUS)
+    whole = nothing(tmp_path).read_bytes()
+    cut = tmp_path / "cut.mp4"
+    cut.write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(ValueError, match=r"cut\.mp4"):
+        hh.track(cut, RADIUS)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"radius": 0.0}, "radius = 0.0 must be a number above 0"),
+        ({"radius": float("nan")}, "radius = nan must be"),
+        ({"marker": "gray"}, "marker = 'gray' must be auto, none, red"),
+        ({"marker": "#888888"}, "too near to gray"),
+        ({"ring": "blue"}, "ring = 'blue' must be auto, dark or light"),
+        ({"centre": (1.0, 2.0)}, "rim is missing"),
+        ({"ground": (1.0, 2.0)}, "ground = .* must be 4 numbers"),
+        ({"rate": -1.0}, "rate = -1.0 must be a number above 0"),
+        ({"exposure": 2.0}, "exposure = 2.0 must be from 0 to 1 s"),
+        ({"row_delay": 1.0}, "row_delay = 1.0"),
+        ({"tilt": (1.0, 0.0)}, "tilt"),
+        ({"slope": 2.0}, "slope = 2.0 must lie between"),
+    ],
+)
+def test_bad_values(films, values, message):
+    path, _ = films("short")
+    radius = values.pop("radius", RADIUS)
+    with pytest.raises(ValueError, match=message):
+        hh.track(path, radius, Hints(**values))
+
+
+# --- the pieces ------------------------------------------------------------------------------------
+
+
+def test_a_camera_there_and_back_and_a_tilt_by_hand():
+    camera = Camera(640, 360, 500.0, 0.1, -0.2)
+    points = np.random.default_rng(1).uniform(-200, 200, (40, 2))
+    assert camera.to_plane(camera.to_picture(points)) == pytest.approx(points, abs=1e-9)
+    # turned about the vertical axis alone: columns shrink by the cosine and by what lies further away
+    turned = Camera(640, 360, 500.0, 0.0, 0.3)
+    column, row = turned.to_picture(np.array([100.0, 0.0]))
+    assert row == pytest.approx(179.5)
+    assert column - 319.5 == pytest.approx(500 * 100 * np.cos(0.3) / (500 - 100 * np.sin(0.3)))
+    straight = Camera(640, 360, 500.0)
+    assert straight.to_picture(np.array([3.0, 4.0])) == pytest.approx([322.5, 175.5])
+
+
+def test_a_circle_by_least_squares_is_the_one_that_was_drawn():
+    rng = np.random.default_rng(2)
+    around = rng.uniform(0, 2 * np.pi, 200)
+    points = [30.0, -12.0] + (50.0 + rng.normal(0, 0.1, 200))[:, None] * np.stack([np.cos(around), np.sin(around)], axis=-1)
+    x, y, radius, off = fit_circle(points)
+    assert (x, y, radius) == pytest.approx((30.0, -12.0, 50.0), abs=0.03)
+    # at the minimum of the sum of squares its slopes vanish: the normal equations, another way
+    away = (points - [x, y]) / np.hypot(*(points - [x, y]).T)[:, None]
+    assert np.abs(away.T @ off).max() < 1e-4
+    assert abs(off.sum()) < 1e-4
+
+
+def test_a_robust_circle_does_not_mind_strangers():
+    rng = np.random.default_rng(3)
+    around = rng.uniform(0, 2 * np.pi, 300)
+    size = 60.0 + rng.normal(0, 0.15, 300)
+    size[:100] += rng.uniform(0.5, 4, 100)
+    points = size[:, None] * np.stack([np.cos(around), np.sin(around)], axis=-1)
+    fit = robust_circle(points, Circle(1.0, -1.0, 60.0), 6.0, None)
+    assert fit.circle == pytest.approx((0.0, 0.0, 60.0), abs=0.05)
+    assert not fit.inside[size > 62.0].any()
+    assert np.sqrt(fit.covariance[0, 0]) == pytest.approx(0.15 * np.sqrt(2 / 200), rel=0.5)
+
+
+def test_the_ground_is_under_the_lowest_places():
+    rng = np.random.default_rng(4)
+    x = np.linspace(0, 500, 200)
+    y = 40 + 0.03 * x + rng.normal(0, 0.05, 200)
+    y[60:150] += 30 * np.sin(np.linspace(0, np.pi, 90))  # a hop
+    line = ground_line(np.stack([x, y], axis=-1), np.full(200, 0.05), 100.0)
+    assert np.tan(line.angle) == pytest.approx(0.03, abs=1e-4)
+    assert line.y - np.tan(line.angle) * line.x == pytest.approx(40.0, abs=0.05)
+    still = ground_line(np.stack([rng.normal(0, 1, 50), np.full(50, 7.0)], axis=-1), np.full(50, 0.05), 100.0)
+    assert (still.angle, still.told) == (0.0, False)
+
+
+# --- the whole claim, at the size of a phone's film ------------------------------------------------
+
+BIG = Film(size=(1280, 720), scale=330.0, origin=(120.0, 600.0), focal=1150.0, frames=60, marker_size=0.04, busy=True)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"rate": 240.0},
+        {"rate": 120.0, "shutter": 1 / 1000},
+        {"rate": 60.0, "shutter": 1 / 1000},
+        {"rate": 30.0, "shutter": 1 / 500, "frames": 30},
+        {"first": 0.35, "uneven": 0.3},
+        {"tilt_deg": (7.0, -7.1), "first": 0.2, "frames": 120, "busy": False},
+        {"row_delay": 1e-5, "first": 0.3},
+        {"origin": (10.0, 640.0)},
+        {"hidden": ((10, 25),), "without": ((40, 50),)},
+        {"crf": 26},
+    ],
+    ids=str,
+)
+def test_films_as_a_phone_takes_them(tmp_path, motion, change):
+    film = dataclasses.replace(BIG, **change)
+    path = make(tmp_path / "film.mp4", motion, film)
+    track = tracked(film, path)
+    centre, angle = errors(track, motion, film)
+    centre, angle = (np.where(track.t + film.first < motion.duration, one, np.nan) for one in (centre, angle))
+    assert np.nanmax(centre) < 0.2
+    assert np.sqrt(np.nanmean(angle**2)) < 1.5e-3
+    assert np.nanmean(np.abs(angle) < 3e-3) > 0.97
