@@ -121,7 +121,7 @@ class Finding:
 
 def with_unit(number: str, unit: str) -> str:
     """A number with its unit, as it is written."""
-    return number + ("°" if unit == "°" else f" {unit}" if unit else "")
+    return number.replace("-", "−") + ("°" if unit == "°" else f" {unit}" if unit else "")
 
 
 def decimals(number: str) -> int:
