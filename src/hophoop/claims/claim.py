@@ -40,9 +40,9 @@ class Claim:
     why : str
         What stands behind the verdict.
     compute : callable
-        Computes our number anew.
+        Computes our number anew [unit].
     theirs_number : float, optional
-        Its number, where there is one that ours is to be compared with.
+        Its number, where there is one that ours is to be compared with [unit].
     reading : float
         How far ours may be from it [unit].
     """
