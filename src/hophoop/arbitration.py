@@ -23,10 +23,10 @@ FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter 
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
 MOST_STEPS = 4000  # of one longer computation, some seconds: what needs more is left as the doubles have it
-ALL_STEPS = 3 * MOST_STEPS  # of all of one motion
+ALL_STEPS = 5000  # of all of one motion
 # Bits below 1 of the smallest number of a scenario up to which a step costs what it usually does; from there on it grows as
-# the third power of all bits. A scenario with numbers below 1e-60 is left as the doubles have it.
-USUAL_BITS, PLAIN_BITS, MOST_BITS = 40, 106, 200
+# the fourth power of all bits. A scenario with numbers below 1e-30 is left as the doubles have it.
+USUAL_BITS, PLAIN_BITS, MOST_BITS = 20, 106, 100
 CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
 NO_SCRIPT = np.empty(0, EVENT)
 
@@ -71,7 +71,7 @@ def steps_allowed(scenario: Scenario) -> int:
 
     bits = Problem.of(scenario).tiny()
     beyond = max(0, bits - USUAL_BITS)
-    return 0 if bits > MOST_BITS else int(ALL_STEPS * (1.0 + beyond / (USUAL_BITS + PLAIN_BITS)) ** -3)
+    return 0 if bits > MOST_BITS else int(ALL_STEPS * (1.0 + beyond / (USUAL_BITS + PLAIN_BITS)) ** -4)
 
 
 @dataclass

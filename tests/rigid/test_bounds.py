@@ -136,7 +136,7 @@ def test_a_search_for_roots_ends(monkeypatch):
 
 
 def test_the_longer_computation_has_a_budget():
-    """Steps of many digits: all of them for ordinary numbers, fewer with small ones, none below 1e-60."""
+    """Steps of many digits: all of them for ordinary numbers, fewer with small ones, none below 1e-30."""
     ordinary = hh.Scenario()
     assert arbitration.steps_allowed(ordinary) == arbitration.ALL_STEPS
     small = ordinary.replace("start.angle", 1e-20)
