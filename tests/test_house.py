@@ -194,6 +194,7 @@ ROOMS += [
     "plots",
     "animate",
     "article",
+    "claims",
     "lab",
     "precise",
     "prove",
@@ -335,7 +336,7 @@ def test_docstrings_are_whole(room):
 
 
 def test_pages_cite_what_there_is():
-    for page in sorted((ROOT / "docs").glob("*.md")):
+    for page in sorted((ROOT / "docs").rglob("*.md")):
         assert cited(page.read_text(encoding="utf-8")) <= REFERENCES, page.name
 
 
