@@ -32,6 +32,7 @@ extensions = [
     "sphinx.ext.mathjax",
     "numpydoc",
     "sphinxcontrib.bibtex",
+    "sphinx_design",
 ]
 exclude_patterns = ["_build", "tables"]  # tables are included by pages
 templates_path = ["_templates"]
@@ -52,3 +53,6 @@ bibtex_reference_style = "author_year"
 
 html_theme = "furo"
 html_title = f"hophoop {version}"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_logo = html_favicon = "_static/logo.svg"

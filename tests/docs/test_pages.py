@@ -1,0 +1,55 @@
+"""Pages for people: their code runs, their numbers are ours, and the navigation leads to all of them."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from page_tools import faults, toctree_pages
+
+DOCS = Path(__file__).parents[2] / "docs"
+PAGES = [DOCS / "index.md", DOCS / "glossary.md", *sorted(DOCS.glob("learn/*.md")), *sorted(DOCS.glob("teach/*.md"))]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(DOCS).as_posix())
+def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert faults(page.read_text(encoding="utf-8"), page.name) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("```pycon\n>>> 6 * 7\n41\n```\n", "Expected:"),
+        ("```python\na = 2.043\n```\n\n% says: f'{a:.2f} m/s'\nIt slips\nfrom 2.05 m/s on.\n", "2.04 m/s"),
+        ("% says: 1 + 1\n% says: 1 + 2\n2 of them.\n\n3 in another paragraph.\n", "1 + 2 is 3"),
+        ("```console\n$ hophoop run --v0 3.1 --duration -1\n```\n", "exit status 2"),
+    ],
+)
+def test_a_wrong_page_is_found(text, fault):
+    assert len(found := faults(text)) == 1
+    assert fault in found[0]
+
+
+def test_a_right_page_has_no_fault():
+    text = "````{note}\n```pycon\n>>> a = 6\n>>> a * 7\n42\n```\n````\n\n% says: a / 5\n| ratio |\n| --- |\n| 1.2 |\n"
+    assert faults(text) == []
+
+
+def test_names_pass_from_block_to_block_only_downwards():
+    with pytest.raises(NameError):
+        faults("% says: a\n1\n\n```python\na = 1\n```\n")
+
+
+def test_every_page_stands_once_in_the_navigation():
+    stored = {page.relative_to(DOCS).with_suffix("").as_posix() for page in DOCS.rglob("*.md") if page.parent.name != "tables"}
+    assert sorted(toctree_pages(DOCS)) == sorted(stored - {"index"})
+
+
+def test_solutions_answer_every_task():
+    tasks, answers = (
+        re.findall(r"^#+ (\w\d\.|Exercise \d+)", (DOCS / "teach" / name).read_text(encoding="utf-8"), re.MULTILINE)
+        for name in ("worksheet.md", "solutions.md")
+    )
+    assert len(tasks) >= 8
+    assert tasks == answers

@@ -1,0 +1,81 @@
+"""Runs what a page of the documentation shows: code, commands, and the numbers that stand in its text.
+
+From top to bottom, in one namespace a page:
+
+- a block ``pycon`` is a doctest, a block ``python`` is run;
+- in a block ``console``, lines ``$ hophoop run …`` and ``$ hophoop theory …`` are run and must end with exit status 0;
+- a comment ``% says: expression`` stands for itself in no page; the text that the expression gives must be in the paragraph
+  (or table) that follows, so that no number in a sentence is typed by hand and forgotten.
+"""
+
+import doctest
+import re
+import shlex
+from collections.abc import Iterator
+from pathlib import Path
+
+from typer.testing import CliRunner
+
+import hophoop.cli
+
+FENCE = re.compile(r"^(`{3,})(pycon|python|console)\n(.*?)^\1$", re.MULTILINE | re.DOTALL)
+SAYS = re.compile(r"((?:^% says: .+\n)+)((?:.+\n?)+)", re.MULTILINE)
+OPTIONS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+
+
+def parts(text: str) -> Iterator[tuple[str, str, str, int]]:
+    """Kind, content, paragraph and line of everything on a page that can be checked, in its order."""
+    found = [(match.start(), match[2], match[3], "") for match in FENCE.finditer(text)]
+    for match in SAYS.finditer(text):
+        for line in match[1].splitlines():
+            found.append((match.start(), "says", line.removeprefix("% says: "), match[2]))
+    for start, kind, content, paragraph in sorted(found, key=lambda part: part[0]):
+        yield kind, content, paragraph, text.count("\n", 0, start) + 1
+
+
+def faults(text: str, name: str = "page") -> list[str]:
+    """What on a page does not hold, one sentence each."""
+    space: dict[str, object] = {}
+    result: list[str] = []
+    for kind, content, paragraph, line in parts(text):
+        place = f"{name}:{line}"
+        if kind == "pycon":
+            result += _doctest(content, space, place)
+        elif kind == "console":
+            result += _commands(content, place)
+        elif kind == "python":
+            exec(compile(content, place, "exec"), space)
+        else:
+            value = str(eval(content, space))
+            if value not in " ".join(paragraph.split()):
+                result.append(f"{place}: {content} is {value}, which the next paragraph does not say")
+    return result
+
+
+def _doctest(content: str, space: dict[str, object], place: str) -> list[str]:
+    said: list[str] = []
+    examples = doctest.DocTestParser().get_doctest(content, space, place, place, 0)
+    examples.globs = space  # names live on in the blocks that follow
+    doctest.DocTestRunner(optionflags=OPTIONS).run(examples, out=said.append, clear_globs=False)
+    return ["".join(said)] if said else []
+
+
+def _commands(content: str, place: str) -> list[str]:
+    result = []
+    for command in re.findall(r"^\$ hophoop ((?:run|theory)\b.*)$", content, re.MULTILINE):
+        answer = CliRunner().invoke(hophoop.cli.app, shlex.split(command))
+        if answer.exit_code != 0:
+            result.append(f"{place}: hophoop {command} ends with exit status {answer.exit_code}")
+    return result
+
+
+def toctree_pages(folder: Path) -> list[str]:
+    """Pages that stand in any toctree of a documentation, as often as they stand there."""
+    found = []
+    for page in sorted(folder.rglob("*.md")):
+        for block in re.findall(r"^```\{toctree\}\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL):
+            for line in block.splitlines():
+                if line.strip() and not line.startswith(":"):
+                    target = re.sub(r".*<(.+)>\s*$", r"\1", line.strip())
+                    found.append((page.parent / target).relative_to(folder).as_posix())
+    return found
