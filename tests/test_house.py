@@ -194,6 +194,7 @@ ROOMS += [
     "plots",
     "animate",
     "article",
+    "claims",
     "lab",
     "precise",
     "prove",

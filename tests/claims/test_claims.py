@@ -13,7 +13,7 @@ from hophoop.article.statement import AGREES, DIFFERS, FAILS
 from hophoop.cite import references
 from hophoop.claims import numbers
 from hophoop.claims import registry as claims_of
-from hophoop.claims.claim import VERDICTS, decimals, judged
+from hophoop.claims.claim import VERDICTS, decimals, judged, with_unit
 from hophoop.claims.literature import FROM_ARTICLE
 from hophoop.claims.pages import END, filled
 from hophoop.cli import app
@@ -35,7 +35,7 @@ def pages():
 def test_our_number_comes_out_again(claim):
     found = judged(claim)
     assert (found.verdict, found.holds) == (claim.verdict, True)
-    assert found.ours.endswith(claim.ours + claim.unit if claim.unit in ("", "°") else f"{claim.ours} {claim.unit}")
+    assert found.ours == f"{claim.quantity} {with_unit(claim.ours, claim.unit)}"
 
 
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.key)
@@ -45,7 +45,7 @@ def test_a_number_that_is_off_by_one_digit_fails(claim):
         off = dataclasses.replace(claim, ours=f"{float(claim.ours) + step * 10.0**-places:.{places}f}")
         found = judged(off)
         assert (found.verdict, found.holds) == (FAILS, False)
-        assert off.ours in found.why
+        assert with_unit(off.ours, off.unit) in found.why
 
 
 @pytest.mark.parametrize("claim", [one for one in CLAIMS if one.theirs_number is not None], ids=lambda claim: claim.key)

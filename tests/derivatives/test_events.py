@@ -148,6 +148,7 @@ def test_the_state_at_a_time_beside_an_event_is_that_of_the_event(name):
                 assert rates[field][1][0] == pytest.approx(at_event, rel=1e-7, abs=1e-7), (event.kind, field)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_compiled_and_interpreted_agree():
     motion = hh.simulate(scenario_of("hop"))

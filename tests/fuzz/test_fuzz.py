@@ -79,7 +79,9 @@ def answer(index: int) -> str:
 
 
 @pytest.mark.compiled
-def test_eight_threads_give_the_same_bits():
+def test_eight_threads_give_the_same_bits(monkeypatch):
+    # the last bits of a compliant motion with extreme numbers are others where its complex divisions are interpreted
+    monkeypatch.setenv("HOPHOOP_KERNELS", "compiled")
     indices = list(range(48))
     alone = [answer(index) for index in indices]
     with ThreadPoolExecutor(8) as pool:

@@ -404,4 +404,4 @@ def test_the_page_asks_for_nothing_from_elsewhere():
 
 def test_every_file_of_the_page_is_used():
     folder = files.Path(page.__file__).parent / "static"
-    assert {path.name for path in folder.iterdir()} == {"index.html", "style.css", "icon.svg", "lab.js"}
+    assert {path.name for path in folder.iterdir()} == {"index.html", "pick.html", "style.css", "icon.svg", "lab.js"}

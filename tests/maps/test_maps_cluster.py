@@ -109,6 +109,7 @@ def test_a_scheduler_that_is_not_there(tmp_path, monkeypatch):
     assert time.monotonic() - began < 20
 
 
+@pytest.mark.slow
 def test_a_cluster_that_loses_its_scheduler_says_so_and_the_map_goes_on(tmp_path):
     path = tmp_path / "cluster.zarr"
     axes = {name: values[::3] for name, values in AXES.items()}

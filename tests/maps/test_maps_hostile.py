@@ -131,6 +131,7 @@ print("alike")
 """
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_two_threads_make_maps_at_once_on_numbas_simplest_layer():
     # 'workqueue', which is there everywhere, aborts the process where two threads use it at once

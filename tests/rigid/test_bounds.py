@@ -76,6 +76,7 @@ def test_a_strike_that_rebounds_ends_with_a_finite_state(rest):
     assert is_finite(motion)
 
 
+@pytest.mark.slow
 @pytest.mark.compiled
 def test_panels_are_used_up():
     """16 000 turns a millisecond: the motion ends with what has been computed, and says where."""

@@ -40,9 +40,9 @@ class Claim:
     why : str
         What stands behind the verdict.
     compute : callable
-        Computes our number anew.
+        Computes our number anew [unit].
     theirs_number : float, optional
-        Its number, where there is one that ours is to be compared with.
+        Its number, where there is one that ours is to be compared with [unit].
     reading : float
         How far ours may be from it [unit].
     """
@@ -121,7 +121,7 @@ class Finding:
 
 def with_unit(number: str, unit: str) -> str:
     """A number with its unit, as it is written."""
-    return number + ("°" if unit == "°" else f" {unit}" if unit else "")
+    return number.replace("-", "−") + ("°" if unit == "°" else f" {unit}" if unit else "")
 
 
 def decimals(number: str) -> int:

@@ -168,8 +168,8 @@ ON_SLOPES = (
     ),
     Claim(
         "gomez_force", "Gomez2012",
-        "Where it jumps follows from rolling.",
-        "N = 0 in rolling",
+        "Where it jumps follows from its equation of motion in rolling (as we read the abstract).",
+        "from rolling",
         "if the same cylinder could only roll, N would vanish at", "69.618430", "°", DIFFERS,
         "There the free rim would sink, so that it cannot jump: this is a quasi-jump.",
         numbers.cylinder_force_lost_angle,

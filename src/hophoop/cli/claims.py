@@ -84,8 +84,8 @@ def _print(found: Sequence[Finding]) -> None:
     from rich.text import Text
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
-    for title, width in (("work", 19), ("claim", None), ("theirs", 12), ("ours, computed now", None), ("verdict", 15)):
-        table.add_column(title, width=width)
+    for title, width in (("work", 19), ("claim", None), ("theirs", 15), ("ours, computed now", None), ("verdict", 15)):
+        table.add_column(title, width=width, overflow="fold")
     before = ""
     for one in found:
         table.add_row(
