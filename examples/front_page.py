@@ -96,7 +96,7 @@ font-family="sans-serif" font-size=".36" text-anchor="middle">
 <path d="{path(hoop.eccentricity * hoop.radius, airborne)}" stroke="{colors.GRAVITY_CENTER_AIRBORNE}" stroke-width=".05"/>
 <g class="hop-place" transform="{shift}"><g class="hop-turn" transform="rotate({np.degrees(state.angle[still]):.2f})">
 <g stroke="currentColor" stroke-opacity=".3" stroke-width=".02">{spokes}</g>
-<circle r=".96" class="hop-ink" stroke="{colors.mode_color(words.FLIGHT)}" stroke-width=".08"/>
+<circle r=".96" class="hop-ink" stroke="{colors.mode_color(word(begins[0]))}" stroke-width=".08"/>
 <path d="M0,0V-.9" stroke="currentColor" stroke-opacity=".5" stroke-width=".03"/>
 <circle cy="-.96" r=".15" fill="currentColor"/>
 <circle cy="{-hoop.eccentricity:.3f}" r=".07" fill="{colors.GRAVITY_CENTER}"/>
