@@ -107,13 +107,15 @@ def distributions_of_modules():
 
 
 def import_names(requirements):
-    """Top-level modules of these distributions, as far as they are installed."""
+    """Top-level modules of these distributions; of one that is not installed the module of its name."""
     wanted = {re.sub(r"[-_.]+", "-", Requirement(line).name).lower() for line in requirements}
-    return {
-        module
-        for module, distributions in distributions_of_modules().items()
-        if wanted & {re.sub(r"[-_.]+", "-", name).lower() for name in distributions}
-    }
+    found, installed = set(), set()
+    for module, distributions in distributions_of_modules().items():
+        here = wanted & {re.sub(r"[-_.]+", "-", name).lower() for name in distributions}
+        if here:
+            found.add(module)
+            installed |= here
+    return found | {name.replace("-", "_") for name in wanted - installed}
 
 
 def extra_modules(extra):
