@@ -18,10 +18,8 @@ from hophoop.numerics.collocation import (
     WEIGHTS,
     dot,
     exponentials,
-    integrals,
     lagrange,
     product,
-    remainders,
 )
 from hophoop.numerics.trigonometry import rotated, sine_cosine
 from hophoop.panels.panel import (
@@ -39,6 +37,7 @@ from hophoop.panels.panel import (
     angle_at,
     fill_geometry,
 )
+from hophoop.panels.slip import from_reference
 from hophoop.physics.contact import inertia_at_height, load_height
 
 # By θ̇² at the begin (of an arriving panel: by θ there), by θ at the begin (by the turning point), by the parameters.
@@ -74,19 +73,6 @@ def roll_rates(body, panel, work, local):
         local[BY_GN, i] = -2.0 * body.eps * dc * here
         local[BY_GT, i] = 2.0 * (body.eps * ds + angle_at(panel, NODES[i])) * here
         local[SLOPE, i] = local[SHIFT, i] + slope * local[BEGIN, i]
-
-
-@inline_jit
-def from_reference(panel, values, out):
-    """∫ values dξ from the reference of the panel to each node, signed along θ."""
-    if panel.kind == ARRIVE:
-        remainders(values, out)
-        way = -panel.way
-    else:
-        integrals(values, out)
-        way = panel.way
-    for i in range(ORDER):
-        out[i] *= way
 
 
 @apart_jit

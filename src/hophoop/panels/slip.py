@@ -31,7 +31,7 @@ from hophoop.physics.contact import contact_arms
 
 
 @inline_jit
-def _from_reference(panel, values, out):
+def from_reference(panel, values, out):
     """∫ values dξ from `ref` to each node, signed along θ; returns the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
         remainders(values, out)
@@ -93,11 +93,11 @@ def solve_slip(body, panel, work):
     size = tail(damping, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan)
-    exponent = _from_reference(panel, damping, integral)
+    exponent = from_reference(panel, damping, integral)
     exponentials(integral, growth)
     for i in range(ORDER):
         drive[i] /= growth[i]
-    driven = _from_reference(panel, drive, integral)
+    driven = from_reference(panel, drive, integral)
     us = work[U]
     lowest = math.inf
     for i in range(ORDER):
