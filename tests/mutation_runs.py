@@ -28,7 +28,7 @@ from mutants import Mutant, codes
 
 # s of the processor, which others may share, that tests may take with one change, beside ten times what they took without: what
 # never ends has been seen. What waits without computing is given more of the clock's.
-SECONDS = 20.0
+SECONDS = 4.0
 WAITS = 30.0  # times more
 MEMORY = 8 * 2**30  # bytes; what eats more has been seen
 WORDS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", "-s", "-W", "ignore")

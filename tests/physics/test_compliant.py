@@ -130,7 +130,7 @@ def bounce(force):
     return done.y_events[0][0][1]
 
 
-@pytest.mark.parametrize("ratio", [0.05, 0.4, 0.9, 1.0, 1.5])
+@pytest.mark.parametrize("ratio", [0.05, 0.4, 0.9, 1.0, 1.2, 1.5])
 def test_restitution_of_kelvin_and_voigt(ratio):
     rebound = bounce(lambda y, v: -y - 2.0 * ratio * v)
     assert compliant.ratio_restitution(ratio) == pytest.approx(rebound, rel=1e-6)
