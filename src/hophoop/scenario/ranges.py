@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 from pydantic import AfterValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from hophoop.scenario.texts import TEXTS
+
 
 class Range(NamedTuple):
     """What a number may be.
@@ -117,7 +119,7 @@ def inside(name: str, unit: str = "") -> Any:
 
     def check(value: float) -> float:
         if not allowed.holds(value):
-            raise PydanticCustomError("value", "must be {words}", {"words": allowed.words(unit)})
+            raise PydanticCustomError("value", TEXTS["range"], {"words": allowed.words(unit)})
         return value
 
     return AfterValidator(check)
