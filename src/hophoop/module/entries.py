@@ -19,6 +19,8 @@ ENTRIES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "samples": (motions.samples, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
     "thresholds": (answers.thresholds, (FLOATS, NUMBER, FLOATS)),
     "regions": (answers.regions, (FLOATS, NUMBER, NUMBER, NUMBER, NUMBER, COUNT, COUNT, BYTES, SIGNS)),
+    "ideal_hoop": (answers.ideal_hoop, (NUMBER, FLOATS)),
+    "hoop_of_parts": (answers.hoop_of_parts, (NUMBER, FLOATS, COUNT, FLOATS, FLOATS)),
     "map_cells": (
         answers.map_cells,
         (FLOATS, COUNT, NUMBER, COUNT, COUNT, COUNT, FLOATS, WORDS, KEYS),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from hophoop.compliant.records import WIDTH
-from hophoop.maps.kernel import CELL, ENDINGS, KEYS, NUMBERS, WORDS
+from hophoop.maps.kernel import CELL, ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
+from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.records.layout import EVENT, SEGMENT
 
@@ -43,8 +45,8 @@ THRESHOLDS = (
 )  # fmt: skip
 
 # Shapes of a hoop's parts, and the numbers of one.
-SHAPES = ("ring", "disk", "point_mass", "rod_radial", "rod_tangential")
-PART = ("shape", "mass", "first_length", "second_length", "at")
+SHAPES = ("ring", "disk", "point_mass", "radial_rod", "tangential_rod")
+PART = ("shape", "mass", "first", "second", "at")
 
 
 def layout() -> dict[str, Any]:
@@ -66,7 +68,12 @@ def layout() -> dict[str, Any]:
         "numbers": NUMBERS,
         "words": WORDS,
         "keys": KEYS,
+        "letters_a_key": LETTERS_A_KEY,
+        "more": MORE,
         "endings": ENDINGS,
+        "spans": {name: _span(name) for name in ("first_revolution", "takeoff", "reversal", "duration")},
+        "wanted": {name: wanted_of(choose_quantities([name])) for name in QUANTITIES},
+        "codes": {name: quantity.words for name, quantity in QUANTITIES.items() if quantity.words},
         "shapes": SHAPES,
         "part": PART,
         "kinds": EVENT_NAMES,
@@ -76,3 +83,8 @@ def layout() -> dict[str, Any]:
         "segment_bytes": SEGMENT.itemsize,
         "compliant_segment_bytes": 8 * WIDTH,
     }
+
+
+def _span(name: str) -> dict[str, Any]:
+    span = make_span(name)
+    return {"angle": None if math.isnan(span.angle) else span.angle, "stop": span.stop, "timed": int(span.timed)}
