@@ -19,7 +19,8 @@ BUILT = {
 
 def stamp():
     """As web/build.mjs computes it."""
-    sources = [path.relative_to(WEB).as_posix() for folder in ("kernel", "lab", "scene", "space") for path in (WEB / folder).glob("*.js")]
+    folders = ("kernel", "lab", "scene", "space")
+    sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js")]
     digest = hashlib.sha256()
     for name in ["build.mjs", "../src/hophoop/module/layout.json", *sorted(sources)]:
         digest.update(f"{name}\n".encode())
