@@ -385,8 +385,8 @@ interface Mechanics {
     radius: number,
     parts: WholePart[],
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
-  /** A compliant contact beside its hoop, with the defaults filled in. */
-  compliance(given: Given): Compliance;
+  /** A compliant contact beside its hoop, with the defaults filled in; missing where the kernel knows rigid contact only. */
+  compliance?(given: Given): Compliance;
 }
 
 interface Compliance {
@@ -405,6 +405,7 @@ interface ComputedMotion {
   events: MotionEvent[]; // as Trajectory.to_dict()["events"]; null where not finite
   final: Record<string, any>; // as in to_dict()
   energy: Record<string, number>; // as in to_dict()
+  doubt?: number | null; // from when on doubles do not decide what comes, null where they do [s]
 }
 
 // Places of a motion's state: the fields of results.Sample. `mode` is the place of the letter in "RSKHM".
@@ -456,4 +457,14 @@ interface Kernel {
   ): MaybeLater<{ modes: Uint8Array; paradox: Column }>;
   /** One quantity of each cell over a span of maps.quantities ("first_revolution", "takeoff", "duration"). */
   map(cells: MapCells, what: string, span: string, signal?: AbortSignal): MaybeLater<MapValues>;
+}
+
+// What is left in the module's memory of the motion that was computed last.
+interface Computed {
+  given: Given;
+  head: Float64Array;
+  rows: Float64Array;
+  count: number;
+  duration: number; // [s]
+  segments: number;
 }
