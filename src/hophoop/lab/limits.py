@@ -9,6 +9,7 @@ from typing import Any
 
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.scenario.scenario import time_unit
+from hophoop.vocabulary.sentences import LAB
 
 
 class TooMuch(InputError):
@@ -77,13 +78,10 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
         If the motion is longer, stiffer or made of more parts than the limits allow.
     """
     if scenario.duration > limits.duration:
-        raise TooMuch(
-            f"duration = {scenario.duration:g} must be at most {limits.duration:g} s in the lab; "
-            "the library itself has no such limit."
-        )
+        raise TooMuch(LAB["too_long"].format(duration=scenario.duration, most=limits.duration))
     parts = len(scenario.hoop.parts or ())
     if parts > limits.parts:
-        raise TooMuch(f"hoop.parts has {parts} parts and must have at most {limits.parts} in the lab.")
+        raise TooMuch(LAB["too_many_parts"].format(parts=parts, most=limits.parts))
     if isinstance(scenario.contact, Compliant):
         steps = _steps(scenario, scenario.contact)
         if steps > limits.steps:

@@ -16,6 +16,7 @@ from hophoop.maps.evaluate import CHUNK_CELLS
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.vocabulary.classes import class_color, class_text
+from hophoop.vocabulary.sentences import LAB
 
 # name, words, span; what a map in the lab can show
 MAP_QUANTITIES: dict[str, tuple[str, str]] = {
@@ -75,7 +76,7 @@ def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) 
         If it would take too long.
     """
     if isinstance(scenario.contact, Compliant):
-        raise InputError("contact.model = 'compliant' must be 'rigid' for a map.")
+        raise InputError(LAB["rigid_maps"])
     words, span = MAP_QUANTITIES[what]
     cells = x.cells * y.cells
     if cells * scenario.duration > limits.map_seconds and span != "first_revolution":

@@ -16,7 +16,7 @@ PartMass = Annotated[Positive, inside("hoop.parts.mass", "kg"), schema_of("hoop.
 Length = Annotated[Positive, inside("hoop.parts.length", "m"), schema_of("hoop.parts.length")]
 
 # A part that just touches the rim, its place rounded, still lies within it.
-_TOUCH = 1e-12
+TOUCH = 1e-12
 
 
 class Ring(Frozen):
@@ -225,7 +225,7 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
         If a part reaches beyond the rim.
     """
     for index, part in enumerate(parts):
-        if part.reach > radius * (1.0 + _TOUCH):
+        if part.reach > radius * (1.0 + TOUCH):
             raise refuse(say("beyond_the_rim", index=index, shape=part.shape, reach=part.reach, radius=radius))
     mass = math.fsum(part.mass for part in parts)
     # Measured from the first part, so that parts all in one place give exactly that place and no inertia.

@@ -24,7 +24,7 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
 _PARTS = (Ring, Disk, PointMass, Rod)
 
 # Where a quantity can be given in more ways than one, giving it one way ends the others.
-_ENDS: dict[str, Sequence[str]] = {
+ENDS: dict[str, Sequence[str]] = {
     "hoop.load_fraction": ("eccentricity", "inertia_ratio", "parts"),
     "hoop.eccentricity": ("load_fraction", "parts"),
     "hoop.inertia_ratio": ("load_fraction", "parts"),
@@ -140,7 +140,7 @@ def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
     known = list(given)
     for path in known:
         section = path.partition(".")[0]
-        ended = {f"{section}.{key}" for key in _ENDS.get(path, ())}
+        ended = {f"{section}.{key}" for key in ENDS.get(path, ())}
         for other in known:
             # a whole is named together with its parts
             if any(other == end or other.startswith(f"{end}.") for end in ended):
@@ -174,11 +174,11 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
         table = data.setdefault(section, {})
         if not isinstance(table, dict):
             raise InputError(say("no_section_parts", path=path, section=section))
-        if section not in spelt_out and any(key in table for key in _ENDS.get(path, ())):
+        if section not in spelt_out and any(key in table for key in ENDS.get(path, ())):
             spelt_out.add(section)
             spelt = _spelt_out(scenario, data, path)
             table.update({key: value for key, value in spelt.items() if f"{section}.{key}" not in values})
-        for key in _ENDS.get(path, ()):
+        for key in ENDS.get(path, ()):
             table.pop(key, None)
         _put(table, rest.split("."), value, path)
     return data

@@ -76,3 +76,14 @@ THEORY: Final[dict[str, str]] = {
     "rest_at": "with the load at {where}",
 }
 """What theory says of a hoop: the names of its thresholds and what is said of each."""
+
+LAB: Final[dict[str, str]] = {
+    "too_long": "duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",
+    "too_many_parts": "hoop.parts has {parts} parts and must have at most {most} in the lab.",
+    "too_many_cells": "x.cells times y.cells = {cells} must be at most {most} in the lab.",
+    "equal_axes": "x.path and y.path are both {path!r} and must differ.",
+    "two_axes": "{one} and {other} cannot both be axes: they say the same thing in two ways.",
+    "rigid_maps": "contact.model = 'compliant' must be 'rigid' for a map.",
+    "not_a_pair": "changes holds {change}, which is not a pair of path and value.",
+}
+"""What the lab refuses; filled as `str.format` does."""
