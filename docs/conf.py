@@ -1,5 +1,8 @@
 """Sphinx configuration; CI builds with warnings as errors."""
 
+import sys
+from pathlib import Path
+
 from pybtex.plugin import register_plugin
 from pybtex.style.formatting.plain import Style
 from pybtex.style.labels import BaseLabelStyle
@@ -20,6 +23,8 @@ class ByKey(Style):
 
 register_plugin("pybtex.style.formatting", "by_key", ByKey)
 
+sys.path.insert(0, str(Path(__file__).parent / "_ext"))  # what Sphinx has no extension for
+
 project = "hophoop"
 author = "The hophoop developers"
 copyright = "2026, The hophoop developers"
@@ -29,7 +34,8 @@ extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
-    "sphinx.ext.mathjax",
+    "typeset",
+    "accessible",
     "numpydoc",
     "sphinxcontrib.bibtex",
     "sphinx_design",
@@ -37,6 +43,7 @@ extensions = [
 exclude_patterns = ["_build", "tables"]  # tables are included by pages
 templates_path = ["_templates"]
 nitpicky = False
+html_math_renderer = "mathml"
 
 myst_enable_extensions = ["amsmath", "attrs_block", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
