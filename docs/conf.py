@@ -36,6 +36,7 @@ extensions = [
     "sphinx.ext.autosummary",
     "typeset",
     "accessible",
+    "generated",
     "numpydoc",
     "sphinxcontrib.bibtex",
     "sphinx_design",

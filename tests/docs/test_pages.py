@@ -10,7 +10,13 @@ import pytest
 from page_tools import faults, toctree_pages
 
 DOCS = Path(__file__).parents[2] / "docs"
-PAGES = [DOCS / "index.md", DOCS / "glossary.md", *sorted(DOCS.glob("learn/*.md")), *sorted(DOCS.glob("teach/*.md"))]
+PAGES = [
+    DOCS / "index.md",
+    DOCS / "glossary.md",
+    *sorted(DOCS.glob("learn/*.md")),
+    *sorted(DOCS.glob("teach/*.md")),
+    *sorted(DOCS.glob("howto/*.md")),
+]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(DOCS).as_posix())
@@ -26,6 +32,8 @@ def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
         ("```python\na = 2.043\n```\n\n% says: f'{a:.2f} m/s'\nIt slips\nfrom 2.05 m/s on.\n", "2.04 m/s"),
         ("% says: 1 + 1\n% says: 1 + 2\n2 of them.\n\n3 in another paragraph.\n", "1 + 2 is 3"),
         ("```console\n$ hophoop run --v0 3.1 --duration -1\n```\n", "exit status 2"),
+        ("```console\n$ hophoop map --axes plane.mu=0:1:9 \\\n    --out a.zarr\n```\n", "no option --axes"),
+        ("```toml\n[plane]\nfriction = 1.0\n```\n", "plane.friction"),
     ],
 )
 def test_a_wrong_page_is_found(text, fault):
