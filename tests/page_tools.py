@@ -6,6 +6,7 @@ From top to bottom, in one namespace a page:
 - a block ``toml`` is a scenario; one that begins with ``# name.toml`` is there under that name for the commands below it;
 - in a block ``console``, lines ``$ hophoop run …`` and ``$ hophoop theory …`` are run and must end with exit status 0; of other
   commands every option must exist;
+- a block after a comment ``% not run: why`` is left alone, where it needs what no test has;
 - a comment ``% says: expression`` stands for itself in no page; the text that the expression gives must be in the paragraph
   (or table) that follows, so that no number in a sentence is typed by hand and forgotten.
 """
@@ -30,7 +31,11 @@ OPTIONS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
 
 def parts(text: str) -> Iterator[tuple[str, str, str, int]]:
     """Kind, content, paragraph and line of everything on a page that can be checked, in its order."""
-    found = [(match.start(), match[2], match[3], "") for match in FENCE.finditer(text)]
+    found = [
+        (match.start(), match[2], match[3], "")
+        for match in FENCE.finditer(text)
+        if not re.search(r"^% not run: .+\n\Z", text[: match.start()], re.MULTILINE)
+    ]
     for match in SAYS.finditer(text):
         for line in match[1].splitlines():
             found.append((match.start(), "says", line.removeprefix("% says: "), match[2]))
