@@ -8,11 +8,13 @@ import pytest
 
 import hophoop as hh
 from hophoop.fitting import report
+from hophoop.fitting.channels import scatter
 from hophoop.fitting.guess import gathered, rates
 from hophoop.fitting.judging import least_static_friction, runs
-from hophoop.fitting.problem import defaults, problem_of, scatter
+from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.reporting import energies, places_in_film
 from hophoop.fitting.solving import Choice, slopes, soften
+from hophoop.tracking.scatter import third_differences
 from hophoop.tracking.table import track_of
 
 # a fit asks for hundreds of motions
@@ -256,6 +258,10 @@ def test_scatter_from_third_differences():
     assert scatter(t, values) == pytest.approx(0.01, rel=0.1)
     with pytest.raises(ValueError, match="do not scatter: give sigma"):
         scatter(t, t**2)
+    # weights of a third difference are 1/Π(t_i − t_j), with which t³ gives 1; a four with a gap is left out
+    t, cubic = np.array([0.0, 1.0, 3.0, 4.0, 6.0, 7.0]), np.array([0.0, 1.0, 27.0, 64.0, 216.0, np.nan])
+    sizes = np.sqrt([2 / 12**2 + 2 / 6**2, 2 / 30**2 + 2 / 6**2])
+    assert third_differences(t, cubic) == pytest.approx(1 / sizes)
 
 
 def test_energies_from_the_data_are_those_of_the_motion(found):

@@ -9,7 +9,8 @@ import numpy as np
 
 from hophoop.fitting.guess import candidates, guess, start_kind
 from hophoop.fitting.judging import correlations, lacking, least_static_friction, shares
-from hophoop.fitting.problem import PARAMETERS, REFUSED, STARTS, Problem, defaults, problem_of
+from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
+from hophoop.fitting.problem import Problem, defaults, problem_of
 from hophoop.fitting.result import Fit
 from hophoop.fitting.solving import Choice, Solution, at_end, best_of, one_sided, solve
 from hophoop.scenario import Hoop, InputError, Plane

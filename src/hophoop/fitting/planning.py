@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from hophoop.fitting.judging import correlations, least_static_friction
-from hophoop.fitting.problem import PARAMETERS, REFUSED, Problem, defaults, problem_of
+from hophoop.fitting.parameters import PARAMETERS, REFUSED
+from hophoop.fitting.problem import Problem, defaults, problem_of
 from hophoop.fitting.result import rounded
 from hophoop.fitting.solving import Choice, Solution, inverse, slopes, unseen
 from hophoop.scenario import InputError, Scenario

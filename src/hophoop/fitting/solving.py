@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from hophoop._extras import need
 from hophoop.fitting.guess import SPREADS, Candidate, gathered
-from hophoop.fitting.problem import PARAMETERS, Problem
+from hophoop.fitting.parameters import PARAMETERS
+from hophoop.fitting.problem import Problem
 from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
