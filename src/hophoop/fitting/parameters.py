@@ -38,6 +38,23 @@ PARAMETERS: dict[str, Kind] = {
     "marker_angle": Kind("rad", "angle from the load to the marker", -INFINITE, INFINITE, 1e-6),
     "marker_ratio": Kind("1", "distance of the marker from the centre over the radius", 0.01, 1.5, 1e-6),
 }  # fmt: skip
+# Numbers of the scenario that change with a parameter, one by one.
+PATHS: dict[str, tuple[str, ...]] = {
+    "gamma": ("hoop.load_fraction",),
+    "eccentricity": ("hoop.eccentricity",),
+    "inertia_ratio": ("hoop.inertia_ratio",),
+    "mu_kinetic": ("plane.mu_static", "plane.mu_kinetic"),
+    "mu_excess": ("plane.mu_static",),
+    "restitution": ("plane.restitution",),
+    "slope": ("plane.slope",),
+    "x0": ("start.x",),
+    "angle0": ("start.angle",),
+    "speed": ("start.speed",),
+    "height0": ("start.height",),
+    "vx0": ("start.vx",),
+    "vy0": ("start.vy",),
+    "omega0": ("start.omega",),
+}
 # How the first frame may be: which parameters say it.
 STARTS = {
     "rolling": ("x0", "angle0", "speed"),

@@ -42,6 +42,8 @@ class Problem:
         A key of STARTS.
     plane : Plane
         Gravity and the law of impacts.
+    computed : list of int
+        How many motions were computed so far [1].
     """
 
     t: Floats
@@ -52,6 +54,7 @@ class Problem:
     general: bool
     start: str
     plane: Plane = field(default_factory=Plane)
+    computed: list[int] = field(default_factory=lambda: [0])
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -141,7 +144,25 @@ class Problem:
         ValueError
             If there is no such hoop or plane.
         """
+        self.computed[0] += 1
         return simulate(self.scenario(values))
+
+    def moments(self, motion: Trajectory, values: dict[str, float]) -> Floats:
+        """When the centre was seen in every frame, by the clock of a motion.
+
+        Parameters
+        ----------
+        motion : Trajectory
+        values : dict
+            All of `names`.
+
+        Returns
+        -------
+        t : ndarray, shape (n,)
+            [s]
+        """
+        times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
+        return np.clip(times, 0.0, motion.duration)
 
     def places(self, motion: Trajectory, values: dict[str, float]) -> dict[str, Floats]:
         """What the data would be for a motion, in every frame.
@@ -157,8 +178,7 @@ class Problem:
         places : dict of ndarray
             By names of channels [m or rad].
         """
-        times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
-        state = motion.at(np.clip(times, 0.0, motion.duration))
+        state = motion.at(self.moments(motion, values))
         reach = values["marker_ratio"] * self.radius
         marked = state.angle + values["marker_angle"]
         x, y = state.x, state.height + self.radius
