@@ -155,6 +155,7 @@ interface StageOptions {
   speed: boolean;
   whole: boolean;
   three: boolean;
+  ahead: boolean; // the path that is to come, while the hoop is held
 }
 
 interface Point {
