@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 8bbf03efbce55aa433f907e1c73f6fe9 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources fccef9759ced449eec7f8cd31b50f03b */
 var yi={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function rt(o){let t=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
 4,4+s))),n={};for(let{name:a,type:r,shape:l,place:p}of i.arrays){let c=l.reduce((d,u)=>d*u,1);n[a]=new yi[r](e.buffer,e.byteOffset+4+s+p,c)}return{header:i,arrays:n}}var wt=class extends Error{},vi=500;async function is(o,t,e){for(;;)try{return await o()}catch(s){if(!(s instanceof wt))throw s;t(s.message),await new Promise(i=>setTimeout(
