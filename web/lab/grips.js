@@ -21,6 +21,7 @@ const GRIPS = [
 ];
 
 export class Grips {
+  static Pull = Pull;
   /** @type {Pull | null} */
   pull = null;
   /** What the keys hold. @type {Held | null} */

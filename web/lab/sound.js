@@ -50,6 +50,8 @@ function noise(context) {
 }
 
 export class Sound {
+  static heard = heard;
+  static knocks = knocks;
   /** @type {AudioContext | null} */
   context = null;
   on = false;

@@ -95,7 +95,7 @@ export const STEPS = [
     },
     why:
       "Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a " +
-      "rim without mass follows it along the plane. A hoop that hops needs mass in its rim.",
+      "rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim.",
   },
   {
     key: "speed",
@@ -110,7 +110,7 @@ export const STEPS = [
       return {
         truth: speeds,
         text: "With the load at the bottom the centre has {speed} m/s.",
-        values: { speed: show(Math.max(...speeds), 3) },
+        values: { speed: show(Math.max(...speeds), 2) },
       };
     },
     why:

@@ -1,43 +1,43 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources fccef9759ced449eec7f8cd31b50f03b */
-var yi={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function rt(o){let t=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),e=new Uint8Array(t.buffer,
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 4086a689155f017054d04c41e1158b2e */
+var xi={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function rt(o){let t=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
-4,4+s))),n={};for(let{name:a,type:r,shape:l,place:p}of i.arrays){let c=l.reduce((d,u)=>d*u,1);n[a]=new yi[r](e.buffer,e.byteOffset+4+s+p,c)}return{header:i,arrays:n}}var wt=class extends Error{},vi=500;async function is(o,t,e){for(;;)try{return await o()}catch(s){if(!(s instanceof wt))throw s;t(s.message),await new Promise(i=>setTimeout(
-i,vi)),e.throwIfAborted()}}var It=class{constructor(t){this.base=t,this.shares=!0}async call(t,e,s){let i=await fetch(new URL(`lab/${t}`,this.base),{method:"POS\
+4,4+s))),n={};for(let{name:a,type:r,shape:l,place:p}of i.arrays){let c=l.reduce((d,u)=>d*u,1);n[a]=new xi[r](e.buffer,e.byteOffset+4+s+p,c)}return{header:i,arrays:n}}var wt=class extends Error{},ki=500;async function is(o,t,e){for(;;)try{return await o()}catch(s){if(!(s instanceof wt))throw s;t(s.message),await new Promise(i=>setTimeout(
+i,ki)),e.throwIfAborted()}}var Lt=class{constructor(t){this.base=t,this.shares=!0}async call(t,e,s){let i=await fetch(new URL(`lab/${t}`,this.base),{method:"POS\
 T",headers:{"Content-Type":"application/json"},body:JSON.stringify(e),signal:s});if(!i.ok){let n=await i.json().catch(()=>({}));throw new Error(n.detail??`The s\
 erver answered ${i.status}.`)}if(i.status===202)throw new wt((await i.json()).detail);return rt(await i.arrayBuffer())}async file(t,e){let s=await fetch(new URL(
 `api/v1/files/${t}?${e}`,this.base));if(!s.ok)throw new Error((await s.json()).detail);return s.blob()}link(t,e){return`${new URL(t?`?${t}`:"",this.base)}${e}`}},
-xi=2e4,ki=3e5,Lt=class{constructor(t){this.model=t,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).slice(2),this.listen=(e,s)=>this.
+Mi=2e4,Ti=3e5,Rt=class{constructor(t){this.model=t,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).slice(2),this.listen=(e,s)=>this.
 answered(e,s),t.on("msg:custom",this.listen)}answered(t,e){let s=t?.view===this.view&&this.waiting.get(t.number);s&&(clearTimeout(s.timer),this.waiting.delete(t.
 number),t.compiling?s.reject(new wt(t.compiling)):t.error?s.reject(new Error(t.error)):s.resolve(rt(e[0])))}call(t,e,s){let i=++this.number;return new Promise((n,a)=>{
-let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answer; run the cell again."))},t==="file"?ki:xi);this.waiting.set(i,
+let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answer; run the cell again."))},t==="file"?Ti:Mi);this.waiting.set(i,
 {resolve:n,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(i),a(new DOMException("superseded","AbortError"))}),this.model.
 send({view:this.view,number:i,call:t,body:e})})}async file(t,e){let{arrays:s}=await this.call("file",{query:e,name:t});return new Blob([s.content])}link(){return null}close(){
 this.model.off("msg:custom",this.listen)}};var y=(o,t,e)=>Math.min(Math.max(o,t),e);function x(o,t=4){if(o==null)return"–";if(typeof o!="number")return String(o);if(!Number.isFinite(o))return Number.isNaN(
-o)?"–":o>0?"∞":"−∞";if(o===0)return"0";let e=Math.abs(o),s;if(e>=1e6||e<1e-4){let[i,n]=o.toExponential(t-1).split("e");s=`${os(i)}·10${Mi(Number(n))}`}else
+o)?"–":o>0?"∞":"−∞";if(o===0)return"0";let e=Math.abs(o),s;if(e>=1e6||e<1e-4){let[i,n]=o.toExponential(t-1).split("e");s=`${os(i)}·10${Si(Number(n))}`}else
 s=os(o.toPrecision(t)),s.includes("e")&&(s=String(Math.round(o)));return s.replace("-","−")}function os(o){return o.includes(".")&&!o.includes("e")?o.replace(
-/\.?0+$/,""):o}function Mi(o){let t={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(o)].map(e=>t[e]).join(
+/\.?0+$/,""):o}function Si(o){let t={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(o)].map(e=>t[e]).join(
 "")}var O=(o,t)=>t?t==="°"?`${o}°`:`${o} ${t}`:o,$=o=>`${(o*180/Math.PI).toFixed(1)}°`.replace("-","−");function G(o){let t=Math.abs(o),[e,s]=t>=.995?[1,"m"]:
 t>=.00995?[100,"cm"]:[1e3,"mm"];return O(x(o*e,3),s)}function z(o,t){let e=o/Math.max(t,1),s=10**Math.floor(Math.log10(e)),i=e/s;return(i>5?10:i>2?5:i>1?2:1)*s}
 function W(o,t,e){if(!(t>o)||!Number.isFinite(o)||!Number.isFinite(t))return[];let s=z(t-o,e),i=[];for(let n=Math.ceil(o/s-1e-9);n*s<=t+1e-9*s&&i.length<200;n++)
 i.push(n*s);return i}function B(o,t){let e=y(-Math.floor(Math.log10(t)+1e-9),0,15);return Math.max(Math.abs(o),t)>=1e6||e>12?x(o,3):(Math.abs(o)<t*1e-6?0:o).toFixed(
-e).replace("-","−")}var bt=[.05,.1,.25,.5,1,2,4],Rt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+e).replace("-","−")}var bt=[.05,.1,.25,.5,1,2,4],$t=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
 for(let t of this.listeners)t(this)}seek(t){this.time=y(t,0,this.duration),this.changed()}play(t=!this.playing){this.playing=t,this.last=null,t&&this.time>=this.
 duration&&(this.time=0),this.changed()}faster(t){let e=bt.indexOf(this.speed);this.speed=bt[y(e+t,0,bt.length-1)],this.changed()}tick(t){if(!this.playing)return!1;
 let e=this.last===null?0:Math.min(t-this.last,100)/1e3;return this.last=t,this.time+=e*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
 this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};var ns={};var as={};var rs={};var hs={};var ke=new Map;function ht(o){try{return localStorage.getItem(o)??ke.get(o)??null}catch{return ke.get(o)??null}}function lt(o,t){ke.set(o,t);try{localStorage.setItem(
-o,t)}catch{}}var vt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},ps={de:ns,es:as,fr:rs,zh:hs},Pi=new Set(["de","es","fr"]),ds="hophoop-language",_i=4e3,
-Se=/\{(\w+)\}/g,ct="en",us=[],yt=new Map,Me=new Set,$t=()=>ct;function Ee(o){ct=o in vt?o:"en",yt=new Map,Me.clear(),us=Object.keys(ps[ct]??{}).filter(t=>t.includes(
-"{")).map(Li).sort((t,e)=>ls(e.key)-ls(t.key))}function Ii(){let o=ht(ds);return o&&o in vt?o:(navigator.languages??[navigator.language]).map(e=>e.slice(0,2).toLowerCase()).
-find(e=>e in vt)??"en"}function ms(o){lt(ds,o)}var ls=o=>o.replace(Se,"").length;function Li(o){let t=[...o.matchAll(Se)].map(([,s])=>s),e=o.split(/\{\w+\}/).map(
-s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:o,names:t,pattern:new RegExp(`^${e.join("(.+?)")}$`,"su")}}var fs=o=>Pi.has(ct)?o.replace(/(\d)\.(\d)/g,"\
+o,t)}catch{}}var vt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},ps={de:ns,es:as,fr:rs,zh:hs},Ii=new Set(["de","es","fr"]),ds="hophoop-language",Li=4e3,
+Se=/\{(\w+)\}/g,ct="en",us=[],yt=new Map,Me=new Set,zt=()=>ct;function Ee(o){ct=o in vt?o:"en",yt=new Map,Me.clear(),us=Object.keys(ps[ct]??{}).filter(t=>t.includes(
+"{")).map($i).sort((t,e)=>ls(e.key)-ls(t.key))}function Ri(){let o=ht(ds);return o&&o in vt?o:(navigator.languages??[navigator.language]).map(e=>e.slice(0,2).toLowerCase()).
+find(e=>e in vt)??"en"}function ms(o){lt(ds,o)}var ls=o=>o.replace(Se,"").length;function $i(o){let t=[...o.matchAll(Se)].map(([,s])=>s),e=o.split(/\{\w+\}/).map(
+s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:o,names:t,pattern:new RegExp(`^${e.join("(.+?)")}$`,"su")}}var fs=o=>Ii.has(ct)?o.replace(/(\d)\.(\d)/g,"\
 $1,$2"):o;function T(o,t){let e=ps[ct];if(t)return gs(e?.[o]??cs(o),t);if(!e||!/\p{L}/u.test(o))return fs(o);let s=yt.get(o);if(s!==void 0)return s;let i=o.trim(),
-n=e[i]??Ri(i,e)??cs(i),a=o.replace(i,()=>n);return yt.size>_i&&yt.clear(),yt.set(o,a),a}var gs=(o,t)=>o.replace(Se,(e,s)=>T(String(t[s])));function Ri(o,t){for(let{
-key:e,pattern:s,names:i}of us){let n=o.match(s);if(n)return gs(t[e],Object.fromEntries(i.map((a,r)=>[a,n[r+1]])))}return $i(o)}function $i(o){if(o.includes(" → "))
+n=e[i]??zi(i,e)??cs(i),a=o.replace(i,()=>n);return yt.size>Li&&yt.clear(),yt.set(o,a),a}var gs=(o,t)=>o.replace(Se,(e,s)=>T(String(t[s])));function zi(o,t){for(let{
+key:e,pattern:s,names:i}of us){let n=o.match(s);if(n)return gs(t[e],Object.fromEntries(i.map((a,r)=>[a,n[r+1]])))}return Ni(o)}function Ni(o){if(o.includes(" → "))
 return o.split(" → ").map(t=>T(t)).join(" → ")}function cs(o){let t=/\p{L}{3,}/u.test(o)&&!/^[\w.[\]]+\.\w+$/.test(o);return ct!=="en"&&t&&Me.size<200&&Me.add(o),fs(o)}var ws=new WeakMap,Te=new WeakMap;function Ae(o){
 let t=document.createTextNode(T(o));return ws.set(t,o),t}function bs(o,t,e){let s=Te.get(o)??{};s[t]=e,Te.set(o,s),o.setAttribute(t,T(e))}function ys(o){let t=document.
 createTreeWalker(o,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let e=t.nextNode();e;e=t.nextNode()){let s=ws.get(e);s!==void 0&&(e.nodeValue=T(s));let i=Te.
-get(e);for(let[n,a]of Object.entries(i??{}))e.setAttribute(n,T(a))}}Ee(Ii());var zi=new Set(["aria-label","title","placeholder","label"]);function h(o,t={},...e){let s=document.createElement(o),i=s;for(let[n,a]of Object.entries(t))a==null||
-a===!1||(n.startsWith("on")?s.addEventListener(n.slice(2),a):n==="class"?s.className=a:n in s&&n!=="list"&&typeof a!="string"?i[n]=a:zi.has(n)?bs(s,n,String(a)):
+get(e);for(let[n,a]of Object.entries(i??{}))e.setAttribute(n,T(a))}}Ee(Ri());var Ci=new Set(["aria-label","title","placeholder","label"]);function h(o,t={},...e){let s=document.createElement(o),i=s;for(let[n,a]of Object.entries(t))a==null||
+a===!1||(n.startsWith("on")?s.addEventListener(n.slice(2),a):n==="class"?s.className=a:n in s&&n!=="list"&&typeof a!="string"?i[n]=a:Ci.has(n)?bs(s,n,String(a)):
 s.setAttribute(n,a===!0?"":a));for(let n of e.flat())n==null||n===!1||s.append(n.nodeType?n:Ae(String(n)));return s}function H(o,t){t?o.replaceChildren(Ae(t)):o.
 replaceChildren()}var pt=o=>o!==null&&o.getRootNode().activeElement===o,K=o=>o.getContext("2d");function _(o){let t=o.getBoundingClientRect(),e=Math.min(globalThis.
 devicePixelRatio||1,2.5),s=Math.max(Math.round(t.width*e),1),i=Math.max(Math.round(t.height*e),1);(o.width!==s||o.height!==i)&&(o.width=s,o.height=i);let n=K(o);
@@ -45,17 +45,17 @@ return n.setTransform(e,0,0,e,0,0),{context:n,width:s/e,height:i/e}}function Pe(
 nk"),soft:e("--soft"),line:e("--line"),paper:e("--paper"),panel:e("--panel"),ground:e("--ground"),font:e("--font"),dark:e("--dark")==="1"}}function dt(o,t){let e=h(
 "a",{href:URL.createObjectURL(o),download:t});document.body.append(e),e.click(),e.remove(),setTimeout(()=>URL.revokeObjectURL(e.href),1e4)}function V(o,t){let e=0;
 return()=>{clearTimeout(e),e=setTimeout(o,t)}}var vs={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Ni={mass:"mass [kg]",inner_radius:"inner radius [m]",outer_radius:"outer radius [m]",radius:"radius [m\
-]",at:"distance from centre [m]",length:"length [m]"},Ci=(o,t,e)=>({ring:{shape:o,mass:e,inner_radius:.95*t,outer_radius:t},disk:{shape:o,mass:e,radius:.1*t,at:.8*
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Fi={mass:"mass [kg]",inner_radius:"inner radius [m]",outer_radius:"outer radius [m]",radius:"radius [m\
+]",at:"distance from centre [m]",length:"length [m]"},Oi=(o,t,e)=>({ring:{shape:o,mass:e,inner_radius:.95*t,outer_radius:t},disk:{shape:o,mass:e,radius:.1*t,at:.8*
 t},point_mass:{shape:o,mass:e,at:t},rod:{shape:o,mass:e,length:.5*t,at:.5*t}})[o];function xs(o){let t=o["hoop.radius"],e=o["hoop.mass"],s=Math.min(Math.max(o["\
-hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:zt(e*(1-s)),inner_radius:zt(.98*t),outer_radius:t},{shape:"point_mass",mass:zt(e*s),at:t}]}var zt=o=>Number(
-o.toPrecision(6)),Nt=class{parts;text;radius;mass;constructor(t){this.onchange=t,this.list=h("div",{class:"parts"}),this.element=h("div",{},this.list,h("select",
-{"aria-label":"Add a part",onchange:e=>{let s=e.target.value;e.target.value="",s&&this.send([...this.parts,Ci(s,this.radius,zt(.2*this.mass))])}},h("option",{value:""},
+hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Nt(e*(1-s)),inner_radius:Nt(.98*t),outer_radius:t},{shape:"point_mass",mass:Nt(e*s),at:t}]}var Nt=o=>Number(
+o.toPrecision(6)),Ct=class{parts;text;radius;mass;constructor(t){this.onchange=t,this.list=h("div",{class:"parts"}),this.element=h("div",{},this.list,h("select",
+{"aria-label":"Add a part",onchange:e=>{let s=e.target.value;e.target.value="",s&&this.send([...this.parts,Oi(s,this.radius,Nt(.2*this.mass))])}},h("option",{value:""},
 "+ add a part …"),Object.entries(vs).map(([e,{label:s}])=>h("option",{value:e},s))))}send(t){this.onchange([["hoop.parts",t]])}show(t,e,s){let i=JSON.stringify(
 t);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=t;return}Object.assign(this,{text:i,parts:t,radius:e,mass:s}),this.list.
 replaceChildren(...t.map((n,a)=>this.row(n,a)))}row(t,e){let{label:s,keys:i}=vs[t.shape];return h("fieldset",{class:"part"},h("legend",{},s,this.parts.length>1&&
 h("button",{type:"button",class:"quiet","aria-label":`Remove part ${e+1}, ${s}`,onclick:()=>this.send(this.parts.filter((n,a)=>a!==e))},"×")),i.map(n=>h("label",
-{},Ni[n],h("input",{type:"number",step:"any",value:String(t[n]??0),onchange:a=>this.send(this.parts.map((r,l)=>l===e?{...r,[n]:Number(a.target.value)}:r))}))))}};var ks=Math.PI/180,_e=class{constructor(t,e){this.info=t,this.onchange=e;let s=`hh-${t.path}-${Math.random().toString(36).slice(2,7)}`;this.range=h("input",{type:"\
+{},Fi[n],h("input",{type:"number",step:"any",value:String(t[n]??0),onchange:a=>this.send(this.parts.map((r,l)=>l===e?{...r,[n]:Number(a.target.value)}:r))}))))}};var ks=Math.PI/180,_e=class{constructor(t,e){this.info=t,this.onchange=e;let s=`hh-${t.path}-${Math.random().toString(36).slice(2,7)}`;this.range=h("input",{type:"\
 range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:t.logarithmic?"0.01":String(t.step),"data-path":t.path,oninput:()=>this.slid(!1),
 onchange:()=>this.slid(!0)}),this.number=h("input",{type:"number",step:"any",class:"exact","aria-label":`${t.label}, exact value${t.unit?` in ${t.unit}`:""}`,onchange:()=>this.
 typed()}),this.element=h("div",{class:"control",title:t.help},h("label",{for:s},h("span",{},t.label),h("span",{class:"symbol"},t.symbol)),this.range,h("span",{class:"\
@@ -65,11 +65,11 @@ s),this.say(s),this.send(s,t)}typed(){this.number.value.trim()!==""&&this.send(N
 degrees?t*ks:t]],e)}say(t){this.range.setAttribute("aria-valuetext",O(x(t,4),this.info.unit))}show(t,e=null){let s=t!=null,i=s?t:e;if(i==null){this.number.value=
 "";return}let n=i==="inf"?1/0:Number(i)/(this.info.degrees?ks:1),a=Number.isFinite(n)?String(Number(n.toPrecision(9))):"";this.number.value=s?a:"",this.number.placeholder=
 s?Number.isFinite(n)?"":"∞":`auto ${x(n,2)}`,this.number.title=s?O(String(n),this.info.unit):"";let r=this.info.logarithmic?Math.log10(n):n;(!pt(this.range)||
-Math.abs(Number(this.range.value)-r)>1e-6)&&(this.range.value=String(y(r,this.low(),this.high()))),this.say(n)}};function Fi(o,t){let e=h("select",{"data-path":o.
+Math.abs(Number(this.range.value)-r)>1e-6)&&(this.range.value=String(y(r,this.low(),this.high()))),this.say(n)}};function Bi(o,t){let e=h("select",{"data-path":o.
 path,onchange:()=>t([[o.path,e.value]],!0)},o.options.map(([i,n])=>h("option",{value:i},n)));return{element:h("label",{class:"choice",title:o.help},h("span",{},
-o.label),e),select:e,path:o.path}}var Ct=class{way;kind;gravity;apart;derived;film;constructor(t,e){this.onchange=(s,i=!0)=>e(s,i),this.sliders=new Map;for(let s of Object.
-values(t.groups))for(let i of s)this.sliders.set(i.path,new _e(i,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,Fi(s,this.onchange)])),this.parts=
-new Nt(this.onchange),this.gravities=t.gravities,this.element=h("div",{class:"controls"},this.hoop(),this.plane(),this.start(),this.contact())}at(t){let e=this.
+o.label),e),select:e,path:o.path}}var Ft=class{way;kind;gravity;apart;derived;film;constructor(t,e){this.onchange=(s,i=!0)=>e(s,i),this.sliders=new Map;for(let s of Object.
+values(t.groups))for(let i of s)this.sliders.set(i.path,new _e(i,this.onchange));this.choices=new Map(t.choices.map(s=>[s.path,Bi(s,this.onchange)])),this.parts=
+new Ct(this.onchange),this.gravities=t.gravities,this.element=h("div",{class:"controls"},this.hoop(),this.plane(),this.start(),this.contact())}at(t){let e=this.
 sliders.get(t)??this.choices.get(t);if(!e)throw new Error(`There is no control of ${t}.`);return e.element}select(t,e,s){let i=h("select",{onchange:()=>s(i.value)},
 e.map(([n,a])=>h("option",{value:n},a)));return{select:i,element:h("label",{class:"choice"},h("span",{},t),i)}}group(t,...e){let s=t==="Start"||t==="Plane"||!matchMedia(
 "(max-width: 760px)").matches;return h("details",{class:"group",open:s},h("summary",{},t),e)}hoop(){return this.way=this.select("Given by",[["load_fraction","lo\
@@ -96,13 +96,13 @@ f,g]=d.split(".");u.show(s[d]??(g?c[f]?.[g]:c[f]),t.automatic?.[d])}for(let[d,{s
 be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||n.parts?"The radius must stay 1 m,\
  without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in n?"speed"in e?Math.abs(e.speed??3.1)>t+1e-9?t>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Ts=o=>o.events.filter(
-({kind:t})=>t==="takeoff");function Oi(o){return o.events.filter(({kind:t})=>t==="apex").map(({height:t})=>t)}var Ss=(o,t)=>Math.min(Math.round(100*o/t),100),Bi=1.596,
-Di=.37,Wi=.05,Le=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+({kind:t})=>t==="takeoff");function Di(o){return o.events.filter(({kind:t})=>t==="apex").map(({height:t})=>t)}var Ss=(o,t)=>Math.min(Math.round(100*o/t),100),Wi=1.596,
+qi=.37,Hi=.05,Le=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
 ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:o=>{let t=Ms(o,3.1);if(t)return{points:0,text:t};let e=Math.max(
-0,...Oi(o));return e?{points:Ss(e,Bi),text:"It rises by {height}.",values:{height:G(e)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land upright",
+0,...Di(o));return e?{points:Ss(e,Wi),text:"It rises by {height}.",values:{height:G(e)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land upright",
 text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=0.9\
 &plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:o=>{let t=Ts(o)[0],e=o.events.find(({kind:a,t:r})=>a==="impact"&&t&&r>t.t);if(!t||!e)return{
-points:0,text:"It does not hop."};let s=o.events.find(({kind:a,t:r})=>a==="apex"&&r>t.t);if(!s||s.height<Wi)return{points:0,text:"The first hop is too low."};let i=Math.
+points:0,text:"It does not hop."};let s=o.events.find(({kind:a,t:r})=>a==="apex"&&r>t.t);if(!s||s.height<Hi)return{points:0,text:"The first hop is too low."};let i=Math.
 abs(e.angle-2*Math.PI*Math.round(e.angle/(2*Math.PI)))/Ie,n=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(n,100),text:"It lands {off} away \
 from the top.",values:{off:$(i*Ie)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
@@ -110,8 +110,8 @@ t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589
 abs(Math.abs(o.scenario.start.angle??0)-Math.PI)>.5*Ie)return{points:0,text:"The load must start at the bottom."};if(o.values["plane.mu_kinetic"]>1.5||o.values["\
 plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let e=Ts(o)[0];if(!e)return{points:0,text:"It does not hop."};let s=o.phases.filter(
 ({from:n})=>n<e.t);if(s.some(({mode:n})=>n==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let i=o.events.find(({kind:n,t:a})=>n==="apex"&&a>e.t);return i?{points:Ss(i.height,Di),text:"It rises by {height}.",values:{height:G(i.height)}}:{points:0,
-text:"It does not hop."}}}],Re=o=>o>=95?3:o>=75?2:o>=40?1:0;var Es="hophoop-best-",qi=o=>"★".repeat(Re(o))+"☆".repeat(3-Re(o)),Ft=class{goal=null;constructor(t){this.lab=t,this.tabs=new Map(Le.map(e=>[e.key,h("button",
+ng."};let i=o.events.find(({kind:n,t:a})=>n==="apex"&&a>e.t);return i?{points:Ss(i.height,qi),text:"It rises by {height}.",values:{height:G(i.height)}}:{points:0,
+text:"It does not hop."}}}],Re=o=>o>=95?3:o>=75?2:o>=40?1:0;var Es="hophoop-best-",Ui=o=>"★".repeat(Re(o))+"☆".repeat(3-Re(o)),Ot=class{goal=null;constructor(t){this.lab=t,this.tabs=new Map(Le.map(e=>[e.key,h("button",
 {type:"button","aria-pressed":"false",onclick:()=>this.choose(e)},e.title)])),this.text=h("p",{}),this.meter=h("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
 100","aria-label":"Score"}),this.result=h("p",{class:"challenge-result",role:"status"}),this.kept=h("p",{class:"hint"}),this.element=h("section",{class:"challen\
 ges card","aria-label":"Challenges",hidden:!0},h("header",{},h("h2",{},"Challenges"),h("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
@@ -121,90 +121,90 @@ goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden
 this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(t){this.goal=t;for(let[e,s]of this.tabs)s.setAttribute(
 "aria-pressed",String(e===t.key));H(this.text,t.text),this.changed()}async load(t){let{lab:e}=this;try{let s=await e.backend.call("film",{query:t});e.clock.play(
 !1),e.clock.time=0,e.motions.replace(s)}catch(s){e.notice.fail(s)}}changed(){let{goal:t,lab:e}=this;if(!t)return;let{points:s,text:i,values:n={}}=t.score(e.film());
-this.meter.value=s;let a=T("{stars} {points} points. {what}",{stars:qi(s),points:s,what:T(i,n)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-ht(Es+t.key)??0);s>r&&!e.stage.options.ahead&&lt(Es+t.key,String(s)),H(this.kept,T("Your best: {points} points.",{points:Math.max(r,e.stage.options.ahead?0:s)}))}};var As=.09,Hi=.03,$e=Math.PI/180,Ot=Math.PI/4,Ps=2*Math.PI,xt=o=>o-Ps*Math.round(o/Ps);function Dt(o,t){let e=o.at(t),s=t===0;return{angle:xt(e.angle),height:Math.
+this.meter.value=s;let a=T("{stars} {points} points. {what}",{stars:Ui(s),points:s,what:T(i,n)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
+ht(Es+t.key)??0);s>r&&!e.stage.options.ahead&&lt(Es+t.key,String(s)),H(this.kept,T("Your best: {points} points.",{points:Math.max(r,e.stage.options.ahead?0:s)}))}};var As=.09,ji=.03,$e=Math.PI/180,Bt=Math.PI/4,Ps=2*Math.PI,xt=o=>o-Ps*Math.round(o/Ps);function Dt(o,t){let e=o.at(t),s=t===0;return{angle:xt(e.angle),height:Math.
 max(e.height,0),vx:s?e.vx:0,vy:s?e.vy:0,omega:s?e.omega:0,slope:o.slope}}var _s=o=>2*Math.sqrt(Math.max(o.gravity,1)*o.radius),J=o=>Number(o.toFixed(4))+0;function Is(o,t,e){
 if(o==="plane")return[["plane.slope",J(t.slope)]];if(t.height>0)return[["start.angle",J(t.angle)],["start.height",J(t.height)],["start.vx",J(t.vx)],["start.vy",
-J(t.vy)],["start.omega",J(t.omega)]];let s=o==="load"?t.omega*e.radius:t.vx;return[["start.angle",J(t.angle)],["start.speed",J(s)]]}var Bt=class{constructor(t,e,s,i,n){
+J(t.vy)],["start.omega",J(t.omega)]];let s=o==="load"?t.omega*e.radius:t.vx;return[["start.angle",J(t.angle)],["start.speed",J(s)]]}var kt=class{constructor(t,e,s,i,n){
 this.grip=t,this.film=e,this.view=i,this.before=Dt(e,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=e.at(s);this.center=[a.x,e.radius+a.height],this.foot=
 i.point(a.x,0),this.from=this.read(n),this.turned=0,this.trail=[],this.moved=0}read(t){let[e,s]=this.view.unpoint(t.clientX,t.clientY),i=this.grip==="plane"?Math.
 atan2(t.clientY-this.foot[1],t.clientX-this.foot[0]):Math.atan2(e-this.center[0],s-this.center[1]);return{x:t.clientX,y:t.clientY,along:e,away:s,turn:i}}move(t,e){
-let s=this.read(t),{radius:i}=this.film;if(this.turned+=xt(s.turn-this.from.turn-this.turned),this.grip==="plane"){let n=y(this.before.slope+this.turned,-Ot,Ot);
+let s=this.read(t),{radius:i}=this.film;if(this.turned+=xt(s.turn-this.from.turn-this.turned),this.grip==="plane"){let n=y(this.before.slope+this.turned,-Bt,Bt);
 this.held.slope=Math.abs(n)<$e?0:n}else if(this.grip==="load")this.held.angle=xt(this.before.angle+this.turned);else{let n=this.before.height+s.away-this.from.away;
-this.held.height=n<Hi*i?0:n;let a=s.along-this.from.along;this.held.angle=xt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=s.x-this.from.x}for(this.trail.
+this.held.height=n<ji*i?0:n;let a=s.along-this.from.along;this.held.angle=xt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=s.x-this.from.x}for(this.trail.
 push({t:e/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<e/1e3-As;)this.trail.shift();return this.held}release(t){let{held:e,
 trail:s,film:i}=this,n=s.at(-1),a=s[0],r=n&&a?n.t-a.t:0,l=!n||r<.012||t/1e3-n.t>As,p=_s(i);return l||this.grip==="plane"||(this.grip==="load"?e.omega=y((n.turned-
 a.turned)/r,-p/i.radius,p/i.radius):(e.vx=y((n.along-a.along)/r,-p,p),e.vy=e.height>0?y((n.away-a.away)/r,-p,p):0)),e}};function Ls(o,t,e,s,i){let n={ArrowLeft:-1,
 ArrowRight:1}[t]??0,a={ArrowDown:-1,ArrowUp:1}[t]??0;if(!n&&!a)return null;let r=e?.2:1;if(o==="load"){let d=xt(s.angle+(n||a)*5*$e*r);return{...s,angle:d}}if(o===
-"plane"){let d=y(s.slope+(n||-a)*$e*r,-Ot,Ot);return{...s,slope:Math.abs(d)<1e-9?0:d}}let l=_s(i),p=y(s.height+a*.05*r*i.radius,0,4*i.radius),c=y(s.vx+n*.1*r,-l,
+"plane"){let d=y(s.slope+(n||-a)*$e*r,-Bt,Bt);return{...s,slope:Math.abs(d)<1e-9?0:d}}let l=_s(i),p=y(s.height+a*.05*r*i.radius,0,4*i.radius),c=y(s.vx+n*.1*r,-l,
 l);return{...s,height:p<1e-9?0:p,vx:c}}function I(o,t,e,s=()=>{}){let i=new AbortController,{signal:n}=i,a=(l,p)=>o.addEventListener(l,c=>c.pointerId===t.pointerId&&p(c),{signal:n}),r=l=>p=>{i.abort(),
 s(p,l)};o.setPointerCapture(t.pointerId),a("pointermove",e),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Wt(o,t){let e=new Map,s=null,i=()=>{let[a,r]=[
 ...e.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};o.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(e.set(a.pointerId,a),s=e.size===2?i():null)}),o.addEventListener("pointermove",a=>{if(!e.has(a.pointerId)||
 (e.set(a.pointerId,a),e.size!==2||!s))return;let r=i();t(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])o.addEventListener(a,r=>{e.delete(r.pointerId),
-s=null});let n=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return o.addEventListener("touchmove",n,{passive:!1}),()=>e.size>1}var Ui=700,ze=44,ji=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],qt=class{pull=null;held=null;before=null;constructor(t){this.lab=t,this.places=
-new Map(ji.map(([e,s,i])=>[e,this.place(e,s,i)])),this.tip=h("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=h("div",{class:"grips",role:"\
-group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),t.stage.element.before(this.element),this.settle=V(()=>this.chosen(!1),Ui)}place(t,e,s){
-return h("div",{class:`grip grip-${t}`,role:"slider",tabindex:"0","aria-label":e,"aria-valuenow":"0",title:s,onpointerdown:i=>this.take(t,i),onkeydown:i=>this.key(
-t,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:t}=this,e=this.view(),s=!!e&&!t.stage.
-options.three;if(this.element.hidden=!s,!s)return;this.element.classList.toggle("running",t.clock.playing);let{pose:i,film:n,scale:a}=e,r=n.radius,l=e.point(i.x,
-r+i.height),p=e.point(i.x+r*Math.sin(i.angle),r+i.height+r*Math.cos(i.angle)),c=this.onPlane(e),d=y(1.1*r*a,ze,190),u=[["plane",c,ze],["hoop",l,d],["load",p,ze]];
-for(let[f,[g,b],w]of u){let m=this.places.get(f);m.style.transform=`translate(${g-w/2}px, ${e.top+b-w/2}px)`,m.style.width=m.style.height=`${w}px`,m.hidden=g<0||
-b<0||g>e.width||b>e.height}t.clock.playing||this.tell(n)}onPlane(t){let e=t.point(t.pose.x,0),i=(Math.min(e[0]+Math.max(1.9*t.film.radius*t.scale,90),t.width-30)-
-e[0])/(t.scale*Math.max(t.cosine,.2));return t.point(t.pose.x+i,0)}tell(t){let e=this.pull?.held??this.held??Dt(t,this.lab.clock.time),s={load:$(e.angle),hoop:T(
-"gap {height}, speed {speed} m/s",{height:G(e.height),speed:x(e.vx,3)}),plane:$(e.slope)},i={load:e.angle*(180/Math.PI),hoop:e.height,plane:e.slope*(180/Math.PI)},
-n={load:[-180,180],hoop:[0,4*t.radius],plane:[-45,45]};for(let[a,r]of this.places)r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),
-r.setAttribute("aria-valuenow",String(Number(i[a].toPrecision(4)))),r.setAttribute("aria-valuemin",String(n[a][0])),r.setAttribute("aria-valuemax",String(Number(
-n[a][1].toPrecision(4)))))}take(t,e){if(e.button>0||this.pull)return;e.preventDefault();let{lab:s}=this,i=this.places.get(t);i.focus({preventScroll:!0}),this.hold();
-let n=this.view(),a=s.stage.element.getBoundingClientRect(),r=d=>({clientX:d.clientX-a.left,clientY:d.clientY-a.top-n.top}),l=new Bt(t,s.film(),s.clock.time,n,r(
-e)),p=!1,c=[...s.stage.flat.shift];this.pull=l,s.stage.flat.fixed=n.scale,i.classList.add("held"),I(i,e,d=>{!p&&Math.hypot(d.clientX-e.clientX,d.clientY-e.clientY)<
-3||(p||this.begin(),p=!0,l.move(r(d),d.timeStamp),s.stage.flat.shift=[c[0]+l.moved,c[1]],this.change(t,l.held,!1),this.show(t,l.held))},(d,u)=>{if(i.classList.remove(
-"held"),this.pull=null,s.stage.flat.fixed=null,!p){this.before=null;return}u?(this.change(t,l.release(d.timeStamp),!0),this.end(!0)):this.back(),this.comeBack(c)})}key(t,e){
-if(e.ctrlKey||e.metaKey||e.altKey)return;let{lab:s}=this;if(e.key==="Escape"&&(this.held||this.pull))this.back();else if(e.key==="Enter")this.chosen(!0);else{this.
-held??=Dt(s.film(),s.clock.time);let i=Ls(t,e.key,e.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.hold(),this.begin()),this.held=i,this.change(
-t==="load"?"hoop":t,i,!1),this.show(t,i),this.settle()}e.preventDefault(),e.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){
-let{lab:t}=this;t.stage.options.ahead=!0,t.clock.seek(0),t.root.classList.add("holding")}change(t,e,s){this.lab.motions.change(Is(t,e,this.lab.film()),s)}show(t,e){
-let s={load:`θ = ${$(e.angle)}`,hoop:e.height>0?`y = ${G(e.height)}`:`θ = ${$(e.angle)}`,plane:`β = ${$(e.slope)}`};H(this.tip,e.vx&&this.held?`${s[t]}, v = ${x(
-e.vx,3)} m/s`:s[t]),this.tip.hidden=!1}chosen(t){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(t)}end(t){let{lab:e}=this;this.held=null,
-this.before=null,this.tip.hidden=!0,e.stage.options.ahead=!1,e.root.classList.remove("holding"),t&&e.clock.seek(0),t&&!matchMedia("(prefers-reduced-motion: redu\
-ce)").matches&&e.clock.play(!0),e.request()}async back(){let{lab:t,before:e}=this;if(this.end(!1),e===null)return;let s=t.motions.lanes[t.motions.active];for(s.
-pending=null;s.busy;)await new Promise(i=>requestAnimationFrame(i));try{t.motions.replace(await t.backend.call("film",{query:e}))}catch(i){t.notice.fail(i)}}comeBack(t){
-let{flat:e}=this.lab.stage,s=matchMedia("(prefers-reduced-motion: reduce)").matches,i=()=>{if(this.pull)return;let n=e.shift[0]-t[0];e.shift=Math.abs(n)<1||s?[...t]:
-[t[0]+.82*n,t[1]],this.lab.request(),e.shift[0]!==t[0]&&requestAnimationFrame(i)};i()}};var Yi={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+s=null});let n=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return o.addEventListener("touchmove",n,{passive:!1}),()=>e.size>1}var Yi=700,ze=44,Xi=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],qt=class{static Pull=kt;pull=null;held=null;before=null;constructor(t){this.
+lab=t,this.places=new Map(Xi.map(([e,s,i])=>[e,this.place(e,s,i)])),this.tip=h("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=h("div",
+{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),t.stage.element.before(this.element),this.settle=V(()=>this.
+chosen(!1),Yi)}place(t,e,s){return h("div",{class:`grip grip-${t}`,role:"slider",tabindex:"0","aria-label":e,"aria-valuenow":"0",title:s,onpointerdown:i=>this.take(
+t,i),onkeydown:i=>this.key(t,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:t}=this,
+e=this.view(),s=!!e&&!t.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.toggle("running",t.clock.playing);let{pose:i,film:n,scale:a}=e,
+r=n.radius,l=e.point(i.x,r+i.height),p=e.point(i.x+r*Math.sin(i.angle),r+i.height+r*Math.cos(i.angle)),c=this.onPlane(e),d=y(1.1*r*a,ze,190),u=[["plane",c,ze],[
+"hoop",l,d],["load",p,ze]];for(let[f,[g,b],w]of u){let m=this.places.get(f);m.style.transform=`translate(${g-w/2}px, ${e.top+b-w/2}px)`,m.style.width=m.style.height=
+`${w}px`,m.hidden=g<0||b<0||g>e.width||b>e.height}t.clock.playing||this.tell(n)}onPlane(t){let e=t.point(t.pose.x,0),i=(Math.min(e[0]+Math.max(1.9*t.film.radius*
+t.scale,90),t.width-30)-e[0])/(t.scale*Math.max(t.cosine,.2));return t.point(t.pose.x+i,0)}tell(t){let e=this.pull?.held??this.held??Dt(t,this.lab.clock.time),s={
+load:$(e.angle),hoop:T("gap {height}, speed {speed} m/s",{height:G(e.height),speed:x(e.vx,3)}),plane:$(e.slope)},i={load:e.angle*(180/Math.PI),hoop:e.height,plane:e.
+slope*(180/Math.PI)},n={load:[-180,180],hoop:[0,4*t.radius],plane:[-45,45]};for(let[a,r]of this.places)r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute(
+"aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(i[a].toPrecision(4)))),r.setAttribute("aria-valuemin",String(n[a][0])),r.setAttribute("aria-\
+valuemax",String(Number(n[a][1].toPrecision(4)))))}take(t,e){if(e.button>0||this.pull)return;e.preventDefault();let{lab:s}=this,i=this.places.get(t);i.focus({preventScroll:!0}),
+this.hold();let n=this.view(),a=s.stage.element.getBoundingClientRect(),r=d=>({clientX:d.clientX-a.left,clientY:d.clientY-a.top-n.top}),l=new kt(t,s.film(),s.clock.
+time,n,r(e)),p=!1,c=[...s.stage.flat.shift];this.pull=l,s.stage.flat.fixed=n.scale,i.classList.add("held"),I(i,e,d=>{!p&&Math.hypot(d.clientX-e.clientX,d.clientY-
+e.clientY)<3||(p||this.begin(),p=!0,l.move(r(d),d.timeStamp),s.stage.flat.shift=[c[0]+l.moved,c[1]],this.change(t,l.held,!1),this.show(t,l.held))},(d,u)=>{if(i.
+classList.remove("held"),this.pull=null,s.stage.flat.fixed=null,!p){this.before=null;return}u?(this.change(t,l.release(d.timeStamp),!0),this.end(!0)):this.back(),
+this.comeBack(c)})}key(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return;let{lab:s}=this;if(e.key==="Escape"&&(this.held||this.pull))this.back();else if(e.key==="En\
+ter")this.chosen(!0);else{this.held??=Dt(s.film(),s.clock.time);let i=Ls(t,e.key,e.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.hold(),this.
+begin()),this.held=i,this.change(t==="load"?"hoop":t,i,!1),this.show(t,i),this.settle()}e.preventDefault(),e.stopPropagation()}hold(){this.lab.clock.play(!1),this.
+before=this.lab.film().query}begin(){let{lab:t}=this;t.stage.options.ahead=!0,t.clock.seek(0),t.root.classList.add("holding")}change(t,e,s){this.lab.motions.change(
+Is(t,e,this.lab.film()),s)}show(t,e){let s={load:`θ = ${$(e.angle)}`,hoop:e.height>0?`y = ${G(e.height)}`:`θ = ${$(e.angle)}`,plane:`β = ${$(e.slope)}`};H(this.
+tip,e.vx&&this.held?`${s[t]}, v = ${x(e.vx,3)} m/s`:s[t]),this.tip.hidden=!1}chosen(t){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(t)}end(t){
+let{lab:e}=this;this.held=null,this.before=null,this.tip.hidden=!0,e.stage.options.ahead=!1,e.root.classList.remove("holding"),t&&e.clock.seek(0),t&&!matchMedia(
+"(prefers-reduced-motion: reduce)").matches&&e.clock.play(!0),e.request()}async back(){let{lab:t,before:e}=this;if(this.end(!1),e===null)return;let s=t.motions.
+lanes[t.motions.active];for(s.pending=null;s.busy;)await new Promise(i=>requestAnimationFrame(i));try{t.motions.replace(await t.backend.call("film",{query:e}))}catch(i){
+t.notice.fail(i)}}comeBack(t){let{flat:e}=this.lab.stage,s=matchMedia("(prefers-reduced-motion: reduce)").matches,i=()=>{if(this.pull)return;let n=e.shift[0]-t[0];
+e.shift=Math.abs(n)<1||s?[...t]:[t[0]+.82*n,t[1]],this.lab.request(),e.shift[0]!==t[0]&&requestAnimationFrame(i)};i()}};var Gi={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function L(o){let t="\
 http://www.w3.org/2000/svg",e=document.createElementNS(t,"svg");e.setAttribute("viewBox","0 0 17 17"),e.setAttribute("aria-hidden","true"),e.setAttribute("class",
-"icon");let s=document.createElementNS(t,"path");return s.setAttribute("d",Yi[o]),e.append(s),e}var Ht=class{constructor(t){this.lab=t,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+"icon");let s=document.createElementNS(t,"path");return s.setAttribute("d",Gi[o]),e.append(s),e}var Ht=class{constructor(t){this.lab=t,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(t=!this.on){let{root:e}=this.lab;if(this.on=t,e.classList.toggle("presenting",t),this.onchange(),this.lab.
 show(),!t){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await e.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Rs=.22,$s=.03;function Xi(o,t){let e=o.at(t),s=o.mass*(o.gravity||9.81),i=e.mode==="H"||!(e.normal_force>0)?0:e.normal_force/s,n=i/(1+i),a=e.mode==="S"||e.mode===
-"K",r=Math.abs(e.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:n,pitch:55*(1+Math.min(i,8))**.5,hiss:a?n*y(.15+r,0,1):0}}function Gi(o,t,e){let s=Math.
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Rs=.22,$s=.03;function zs(o,t){let e=o.at(t),s=o.mass*(o.gravity||9.81),i=e.mode==="H"||!(e.normal_force>0)?0:e.normal_force/s,n=i/(1+i),a=e.mode==="S"||e.mode===
+"K",r=Math.abs(e.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:n,pitch:55*(1+Math.min(i,8))**.5,hiss:a?n*y(.15+r,0,1):0}}function Ns(o,t,e){let s=Math.
 sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:i,t:n,before:a})=>i==="impact"&&a&&n>t&&n<=e).map(({before:i})=>y(Math.abs(i.vy)/s,.02,1))}function Ki(o){
-let t=o.createBuffer(1,o.sampleRate,o.sampleRate),e=t.getChannelData(0),s=1;for(let i=0;i<e.length;i++)s=s*16807%2147483647,e[i]=2*s/2147483647-1;return t}var Ut=class{context=null;on=!1;last=0;start(){
+let t=o.createBuffer(1,o.sampleRate,o.sampleRate),e=t.getChannelData(0),s=1;for(let i=0;i<e.length;i++)s=s*16807%2147483647,e[i]=2*s/2147483647-1;return t}var Ut=class{static heard=zs;static knocks=Ns;context=null;on=!1;last=0;start(){
 let t=new AudioContext,e=t.createOscillator();e.type="triangle";let s=t.createBufferSource();s.buffer=Ki(t),s.loop=!0;let i=t.createBiquadFilter();i.type="bandp\
 ass",i.frequency.value=1800,i.Q.value=.6;let[n,a]=[t.createGain(),t.createGain()];n.gain.value=a.gain.value=0,e.connect(n).connect(t.destination),s.connect(i).connect(
 a).connect(t.destination),e.start(),s.start(),this.context=t,Object.assign(this,{tone:e,low:n,high:a})}turn(t){this.on=t,t&&!this.context&&this.start(),t?this.context?.
 resume():this.context&&(this.set("low",0),this.set("high",0))}set(t,e){let{gain:s}=this[t];s.setTargetAtTime(Rs*e,this.context.currentTime,$s)}follow(t,e){if(!this.
-on||!this.context)return;if(!e.playing){this.set("low",0),this.set("high",0),this.last=e.time;return}let{tone:s,pitch:i,hiss:n}=Xi(t,e.time);if(this.set("low",s),
-this.set("high",.6*n),this.tone.frequency.setTargetAtTime(i,this.context.currentTime,$s),e.time>this.last)for(let a of Gi(t,this.last,e.time))this.knock(a);this.
+on||!this.context)return;if(!e.playing){this.set("low",0),this.set("high",0),this.last=e.time;return}let{tone:s,pitch:i,hiss:n}=zs(t,e.time);if(this.set("low",s),
+this.set("high",.6*n),this.tone.frequency.setTargetAtTime(i,this.context.currentTime,$s),e.time>this.last)for(let a of Ns(t,this.last,e.time))this.knock(a);this.
 last=e.time}knock(t){let e=this.context,s=e.currentTime,i=e.createGain();i.gain.setValueAtTime(2.2*Rs*Math.sqrt(t),s),i.gain.exponentialRampToValueAtTime(1e-4,s+
 .18);let n=e.createOscillator();n.frequency.setValueAtTime(190,s),n.frequency.exponentialRampToValueAtTime(60,s+.15),n.connect(i).connect(e.destination),n.start(
-s),n.stop(s+.2)}close(){this.context?.close()}};var Ne=Math.PI/180,N=o=>t=>t.columns[o],kt=(o,t)=>e=>e.derived(o,s=>Float64Array.from(e.t,(i,n)=>t(s,n,e))),R={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:kt("degrees",({angle:o},t)=>o[t]/Ne)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:kt(
+s),n.stop(s+.2)}close(){this.context?.close()}};var Ne=Math.PI/180,N=o=>t=>t.columns[o],Mt=(o,t)=>e=>e.derived(o,s=>Float64Array.from(e.t,(i,n)=>t(s,n,e))),R={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:Mt("degrees",({angle:o},t)=>o[t]/Ne)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Mt(
 "within",({angle:o},t)=>{let e=s=>Math.floor(o[s]/Ne/360);return t>0&&e(t)!==e(t-1)?Number.NaN:o[t]/Ne-360*e(t)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:N("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:N("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:kt(
+m",values:N("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:N("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:Mt(
 "rise",({height:o,angle:t},e,s)=>s.radius*(1+s.eccentricity*Math.cos(t[e]))+o[e])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:N("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:kt("spin",({omega:o},t,e)=>o[t]*e.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:N(
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:Mt("spin",({omega:o},t,e)=>o[t]*e.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:N(
 "vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:N("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:N("omega")},normal_force:{
 name:"normal force",symbol:"N",unit:"N",values:N("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:N("friction_force")},utilization:{
 name:"use of friction",symbol:"|F|/μN",unit:"",values:N("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:N("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:N("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:kt("total",({kinetic:o,potential:t},e)=>o[e]+
+potential energy",symbol:"E_p",unit:"J",values:N("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Mt("total",({kinetic:o,potential:t},e)=>o[e]+
 t[e])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:N("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:N("normal_loss")}},zs=({name:o,symbol:t})=>`${o} ${t}`;var Vi=["time","angle","x","vx","spin","normal_force","friction_force"],Ji=[1,.5,.2,.1,.05,.02,.01],Ce=601;function Ns(o,t,e){let s=Math.min(Math.floor(o.duration/
+J",values:N("normal_loss")}},Cs=({name:o,symbol:t})=>`${o} ${t}`;var Vi=["time","angle","x","vx","spin","normal_force","friction_force"],Ji=[1,.5,.2,.1,.05,.02,.01],Ce=601;function Fs(o,t,e){let s=Math.min(Math.floor(o.duration/
 e+1e-9)+1,Ce),i=[];for(let n=0;n<s;n++){let a=Number((n*e).toPrecision(12));i.push({time:a,mode:o.at(a).mode,values:t.map(r=>Qi(o,r,a))})}return i}function Qi(o,t,e){
 if(t==="time")return e;let s=o.at(e);if(t in s&&t!=="angle")return s[t];let i=s.angle*180/Math.PI;if(t==="angle")return i;if(t==="turns")return i-360*Math.floor(
 i/360);let n=R[t].values(o),a=o.index(e),r=Math.min(a+1,o.length-1),l=o.t[r]>o.t[a]?(e-o.t[a])/(o.t[r]-o.t[a]):0;return n[a]+l*(n[r]-n[a])}var jt=class{film;rows=[];now;constructor(t){
@@ -217,18 +217,18 @@ table-step"},h("span",{},"Every"),this.step),h("button",{type:"button",onclick:(
 let i=new Set(this.columns);s.checked?i.add(t):i.delete(t),this.columns=Object.keys(R).filter(n=>i.has(n)),this.fill()}});return h("label",{},s,h("span",{},e))}open(t){
 this.element.hidden=!t,t&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(t){this.
 element.hidden||(this.film=t,this.fill())}fill(){let{film:t,columns:e}=this,s=Number(this.step.value),i=this.lab.theme.colors.mode_names,n=e.map(l=>R[l]);this.head.
-replaceChildren(h("tr",{},n.map(({name:l,symbol:p,unit:c})=>h("th",{scope:"col",title:l},p,c&&h("small",{},` ${c}`))),h("th",{scope:"col"},"mode")));let a=Ns(t,
+replaceChildren(h("tr",{},n.map(({name:l,symbol:p,unit:c})=>h("th",{scope:"col",title:l},p,c&&h("small",{},` ${c}`))),h("th",{scope:"col"},"mode")));let a=Fs(t,
 e,s);this.rows=a.map(({time:l,mode:p,values:c})=>({time:l,row:h("tr",{onclick:()=>this.lab.clock.seek(l)},c.map((d,u)=>u===0?h("th",{scope:"row"},x(d,4)):h("td",
 {},x(d,4))),h("td",{class:"table-mode"},i[p]))})),this.body.replaceChildren(...this.rows.map(({row:l})=>l));let r=t.duration/s+1<=Ce+1e-6;H(this.caption,r?t.summary:
 `${t.summary} ${T("The first {count} rows.",{count:Ce})}`),this.cursor(this.lab.clock.time)}cursor(t){if(this.element.hidden||!this.rows.length)return;let e=Number(
 this.step.value),s=this.rows[Math.min(Math.round(t/e),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("now"),this.now=
-s)}save(){let{film:t,columns:e}=this,s=[...e.map(n=>`${R[n].name} [${R[n].unit||"1"}]`),"mode"],i=Ns(t,e,Number(this.step.value)).map(({mode:n,values:a})=>[...a,
+s)}save(){let{film:t,columns:e}=this,s=[...e.map(n=>`${R[n].name} [${R[n].unit||"1"}]`),"mode"],i=Fs(t,e,Number(this.step.value)).map(({mode:n,values:a})=>[...a,
 n].join(","));dt(new Blob([[s.join(","),...i,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var Cs="hoop.radius=0.4&duration=1.5&start.speed=",Zi=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var Os="hoop.radius=0.4&duration=1.5&start.speed=",Zi=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${Cs}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+ worksheet; results on the board.",`${Os}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
 ["42","One sentence each: “The hoop hops because …”",null]],to=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
@@ -238,7 +238,7 @@ nly the smallest push and rolls. How much potential energy has been set free whe
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],so=["1.0","1.3","1.6","1.9","2.2","2.3"],io=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Fs(o,t){
+rim slips. Why does slipping help it to hop?"],so=["1.0","1.3","1.6","1.9","2.2","2.3"],io=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function Bs(o,t){
 let e=c=>{p.close(),o(c)},s=(c,d="Show")=>h("button",{type:"button",class:"link",onclick:()=>e(c)},d),i=io(),n=i&&[["teach/index.html","Teaching with the hoop"],
 ["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=h("table",{},h("caption",{},"A lesson of 45 mi\
 nutes"),h("thead",{},h("tr",{},["Minute","What happens","Motion"].map(c=>h("th",{scope:"col"},c)))),h("tbody",{},Zi.map(([c,d,u])=>h("tr",{},h("th",{scope:"row"},
@@ -247,7 +247,7 @@ c),h("td",{},d),h("td",{},u===null?"":s(u)))))),r=h("table",{},h("caption",{},"W
 hops"),h("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
 e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),h("ol",{},eo.map(c=>h("li",{},c,h("div",{class:"answer-line"})))),h("table",{class:"sheet-\
 table"},h("thead",{},h("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(c=>h("th",{scope:"col"},c)))),h("tbody",{},so.map(c=>h("tr",{},h("th",
-{scope:"row"},s(`${Cs}${Number(c)}`,c)),h("td",{}),h("td",{}),h("td",{})))))),p=h("dialog",{class:"teach","aria-label":"For teachers"},h("header",{},h("h2",{},"\
+{scope:"row"},s(`${Os}${Number(c)}`,c)),h("td",{}),h("td",{}),h("td",{})))))),p=h("dialog",{class:"teach","aria-label":"For teachers"},h("header",{},h("h2",{},"\
 For teachers"),h("button",{type:"button",onclick:()=>print()},"Print"),h("button",{type:"button",class:"close",onclick:()=>p.close()},"Close")),h("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",h("button",{type:"button",class:"link",onclick:()=>{p.close(),
 t()}},"Start the visit")),n&&h("p",{},n.map(([c,d])=>h("a",{class:"teach-page",href:new URL(c,new URL(i,document.baseURI)).href},d))),a,r,l);return p}var Fe="RSKHM",oo=new Set(["x","angle","height"]),no={x:"vx",angle:"omega",height:"vy"},Q=class{constructor(t){let{header:e}=t;this.scenario=e.scenario,this.query=
@@ -263,45 +263,45 @@ t[i]<=t?e=i:s=i}return e}at(t){let e=y(t,0,this.duration),s=this.index(e),i=Math
 columns.mode[s]]};for(let[l,p]of Object.entries(this.columns)){if(l==="t"||l==="mode")continue;let c=p[s],d=p[i];if(a===0||!Number.isFinite(d))r[l]=c;else if(oo.
 has(l)){let u=this.columns[no[l]];r[l]=ao(c,d,u[s]*n,u[i]*n,a)}else r[l]=c+(d-c)*a}return r}derived(t,e){let s=this.cache.get(t)??e(this.columns);return this.cache.
 set(t,s),s}};function ao(o,t,e,s,i){if(!Number.isFinite(e)||!Number.isFinite(s))return o+(t-o)*i;let n=1-i;return n*n*(1+2*i)*o+i*i*(3-2*i)*t+i*n*(n*e-i*s)}var De=o=>o-360*Math.floor(o/360);function ro(o,t){let e=Math.abs(De(o-t+180)-180);return Math.round(100*y(1-(e-1)/89,0,1))}function ho(o,t){let e=Math.max(...t)-
-Math.min(...t,0),s=t.reduce((i,n,a)=>i+Math.abs(n-o[a]),0)/t.length;return Math.round(100*y(1-2*s/(e||1),0,1))}var lo=0;function St(o,t,e=!1){let s=`hh-guess-${++lo}`,
+Math.min(...t,0),s=t.reduce((i,n,a)=>i+Math.abs(n-o[a]),0)/t.length;return Math.round(100*y(1-2*s/(e||1),0,1))}var lo=0;function Et(o,t,e=!1){let s=`hh-guess-${++lo}`,
 i="",n=o.map(([a,r])=>{let l=h("input",{type:"radio",name:s,value:a,onchange:()=>{i=a,t()}});return{key:a,radio:l,row:h("label",{class:"guess-choice"},l,h("span",
 {},r))}});return{element:h("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},n.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:r,radio:l,
-row:p}of n){l.disabled=!0;let c=e||r===a;c&&p.append(h("b",{class:"guess-right"},"✓")),p.classList.toggle("right",c)}return e||i===a?100:0}}}var Y=168,Tt=58,Oe=(o,t=Tt)=>{
+row:p}of n){l.disabled=!0;let c=e||r===a;c&&p.append(h("b",{class:"guess-right"},"✓")),p.classList.toggle("right",c)}return e||i===a?100:0}}}var Y=168,St=58,Oe=(o,t=St)=>{
 let e=o*Math.PI/180;return[Y/2+t*Math.sin(e),Y/2-t*Math.cos(e)]};function We(o,t){let e=0,s=!1,i=null,n=h("canvas",{class:"dial-canvas"}),a=h("div",{class:"gues\
 s dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},n),r=()=>{let{context:c}=_(n),d=getComputedStyle(
 a),u=d.getPropertyValue("--ink").trim(),f=d.getPropertyValue("--soft").trim(),g=d.getPropertyValue("--accent").trim();c.clearRect(0,0,Y,Y),c.strokeStyle=f,c.fillStyle=
-f,c.lineWidth=1.5,c.beginPath(),c.moveTo(8,Y/2+Tt),c.lineTo(Y-8,Y/2+Tt),c.stroke(),c.lineWidth=4,c.beginPath(),c.arc(Y/2,Y/2,Tt,0,2*Math.PI),c.stroke(),c.font="\
-11px system-ui, sans-serif",c.textAlign="center";for(let w of[0,90,180,270]){let[m,v]=Oe(w,Tt-17);c.fillText(`${w}°`,m,v+4)}let b=(w,m,v)=>{c.fillStyle=m,c.beginPath(),
+f,c.lineWidth=1.5,c.beginPath(),c.moveTo(8,Y/2+St),c.lineTo(Y-8,Y/2+St),c.stroke(),c.lineWidth=4,c.beginPath(),c.arc(Y/2,Y/2,St,0,2*Math.PI),c.stroke(),c.font="\
+11px system-ui, sans-serif",c.textAlign="center";for(let w of[0,90,180,270]){let[m,v]=Oe(w,St-17);c.fillText(`${w}°`,m,v+4)}let b=(w,m,v)=>{c.fillStyle=m,c.beginPath(),
 c.arc(...Oe(w),v,0,2*Math.PI),c.fill()};i!==null&&(c.strokeStyle=u,c.lineWidth=2,c.beginPath(),c.arc(...Oe(i),12,0,2*Math.PI),c.stroke(),b(i,u,7)),b(e,s?g:f,9)},
 l=c=>{i===null&&(e=De(c),s=!0,a.setAttribute("aria-valuenow",String(Math.round(e))),a.setAttribute("aria-valuetext",`${Math.round(e)}°`),r(),t())},p=c=>{let d=n.
 getBoundingClientRect(),[u,f]=[c.clientX-d.left-d.width/2,c.clientY-d.top-d.height/2];l(Math.atan2(u,-f)*180/Math.PI)};return a.addEventListener("pointerdown",c=>{
 c.preventDefault(),a.focus({preventScroll:!0}),p(c),I(a,c,p)}),a.addEventListener("keydown",c=>{let d={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[c.key];d!==void 0&&(c.preventDefault(),c.stopPropagation(),l(e+(c.shiftKey?d/5:d)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:c=>(i=
-De(c),r(),ro(e,i))}}var Mt=9,[U,Yt,st,Be]=[34,12,12,26];function Os({label:o,unit:t,most:e},s){let i=Array(Mt).fill(e/4),n=!1,a=null,r=h("canvas",{class:"sketch\
+De(c),r(),ro(e,i))}}var Tt=9,[U,Yt,st,Be]=[34,12,12,26];function Ds({label:o,unit:t,most:e},s){let i=Array(Tt).fill(e/4),n=!1,a=null,r=h("canvas",{class:"sketch\
 -canvas"}),l=i.map((m,v)=>h("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":T("{what} with the load at {angle}",{what:T(o),angle:`${45*v}°`}),
 "aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(e),onkeydown:k=>{let M={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[k.key];M&&(k.
 preventDefault(),k.stopPropagation(),g(v,i[v]+M*e/(k.shiftKey?100:20)))}})),p=h("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the \
-points up and down"},r,l),c=()=>r.getBoundingClientRect(),d=m=>U+m/(Mt-1)*(c().width-U-Yt),u=m=>st+(1-m/e)*(c().height-st-Be),f=()=>{let{context:m,width:v,height:k}=_(
+points up and down"},r,l),c=()=>r.getBoundingClientRect(),d=m=>U+m/(Tt-1)*(c().width-U-Yt),u=m=>st+(1-m/e)*(c().height-st-Be),f=()=>{let{context:m,width:v,height:k}=_(
 r),M=getComputedStyle(p),A=S=>M.getPropertyValue(S).trim();m.clearRect(0,0,v,k),m.strokeStyle=A("--line"),m.fillStyle=A("--soft"),m.font="11px system-ui, sans-s\
-erif";for(let S=0;S<Mt;S+=2)m.textAlign="center",m.fillText(`${45*S}°`,d(S),k-8),m.strokeRect(d(S),st,0,k-st-Be);for(let S of[0,e/2,e])m.textAlign="right",m.fillText(
-String(S),U-6,u(S)+4),m.strokeRect(U,u(S),v-U-Yt,0);m.textAlign="left",m.fillText(t,U+4,st+10);let E=(S,j,bi)=>{m.strokeStyle=j,m.lineWidth=2.5,m.setLineDash(bi),
+erif";for(let S=0;S<Tt;S+=2)m.textAlign="center",m.fillText(`${45*S}°`,d(S),k-8),m.strokeRect(d(S),st,0,k-st-Be);for(let S of[0,e/2,e])m.textAlign="right",m.fillText(
+String(S),U-6,u(S)+4),m.strokeRect(U,u(S),v-U-Yt,0);m.textAlign="left",m.fillText(t,U+4,st+10);let E=(S,j,vi)=>{m.strokeStyle=j,m.lineWidth=2.5,m.setLineDash(vi),
 m.beginPath(),S.forEach((ts,es)=>{let ss=U+es/(S.length-1)*(v-U-Yt);es?m.lineTo(ss,u(y(ts,0,e))):m.moveTo(ss,u(y(ts,0,e)))}),m.stroke(),m.setLineDash([])};E(i,A(
 "--accent"),[6,4]),a&&E(a,A("--ink"),[]),l.forEach((S,j)=>{S.style.transform=`translate(${d(j)}px, ${u(i[j])}px)`})},g=(m,v)=>{a||(i[m]=y(v,0,e),n=!0,l[m].setAttribute(
 "aria-valuenow",i[m].toPrecision(3)),l[m].setAttribute("aria-valuetext",`${i[m].toPrecision(2)} ${t}`),f(),s())},b=null,w=m=>{let v=c(),k=y((m.clientX-v.left-U)/
-(v.width-U-Yt),0,1),M=Math.round(k*(Mt-1)),A=e*(1-(m.clientY-v.top-st)/(v.height-st-Be)),E=b??M,S=i[E];for(let j=Math.min(E,M);j<=Math.max(E,M);j++)g(j,E===M?A:
+(v.width-U-Yt),0,1),M=Math.round(k*(Tt-1)),A=e*(1-(m.clientY-v.top-st)/(v.height-st-Be)),E=b??M,S=i[E];for(let j=Math.min(E,M);j<=Math.max(E,M);j++)g(j,E===M?A:
 S+(A-S)*(j-E)/(M-E));b=M};p.addEventListener("pointerdown",m=>{m.preventDefault(),b=null,w(m),I(p,m,w)});for(let[m,v]of l.entries())v.setAttribute("aria-valueno\
-w",i[m].toPrecision(3));return requestAnimationFrame(f),{element:p,redraw:f,made:()=>n,judge:m=>{a=m,f();let v=(m.length-1)/(Mt-1);return ho(i,i.map((k,M)=>m[Math.
+w",i[m].toPrecision(3));return requestAnimationFrame(f),{element:p,redraw:f,made:()=>n,judge:m=>{a=m,f();let v=(m.length-1)/(Tt-1);return ho(i,i.map((k,M)=>m[Math.
 round(M*v)]))}}}var Gt=2*Math.PI,C=(o,t)=>o.events.find(e=>e.kind===t),Xt=o=>$(o-Gt*Math.floor(o/Gt));function co(o,t,e=72){let{angle:s}=o.columns,i=o.columns[t],n=[],a=0;for(let r=0;r<=
 e;r++){let l=o.columns.angle[0]+Gt*r/e;for(;a+1<o.length&&s[a+1]<l;)a+=1;let p=Math.min(a+1,o.length-1),c=s[p]>s[a]?Math.min((l-s[a])/(s[p]-s[a]),1):0;n.push(i[a]+
 c*(i[p]-i[a]))}return n}var po=(o,t)=>o.t[o.columns.angle.findIndex(e=>e>=t)]??o.duration,uo={R:"roll",S:"spin",K:"skid",H:"bounce"},it=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:o=>St(
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:o=>Et(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],o),until:([o])=>{
 let[t,e]=[C(o,"skim"),C(o,"impact")];return t?t.t+.7*((e?.t??o.duration)-t.t):o.duration},answer:([o])=>{let t=C(o,"skim")??C(o,"takeoff");return{truth:t?.kind===
 "skim"?"skim":t?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:Xt(t?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
- the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. A hoop that hops needs mass in its rim."},{
-key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:o=>Os({label:"Speed of the centre",unit:"m/s",most:10},
+ the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
+{key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:o=>Ds({label:"Speed of the centre",unit:"m/s",most:10},
 o),until:([o])=>po(o,Gt),answer:([o])=>{let t=co(o,"vx");return{truth:t,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:x(Math.max(
 ...t),3)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
@@ -315,29 +315,29 @@ aves the plane, before the first turn is over.",question:"Where is the load when
 akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:Xt(t.angle),slip:x(Math.abs(e.slip),3)}}},why:"A rolling hoop would be braked by the plan\
 e while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the \
 top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it d\
-o just after it has landed?",queries:[""],guess:o=>St([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
+o just after it has landed?",queries:[""],guess:o=>Et([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
 too fast."],["bounce","It bounces."]],o),until:([o])=>(C(o,"impact")?.t??o.duration)+.15,answer:([o])=>{let[t,e]=[C(o,"takeoff"),C(o,"impact")],s=o.events.find(
 i=>i.kind==="apex");return{truth:uo[o.at((e?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
 values:{time:x((e?.t??0)-(t?.t??0),3),height:x(100*(s?.height??0),3),angle:Xt(e?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:o=>St([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],o),until:o=>.3+Math.max(0,...o.map(t=>C(t,"impact")?.t??0)),
+"plane.mu=0.05","plane.mu=0.2",""],guess:o=>Et([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],o),until:o=>.3+Math.max(0,...o.map(t=>C(t,"impact")?.t??0)),
 answer:o=>{let t=o.map(n=>Math.max(0,...n.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[e,s,i]=t.map(n=>x(100*n,3));return{truth:String(t.indexOf(Math.max(
 ...t))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:e,middle:s,high:i}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:o=>St([["flight","It flies off."],["impact","An impact stops the sli\
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:o=>Et([["flight","It flies off."],["impact","An impact stops the sli\
 de at once."],["both","Both agree with the laws."]],o),until:o=>Math.min(.8,...o.map(t=>t.duration)),answer:o=>({truth:o.every(t=>C(t,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var Bs="hophoop-visit",Kt=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(t,e){this.lab=t,this.onchallenges=
+ the motion itself.",question:"",queries:[""]}];var Ws="hophoop-visit",Kt=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(t,e){this.lab=t,this.onchallenges=
 e,this.body=h("div",{class:"visit-body"}),this.said=h("div",{class:"visit-answer",role:"status"}),this.element=h("section",{class:"visit card","aria-label":"Gui\
-ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ht(Bs)||(this.element.hidden=!1,H(this.said,""),this.
+ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ht(Ws)||(this.element.hidden=!1,H(this.said,""),this.
 body.replaceChildren(h("div",{class:"buttons offer"},h("p",{},h("b",{},"New here?")," ","Eight short questions: guess, then play."),h("button",{type:"button",class:"\
 main",onclick:()=>this.start()},"Start the visit"),h("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
-lt(Bs,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
+lt(Ws,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
 lab.show()}async go(t){let e=it[t],s=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=e,this.stop=null,this.guess=null,this.unwind(),H(this.said,
 ""),this.element.hidden=!1,i.root.classList.toggle("visiting",t<it.length-1);try{let n=await Promise.all(e.queries.map(a=>i.backend.call("film",{query:a})));if(s!==
 this.asked)return;this.films=n.map(a=>new Q(a)),i.motions.active=0,i.motions.set(n.slice(0,2)),this.guess=e.guess?.(()=>this.guessed())??null,this.veil(),i.changed(),
@@ -356,8 +356,8 @@ null||t.playing&&t.time<this.stop||!(t.time>=this.stop-1e-9||!t.playing))return;
 let{step:t,guess:e}=this;if(!t?.answer||!e)return;let{truth:s,text:i,values:n={}}=t.answer(this.films),a=e.judge(s);this.points.set(t.key,a),this.said.replaceChildren(
 h("p",{},h("b",{},T("{points} of 100 points.",{points:a}))," ",T(i,n)),h("p",{},t.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.
 scrollIntoView({block:"nearest"})}total(){let t=[...this.points.values()].reduce((e,s)=>e+s,0);this.said.replaceChildren(h("p",{},T("You have {sum} of {most} po\
-ints.",{sum:t,most:100*this.points.size})))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var Vt=class{constructor(t){this.lab=t,this.grips=new qt(t),this.sound=new Ut,this.present=new Ht(t),this.challenges=new Ft(t),this.visit=new Kt(t,()=>this.challenges.
-open()),this.table=new jt(t),this.teach=Fs(e=>this.challenges.load(e),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){let{lab:t}=this,e=t.stage.element.
+ints.",{sum:t,most:100*this.points.size})))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var Vt=class{constructor(t){this.lab=t,this.grips=new qt(t),this.sound=new Ut,this.present=new Ht(t),this.challenges=new Ot(t),this.visit=new Kt(t,()=>this.challenges.
+open()),this.table=new jt(t),this.teach=Bs(e=>this.challenges.load(e),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){let{lab:t}=this,e=t.stage.element.
 parentElement,s=t.root.querySelector(".side");s?s.prepend(this.visit.element,this.challenges.element):e.before(this.visit.element,this.challenges.element),e.after(
 this.table.element),t.root.append(this.teach),t.transport.element.querySelector(".switches")?.before(this.tools()),t.header.element.querySelector(".right")?.prepend(
 this.menu(),this.languages()),t.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:t}=this.lab,e=(s,i,n)=>h("button",{type:"button",
@@ -371,18 +371,18 @@ menu-body"},t("Guided visit",()=>this.visit.start()),t("Challenges",()=>this.cha
 ()=>this.present.turn(!0)),t("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{e.contains(s.target)||(e.open=
 !1)}),e.addEventListener("keydown",s=>{s.key!=="Escape"||!e.open||(s.stopPropagation(),e.open=!1,e.querySelector("summary")?.focus())}),e}languages(){let t=h("s\
 elect",{class:"language","aria-label":"Language",onchange:()=>{ms(t.value),Ee(t.value),this.spoken(),ys(this.lab.root),this.lab.show()}},Object.entries(vt).map(
-([e,s])=>h("option",{value:e,lang:e},s)));return t.value=$t(),t}spoken(){this.lab.root.lang=$t(),this.lab.hosted&&(document.documentElement.lang=$t())}frame(){let{
+([e,s])=>h("option",{value:e,lang:e},s)));return t.value=zt(),t}spoken(){this.lab.root.lang=zt(),this.lab.hosted&&(document.documentElement.lang=zt())}frame(){let{
 lab:t}=this;this.grips.draw(),this.sound.follow(t.film(),t.clock),this.table.cursor(t.clock.time),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.
-table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Et=(o,t,e)=>h("button",{type:"button",title:t,"aria-label":t,onclick:e},o),Jt=class{constructor(t,e,s){let i=new Map;for(let a of t)i.set(a.group,[...i.get(
+table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var At=(o,t,e)=>h("button",{type:"button",title:t,"aria-label":t,onclick:e},o),Jt=class{constructor(t,e,s){let i=new Map;for(let a of t)i.set(a.group,[...i.get(
 a.group)??[],a]);this.presets=h("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=t.find(({key:r})=>r===this.presets.value);a&&
 s.take(a)}},h("option",{value:""},"Motions to start from …"),[...i].map(([a,r])=>h("optgroup",{label:a},r.map(({key:l,title:p})=>h("option",{value:l},p))))),this.
-undo=Et(L("undo"),"Undo (z)",s.undo),this.redo=Et(L("redo"),"Redo (y)",s.redo);let n=h("span",{},h("span",{class:"long"},"Compare"),h("span",{class:"short"},L("\
-two")));this.compare=Et(n,"Compare two hoops",s.compare),this.element=h("header",{class:"top"},h("h1",{},h("span",{class:"logo","aria-hidden":"true"}),h("span",
-{},"hophoop",h("span",{class:"long"}," lab"))),this.presets,h("div",{class:"buttons"},this.undo,this.redo,this.compare),h("div",{class:"buttons right"},e,Et(L("\
-theme"),"Dark or light (d)",s.theme),Et("?","Keys and help (?)",s.help)))}show(t,e){this.undo.disabled=!t.past.length,this.redo.disabled=!t.future.length,this.compare.
+undo=At(L("undo"),"Undo (z)",s.undo),this.redo=At(L("redo"),"Redo (y)",s.redo);let n=h("span",{},h("span",{class:"long"},"Compare"),h("span",{class:"short"},L("\
+two")));this.compare=At(n,"Compare two hoops",s.compare),this.element=h("header",{class:"top"},h("h1",{},h("span",{class:"logo","aria-hidden":"true"}),h("span",
+{},"hophoop",h("span",{class:"long"}," lab"))),this.presets,h("div",{class:"buttons"},this.undo,this.redo,this.compare),h("div",{class:"buttons right"},e,At(L("\
+theme"),"Dark or light (d)",s.theme),At("?","Keys and help (?)",s.help)))}show(t,e){this.undo.disabled=!t.past.length,this.redo.disabled=!t.future.length,this.compare.
 setAttribute("aria-pressed",String(e))}};var mo=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next hop, landing"],["[ ]","slower, faster"],["Home En\
 d","start, end"],["t f c w","traces, forces, rim speed, whole path"],["3","in space"],["+ − 0","zoom, zoom back"],["z y","undo, redo"],["d","dark, light"],["p",
-"Python"]];function Ds(o){let t=h("dialog",{class:"help","aria-label":"Keys and help"},h("h2",{},"The hoop"),h("p",{},"A ring with a load on its rim rolls on a \
+"Python"]];function qs(o){let t=h("dialog",{class:"help","aria-label":"Keys and help"},h("h2",{},"The hoop"),h("p",{},"A ring with a load on its rim rolls on a \
 plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a\
  slider and see."),h("table",{},h("caption",{},"Keys"),mo.map(([e,s])=>h("tr",{},h("th",{scope:"row"},e),h("td",{},s)))),h("p",{class:"hint"},`hophoop ${o}`),h(
 "button",{type:"button",class:"close",onclick:()=>t.close()},"Close"));return t}var Qt=class{constructor(t){this.tabs=["A","B"].map((e,s)=>h("button",{type:"button","aria-pressed":"false",onclick:()=>t(s)},`Hoop ${e}`)),this.bar=h("div",{class:"\
@@ -393,26 +393,26 @@ clock.faster(1),t:()=>o.toggle("traces"),f:()=>o.toggle("forces"),c:()=>o.toggle
 "=":()=>o.stage.zoom(1.25),"-":()=>o.stage.zoom(.8),0:()=>o.stage.zoom(0),z:()=>o.travel(-1),y:()=>o.travel(1),d:()=>o.theme.toggle(),p:()=>o.share.code(),"?":()=>o.
 help.showModal()});function go(o,t){let e=t.target;if(t.ctrlKey||t.metaKey||t.altKey||o.root.querySelector("dialog[open]")||e.matches?.("input:not([type=range])\
 , textarea, select")||e.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(t.key)||t.key===" "&&e.matches?.("button, summary"))return;let i=fo(o,t.shiftKey)[t.
-key];i&&(t.preventDefault(),i())}function Ws(o,t){let e=t?document:o.root,s=i=>{go(o,i),t||i.stopPropagation()};return e.addEventListener("keydown",s),()=>e.removeEventListener(
-"keydown",s)}var[qs,wo]=[62,92],bo=12,ot=10,yo=36,Hs=Math.PI/180,At=["x","y"],Zt=class{box;constructor(t){this.known=new Map(t.map(e=>[e.path,e])),this.paths={x:"start.speed",
-y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=qs}info(t){return this.known.get(this.paths[t])}whole(t){return[...this.info(t).range]}home(){
-for(let t of At)this.windows[t]=this.whole(t)}choose(t,e){let s=t==="x"?"y":"x";this.paths[s]===e&&(this.paths[s]=this.paths[t]),this.paths[t]=e,this.home()}asked(t,e){
-let[s,i]=this.windows[t];return{path:this.paths[t],from:s,to:i,cells:e}}zoom(t,e){let s={x:[],y:[]};for(let i of At){let[n,a]=this.windows[i],r=e?.[i]??.5*(n+a);
+key];i&&(t.preventDefault(),i())}function Hs(o,t){let e=t?document:o.root,s=i=>{go(o,i),t||i.stopPropagation()};return e.addEventListener("keydown",s),()=>e.removeEventListener(
+"keydown",s)}var[Us,wo]=[62,92],bo=12,ot=10,yo=36,js=Math.PI/180,Pt=["x","y"],Zt=class{box;constructor(t){this.known=new Map(t.map(e=>[e.path,e])),this.paths={x:"start.speed",
+y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=Us}info(t){return this.known.get(this.paths[t])}whole(t){return[...this.info(t).range]}home(){
+for(let t of Pt)this.windows[t]=this.whole(t)}choose(t,e){let s=t==="x"?"y":"x";this.paths[s]===e&&(this.paths[s]=this.paths[t]),this.paths[t]=e,this.home()}asked(t,e){
+let[s,i]=this.windows[t];return{path:this.paths[t],from:s,to:i,cells:e}}zoom(t,e){let s={x:[],y:[]};for(let i of Pt){let[n,a]=this.windows[i],r=e?.[i]??.5*(n+a);
 s[i]=[r-(r-n)*t,r+(a-r)*t];let l=Math.max(Math.abs(s[i][0]),Math.abs(s[i][1]),1e-9);if(s[i][1]-s[i][0]<400*Number.EPSILON*l)return!1;let{range:p}=this.info(i);if(s[i][1]-
 s[i][0]>4*(p[1]-p[0]))return!1}return this.windows=s,!0}drag(t,e,s){let i=(n,a)=>t[n].map(r=>r+a*(t[n][1]-t[n][0]));this.windows={x:i("x",-e/this.box.width),y:i(
-"y",s/this.box.height)}}middle(){let{x:t,y:e}=this.windows;return{x:.5*(t[0]+t[1]),y:.5*(e[0]+e[1])}}fit(t,e){this.left=this.deep("y")?wo:qs,this.box={width:t-this.
+"y",s/this.box.height)}}middle(){let{x:t,y:e}=this.windows;return{x:.5*(t[0]+t[1]),y:.5*(e[0]+e[1])}}fit(t,e){this.left=this.deep("y")?wo:Us,this.box={width:t-this.
 left-bo,height:e-ot-yo}}clip(t){t.beginPath(),t.rect(this.left,ot,this.box.width,this.box.height),t.clip()}x(t){let[e,s]=this.windows.x;return this.left+(t-e)/(s-
 e)*this.box.width}y(t){let[e,s]=this.windows.y;return ot+(1-(t-e)/(s-e))*this.box.height}place(t,e){let s=([i,n],a)=>i+y(a,0,1)*(n-i);return{x:s(this.windows.x,
 (t-this.left)/this.box.width),y:s(this.windows.y,1-(e-ot)/this.box.height)}}deep(t){let[e,s]=this.windows[t];return s-e<5e-5*Math.max(Math.abs(e),Math.abs(s))}said(t){
 let e=s=>{let i=this.info(s),[n,a]=this.windows[s],r=Math.max(Math.abs(n),Math.abs(a)),l=y(Math.ceil(Math.log10(r/(a-n)))+4,4,16);return`${i.label} = ${O(x(i.degrees?
-t[s]/Hs:t[s],l),i.unit)}`};return`${e("x")}, ${e("y")}`}draw(t,e,s){t.strokeStyle=s.soft,t.fillStyle=s.soft,t.lineWidth=1,t.strokeRect(this.left+.5,ot+.5,this.box.
-width-1,this.box.height-1),t.font=`11px ${s.font}`;for(let i of At){let n=this.info(i),a=n.degrees?1/Hs:1,[r,l]=this.windows[i].map(w=>w*a),p=i==="x"?this.box.width/
+t[s]/js:t[s],l),i.unit)}`};return`${e("x")}, ${e("y")}`}draw(t,e,s){t.strokeStyle=s.soft,t.fillStyle=s.soft,t.lineWidth=1,t.strokeRect(this.left+.5,ot+.5,this.box.
+width-1,this.box.height-1),t.font=`11px ${s.font}`;for(let i of Pt){let n=this.info(i),a=n.degrees?1/js:1,[r,l]=this.windows[i].map(w=>w*a),p=i==="x"?this.box.width/
 80:this.box.height/40,c=z(l-r,p),d=this.deep(i),u=d?Number((.5*(r+l)).toPrecision(12)):0,f=d?W(r-u,l-u,p).map(w=>w+u):W(r,l,p);for(let w of f){let m=d?x(w-u,3):
 B(w,c);i==="x"?(t.textAlign="center",t.fillText(m,this.x(w/a),ot+this.box.height+14)):(t.textAlign="right",t.textBaseline="middle",t.fillText(m,this.left-5,this.
 y(w/a)),t.textBaseline="alphabetic")}let g=d?` − ${String(u).replace("-","−")}`:"",b=`${n.label}${g}${n.unit?` [${n.unit}]`:""}`;t.save(),t.textAlign="cente\
 r",i==="x"?t.translate(this.left+.5*this.box.width,e-5):(t.translate(12,ot+.5*this.box.height),t.rotate(-Math.PI/2)),t.fillText(b,0,0),t.restore()}}};function qe(o,t,e,s,i){
 for(let[n,a]of[[i,4],[s,1.8]])o.strokeStyle=n,o.lineWidth=a,o.beginPath(),o.arc(t,e,7,0,2*Math.PI),o.moveTo(t-13,e),o.lineTo(t-4,e),o.moveTo(t+4,e),o.lineTo(t+13,
-e),o.moveTo(t,e-13),o.lineTo(t,e-4),o.moveTo(t,e+4),o.lineTo(t,e+13),o.stroke()}var Us={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},js=48;function Ys(o){let{body:t}=o,e=Wt(t,(i,n)=>o.axes.box&&o.zoom(1/i,te(o,n))),s=!1;
+e),o.moveTo(t,e-13),o.lineTo(t,e-4),o.moveTo(t,e+4),o.lineTo(t,e+13),o.stroke()}var Ys={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Xs=48;function Gs(o){let{body:t}=o,e=Wt(t,(i,n)=>o.axes.box&&o.zoom(1/i,te(o,n))),s=!1;
 t.addEventListener("wheel",i=>{o.axes.box&&(i.preventDefault(),o.zoom(Math.exp(y(i.deltaY,-200,200)*.0022),te(o,i)))},{passive:!1}),t.addEventListener("pointerd\
 own",i=>xo(o,i,e,n=>s=n)),t.addEventListener("pointermove",i=>{o.axes.box&&!s&&i.pointerType!=="touch"&&vo(o,i)}),t.addEventListener("pointerleave",()=>o.tip.hidden=
 !0),t.addEventListener("dblclick",()=>o.zoom(.35,o.pointed??void 0)),t.addEventListener("keydown",i=>ko(o,i))}function te(o,t){let e=o.body.getBoundingClientRect();
@@ -420,27 +420,27 @@ return o.axes.place(t.clientX-e.left,t.clientY-e.top)}function vo(o,t){o.tip.tex
 tip.style.left=`${y(t.clientX-e.left,150,Math.max(e.width-150,150))}px`,o.tip.style.bottom=`${e.bottom-t.clientY+16}px`}function xo(o,t,e,s){t.preventDefault(),
 o.body.focus({preventScroll:!0});let i=[t.clientX,t.clientY],n={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=te(o,t);let a=!1,r=e(),l=p=>{if(r||=e(),
 r)return;let[c,d]=[p.clientX-i[0],p.clientY-i[1]];Math.hypot(c,d)<5&&!a||(a=!0,s(!0),o.tip.hidden=!0,o.axes.drag(n,c,d),o.redraw(),o.soon())};I(o.body,t,l,(p,c)=>{
-c&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function ko(o,t){let e=o.pointed??o.here()??o.axes.middle();if(o.pointed=e,Us[t.key]){let[s,i]=Us[t.key],{x:n,y:a}=o.
-axes.windows;o.pointed={x:e.x+s*(n[1]-n[0])/js,y:e.y+i*(a[1]-a[0])/js},o.state.textContent=o.said(o.pointed)}else if(t.key==="Enter")o.take(e);else if(t.key==="\
-+"||t.key==="=")o.zoom(.6,e);else if(t.key==="-")o.zoom(1.7,e);else if(t.key==="0")o.home();else return;t.preventDefault(),t.stopPropagation(),o.redraw()}function X(o){let t=Number.parseInt(o.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var Xs=o=>He(o)>.2?"#111111":"#ffffff",Pt=(o,t)=>`rgba(${X(o).join(",")},${t}\
+c&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function ko(o,t){let e=o.pointed??o.here()??o.axes.middle();if(o.pointed=e,Ys[t.key]){let[s,i]=Ys[t.key],{x:n,y:a}=o.
+axes.windows;o.pointed={x:e.x+s*(n[1]-n[0])/Xs,y:e.y+i*(a[1]-a[0])/Xs},o.state.textContent=o.said(o.pointed)}else if(t.key==="Enter")o.take(e);else if(t.key==="\
++"||t.key==="=")o.zoom(.6,e);else if(t.key==="-")o.zoom(1.7,e);else if(t.key==="0")o.home();else return;t.preventDefault(),t.stopPropagation(),o.redraw()}function X(o){let t=Number.parseInt(o.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var Ks=o=>He(o)>.2?"#111111":"#ffffff",_t=(o,t)=>`rgba(${X(o).join(",")},${t}\
 )`,Mo=o=>{let t=o/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};function He(o){let[t,e,s]=X(o).map(Mo);return .2126*t+.7152*e+.0722*s}function se(o,t){if(!t||
 !/^#[0-9a-f]{6}$/i.test(o))return o;if(He(o)<.002)return"#eceef2";let e=o;for(let s=0;He(e)<.2&&s<1;s+=.05)e=`#${X(o).map(i=>Math.round(i+(255-i)*s).toString(16).
 padStart(2,"0")).join("")}`;return e}var ee=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function To(){let o=[];for(let t=0;t<
 256;t++){let e=t/255*(ee.length-1),s=Math.min(Math.floor(e),ee.length-2),i=X(ee[s]),n=X(ee[s+1]);o.push(i.map((a,r)=>Math.round(a+(n[r]-a)*(e-s))))}return o}var ut=To(),
-ie=ut.map(o=>`rgb(${o.join(",")})`);var So=Math.PI/180,Eo=12,Ao=["hop_height","flight_time","energy_lost","greatest_utilization"];function Gs(o){return o.unit==="rad"?[1/So,"°"]:[1,o.unit==="1"?"":
-o.unit]}function Po({classes:o,what:t},e){let[s,i]=[1/0,-1/0];if(o)return[s,i];for(let n of e)n<s&&(s=n),n>i&&(i=n);return[Ao.includes(t)?Math.min(s,0):s,i]}function Ks(o){
+ie=ut.map(o=>`rgb(${o.join(",")})`);var So=Math.PI/180,Eo=12,Ao=["hop_height","flight_time","energy_lost","greatest_utilization"];function Vs(o){return o.unit==="rad"?[1/So,"°"]:[1,o.unit==="1"?"":
+o.unit]}function Po({classes:o,what:t},e){let[s,i]=[1/0,-1/0];if(o)return[s,i];for(let n of e)n<s&&(s=n),n>i&&(i=n);return[Ao.includes(t)?Math.min(s,0):s,i]}function Js(o){
 let{values:t}=o.arrays,e=o.header,{x:s,y:i,classes:n}=e,a=new ImageData(s.cells,i.cells),[r,l]=Po(e,t),p=n?.map(({color:d})=>X(d));for(let d=0;d<i.cells;d++)for(let u=0;u<
 s.cells;u++){let f=t[d*s.cells+u],g=4*((i.cells-1-d)*s.cells+u);if(!Number.isFinite(f))continue;let b=p&&(u+1<s.cells&&t[d*s.cells+u+1]!==f||d+1<i.cells&&t[(d+1)*
 s.cells+u]!==f),w=p?p[f].map(m=>b?.72*m:m):ut[y(Math.round(255*(f-r)/(l-r||1)),0,255)];a.data.set([...w,255],g)}let c=h("canvas",{width:s.cells,height:i.cells});
-return K(c).putImageData(a,0,0),{picture:c,header:e,values:t,x:[s.from,s.to],y:[i.from,i.to],low:r,high:l}}function Vs(o,t){let e=(i,n)=>i[0]>=n[0]-1e-300&&i[1]<=
-n[1]+1e-300;return[...o.filter(i=>!(e(i.x,t.x)&&e(i.y,t.y))),t].slice(-Eo)}function Js({header:o,low:t,high:e,values:s}){let{classes:i}=o;if(!i){let r=h("canvas",
+return K(c).putImageData(a,0,0),{picture:c,header:e,values:t,x:[s.from,s.to],y:[i.from,i.to],low:r,high:l}}function Qs(o,t){let e=(i,n)=>i[0]>=n[0]-1e-300&&i[1]<=
+n[1]+1e-300;return[...o.filter(i=>!(e(i.x,t.x)&&e(i.y,t.y))),t].slice(-Eo)}function Zs({header:o,low:t,high:e,values:s}){let{classes:i}=o;if(!i){let r=h("canvas",
 {width:120,height:10,style:"width:120px;height:10px"}),l=K(r);for(let d=0;d<120;d++)l.fillStyle=`rgb(${ut[Math.floor(255*d/119)].join(",")})`,l.fillRect(d,0,1,10);
-let[p,c]=Gs(o);return[h("span",{},`${o.label}: ${e>=t?x(t*p,3):"none"} `),r,h("span",{},e>=t?O(x(e*p,3),c):""),s.some(d=>!Number.isFinite(d))?h("span",{},h("i",
+let[p,c]=Vs(o);return[h("span",{},`${o.label}: ${e>=t?x(t*p,3):"none"} `),r,h("span",{},e>=t?O(x(e*p,3),c):""),s.some(d=>!Number.isFinite(d))?h("span",{},h("i",
 {class:"blank"}),"none"):""]}let n=new Map;for(let r of s)n.set(r,(n.get(r)??0)+1);let a=[...n].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(0,10).
 map(([r])=>{let{color:l,text:p}=i[r];return h("span",{},h("i",{style:`background:${l}`,"aria-hidden":"true"}),p)}),a.length>10?h("span",{},`and ${a.length-10} m\
-ore`):""]}function Qs(o,t){for(let{header:e,values:s}of[...o].reverse()){let{x:i,y:n,classes:a}=e,r=Math.floor((t.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
-(t.y-n.from)/(n.to-n.from)*n.cells);if(r<0||l<0||r>=i.cells||l>=n.cells)continue;let p=s[l*i.cells+r];if(a)return a[p]?.text??"not allowed";let[c,d]=Gs(e);return Number.
-isFinite(p)?O(x(p*c,4),d):"none"}return"…"}var Zs=[[24,16],[72,48],[216,144]],oe=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(t,e,s){this.backend=t,this.onmotion=s;let i=e.
+ore`):""]}function ti(o,t){for(let{header:e,values:s}of[...o].reverse()){let{x:i,y:n,classes:a}=e,r=Math.floor((t.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
+(t.y-n.from)/(n.to-n.from)*n.cells);if(r<0||l<0||r>=i.cells||l>=n.cells)continue;let p=s[l*i.cells+r];if(a)return a[p]?.text??"not allowed";let[c,d]=Vs(e);return Number.
+isFinite(p)?O(x(p*c,4),d):"none"}return"…"}var ei=[[24,16],[72,48],[216,144]],oe=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(t,e,s){this.backend=t,this.onmotion=s;let i=e.
 controls.map_axes;this.axes=new Zt(i),this.what="sequence",this.layers=[],this.canvas=h("canvas",{class:"plot-canvas"}),this.tip=h("div",{class:"tip",hidden:!0}),
 this.body=h("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow keys move the mark, Enter takes the motion, plus and min\
 us zoom."},this.canvas,this.tip),this.keys=h("div",{class:"map-keys"}),this.state=h("span",{class:"hint",role:"status"});let n=a=>{let r=h("select",{"data-axis":a,
@@ -449,22 +449,22 @@ aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,thi
 h("section",{class:"map","aria-label":"Map of motions"},h("div",{class:"map-head"},h("h2",{},"Map"),h("label",{},"of",this.quantity),h("label",{},"Across",this.
 selects.x),h("label",{},"Up",this.selects.y),h("span",{class:"buttons"},h("button",{type:"button","aria-label":"Zoom into the map",onclick:()=>this.zoom(.5)},"+"),
 h("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),h("button",{type:"button",onclick:()=>this.home()},"Whole map")),this.
-state),this.body,this.keys,h("p",{class:"hint"},"Click to take that motion into the player; wheel or two fingers to zoom, drag to move.")),Ys(this),this.soon=V(
+state),this.body,this.keys,h("p",{class:"hint"},"Click to take that motion into the player; wheel or two fingers to zoom, drag to move.")),Gs(this),this.soon=V(
 ()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([a])=>{this.seen=a.isIntersecting,this.seen&&this.stale&&this.refresh()}),this.watch.observe(
-this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let t of At)this.selects[t].value=this.axes.paths[t]}setAxis(t,e){
+this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let t of Pt)this.selects[t].value=this.axes.paths[t]}setAxis(t,e){
 this.axes.choose(t,e),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(t){let e=structuredClone(t);for(let s of Object.values(this.
 axes.paths)){let[i,n]=s.split(".");e[i]&&delete e[i][n]}return JSON.stringify(e)}mark(t,e){this.film=t,this.look=e;let s=this.key_of(t.scenario);s!==this.key_now&&
 (this.key_now=s,this.soon()),this.redraw()}async refresh(){if(!this.film)return;if(!this.seen){this.stale=!0;return}this.stale=!1,this.asked?.abort(),this.asked=
 new AbortController;let{signal:t}=this.asked,e=this.film.scenario,s=e.contact.model==="rigid"?[]:[["contact.model","rigid"]];this.computing=!0;let i=`${this.what}\
- ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.kind=i,this.redraw();try{for(let[n,a]of Zs){this.state.textContent=
+ ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.kind=i,this.redraw();try{for(let[n,a]of ei){this.state.textContent=
 `computing ${n*a} motions …`;let r={x:this.axes.asked("x",n),y:this.axes.asked("y",a)},l={scenario:e,changes:s,...r,what:this.what},p=await is(()=>this.backend.
-call("map",l,t),d=>{this.state.textContent=d},t),c=Ks(p);this.layers=Vs(this.layers,c),this.keys.replaceChildren(...Js(c)),this.state.textContent=`${n*a} motion\
-s${s.length?", with rigid contact":""}`,this.redraw()}this.level=Zs.length}catch(n){let{name:a,message:r}=n;if(a==="AbortError")return;this.state.textContent=r}
+call("map",l,t),d=>{this.state.textContent=d},t),c=Js(p);this.layers=Qs(this.layers,c),this.keys.replaceChildren(...Zs(c)),this.state.textContent=`${n*a} motion\
+s${s.length?", with rigid contact":""}`,this.redraw()}this.level=ei.length}catch(n){let{name:a,message:r}=n;if(a==="AbortError")return;this.state.textContent=r}
 this.computing=!1}redraw(){if(!this.film)return;let{look:t}=this,{context:e,width:s,height:i}=_(this.canvas);this.axes.fit(s,i),e.clearRect(0,0,s,i),e.save(),this.
 axes.clip(e),e.imageSmoothingEnabled=!1;let{axes:n}=this;for(let r of this.layers){let[l,p]=r.x.map(u=>n.x(u)),[c,d]=r.y.map(u=>n.y(u));e.drawImage(r.picture,l,
 d,p-l,c-d)}let a=this.here();a&&qe(e,n.x(a.x),n.y(a.y),t.ink,t.paper),this.pointed&&pt(this.body)&&qe(e,n.x(this.pointed.x),n.y(this.pointed.y),"#D55E00",t.paper),
 e.restore(),n.draw(e,i,t)}here(){let t=s=>{let[i,n]=s.split(".");return this.film.values[s]??this.film.scenario[i]?.[n]},e={x:t(this.axes.paths.x),y:t(this.axes.
-paths.y)};return typeof e.x=="number"&&typeof e.y=="number"?e:null}said(t){return`${this.axes.said(t)}: ${Qs(this.layers,t)}`}take(t){this.onmotion([[this.axes.
+paths.y)};return typeof e.x=="number"&&typeof e.y=="number"?e:null}said(t){return`${this.axes.said(t)}: ${ti(this.layers,t)}`}take(t){this.onmotion([[this.axes.
 paths.x,t.x],[this.axes.paths.y,t.y]])}zoom(t,e){this.tip.hidden=!0,this.axes.zoom(t,e)&&(this.redraw(),this.soon())}};var ne=class{constructor(){this.past=[],this.future=[],this.now=null}note(t){this.now&&JSON.stringify(this.now)!==JSON.stringify(t)&&(this.past.push(this.now),this.
 past.length>500&&this.past.shift(),this.future=[]),this.now=t}step(t){let[e,s]=t<0?[this.past,this.future]:[this.future,this.past],i=e.pop();return!i||!this.now?
 null:(s.push(this.now),this.now=i,i)}};var ae=class{constructor(t,e){this.backend=t,this.listener=e,this.history=new ne,this.lanes=[],this.active=0}film(t=this.active){return this.lanes[t].film}films(){
@@ -496,7 +496,7 @@ this.legend(this.shades(t[e]),s.dark),this.describe(l)}shades(t){return this.cur
 let e=[];for(let{film:c,values:d}of t){let u=this.abscissa(c);for(let f=0;f<d.length;f++)u[f]>=this.range[0]&&u[f]<=this.range[1]&&Number.isFinite(d[f])&&e.push(
 d[f])}if(!e.length)return[0,1];let s=Float64Array.from(e).sort(),[i,n]=[s[0],s[s.length-1]],[a,r]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],l=Math.
 max(r-a,1e-12);n>r+4*l&&(n=r+.6*l),i<a-4*l&&(i=a-.6*l),i=Math.min(i,0),n=Math.max(n,0),this.symmetric&&([i,n]=[-Math.max(-i,n),Math.max(-i,n)]);let p=.06*(n-i)||
-1;return[i<0?i-p:i,n+p]}bands(t,e,s){for(let i of e.phases){let n=y(this.x(i.from),D,D+this.box.width),a=y(this.x(i.to),D,D+this.box.width);a<=n||(t.fillStyle=Pt(
+1;return[i<0?i-p:i,n+p]}bands(t,e,s){for(let i of e.phases){let n=y(this.x(i.from),D,D+this.box.width),a=y(this.x(i.to),D,D+this.box.width);a<=n||(t.fillStyle=_t(
 s.modes[i.mode],.14),t.fillRect(n,F,a-n,this.box.height))}}grid(t,e,s,i){t.font=`11px ${e.font}`,t.strokeStyle=e.line,t.fillStyle=e.soft,t.lineWidth=1;let n=Math.
 max(this.box.height/28,4);for(;W(this.heights[0],this.heights[1],n).length<3&&n<12;)n+=1;let a=z(this.heights[1]-this.heights[0],n);t.textAlign="right",t.textBaseline=
 "middle";for(let u of W(this.heights[0],this.heights[1],n)){let f=Math.round(this.y(u))+.5;t.globalAlpha=Math.abs(u)<1e-9*a?1:.55,t.beginPath(),t.moveTo(D,f),t.
@@ -514,7 +514,7 @@ return;let{context:e,width:s,height:i}=_(this.over);if(e.clearRect(0,0,s,i),this
 t[p]>n.t[l]?(r.t-n.t[l])/(n.t[p]-n.t[l]):0,d=this.abscissa(n),u=this.x(d[l]+c*(d[p]-d[l])),f=u>=D-1&&u<=D+this.box.width+1;f&&(e.strokeStyle=this.look.soft,e.lineWidth=
 1,e.beginPath(),e.moveTo(u,F),e.lineTo(u,F+this.box.height),e.stroke()),this.shades(n).forEach((g,b)=>{let w=g.values[p],m=Number.isFinite(w)?g.values[l]+c*(w-g.
 values[l]):g.values[l];a===this.active&&this.values?.[b]&&(this.values[b].textContent=x(m,3));let v=this.y(m);!f||!(v>=F-1&&v<=F+this.box.height+1)||(e.fillStyle=
-g.color??this.look.ink,e.beginPath(),e.arc(u,v,3.2,0,2*Math.PI),e.fill())})}),this.picked){let[n,a]=this.picked;e.fillStyle=Pt("#0072B2",.2),e.fillRect(Math.min(
+g.color??this.look.ink,e.beginPath(),e.arc(u,v,3.2,0,2*Math.PI),e.fill())})}),this.picked){let[n,a]=this.picked;e.fillStyle=_t("#0072B2",.2),e.fillRect(Math.min(
 n,a),F,Math.abs(a-n),this.box.height)}}valueAt(t){let e=this.body.getBoundingClientRect(),s=y((t.clientX-e.left-D)/this.box.width,0,1);return this.range[0]+s*(this.
 range[1]-this.range[0])}press(t){if(!this.films)return;let e=this.body.getBoundingClientRect(),s=t.clientX-e.left,i=this.valueAt(t),n=this.pinched(),a=r=>{if(n||=
 this.pinched(),n)return;let l=r.clientX-e.left;this.picked=t.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,t.pointerType!=="mouse"&&this.seek(this.valueAt(r)),
@@ -523,7 +523,7 @@ this.shared.clock.time):l&&!n&&this.seek(t.pointerType==="mouse"?i:p)})}seek(t){
 s=this.abscissa(e),i=0;for(let n=0;n<s.length;n++)Math.abs(s[n]-t)<Math.abs(s[i]-t)&&(i=n);return this.onseek(e.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){
 let s=this.fullRange(),i=Math.max(t-(t-this.range[0])*e,s[0]),n=Math.min(t+(this.range[1]-t)*e,s[1]);this.zoomTo(i<=s[0]&&n>=s[1]?null:[i,n])}zoomTo(t){this.shared.
 range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};function je(o,t="solid"){let e=h("i",{class:"swatch","aria-hidden":"true"});return e.style.borderTopColor=
-o??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted"}[t],e}var tt=52,ti=10,P=8,No=30,Co="RSKHM?",he=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(t,e,s){this.backend=
+o??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted"}[t],e}var tt=52,si=10,P=8,No=30,Co="RSKHM?",he=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(t,e,s){this.backend=
 t,this.clock=e,this.colors=s,this.canvas=h("canvas",{class:"plot-canvas"}),this.over=h("canvas",{class:"plot-canvas plot-over"}),this.keys=h("div",{class:"plot-\
 keys"}),this.body=h("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
 ght"},this.canvas,this.over),this.element=h("section",{class:"phase"},h("header",{},h("h3",{},"Plane of θ and θ̇"),this.keys),this.body,h("p",{class:"hint"},
@@ -546,12 +546,12 @@ this.forwards=t.some(i=>i.columns.omega.some(n=>n>.3)),this.backwards=t.some(i=>
 !0),this.redraw()}x(t){return tt+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return P+(1-(t-this.bottom())/(this.top()-this.bottom()))*this.
 box.height}paint(t,[e,s]){let{modes:i}=this.colors,n=h("canvas",{width:s,height:e}),a=new ImageData(s,e);for(let r=0;r<e;r++)for(let l=0;l<s;l++){let p=Co[t[r*s+
 l]],c=X(i[p]??"#6E6E6E"),d=4*((e-1-r)*s+l);a.data.set([...c,255],d)}return K(n).putImageData(a,0,0),n}redraw(){if(!this.films)return;let{colors:t,look:e}=this,{
-context:s,width:i,height:n}=_(this.canvas);if(this.box={width:i-tt-ti,height:n-P-No},s.clearRect(0,0,i,n),s.save(),s.beginPath(),s.rect(tt,P,this.box.width,this.
+context:s,width:i,height:n}=_(this.canvas);if(this.box={width:i-tt-si,height:n-P-No},s.clearRect(0,0,i,n),s.save(),s.beginPath(),s.rect(tt,P,this.box.width,this.
 box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,p,c,d]=r,u=[this.x(l),this.y(d),this.x(p)-this.
 x(l),this.y(c)-this.y(d)];s.fillStyle=e.panel,s.fillRect(u[0],u[1],u[2],u[3]),s.globalAlpha=.35,s.drawImage(a,u[0],u[1],u[2],u[3]),s.globalAlpha=1}this.hatch(s)}
 for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,i,n),this.keyed!==e.dark){this.keyed=e.dark;let a=Object.entries(t.mode_names).filter(
 ([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>h("span",{class:"plot-key"},je(t.modes[r]),l)))}this.cursor(this.clock.time)}hatch(t){let{
-paradox:e}=this.pictures[0],s=e.length;t.strokeStyle=Pt(this.look.dark?"#ffffff":"#000000",.28),t.lineWidth=1;for(let i=0;i<s;i++){if(!e[i])continue;let n=i;for(;n<
+paradox:e}=this.pictures[0],s=e.length;t.strokeStyle=_t(this.look.dark?"#ffffff":"#000000",.28),t.lineWidth=1;for(let i=0;i<s;i++){if(!e[i])continue;let n=i;for(;n<
 s&&e[n]===e[i];)n++;let a=this.x(i*2*Math.PI/s),r=this.x(n*2*Math.PI/s);t.save(),t.beginPath(),t.rect(a,P,r-a,this.box.height),t.clip(),t.beginPath();let l=e[i];
 for(let p=-this.box.height;p<r-a+this.box.height;p+=7)t.moveTo(a+p,l>0?P+this.box.height:P),t.lineTo(a+p+this.box.height,l>0?P:P+this.box.height);t.stroke(),t.restore(),
 i=n}}way(t,e,s){let{angle:i,omega:n,mode:a}=e.columns,r=2*Math.PI;t.lineWidth=s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=this.look.ink,t.beginPath();let l=null;
@@ -560,16 +560,16 @@ l.lap){let u=c>l.lap?r:0;t.lineTo(this.x(u),this.y(n[p])),t.moveTo(this.x(r-u),t
 l={lap:c,mode:a[p]}}t.stroke(),t.setLineDash([])}axes(t,e,s){let{look:i}=this;t.font=`11px ${i.font}`,t.strokeStyle=i.soft,t.fillStyle=i.soft,t.lineWidth=1,t.strokeRect(
 tt+.5,P+.5,this.box.width-1,this.box.height-1),t.textAlign="center";let n=this.range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-n>200?45:z(a-n,6);for(let p=Math.
 ceil(n/r-1e-9);p*r<=a+1e-9;p++){let c=this.x(p*r*Math.PI/180);t.beginPath(),t.moveTo(c,P+this.box.height),t.lineTo(c,P+this.box.height+4),t.stroke(),t.fillText(
-B(p*r,r),c,P+this.box.height+15)}t.textAlign="right",t.fillText("angle θ within a turn [°]",e-ti,s-3),t.textBaseline="middle";let l=this.top()-this.bottom();for(let p of W(
+B(p*r,r),c,P+this.box.height+15)}t.textAlign="right",t.fillText("angle θ within a turn [°]",e-si,s-3),t.textBaseline="middle";let l=this.top()-this.bottom();for(let p of W(
 this.bottom(),this.top(),5))t.fillText(B(p,z(l,5)),tt-6,this.y(p));t.textBaseline="alphabetic",t.save(),t.translate(11,P+.5*this.box.height),t.rotate(-Math.PI/2),
 t.textAlign="center",t.fillText("θ̇ [rad/s]",0,0),t.restore()}cursor(t){if(!this.films||!this.box)return;let{context:e,width:s,height:i}=_(this.over);e.clearRect(
 0,0,s,i),this.films.forEach((n,a)=>{let r=n.at(t),l=2*Math.PI,p=r.angle-Math.floor(r.angle/l)*l,c=this.x(p),d=this.y(r.omega);c>=tt&&c<=tt+this.box.width&&d>=P&&
 d<=P+this.box.height&&(e.beginPath(),e.arc(c,d,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.modes[r.mode],e.fill(),e.lineWidth=2,e.strokeStyle=this.look.ink,e.stroke())})}seek(t){
 let e=this.body.getBoundingClientRect(),[s,i]=[t.clientX-e.left,t.clientY-e.top];if(this.pinched())return;let n=this.films[this.active],{angle:a,omega:r}=n.columns,
 l=2*Math.PI,p={distance:1/0,t:0};for(let c=0;c<n.length;c++){let d=a[c]-Math.floor(a[c]/l)*l,u=Math.hypot(this.x(d)-s,this.y(r[c])-i);u<p.distance&&(p={distance:u,
-t:n.t[c]})}p.distance<40&&this.clock.seek(y(p.t,0,n.duration))}};var Ye=o=>Object.entries(R).map(([t,e])=>h("option",{value:t},o(e)));function ei(o){let t="height",e=new mt({key:"own",title:"Your choice",unit:"",curves:n=>[{name:T(
+t:n.t[c]})}p.distance<40&&this.clock.seek(y(p.t,0,n.duration))}};var Ye=o=>Object.entries(R).map(([t,e])=>h("option",{value:t},o(e)));function ii(o){let t="height",e=new mt({key:"own",title:"Your choice",unit:"",curves:n=>[{name:T(
 R[t].name),values:R[t].values(n)}]},o),s=()=>{let{symbol:n,unit:a}=R[t];e.unit=a?`${n} [${a}]`:n},i=h("select",{"aria-label":"What your diagram shows",onchange:()=>{
-t=i.value,s(),o.changed()}},Ye(zs));return i.value=t,s(),e.element.querySelector("h3")?.after(i),e}function Fo(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:t=>[{name:"v (centre)",color:o.center_speed,values:t.columns.vx},{name:"\
+t=i.value,s(),o.changed()}},Ye(Cs));return i.value=t,s(),e.element.querySelector("h3")?.after(i),e}function Fo(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:t=>[{name:"v (centre)",color:o.center_speed,values:t.columns.vx},{name:"\
 R θ̇",color:o.rotation_speed,dash:"dash",values:t.derived("spin",({omega:e})=>Float64Array.from(e,s=>s*t.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:t=>[{name:"kinetic",color:o.kinetic,values:t.columns.kinetic},{name:"potential",color:o.potential,values:t.columns.potential},{name:"\
 total",values:t.derived("total",({t:e,kinetic:s,potential:i})=>Float64Array.from(e,(n,a)=>s[a]+i[a])),dash:"dash"},{name:"lost to friction",color:o.friction_loss,
@@ -577,7 +577,7 @@ values:t.columns.friction_loss},{name:t.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"}]},{key:"forces",title:"Contact forces",unit:"force [N]",curves:t=>[{name:"normal N",color:o.normal_force,values:t.columns.normal_force},
 {name:"friction F",color:o.friction_force,dash:"dash",values:t.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],
 curves:t=>[{name:"|F| / μN",color:o.friction_force,values:t.columns.utilization}]}]}var le=class{films;active;look;constructor(t,e){this.colors=e,this.shared={
-axis:"time",range:null,clock:t,changed:()=>this.redraw()},this.plots=[...Fo(e).map(i=>new mt(i,this.shared)),ei(this.shared)];for(let i of this.plots)i.onseek=n=>t.
+axis:"time",range:null,clock:t,changed:()=>this.redraw()},this.plots=[...Fo(e).map(i=>new mt(i,this.shared)),ii(this.shared)];for(let i of this.plots)i.onseek=n=>t.
 seek(n);this.seen=new Map(this.plots.map(i=>[i.element,!0]));let s=new IntersectionObserver(i=>{for(let{target:n,isIntersecting:a}of i)this.seen.set(n,a);this.redraw()},
 {rootMargin:"400px"});for(let i of this.plots)s.observe(i.element);this.axis=h("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.
 axis=this.axis.value,this.shared.range=null,this.redraw()}},Ye(({name:i})=>`over ${i}`)),this.back=h("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].
@@ -606,7 +606,7 @@ playing&&i.state==="recording"&&i.stop()},i.start(),t.clock.play(!0),await a,t.a
 notice.say("The film is there.")}async code(){let{header:t}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion i\
 n Python",t.python,"The scenario as a file",t.toml)}show(...t){let e=[];for(let s=0;s<t.length;s+=2){let i=t[s+1],n=h("button",{type:"button"},"Copy");n.onclick=
 async()=>{await navigator.clipboard?.writeText(i).catch(()=>{}),n.textContent="Copied"},e.push(h("header",{},h("h2",{},t[s]),n),h("pre",{tabindex:"0"},h("code",
-{},i)))}this.dialog.replaceChildren(...e,h("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var si=120,pe=class{constructor(t,e){this.canvas=t,this.onview=e,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,t.addEventListener("pointerdown",s=>this.
+{},i)))}this.dialog.replaceChildren(...e,h("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var oi=120,pe=class{constructor(t,e){this.canvas=t,this.onview=e,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,t.addEventListener("pointerdown",s=>this.
 drag(s)),this.pinched=Z(t,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>t.parentElement})}reset(){this.zoom=1,this.shift=[0,0],this.onview()}zoomBy(t){
 this.zoom=y(this.zoom*t,.05,60),this.onview()}drag(t){let e=[t.clientX,t.clientY],s=this.shift;I(this.canvas,t,i=>{this.pinched()||(this.shift=[s[0]+i.clientX-e[0],
 s[1]+i.clientY-e[1]],this.onview())})}draw(t,e,s,i,n){let{context:a,width:r,height:l}=_(this.canvas);if(a.clearRect(0,0,r,l),r<40||l<40)return;let p=l/t.length,
@@ -631,8 +631,8 @@ v+u*Math.sin(M),a+k+u*Math.cos(M));w?e.lineTo(A,E):e.moveTo(A,E),w=!0};for(let v
 (b===void 0||this.pose.mode==="H"===b)&&m(this.pose.x,this.pose.height,this.pose.angle),e.stroke()};e.globalAlpha=this.options.ahead?.45:1,d(a,s.ink,1.3),d(t.eccentricity*
 a,i.gravity_center,1.8,!1),d(t.eccentricity*a,i.airborne,2.4,!0),e.globalAlpha=1}hoop(){let{film:t,pose:e,context:s,look:i,colors:n,scale:a}=this,r=t.radius,l=y(
 .07*r*a,2,14),p=r-.5*l/a,c=[e.x,r+e.height],d=(w,m=p)=>this.point(c[0]+m*Math.sin(w),c[1]+m*Math.cos(w));if(s.lineCap="butt",i.dark&&(s.strokeStyle=i.soft,s.lineWidth=
-l+2,s.beginPath(),s.arc(...this.point(c[0],c[1]),p*a,0,2*Math.PI),s.stroke()),this.options.speed){let w=this.common.speed;s.lineWidth=l;let m=2*Math.PI/si;for(let v=0;v<
-si;v++){let k=e.angle+v*m,M=Math.hypot(e.vx+r*e.omega*Math.cos(k+.5*m),e.vy-r*e.omega*Math.sin(k+.5*m));s.strokeStyle=ie[y(Math.round(255*M/w)||0,0,255)],s.beginPath(),
+l+2,s.beginPath(),s.arc(...this.point(c[0],c[1]),p*a,0,2*Math.PI),s.stroke()),this.options.speed){let w=this.common.speed;s.lineWidth=l;let m=2*Math.PI/oi;for(let v=0;v<
+oi;v++){let k=e.angle+v*m,M=Math.hypot(e.vx+r*e.omega*Math.cos(k+.5*m),e.vy-r*e.omega*Math.sin(k+.5*m));s.strokeStyle=ie[y(Math.round(255*M/w)||0,0,255)],s.beginPath(),
 s.moveTo(...d(k-.04*m)),s.lineTo(...d(k+1.04*m)),s.stroke()}}else s.strokeStyle=n.modes[e.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(c[0],c[1]),p*a,0,
 2*Math.PI),s.stroke();s.strokeStyle=i.soft,s.lineWidth=1,s.beginPath(),s.moveTo(...this.point(c[0],c[1])),s.lineTo(...d(e.angle)),s.stroke();let u=(w,m,v,k)=>{s.
 beginPath(),s.arc(...w,m,0,2*Math.PI),s.fillStyle=v,s.fill(),s.lineWidth=1.5,s.strokeStyle=k,s.stroke()};u(this.point(c[0],c[1]),2.5,i.soft,i.soft);let f=t.scenario.
@@ -650,8 +650,8 @@ A,l.fillStyle=A,l.lineWidth=E,l.beginPath(),l.moveTo(...f),l.lineTo(g[0]-w*v,g[1
 m*v+w*v*.5),l.lineTo(g[0]-w*v+m*v*.5,g[1]-m*v-w*v*.5),l.fill(),u){let[A,E]=[f[0]+.55*w*b,f[1]+.55*m*b];l.strokeStyle=p.paper,l.lineWidth=2,l.beginPath();for(let S of[
 -3,3])l.moveTo(A+w*(S-3)-m*7,E+m*(S-3)+w*7),l.lineTo(A+w*(S+3)+m*7,E+m*(S+3)-w*7);l.stroke()}l.font=`600 12px ${p.font}`;let k=l.measureText(a).width;l.lineWidth=
 3,l.strokeStyle=r?p.ground:p.paper,l.textAlign="left";let M=r?[f[0]-.5*k-32*this.sine,f[1]+32*this.cosine]:[g[0]+12,y(g[1]+4,16,f[1]-.36*this.film.radius*this.scale)];
-M[0]=y(M[0],4,c-k-4),l.strokeText(a,M[0],M[1]),l.fillText(a,M[0],M[1])}};function Ke(o,t){let e=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let n=0;for(let a=0;a<4;a++)n+=o[4*a+i]*t[4*s+a];e[4*s+i]=n}return e}function ii(o,t,e,s){
-let i=1/Math.tan(o/2),n=1/(e-s);return new Float32Array([i/t,0,0,0,0,i,0,0,0,0,(s+e)*n,-1,0,0,2*s*e*n,0])}function oi(o,t){let e=nt(Ve(o,t)),s=nt(de([0,1,0],e)),
+M[0]=y(M[0],4,c-k-4),l.strokeText(a,M[0],M[1]),l.fillText(a,M[0],M[1])}};function Ke(o,t){let e=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let n=0;for(let a=0;a<4;a++)n+=o[4*a+i]*t[4*s+a];e[4*s+i]=n}return e}function ni(o,t,e,s){
+let i=1/Math.tan(o/2),n=1/(e-s);return new Float32Array([i/t,0,0,0,0,i,0,0,0,0,(s+e)*n,-1,0,0,2*s*e*n,0])}function ai(o,t){let e=nt(Ve(o,t)),s=nt(de([0,1,0],e)),
 i=de(e,s);return new Float32Array([s[0],i[0],e[0],0,s[1],i[1],e[1],0,s[2],i[2],e[2],0,-Ge(s,o),-Ge(i,o),-Ge(e,o),1])}var Ve=(o,t)=>[o[0]-t[0],o[1]-t[1],o[2]-t[2]],
 Ge=(o,t)=>o[0]*t[0]+o[1]*t[1]+o[2]*t[2],de=(o,t)=>[o[1]*t[2]-o[2]*t[1],o[2]*t[0]-o[0]*t[2],o[0]*t[1]-o[1]*t[0]];function nt(o){let t=Math.hypot(...o)||1;return[
 o[0]/t,o[1]/t,o[2]/t]}function ue(o,t,e,s){let i=nt(t),n=nt(de(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=de(n,i);return new Float32Array([...n.map(r=>r*s),0,...i.
@@ -665,24 +665,24 @@ t),o.STATIC_DRAW);let n=s?o.createBuffer():null;s&&(o.bindBuffer(o.ELEMENT_ARRAY
 let a=4*Object.values(e).reduce((r,l)=>r+l,0);return{vertices:i,elements:n,parts:e,stride:a,count:s?s.length:4*t.length/a}}function gt(o,t,e){o.bindBuffer(o.ARRAY_BUFFER,
 e.vertices);let s=0;for(let[i,n]of Object.entries(e.parts)){let a=t.attributes[i];a!==void 0&&(o.enableVertexAttribArray(a),o.vertexAttribPointer(a,n,o.FLOAT,!1,
 e.stride,s)),s+=4*n}e.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,e.elements)}function Qe(o,t){let e=[];for(let s=0;s<o;s++)for(let i=0;i<t;i++){let n=s*(t+1)+
-i,a=n+t+1;e.push(n,a,n+1,a,a+1,n+1)}return e}function ni(o,t=120,e=14){let s=[];for(let i=0;i<=t;i++)for(let n=0;n<=e;n++)s.push(2*Math.PI*i/t,2*Math.PI*n/e);return at(
-o,s,{bend:2},Qe(t,e))}function ai(o,t=28,e=18){let s=[];for(let i=0;i<=t;i++)for(let n=0;n<=e;n++){let[a,r]=[2*Math.PI*i/t,Math.PI*n/e],l=[Math.sin(r)*Math.cos(
+i,a=n+t+1;e.push(n,a,n+1,a,a+1,n+1)}return e}function ri(o,t=120,e=14){let s=[];for(let i=0;i<=t;i++)for(let n=0;n<=e;n++)s.push(2*Math.PI*i/t,2*Math.PI*n/e);return at(
+o,s,{bend:2},Qe(t,e))}function hi(o,t=28,e=18){let s=[];for(let i=0;i<=t;i++)for(let n=0;n<=e;n++){let[a,r]=[2*Math.PI*i/t,Math.PI*n/e],l=[Math.sin(r)*Math.cos(
 a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return at(o,s,{position:3,normal:3},Qe(t,e))}function Ze(o,t,e=20){let s=[];for(let i=0;i<=e;i++){let n=2*
-Math.PI*i/e,a=[Math.cos(n),1-t,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...a,t*Math.cos(n),1,t*Math.sin(n),...a)}return at(o,s,{position:3,normal:3},Qe(e,1))}var ci=`
+Math.PI*i/e,a=[Math.cos(n),1-t,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...a,t*Math.cos(n),1,t*Math.sin(n),...a)}return at(o,s,{position:3,normal:3},Qe(e,1))}var di=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,pi=`
+  }`,ui=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,di="vec4(0.0, 0.0, 0.0, shadow)",ri=[`attribute vec2 bend;
+  }`,mi="vec4(0.0, 0.0, 0.0, shadow)",li=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${pi}
+   ${ui}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -694,21 +694,21 @@ Math.PI*i/e,a=[Math.cos(n),1-t,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${ci}
+   ${di}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${di} : vec4(shaded(color, n), 1.0);
-   }`],hi=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${mi} : vec4(shaded(color, n), 1.0);
+   }`],ci=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${pi}
+   ${ui}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${ci}
-   void main() { gl_FragColor = shadow > 0.0 ? ${di} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],li=[`attribute vec3 position, next, tint; attribute \
+   ${di}
+   void main() { gl_FragColor = shadow > 0.0 ? ${mi} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],pi=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -725,13 +725,13 @@ float side;
      color = tint;
    }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],me=class{constructor(t,e,s,i,{keep:n=!1}={}){let a=t.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:n});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
-t,this.sun=nt(s),this.dark=i,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=ft(a,ri[0],ri[1]),this.body=ft(a,hi[0],hi[1]),this.line=ft(a,li[0],li[1]),this.torus=ni(
-a),this.sphere=ai(a),this.cylinder=Ze(a,1),this.cone=Ze(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(e.flatMap(
+t,this.sun=nt(s),this.dark=i,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=ft(a,li[0],li[1]),this.body=ft(a,ci[0],ci[1]),this.line=ft(a,pi[0],pi[1]),this.torus=ri(
+a),this.sphere=hi(a),this.cylinder=Ze(a,1),this.cone=Ze(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(e.flatMap(
 l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,e.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
 a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=Je(0),
 this.eye=[0,0,1],this.fastest=1}begin({background:t,eye:e,target:s,slope:i,angle:n,near:a,far:r}){let{gl:l,canvas:p}=this;l.viewport(0,0,p.width,p.height),l.clearColor(
-t[0],t[1],t[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let c=ii(n,p.width/p.height,a,r);this.view=Ke(Ke(c,
-oi(e,s)),Je(i)),this.eye=nt(Ve(e,s))}use(t,e){let{gl:s}=this;s.useProgram(t.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...e};for(let[
+t[0],t[1],t[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let c=ni(n,p.width/p.height,a,r);this.view=Ke(Ke(c,
+ai(e,s)),Je(i)),this.eye=nt(Ve(e,s))}use(t,e){let{gl:s}=this;s.useProgram(t.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...e};for(let[
 n,a]of Object.entries(i)){let r=t.uniforms[n];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.length}fv`](
 r,a))}}ground(t){let{gl:e}=this;e.depthFunc(e.ALWAYS),t(),e.depthFunc(e.LESS)}shadows(t){let{gl:e}=this;e.enable(e.BLEND),e.blendFuncSeparate(e.SRC_ALPHA,e.ONE_MINUS_SRC_ALPHA,
 e.ZERO,e.ONE),e.enable(e.STENCIL_TEST),e.stencilFunc(e.EQUAL,0,255),e.stencilOp(e.KEEP,e.KEEP,e.INCR),e.depthFunc(e.ALWAYS),e.depthMask(!1),t(),e.depthMask(!0),
@@ -744,7 +744,7 @@ s-a,.029*i,n),this.solid(this.cone,ue(r,e,a,Math.min(.075*i,.6*a)),n)}trace(t,e,
 r[0]-a[0],r[1]-a[1])<1e-9&&n>0){let l=e(n-1);r=a.map((p,c)=>2*p-l[c])}for(let l of[-1,1])i.push(...a,0,...r,0,...s(n),l)}return at(this.gl,i,{position:3,next:3,
 tint:3,side:1})}drawTrace(t,e,{width:s,distance:i=0,shift:n,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:i,
 shift:n,depth:a}),gt(r,this.line,t),r.drawArrays(r.TRIANGLE_STRIP,0,2*e)}onScreen([t,e,s]){let i=this.view,[n,a,r]=[0,1,3].map(l=>i[l]*t+i[4+l]*e+i[8+l]*s+i[12+
-l]);return r>0?[(.5+.5*n/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Bo=[.35,.85,.4],Do=.18,ui={azimuth:.5,height:.22,distance:5.2},mi=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+l]);return r>0?[(.5+.5*n/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Bo=[.35,.85,.4],Do=.18,fi={azimuth:.5,height:.22,distance:5.2},gi=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -752,10 +752,10 @@ l]);return r>0?[(.5+.5*n/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],fe=class{constructor(t,e){this.canvas=t,this.onview=e,this.space=new me(t,ut,Bo,Do,{keep:!0}),this.floor=ft(this.space.gl,mi[0],mi[1]),this.corners=at(this.
-space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...ui},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,t.addEventListener(
+   }`],fe=class{constructor(t,e){this.canvas=t,this.onview=e,this.space=new me(t,ut,Bo,Do,{keep:!0}),this.floor=ft(this.space.gl,gi[0],gi[1]),this.corners=at(this.
+space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...fi},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,t.addEventListener(
 "pointerdown",s=>this.drag(s)),this.pinched=Z(t,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>t.parentElement})}zoomBy(t){t?this.turned.distance=y(
-this.turned.distance/t,1.6,60):this.turned={...ui},this.onview()}drag(t){let e={...this.turned,x:t.clientX,y:t.clientY};I(this.canvas,t,s=>{this.pinched()||(this.
+this.turned.distance/t,1.6,60):this.turned={...fi},this.onview()}drag(t){let e={...this.turned,x:t.clientX,y:t.clientY};I(this.canvas,t,s=>{this.pinched()||(this.
 turned.azimuth=y(e.azimuth-(s.clientX-e.x)*.008,-1.5,1.5),this.turned.height=y(e.height+(s.clientY-e.y)*.006,.02,1.45),this.onview())})}quality(){let t=performance.
 now(),e=t-(this.before||t);return this.before=t,e>0&&e<200&&(this.pace=.9*this.pace+.1*e),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.
 pace=16),this.share}draw(t,e,s,i,n,a){let{canvas:r,space:l}=this,p=Math.min(globalThis.devicePixelRatio||1,2)*(a?this.quality():1),c=r.getBoundingClientRect();r.
@@ -800,12 +800,12 @@ e[n].t<=t+1e-9;n++)s=n;if(s===this.current)return;this.items[this.current]?.clas
 removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let i=this.items[s];if(i){let n=i.offsetTop-this.list.offsetTop;
 (n<this.list.scrollTop||n+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=n-.4*this.list.clientHeight)}}},be=class{constructor(){
 this.list=h("dl",{}),this.heading=h("h2",{},"What theory says"),this.element=h("section",{class:"theory"},this.heading,this.list)}draw(t,e=""){this.heading.textContent=
-e?`What theory says of hoop ${e}`:"What theory says",this.list.replaceChildren(...t.flatMap(({label:s,text:i})=>[h("dt",{},s),h("dd",{},i)]))}};var fi="hophoop-theme",qo=["gravity_center","airborne","normal_force","friction_force"],ye=class{constructor(t,e,s,i){this.root=t,this.colors=e,this.hosted=s,this.
+e?`What theory says of hoop ${e}`:"What theory says",this.list.replaceChildren(...t.flatMap(({label:s,text:i})=>[h("dt",{},s),h("dd",{},i)]))}};var wi="hophoop-theme",qo=["gravity_center","airborne","normal_force","friction_force"],ye=class{constructor(t,e,s,i){this.root=t,this.colors=e,this.hosted=s,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=Pe(t),this.inks={...e},this.read()}mark(){let t=this.hosted?Ho(fi):null;this.root.dataset.theme=this.chosen??t??(this.media.matches?"dark":
+this.mark(),this.look=Pe(t),this.inks={...e},this.read()}mark(){let t=this.hosted?Ho(wi):null;this.root.dataset.theme=this.chosen??t??(this.media.matches?"dark":
 "light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Pe(this.root),this.inks={...this.colors};for(let t of qo)
 this.inks[t]=se(this.colors[t],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&Uo(fi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};function Ho(o){try{return localStorage.getItem(o)}catch{
+k",this.hosted&&Uo(wi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};function Ho(o){try{return localStorage.getItem(o)}catch{
 return null}}function Uo(o,t){try{localStorage.setItem(o,t)}catch{}}var jo={takeoff:"▲",impact:"▼",apex:"•",jam:"✖",kane_gain:"✚",bounce_limit:"≋",turn:"↺",rest:"■",painleve_inconsistent:"◆",painleve_indeterminate:"\
 ◇",skim:"◗"},Yo={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns b\
 ack",apex:"highest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"j\
@@ -825,30 +825,30 @@ i.fillText("AB"[b],1,w-4))});let d=z(r,n/60);i.fillStyle=e.soft,i.font=`10.5px $
 enter",i.fillText(B(g,d)+(g===0?" s":""),l(g),a-3);let u=y(l(this.clock.time),6,n-6),f=y(l(this.clock.time),1,n-1);i.fillStyle=e.ink,i.fillRect(f-1,p-4,2,a-p-9),
 i.beginPath(),i.moveTo(u-6,p-10),i.lineTo(u+6,p-10),i.lineTo(f,p-1),i.fill(),this.element.setAttribute("aria-valuemax",r.toFixed(3)),this.element.setAttribute("\
 aria-valuenow",this.clock.time.toFixed(3)),this.element.setAttribute("aria-valuetext",`${x(this.clock.time,4)} seconds`)}named(t,e,s,i,n,a,r,l){t.font=`11px ${l.
-font}`,!(a<13||t.measureText(e).width+8>i)&&(t.fillStyle=Xs(r),t.textAlign="center",t.textBaseline="middle",t.fillText(e,s+.5*i,n+.5*a+1),t.textBaseline="alphab\
+font}`,!(a<13||t.measureText(e).width+8>i)&&(t.fillStyle=Ks(r),t.textAlign="center",t.textBaseline="middle",t.fillText(e,s+.5*i,n+.5*a+1),t.textBaseline="alphab\
 etic")}marks(t,e,s,i,n,a){t.font=`11px ${a.font}`,t.textAlign="center";let r=-1/0;for(let l of e.events){let p=jo[l.kind],c=s(l.t);l.kind!=="start"&&l.kind!=="e\
 nd"&&(t.fillStyle=a.panel,t.fillRect(c-.5,i,1,5)),!(!p||c-r<8)&&(r=c,t.fillStyle=a.ink,t.fillText(p,y(c,6,n-6),i-4))}}};var Xo=1/60,Go=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ko={three:"In space"},et=(o,t,e)=>h(
-"button",{type:"button",title:t,"aria-label":t,onclick:e},o),gi=(o,t)=>h("span",{},h("span",{"aria-hidden":"true"},`${o} `),t),xe=class{constructor(t,e,s,i){this.
+"button",{type:"button",title:t,"aria-label":t,onclick:e},o),bi=(o,t)=>h("span",{},h("span",{"aria-hidden":"true"},`${o} `),t),xe=class{constructor(t,e,s,i){this.
 clock=t,this.films=e,this.say=i,this.playButton=et(L("play"),"Play (space)",()=>t.play()),this.playButton.classList.add("play"),this.speeds=h("select",{"aria-la\
 bel":"Speed of the film",onchange:()=>{t.speed=Number(this.speeds.value)}},bt.map(n=>h("option",{value:String(n)},`${n}×`))),this.speeds.value="1",this.switches=
 new Map(Go.map(([n,a,r])=>{let l=`${n==="three"?Ko.three:a} (${r})`;return[n,h("button",{type:"button",class:"switch",title:l,onclick:()=>s(n)},a)]})),this.element=
 h("div",{class:"transport"},h("div",{class:"buttons"},et(L("start"),"To the start (Home)",()=>t.seek(0)),et(L("previous"),"Previous event (Shift ←)",()=>this.
 jump(-1)),et(L("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,et(L("on"),"One frame on (→)",()=>this.nudge(1)),et(L("next"),"Next event (S\
-hift →)",()=>this.jump(1))),h("div",{class:"buttons"},et(gi("▲","hop"),"To the next hop (h)",()=>this.jump(1,"takeoff")),et(gi("▼","landing"),"To the next\
+hift →)",()=>this.jump(1))),h("div",{class:"buttons"},et(bi("▲","hop"),"To the next hop (h)",()=>this.jump(1,"takeoff")),et(bi("▼","landing"),"To the next\
  landing (l)",()=>this.jump(1,"impact"))),this.speeds,h("div",{class:"buttons switches"},[...this.switches.values()]))}show(t){let{clock:e,playButton:s}=this;for(let[
 n,a]of this.switches)a.setAttribute("aria-pressed",String(t[n]));let i=e.playing?"Pause (space)":"Play (space)";(s.title!==i||!s.firstChild)&&(s.replaceChildren(
 L(e.playing?"pause":"play")),s.title=i,s.setAttribute("aria-label",i)),this.speeds.value!==String(e.speed)&&(this.speeds.value=String(e.speed))}nudge(t){this.clock.
 playing=!1,this.clock.seek(this.clock.time+t*Xo*Math.min(this.clock.speed,1))}jump(t,e=null){this.clock.playing=!1;let s=this.films().flatMap(a=>a.events).filter(
 a=>e?a.kind===e:!0).map(a=>a.t).sort((a,r)=>a-r),i=this.clock.time,n=t>0?s.find(a=>a>i+1e-9):s.findLast(a=>a<i-1e-9);if(n===void 0&&e&&(n=s[0]),n===void 0){e&&this.
-say(e==="takeoff"?"This motion has no hop.":"This motion has no landing.");return}this.clock.seek(n)}};var _t=class{constructor(t,e,s,{hosted:i=!1,panels:n=null,onmotion:a=()=>{}}={}){this.root=t,this.backend=e,this.hosted=i,this.onmotion=a,this.prepareRoot();let{
-colors:r}=s;this.clock=new Rt,this.motions=new ae(e,{shown:l=>this.changed(l),settled:()=>this.story.announce(this.films()),noted:()=>this.noted(),failed:l=>this.
+say(e==="takeoff"?"This motion has no hop.":"This motion has no landing.");return}this.clock.seek(n)}};var It=class{constructor(t,e,s,{hosted:i=!1,panels:n=null,onmotion:a=()=>{}}={}){this.root=t,this.backend=e,this.hosted=i,this.onmotion=a,this.prepareRoot();let{
+colors:r}=s;this.clock=new $t,this.motions=new ae(e,{shown:l=>this.changed(l),settled:()=>this.story.announce(this.films()),noted:()=>this.noted(),failed:l=>this.
 notice.fail(l)}),this.notice=new re,this.theme=new ye(t,r,i,()=>this.show()),this.stage=new ge(r,()=>this.request()),this.transport=new xe(this.clock,()=>this.films(),
 l=>this.toggle(l),l=>this.notice.say(l)),this.timeline=new ve(this.clock),this.story=new we(this.clock),this.theory=new be,this.plots=new le(this.clock,r),this.
-phase=new he(e,this.clock,r),this.map=new oe(e,s,l=>{this.clock.time=0,this.motions.change(l,!0)}),this.controls=new Ct(s.controls,(l,p)=>this.motions.change(l,
-p)),this.share=new ce(this),this.help=Ds(s.version),this.hoops=new Qt(l=>this.motions.choose(l)),this.header=new Jt(s.presets,this.share.menu,{take:l=>this.take(
+phase=new he(e,this.clock,r),this.map=new oe(e,s,l=>{this.clock.time=0,this.motions.change(l,!0)}),this.controls=new Ft(s.controls,(l,p)=>this.motions.change(l,
+p)),this.share=new ce(this),this.help=qs(s.version),this.hoops=new Qt(l=>this.motions.choose(l)),this.header=new Jt(s.presets,this.share.menu,{take:l=>this.take(
 l),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(
 n),this.extras=new Vt(this),this.requested=!1,this.surrounding=!1,this.afterFrame=null,this.asked=null,this.later=V(()=>this.fetchTheory(),120),this.frames=0,this.
-latencies=[],this.frame=this.frame.bind(this),this.clock.listeners.add(()=>this.request()),this.deaf=Ws(this,i),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
+latencies=[],this.frame=this.frame.bind(this),this.clock.listeners.add(()=>this.request()),this.deaf=Hs(this,i),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
 this.root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
 "true")}layOut(t){let{root:e,notice:s}=this,i=l=>!t||t.includes(l),n=h("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
 element),a=h("div",{class:"middle"},h("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element),h("div",{class:"words"},this.story.
@@ -871,9 +871,9 @@ theme.look,this.theme.colors),this.plots.cursor(t),this.phase.cursor(t),this.sto
 this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:t}=this.film();this.asked?.abort(),this.
 asked=new AbortController;let{signal:e}=this.asked;try{let s=await this.backend.call("theory",{scenario:t},e);this.theory.draw(s.header.thresholds,this.motions.
 name()),await this.phase.fetch(t,e)}catch(s){let{name:i,message:n}=s;i!=="AbortError"&&this.theory.draw([{label:"–",text:n}])}}toggle(t){let{options:e}=this.stage;
-if(t!=="three")e[t]=!e[t];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(e),this.request()}};async function Vo(o){let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=new It(t),s;try{s=(await e.call("setup",{})).header}catch(a){o.textContent=a.message;
-return}let i=new _t(o,e,s,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let n=new URLSearchParams(location.hash.slice(1)).get("with");try{await i.open([
+if(t!=="three")e[t]=!e[t];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(e),this.request()}};async function Vo(o){let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=new Lt(t),s;try{s=(await e.call("setup",{})).header}catch(a){o.textContent=a.message;
+return}let i=new It(o,e,s,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let n=new URLSearchParams(location.hash.slice(1)).get("with");try{await i.open([
 location.search.slice(1),...n===null?[]:[n]])}catch(a){history.replaceState(null,"",t),await i.open([""]),i.notice.fail(a)}}function Jo({model:o,el:t}){let e=document.
-createElement("div");t.append(e);let s=new Lt(o),i=new _t(e,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
+createElement("div");t.append(e);let s=new Rt(o),i=new It(e,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
 i.motions.set([rt(o.get("film"))]),i.begin();let n=()=>i.motions.replace(rt(o.get("film")));return o.on("change:film",n),()=>{o.off("change:film",n),s.close(),i.
-close()}}var wi=document.getElementById("hophoop-lab");wi&&Vo(wi);var Bh={render:Jo};export{Bh as default};
+close()}}var yi=document.getElementById("hophoop-lab");yi&&Vo(yi);var Bh={render:Jo};export{Bh as default};
