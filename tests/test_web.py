@@ -20,7 +20,7 @@ BUILT = {
 def stamp():
     """As web/build.mjs computes it."""
     folders = ("kernel", "lab", "scene", "space", "words")
-    sources = [path.relative_to(WEB).as_posix() for name in folders for path in (WEB / name).glob("*.js*")]
+    sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js*")]
     digest = hashlib.sha256()
     for name in ["build.mjs", "../src/hophoop/module/layout.json", *sorted(sources)]:
         digest.update(f"{name}\n".encode())

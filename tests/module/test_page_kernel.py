@@ -73,7 +73,8 @@ def test_what_is_told_of_a_motion_is_the_same(answers: dict[str, Any]) -> None:
     for _, motion, answer in decided(answers):
         told = motion.to_dict()
         mine = answer["motion"]
-        assert (mine["status"], mine["sequence"], mine["duration"]) == (told["status"], told["sequence"], motion.duration)
+        assert (mine["status"], mine["sequence"]) == (told["status"], told["sequence"])
+        assert mine["duration"] == pytest.approx(motion.duration, rel=1e-12)
         for event, other in zip(told["events"], mine["events"], strict=True):
             assert event.keys() == other.keys()
             assert (event["kind"], event["from"], event["to"]) == (other["kind"], other["from"], other["to"])

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 4086a689155f017054d04c41e1158b2e */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources c6da7e9f44281774970bb2af38928960 */
 var xi={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function rt(o){let t=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
 4,4+s))),n={};for(let{name:a,type:r,shape:l,place:p}of i.arrays){let c=l.reduce((d,u)=>d*u,1);n[a]=new xi[r](e.buffer,e.byteOffset+4+s+p,c)}return{header:i,arrays:n}}var wt=class extends Error{},ki=500;async function is(o,t,e){for(;;)try{return await o()}catch(s){if(!(s instanceof wt))throw s;t(s.message),await new Promise(i=>setTimeout(
@@ -303,7 +303,7 @@ let[t,e]=[C(o,"skim"),C(o,"impact")];return t?t.t+.7*((e?.t??o.duration)-t.t):o.
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
 Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:o=>Ds({label:"Speed of the centre",unit:"m/s",most:10},
 o),until:([o])=>po(o,Gt),answer:([o])=>{let t=co(o,"vx");return{truth:t,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:x(Math.max(
-...t),3)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
+...t),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
 guess:o=>We("Angle of the load where it begins to slip",o),until:([o])=>(C(o,"slip_start")?.t??0)+.02,answer:([o])=>{let t=C(o,"slip_start"),e=o.at(t.t).normal_force/
