@@ -4,6 +4,8 @@ import { name as called, spokenText } from "./words.js";
 
 const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
 
+import { luminance } from "./colors.js";
+
 /**
  * An element with attributes, listeners (`onclick`) and children; what is null or false is left out.
  * @template {keyof HTMLElementTagNameMap} Tag
@@ -69,10 +71,24 @@ export function fitted(canvas) {
   return { context, width: width / ratio, height: height / ratio };
 }
 
+/**
+ * A colour as #rrggbb, also one that the system names, such as CanvasText.
+ * @param {string} color
+ */
+function plainColor(color) {
+  if (/^#[0-9a-f]{6}$/i.test(color)) return color;
+  const context = pen(h("canvas", { width: 1, height: 1 }));
+  context.fillStyle = color;
+  context.fillRect(0, 0, 1, 1);
+  const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
+  return `#${[r, g, b].map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+}
+
 /** @param {HTMLElement} element */
 export function theme(element) {
   const style = getComputedStyle(element);
-  const read = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  const given = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  const read = (/** @type {string} */ name) => plainColor(given(name));
   return {
     ink: read("--ink"),
     soft: read("--soft"),
@@ -80,8 +96,8 @@ export function theme(element) {
     paper: read("--paper"),
     panel: read("--panel"),
     ground: read("--ground"),
-    font: read("--font"),
-    dark: read("--dark") === "1",
+    font: given("--font"),
+    dark: luminance(read("--paper")) < 0.2,
   };
 }
 

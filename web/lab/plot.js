@@ -31,7 +31,7 @@ export class Plot {
   picked;
   /** @type {string} */
   named;
-  /** @type {HTMLOutputElement[]} */
+  /** @type {HTMLElement[]} */
   values;
 
   /**
@@ -267,7 +267,7 @@ export class Plot {
     const names = curves.map((curve) => curve.name).join() + dark;
     if (this.named !== names) {
       this.named = names;
-      this.values = curves.map(() => h("output", {}));
+      this.values = curves.map(() => h("span", { class: "value" }));
       this.keys.replaceChildren(
         ...curves.map((curve, i) =>
           h("span", { class: "plot-key" }, swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),

@@ -3,6 +3,7 @@
 import { h } from "./dom.js";
 import { optionsOf, ownPlot } from "./own_plot.js";
 import { Plot } from "./plot.js";
+import { zoomHint } from "./zoom.js";
 
 /**
  * @param {Colors} colors
@@ -134,7 +135,7 @@ export class Plots {
     this.look = look;
     const hands = matchMedia("(hover: none)").matches
       ? "slide to go there, two fingers zoom"
-      : "drag to zoom, double-click for all, click to go there";
+      : `click to go there, drag to zoom; ${zoomHint("")}`;
     this.hint.textContent =
       films.length > 1 ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands;
     this.redraw();

@@ -53,7 +53,7 @@ export class Stage {
         { class: "stage-keys", "aria-hidden": "true" },
         dot("var(--ink)", "load"),
         dot(colors.gravity_center, "centre of gravity"),
-        dot(colors.airborne, "airborne"),
+        dot(colors.airborne, "the same in flight"),
         this.order,
       ),
     );
