@@ -22,8 +22,8 @@ BUILT = {
 
 def stamp():
     """As web/build.mjs computes it."""
-    folders = ("kernel", "lab", "scene", "site", "space")
-    sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js")]
+    folders = ("kernel", "lab", "scene", "site", "space", "words")
+    sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js*")]
     digest = hashlib.sha256()
     for name in ["build.mjs", "../src/hophoop/module/layout.json", *sorted(sources)]:
         digest.update(f"{name}\n".encode())

@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const SOURCES = ["kernel", "lab", "scene", "site", "space"];
+const SOURCES = ["kernel", "lab", "scene", "site", "space", "words"];
 const LAYOUT = "../src/hophoop/module/layout.json"; // of the WebAssembly module, which the bundles are for
 const TARGETS = [
   { entry: "lab/main.js", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
@@ -23,7 +23,7 @@ const TARGETS = [
 function stamp() {
   const names = SOURCES.flatMap((folder) => readdirSync(join(here, folder)).map((name) => `${folder}/${name}`));
   const hash = createHash("sha256");
-  for (const name of ["build.mjs", LAYOUT, ...names.filter((name) => name.endsWith(".js")).sort()]) {
+  for (const name of ["build.mjs", LAYOUT, ...names.filter((name) => /\.js(on)?$/.test(name)).sort()]) {
     hash.update(`${name}\n`).update(readFileSync(join(here, name)));
   }
   return hash.digest("hex").slice(0, 32);

@@ -50,6 +50,14 @@ interface SliderInfo {
   step: number;
   logarithmic: boolean;
   degrees: boolean;
+  allowed?: { least: number; most: number; also: (number | "inf")[] }; // in SI units
+}
+
+// What a number may be: a range, both ends included, and single values besides.
+interface AllowedRange {
+  least: number;
+  most: number;
+  also: number[];
 }
 
 interface ChoiceInfo {
@@ -65,6 +73,7 @@ interface AxisInfo {
   unit: string;
   degrees: boolean;
   range: [number, number];
+  allowed: [number, number];
 }
 
 interface ControlsInfo {
@@ -155,6 +164,7 @@ interface StageOptions {
   speed: boolean;
   whole: boolean;
   three: boolean;
+  ahead: boolean; // the path that is to come, while the hoop is held
 }
 
 interface Point {

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 3f925dbbf8767af806f92b99e6a2933c */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources f87526c0157393e22c5ea3b47978f2f7 */
 var a={sources:"fddfdaccccc9805375b9ac4890c04a36",module:"b1f9e4235ba6baef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring","damping","friction",
