@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -97,8 +98,9 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
         math.nan if value is None else value
         for value in (contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness)
     ]
+    made: Any = compliance_of
     # interpreted, since it is called once a motion
-    compliance = compliance_of.interpreted(body, hoop.radius, second, hoop.mass, law, friction, *given)
+    compliance = made.interpreted(body, hoop.radius, second, hoop.mass, law, friction, *given)
     rtol = RTOL if contact.rtol is None else contact.rtol
     return body, compliance, scenario.duration / second, rtol
 
@@ -128,7 +130,8 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
     start[VT] = given.slip / speed
     start[VN] = given.vy / speed
     start[OM] = given.omega * second
-    touching: bool = load_contact.interpreted(body, comp, start)
+    loaded: Any = load_contact
+    touching: bool = loaded.interpreted(body, comp, start)
     return start, touching
 
 
