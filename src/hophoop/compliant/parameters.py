@@ -16,7 +16,8 @@ from hophoop.physics.compliant import (
     hunt_crossley_number,
     static_excess,
 )
-from hophoop.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness
+from hophoop.physics.contact import free_acceleration
+from hophoop.physics.resistance import forces_rolling, motion_slipping, stiffness_slipping
 from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import time_unit, to_body
 
@@ -63,10 +64,11 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
             c = 2.0 * damping_ratio(restitution) * math.sqrt(k)
         else:
             d = hunt_crossley_number(restitution)
+    usual = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
     if contact.slip_speed is not None:
         v_s = contact.slip_speed * second / hoop.radius
     else:
-        v_s = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
+        v_s = usual
         if friction == FrictionLaw.BRISTLE:  # it may relax as slowly as the hoop moves: c_t = μ k_t
             v_s = min(1.0 / k, 1.0)
     if body.mu_s == 0.0:  # nothing for a bristle to hold
@@ -84,6 +86,7 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
         excess=static_excess(body.mu_s, body.mu_k) if friction == FrictionLaw.TANH else 0.0,
         k_t=k_t,
         c_t=body.mu_s / v_s,
+        om_s=usual if friction == FrictionLaw.BRISTLE else v_s,
     )
     rtol = RTOL if contact.rtol is None else contact.rtol
     return body, compliance, scenario.duration / second, rtol
@@ -152,18 +155,18 @@ def _rigid_force(body: Body, start: np.ndarray) -> tuple[float, float]:
     s, c, u = math.sin(start[TH]), math.cos(start[TH]), start[OM] ** 2
     sigma = int(np.sign(start[VT]))
     if sigma == 0:
-        friction, normal = rolling_forces(body, s, c, u)
+        friction, normal = forces_rolling(body, s, c, start[OM])
         if normal > 0.0 and abs(friction) <= body.mu_s * normal:
             return friction, normal
         sigma = -int(np.sign(friction))
     opening = free_acceleration(body, s, c, u)[1]
-    stiffness = slip_stiffness(body, s, c, sigma)
+    stiffness = stiffness_slipping(body, s, c, start[OM], sigma)
     if opening < 0.0 < stiffness:
-        normal = slip_motion(body, s, c, u, sigma)[1]
+        normal = motion_slipping(body, s, c, start[OM], sigma)[1]
         return -sigma * body.mu_k * normal, normal
     if opening > 0.0 > stiffness and body.strike:
         # Painlevé's indeterminate contact: beyond twice the unstable equilibrium the spring strikes
-        return 0.0, 2.0 * slip_motion(body, s, c, u, sigma)[1]
+        return 0.0, 2.0 * motion_slipping(body, s, c, start[OM], sigma)[1]
     return 0.0, 0.0
 
 
