@@ -50,6 +50,14 @@ interface SliderInfo {
   step: number;
   logarithmic: boolean;
   degrees: boolean;
+  allowed?: { least: number; most: number; also: (number | "inf")[] }; // in SI units
+}
+
+// What a number may be: a range, both ends included, and single values besides.
+interface AllowedRange {
+  least: number;
+  most: number;
+  also: number[];
 }
 
 interface ChoiceInfo {
@@ -65,6 +73,7 @@ interface AxisInfo {
   unit: string;
   degrees: boolean;
   range: [number, number];
+  allowed: [number, number];
 }
 
 interface ControlsInfo {
@@ -155,6 +164,7 @@ interface StageOptions {
   speed: boolean;
   whole: boolean;
   three: boolean;
+  ahead: boolean; // the path that is to come, while the hoop is held
 }
 
 interface Point {
@@ -358,6 +368,7 @@ interface Given {
   ideal: boolean; // given by its load fraction: κ = 1 − ε²
   gravity: number;
   slope: number;
+  rolling_resistance: number;
   mu_static: number; // may be Infinity, as μk
   mu_kinetic: number;
   restitution: number;
@@ -385,6 +396,8 @@ interface Mechanics {
     radius: number,
     parts: WholePart[],
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
+  /** Python's `most_resistance`; missing where the kernel knows none. */
+  resistance?(eccentricity: number, inertia_ratio: number): number;
   /** A compliant contact beside its hoop, with the defaults filled in; missing where the kernel knows rigid contact only. */
   compliance?(given: Given): Compliance;
 }
@@ -483,6 +496,7 @@ interface CheckedHoop {
 interface CheckedPlane {
   gravity: number;
   slope: number;
+  rolling_resistance: number;
   mu: number | null; // where both are one
   mu_static: number;
   mu_kinetic: number;

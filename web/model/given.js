@@ -6,7 +6,7 @@
  */
 export function given({ duration, hoop, plane, start, contact }) {
   const { radius, mass, eccentricity, inertia_ratio } = hoop;
-  const { gravity, slope, mu_static, mu_kinetic, restitution, impact_law, painleve } = plane;
+  const { gravity, slope, rolling_resistance, mu_static, mu_kinetic, restitution, impact_law, painleve } = plane;
   const { x, height, angle, vx, vy, omega, slip } = stateOf(start, radius);
   const { max_events, model, ...rest } = contact;
   return {
@@ -17,6 +17,7 @@ export function given({ duration, hoop, plane, start, contact }) {
     ideal: hoop.load_fraction !== null,
     gravity,
     slope,
+    rolling_resistance,
     mu_static,
     mu_kinetic,
     restitution,

@@ -144,6 +144,10 @@ export function fitting(checked, mechanics, given) {
   const massless = hoop.inertia_ratio === 0;
   const compliant = contact.model === "compliant";
   if (massless && plane.slope !== 0) broken("massless_slope", { slope: plane.slope });
+  const resistance = plane.rolling_resistance;
+  if (resistance !== 0 && massless) broken("massless_resistance", { given: resistance });
+  const most = resistance === 0 ? undefined : mechanics.resistance?.(hoop.eccentricity, hoop.inertia_ratio);
+  if (most !== undefined && !(resistance < most)) broken("resistance", { given: resistance, most });
   if (massless && compliant) broken("massless_compliant");
   if (compliant && plane.mu_static === Infinity) broken("compliant_friction");
   if (compliant && mechanics.compliance) fittingContact(contact, mechanics.compliance(given(checked)));

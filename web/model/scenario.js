@@ -169,6 +169,7 @@ function hoopKeys(hoop) {
 /** @param {CheckedPlane} plane */
 function planeKeys(plane) {
   const out = plane.apart ? ["mu"] : ["mu_static", "mu_kinetic"];
+  if (plane.rolling_resistance === 0) out.push("rolling_resistance"); // as in files of before there was one
   return written(
     plane,
     namesOf("Plane").filter((name) => !out.includes(name)),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -21,7 +22,8 @@ from hophoop.physics.compliant import (
     hunt_crossley_number,
     static_excess,
 )
-from hophoop.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness
+from hophoop.physics.contact import free_acceleration
+from hophoop.physics.resistance import forces_rolling, motion_slipping, stiffness_slipping
 from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import time_unit, to_body
 
@@ -57,17 +59,18 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
             c = 2.0 * damping_ratio(rebound) * math.sqrt(k)
         else:
             d = hunt_crossley_number(rebound)
+    usual = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
+    v_s = usual
     if not math.isnan(slip_speed):
         v_s = slip_speed * second / length
     elif friction == BRISTLE:  # it may relax as slowly as the hoop moves: c_t = μ k_t
         v_s = min(1.0 / k, 1.0)
-    else:
-        v_s = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
     if body.mu_s == 0.0:  # nothing for a bristle to hold
         friction = LINEAR
     k_t = k if math.isnan(tangential) else tangential * second**2 / mass
     excess = static_excess(body.mu_s, body.mu_k) if friction == TANH else 0.0
-    return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s)
+    om_s = usual if friction == BRISTLE else v_s
+    return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s, om_s)
 
 
 def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
@@ -97,8 +100,9 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
         math.nan if value is None else value
         for value in (contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness)
     ]
+    made: Any = compliance_of
     # interpreted, since it is called once a motion
-    compliance = compliance_of.interpreted(body, hoop.radius, second, hoop.mass, law, friction, *given)
+    compliance = made.interpreted(body, hoop.radius, second, hoop.mass, law, friction, *given)
     rtol = RTOL if contact.rtol is None else contact.rtol
     return body, compliance, scenario.duration / second, rtol
 
@@ -128,7 +132,8 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
     start[VT] = given.slip / speed
     start[VN] = given.vy / speed
     start[OM] = given.omega * second
-    touching: bool = load_contact.interpreted(body, comp, start)
+    loaded: Any = load_contact
+    touching: bool = loaded.interpreted(body, comp, start)
     return start, touching
 
 
@@ -162,18 +167,18 @@ def rigid_force(body, start):
     u = start[OM] ** 2
     sigma = direction(start[VT])
     if sigma == 0:
-        friction, normal = rolling_forces(body, s, c, u)
+        friction, normal = forces_rolling(body, s, c, start[OM])
         if normal > 0.0 and abs(friction) <= body.mu_s * normal:
             return friction, normal
         sigma = -direction(friction)
     opening = free_acceleration(body, s, c, u)[1]
-    stiffness = slip_stiffness(body, s, c, sigma)
+    stiffness = stiffness_slipping(body, s, c, start[OM], sigma)
     if opening < 0.0 < stiffness:
-        normal = slip_motion(body, s, c, u, sigma)[1]
+        normal = motion_slipping(body, s, c, start[OM], sigma)[1]
         return -sigma * body.mu_k * normal, normal
     if opening > 0.0 > stiffness and body.strike:
         # Painlevé's indeterminate contact: beyond twice the unstable equilibrium the spring strikes
-        return 0.0, 2.0 * slip_motion(body, s, c, u, sigma)[1]
+        return 0.0, 2.0 * motion_slipping(body, s, c, start[OM], sigma)[1]
     return 0.0, 0.0
 
 

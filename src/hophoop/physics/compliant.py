@@ -10,6 +10,8 @@ and the friction is one of
     tanh, linear       F = −N φ(v_t/v_s), creeping under every load
     bristle            a spring and damper along the plane, F = −(k_t z + c_t ż), whose foot sticks to
                        the plane (ż = v_t) while abs(F) ≤ μs N and else slides with abs(F) = μk N
+
+Rolling resistance is a couple −f N tanh(θ̇/ω_s) on the hoop, which creeps under every load.
 """
 
 from __future__ import annotations
@@ -54,6 +56,7 @@ class Compliance(NamedTuple):
     excess: float  # of static friction in the tanh law, see `static_excess`
     k_t: float  # bristle
     c_t: float
+    om_s: float = 1e-6  # θ̇ at which rolling resistance comes to its full size
 
 
 # The part of friction that is above the kinetic one falls off over so many slip speeds in the tanh law.
@@ -111,6 +114,13 @@ def friction_force(comp, regime, normal, z, vt):
         return -regime * comp.mu_k * normal, -regime * comp.mu_k, 0.0, 0.0
     phi, slope = traction(comp, regime, vt)
     return -normal * phi, -phi, -normal * slope, 0.0
+
+
+@jit
+def resisting_couple(comp, resist, normal, om):
+    """(C, ∂C/∂N, ∂C/∂θ̇) of the couple of rolling resistance."""
+    hyper = math.tanh(om / comp.om_s)
+    return -resist * normal * hyper, -resist * hyper, -resist * normal * (1.0 - hyper * hyper) / comp.om_s
 
 
 @jit

@@ -12,6 +12,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
 from hophoop.physics.body import Body, ImpactLaw
+from hophoop.physics.resistance import most_resistance
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
@@ -39,7 +40,8 @@ class Scenario(Frozen):
     ------
     ValueError
         If duration is not positive, or the parts do not go together: the massless hoop needs a level plane
-        and rigid contact, and compliant contact a finite friction.
+        without rolling resistance and rigid contact, compliant contact a finite friction, and rolling resistance is below a
+        limit that the hoop sets.
 
     Examples
     --------
@@ -61,6 +63,7 @@ class Scenario(Frozen):
         compliant = isinstance(self.contact, Compliant)
         if self.hoop.massless and self.plane.slope != 0.0:
             raise refuse(say("massless_slope", slope=self.plane.slope))
+        _check_resistance(self.hoop, self.plane)
         if self.hoop.massless and compliant:
             raise refuse(say("massless_compliant"))
         if compliant and self.plane.mu_static == math.inf:
@@ -282,6 +285,18 @@ class Scenario(Frozen):
         return to_body(self.hoop, self.plane)
 
 
+def _check_resistance(hoop: Hoop, plane: Plane) -> None:
+    """Refuse a rolling resistance with which the rolling of this hoop would not have one answer at every angle."""
+    given = plane.rolling_resistance
+    if given == 0.0:
+        return
+    if hoop.massless:
+        raise refuse(say("massless_resistance", given=given))
+    most = most_resistance(hoop.eccentricity, hoop.inertia_ratio)
+    if not given < most:
+        raise refuse(say("resistance", given=given, most=most))
+
+
 def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     """Refuse a spring that is no contact any more: too soft or too stiff for this hoop, or for its start."""
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
@@ -331,6 +346,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
         ideal=hoop.load_fraction is not None,
+        resist=plane.rolling_resistance,
     )
 
 

@@ -54,6 +54,13 @@ TEXTS: Final[dict[str, str]] = {
     "no_omega": "start.omega = None must be a number.",
     # what must go together
     "massless_slope": "plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",
+    "massless_resistance": (
+        "plane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0)."
+    ),
+    "resistance": (
+        "plane.rolling_resistance = {given!r} must be below {most:.6g} for this hoop, whose inertia about the contact "
+        "it would cancel at some angle."
+    ),
     "massless_compliant": ("contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0)."),
     "compliant_friction": "plane.mu_static = inf must be finite with contact.model = 'compliant'.",
     "relative_contact": "contact.{name} = {value!r} is {relative:.3g} {unit} of this hoop and must be {words} of it.",
