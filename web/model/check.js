@@ -49,20 +49,9 @@ export function findings(float = () => false, above = "") {
  * @param {Record<string, any>} [values]
  */
 export function refuse(found, path, value, kind, values) {
-  const shown = shortened(pythonText(value, found.float(path)));
-  // a limit of a whole number is that of what was made of it
-  const text = kind.endsWith("than") || kind.endsWith("equal") ? shownLimited(found, path, value, shown) : shown;
-  found.said.push(say("finding", { path: found.above + path, shown: text, allowed: say(kind, values) }));
-}
-
-/**
- * @param {Findings} found
- * @param {string} path
- * @param {any} value
- * @param {string} shown
- */
-function shownLimited(found, path, value, shown) {
-  return path.endsWith("max_events") && found.float(path) ? shortened(String(BigInt(value))) : shown;
+  const shown = typeof value === "bigint" ? String(value) : pythonText(value, found.float(path));
+  const where = found.above + path || texts.whole_scenario;
+  found.said.push(say("finding", { path: where, shown: shortened(shown), allowed: say(kind, values) }));
 }
 
 /**
@@ -128,7 +117,8 @@ export function readValue(field, value, path, found) {
   if (field.kind === "whole" && !Number.isInteger(given)) return refuse(found, path, value, "whole");
   if (!infinite && !Number.isFinite(given)) return refuse(found, path, value, "finite_number");
   for (const [kind, limit] of field.limits ?? []) {
-    if (!within(kind, given, limit)) return refuse(found, path, value, kind, { limit });
+    if (within(kind, given, limit)) continue;
+    return refuse(found, path, field.kind === "whole" ? BigInt(given) : value, kind, { limit });
   }
   if (field.range && !holds(field.range, given)) return refuse(found, path, value, "range", field.range);
   return given + 0; // no −0

@@ -58,6 +58,14 @@ function rank(path) {
 }
 
 /**
+ * Whether the number at a path is one of a scenario, which has a point, and not one that is just given.
+ * @param {string[]} given paths
+ * @returns {(path: string) => boolean}
+ */
+export const floats = (given) => (path) =>
+  !given.some((one) => path === one || path.startsWith(one.endsWith(".") ? one : `${one}.`));
+
+/**
  * Keys of a scenario with other values at some paths, ready to be checked.
  * @param {Checked} checked
  * @param {Record<string, any>} data its keys, which are changed
@@ -73,7 +81,7 @@ export function replaced(checked, data, values, readHoop) {
     throw new InputError(say("two_ways", { one, other, one_value: first, other_value: second }));
   }
   const spelt = new Set();
-  const float = (/** @type {string} */ path) => !paths.some((one) => path === one || path.startsWith(`${one}.`));
+  const float = floats(paths);
   for (const path of paths.sort((a, b) => rank(a) - rank(b))) {
     const value = structuredClone(values.get(path));
     const [section, rest] = split(path);

@@ -2,7 +2,7 @@
 
 import { findings, InputError, isTable, refuse, TooMuch, whole } from "./check.js";
 import { contradiction } from "./paths.js";
-import { fromDict, fromQuery, withValues } from "./scenario.js";
+import { fromQuery, read, withValues } from "./scenario.js";
 import { tables } from "./tables.js";
 import { fill, jsonText, Shown } from "./text.js";
 
@@ -23,12 +23,13 @@ export const labText = (name, values = {}) => fill(lab[name], values);
  */
 export function asked({ scenario, query = null, changes = [] }, mechanics) {
   const found = findings();
+  let checked = null;
   if (scenario !== undefined && !isTable(scenario)) refuse(found, "scenario", scenario, "table");
+  else if (scenario !== undefined) checked = read(scenario, mechanics, { ...found, above: "scenario." });
   if (query !== null && typeof query !== "string") refuse(found, "query", query, "word");
   if (!Array.isArray(changes)) refuse(found, "changes", changes, "list");
+  else found.said.push(...changes.filter((change) => !isPair(change)).map(notPair));
   if (found.said.length) throw new InputError(whole(found.said));
-  changes.forEach(checkChange);
-  let checked = scenario === undefined ? null : fromDict(scenario, mechanics, findings(undefined, "scenario."));
   if (query !== null || !checked) checked = fromQuery(query ?? "", mechanics);
   let values = new Map();
   for (const [path, value] of changes) {
@@ -42,10 +43,10 @@ export function asked({ scenario, query = null, changes = [] }, mechanics) {
 }
 
 /** @param {any} change */
-function checkChange(change) {
-  if (Array.isArray(change) && change.length === 2 && typeof change[0] === "string") return;
-  throw new InputError(labText("not_a_pair", { change: new Shown(jsonText(change).slice(0, 60)) }));
-}
+const isPair = (change) => Array.isArray(change) && change.length === 2 && typeof change[0] === "string";
+
+/** @param {any} change */
+const notPair = (change) => labText("not_a_pair", { change: new Shown(jsonText(change).slice(0, 60)) });
 
 /**
  * The scenario with its events bounded; what is more than a page computes is refused.

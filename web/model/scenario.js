@@ -2,7 +2,7 @@
 
 import { findings, InputError, isTable, readFields, readValue, refuse, tagged, unknownKey, whole } from "./check.js";
 import { given } from "./given.js";
-import { replaced } from "./paths.js";
+import { floats, replaced } from "./paths.js";
 import { queryText, readQuery } from "./query.js";
 import { Broken, completeContact, completeHoop, completePlane, completeStart, fitting } from "./rules.js";
 import { tables } from "./tables.js";
@@ -27,9 +27,9 @@ export function fromDict(keys, mechanics, found = findings()) {
  * @param {any} keys
  * @param {Mechanics} mechanics
  * @param {import("./check.js").Findings} found
- * @returns {Checked | null}
+ * @returns {Checked | null} null where something is wrong, which is then said in `found`
  */
-function read(keys, mechanics, found) {
+export function read(keys, mechanics, found) {
   const { fields, place } = knowledge.models.Scenario;
   if (!isTable(keys)) {
     refuse(found, "", keys, "table");
@@ -104,13 +104,7 @@ export function fromQuery(query, mechanics) {
  */
 export function withValues(checked, values, mechanics) {
   const keys = replaced(checked, toDict(checked), values, (hoop, path) => readHoop(hoop, mechanics, path));
-  const named = [...values.keys()];
-  const raw = (/** @type {string} */ path) => named.some((one) => path === one || path.startsWith(`${one}.`));
-  return fromDict(
-    keys,
-    mechanics,
-    findings((path) => !raw(path)),
-  );
+  return fromDict(keys, mechanics, findings(floats([...values.keys()])));
 }
 
 /**
