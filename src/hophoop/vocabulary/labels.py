@@ -56,6 +56,26 @@ PARAMETERS: Final = {
 """Short names of parameters, by path, as axes of maps show them."""
 
 
+def normal_loss(contact: str) -> str:
+    """What the energy is called that contact takes in the normal direction.
+
+    Parameters
+    ----------
+    contact : str
+        Model of the contact: rigid or compliant.
+
+    Returns
+    -------
+    label : str
+
+    Examples
+    --------
+    >>> normal_loss("rigid"), normal_loss("compliant")
+    ('lost in impacts, normal part', 'lost in the damper')
+    """
+    return "lost in impacts, normal part" if contact == "rigid" else "lost in the damper"
+
+
 def with_unit(text: str, unit: str) -> str:
     """A name with its unit, as axes and tables show it.
 
