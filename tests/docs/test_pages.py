@@ -10,14 +10,8 @@ import pytest
 from page_tools import faults, toctree_pages
 
 DOCS = Path(__file__).parents[2] / "docs"
-LONG = {
-    "article.md",
-    "films.md",
-    "derivatives.md",
-    "compliant.md",
-    "proofs.md",
-    "maps.md",
-}  # they make films, or compile more kernels
+# they make films, or compile more kernels
+LONG = {"article.md", "films.md", "derivatives.md", "compliant.md", "proofs.md", "maps.md"}
 PAGES = [
     pytest.param(page, id=page.relative_to(DOCS.parent).as_posix(), marks=[pytest.mark.slow] if page.name in LONG else [])
     for page in [DOCS.parent / "README.md", DOCS.parent / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]

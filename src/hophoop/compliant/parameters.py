@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -59,17 +60,16 @@ def compliance_of(body, length, second, mass, law, friction, stiffness, damping,
         else:
             d = hunt_crossley_number(rebound)
     usual = min(max(1.0 / k, LEAST_SLIP_SPEED), SLIP_SPEED)
+    v_s = usual
     if not math.isnan(slip_speed):
         v_s = slip_speed * second / length
     elif friction == BRISTLE:  # it may relax as slowly as the hoop moves: c_t = μ k_t
         v_s = min(1.0 / k, 1.0)
-    else:
-        v_s = usual
-    om_s = usual if friction == BRISTLE else v_s
     if body.mu_s == 0.0:  # nothing for a bristle to hold
         friction = LINEAR
     k_t = k if math.isnan(tangential) else tangential * second**2 / mass
     excess = static_excess(body.mu_s, body.mu_k) if friction == TANH else 0.0
+    om_s = usual if friction == BRISTLE else v_s
     return Compliance(law, friction, k, c, d, v_s, body.mu_s, body.mu_k, excess, k_t, body.mu_s / v_s, om_s)
 
 
@@ -100,8 +100,9 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
         math.nan if value is None else value
         for value in (contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness)
     ]
+    made: Any = compliance_of
     # interpreted, since it is called once a motion
-    compliance = compliance_of.interpreted(body, hoop.radius, second, hoop.mass, law, friction, *given)
+    compliance = made.interpreted(body, hoop.radius, second, hoop.mass, law, friction, *given)
     rtol = RTOL if contact.rtol is None else contact.rtol
     return body, compliance, scenario.duration / second, rtol
 
@@ -131,7 +132,8 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
     start[VT] = given.slip / speed
     start[VN] = given.vy / speed
     start[OM] = given.omega * second
-    touching: bool = load_contact.interpreted(body, comp, start)
+    loaded: Any = load_contact
+    touching: bool = loaded.interpreted(body, comp, start)
     return start, touching
 
 

@@ -145,10 +145,11 @@ def controls() -> dict[str, Any]:
         angle = path in DEGREES
         unit = "°" if angle else "" if parameter(path).unit == "1" else parameter(path).unit
         allowed = range_of(path)
+        least = min(allowed.least, 0.0) if 0.0 in allowed.also else allowed.least
         axes.append(
             {
                 "path": path, "label": label, "unit": unit, "degrees": angle, "range": [low, high],
-                "allowed": [min(allowed.least, *allowed.also), allowed.most] if 0.0 in allowed.also else [allowed.least, allowed.most],
+                "allowed": [least, allowed.most],
             }
         )  # fmt: skip
     return {

@@ -102,7 +102,7 @@ def compliant_motion(given, contact, events, most_events, most_steps, rows, most
     t_end = duration / scales.time
     rtol = RTOL if math.isnan(asked[7]) else asked[7]
     none = np.empty(0, SEGMENT)
-    status, count, found, pieces = run(body, comp, start, touching, t_end, rtol, most_steps, records, none)
+    status, count, found, pieces = run(body, comp, start, touching, t_end, rtol, most_steps, records, none, np.zeros(1))
     for k in range(count):
         write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), lines[k])
     for k in range(min(pieces, most_rows)):

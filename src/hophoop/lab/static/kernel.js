@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources f87526c0157393e22c5ea3b47978f2f7 */
-var a={sources:"fddfdaccccc9805375b9ac4890c04a36",module:"b1f9e4235ba6baef",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources eaea4ab4a5a975a028ae84db5dc8c78e */
+var a={sources:"764e8b8e53f79af7cb4e81ca3c1d686f",module:"a81c61d7b0d54a9c",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring","damping","friction",
 "impact_normal","impact_tangential","residual"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy","omega","slip","before_vx","before_vy","\
