@@ -1,8 +1,12 @@
-// Reads requests, one JSON a line, and answers each as the page would: `node answer.mjs < asked > answered`.
+// Reads requests, one JSON a line, and answers each as the page would: `node answer.mjs kernel.js module < asked > answered`.
 
+import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import * as model from "../../web/model/index.js";
-import { mechanics } from "./mechanics.mjs";
+
+const [script, binary] = process.argv.slice(2);
+const { HoopModule } = await import(script);
+const mechanics = new HoopModule(new WebAssembly.Module(readFileSync(binary)));
 
 const infinite = (key, value) => (value === Infinity ? "inf" : value);
 

@@ -205,4 +205,3 @@ export function whole(said) {
   if (!count) return said[0];
   return say(count === 1 ? "other_problem" : "other_problems", { first: said[0].replace(/\.$/, ""), count });
 }
-

@@ -19,9 +19,7 @@ function common(a, b) {
     }
   }
   if (!size) return 0;
-  return (
-    size + common(a.slice(0, first), b.slice(0, second)) + common(a.slice(first + size), b.slice(second + size))
-  );
+  return size + common(a.slice(0, first), b.slice(0, second)) + common(a.slice(first + size), b.slice(second + size));
 }
 
 /**

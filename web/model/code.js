@@ -1,6 +1,6 @@
 // A scenario as a TOML file and as the Python that computes its motion.
 
-import { valueOf } from "./query.js";
+import { writtenValue } from "./query.js";
 import { equal, toDict, usualKeys } from "./scenario.js";
 import { tables } from "./tables.js";
 import { pythonText } from "./text.js";
@@ -27,7 +27,7 @@ function unitOf(section, key) {
  */
 function tomlValue(path, value) {
   if (value === "inf") return "inf";
-  return typeof value === "string" ? JSON.stringify(value) : valueOf(path, value);
+  return typeof value === "string" ? JSON.stringify(value) : writtenValue(path, value);
 }
 
 /**
@@ -74,7 +74,9 @@ const USED = ["load_fraction", "mu"]; // what a reader will want to change is wr
  */
 export function pythonCode(checked) {
   const keys = toDict(checked);
-  const contact = equal(keys.contact, knowledge.default.contact) ? "" : `    contact=${call("contact", keys.contact)},\n`;
+  const contact = equal(keys.contact, knowledge.default.contact)
+    ? ""
+    : `    contact=${call("contact", keys.contact)},\n`;
   return [
     "import hophoop as hh\n\n",
     "motion = hh.simulate(\n",
@@ -117,5 +119,5 @@ function partCall({ shape, ...keys }) {
  */
 function argument(key, value) {
   if (value === "inf") return 'float("inf")';
-  return typeof value === "string" ? pythonText(value) : valueOf(key, value);
+  return typeof value === "string" ? pythonText(value) : writtenValue(key, value);
 }

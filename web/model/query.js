@@ -84,7 +84,7 @@ function leaves(node, path) {
  * @param {any} value
  */
 function valueText(path, value) {
-  return valueOf(path, value).replace("e+", "e").replace(/\.0$/, "");
+  return writtenValue(path, value).replace("e+", "e").replace(/\.0$/, "");
 }
 
 /**
@@ -92,7 +92,7 @@ function valueText(path, value) {
  * @param {string} path
  * @param {any} value
  */
-export function valueOf(path, value) {
+export function writtenValue(path, value) {
   if (typeof value === "string") return value;
   return WHOLE.has(path.slice(path.lastIndexOf(".") + 1)) ? String(value) : floatText(value);
 }

@@ -229,4 +229,3 @@ export function equal(one, other) {
   const keys = Object.keys(one);
   return keys.length === Object.keys(other).length && keys.every((key) => equal(one[key], other[key]));
 }
-

@@ -118,7 +118,8 @@ export function summary(motion, most = 6) {
 function phraseOf(motion, number, event) {
   if (event.collision === false) return SUMMARY.without_collision;
   if (bounces(event)) return SUMMARY.bounces;
-  if (["slip_start", "slip_reversal"].includes(event.kind) || turnsInSlip(event)) return verbs[wordAfter(motion, number)];
+  if (["slip_start", "slip_reversal"].includes(event.kind) || turnsInSlip(event))
+    return verbs[wordAfter(motion, number)];
   return UNTOLD.includes(event.kind) ? "" : kinds[event.kind];
 }
 
@@ -148,7 +149,10 @@ function nameOf(events, number, word, values) {
   const { kind } = event;
   if (kind === "start") {
     values.speed = inWords(event.vx);
-    values.started = fill(word === FLIGHT ? STORY.started_flight : word === SKIM ? STORY.started_skim : STORY.started, values);
+    values.started = fill(
+      word === FLIGHT ? STORY.started_flight : word === SKIM ? STORY.started_skim : STORY.started,
+      values,
+    );
   }
   if (kind === "slip_start" && word === SPIN) return "slip_start_spin";
   if (kind === "takeoff") return takeoff(events, number, values);

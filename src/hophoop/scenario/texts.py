@@ -54,9 +54,7 @@ TEXTS: Final[dict[str, str]] = {
     "no_omega": "start.omega = None must be a number.",
     # what must go together
     "massless_slope": "plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",
-    "massless_resistance": (
-        "plane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0)."
-    ),
+    "massless_resistance": ("plane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0)."),
     "resistance": (
         "plane.rolling_resistance = {given!r} must be below {most:.6g} for this hoop, whose inertia about the contact "
         "it would cancel at some angle."
