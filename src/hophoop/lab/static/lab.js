@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources eaea4ab4a5a975a028ae84db5dc8c78e */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 7d260b8ce32db904a12da12cb59d51a3 */
 var ms={};var gs={};var ws={};var ys={};var Ie=new Map;function lt(o){try{return localStorage.getItem(o)??Ie.get(o)??null}catch{return Ie.get(o)??null}}function ct(o,t){Ie.set(o,t);try{localStorage.setItem(
 o,t)}catch{}}var xt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},xs={de:ms,es:gs,fr:ws,zh:ys},Gi=new Set(["de","es","fr"]),ks="hophoop-language",Ki=4e3,
 Re=/\{(\w+)\}/g,pt="en",Ms=[],vt=new Map,_e=new Set,zt=()=>pt;function Le(o){pt=o in xt?o:"en",vt=new Map,_e.clear(),Ms=Object.keys(xs[pt]??{}).filter(t=>t.includes(
@@ -111,23 +111,23 @@ adius"),this.at("hoop.mass"))}plane(){return this.apart=l("input",{type:"checkbo
 ne.mu_static",t["plane.mu_static"]],["plane.mu_kinetic",t["plane.mu_kinetic"]]]):this.onchange([["plane.mu",t["plane.mu_static"]]])}}),this.gravity=this.select(
 "Where",[...this.gravities.map(([t])=>[t,t]),["","elsewhere"]],t=>{let e=this.gravities.find(([s])=>s===t);e&&this.onchange([["plane.gravity",e[1]]])}),this.group(
 "Plane",this.at("plane.mu"),this.at("plane.mu_static"),this.at("plane.mu_kinetic"),l("label",{class:"check"},this.apart,"static and kinetic friction apart"),this.
-at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.impact_law"),this.at("plane.painleve"))}start(){return this.
-kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],t=>{let{values:e}=this.film;t==="rolling"?this.onchange([["start.speed",e["start.vx"]]]):
-this.onchange([["start.omega",e["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at("start.angle"),this.at("start.height"),this.
-at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",this.at("contact.model"),this.at("contact.l\
-aw"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitution"))}refuse(t,e){let s=t.length===1?this.
-sliders.get(t[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(e),!0):!1}restore(){this.film&&this.showChoices(this.film,new Set)}show(t,e=new Set){
-this.film=t,this.showChoices(t,e);let s=t.scenario;for(let[i,n]of this.sliders){if(e.has(i))continue;let[a,h]=i.split(".");n.show(t.values[i]??(h?s[a]?.[h]:s[a]),
-t.automatic?.[i])}}showChoices(t,e){let{scenario:s,values:i}=t,n=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_fraction":"eccentricity",a="speed"in s.start,
-h="mu_static"in s.plane,r=s.contact.model==="compliant",c=(...f)=>f.some(g=>e.has(g));c("hoop.load_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.
-value=n),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu","plane.mu_static")||(this.apart.checked=h);let p=this.gravities.
-find(([,f])=>Math.abs(f-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=p?p[0]:"");let d={"hoop.load_fraction":n==="load_fraction","hoop.e\
-ccentricity":n==="eccentricity","hoop.inertia_ratio":n==="eccentricity","hoop.mass":n!=="parts","plane.mu":!h,"plane.mu_static":h,"plane.mu_kinetic":h,"plane.re\
-stitution":!r,"plane.impact_law":!r,"plane.painleve":!r,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":r,"contact.\
-friction":r,"contact.stiffness":r,"contact.slip_speed":r,"contact.restitution":r};for(let[f,g]of Object.entries(d))this.at(f).hidden=!g;this.parts.element.hidden=
-n!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=n==="eccentricity"?"":`ε = ${x(i["hoop.eccentr\
-icity"],5)}, κ = ${x(i["hoop.inertia_ratio"],5)}`+(n==="parts"?`, m = ${x(i["hoop.mass"],5)} kg`:"");let u=s;for(let[f,{select:g}]of this.choices){if(e.has(f))
-continue;let[y,w]=f.split(".");u[y]?.[w]!==void 0&&(g.value=u[y][w])}}};var Fe=Math.PI/180;function Fs(o,t){let{start:e,plane:s,contact:i,hoop:n}=o.scenario;return i.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
+at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.rolling_resistance"),this.at("plane.impact_law"),this.
+at("plane.painleve"))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],t=>{let{values:e}=this.film;t==="rolling"?this.
+onchange([["start.speed",e["start.vx"]]]):this.onchange([["start.omega",e["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at(
+"start.angle"),this.at("start.height"),this.at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",
+this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitut\
+ion"))}refuse(t,e){let s=t.length===1?this.sliders.get(t[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(e),!0):!1}restore(){this.film&&this.showChoices(
+this.film,new Set)}show(t,e=new Set){this.film=t,this.showChoices(t,e);let s=t.scenario;for(let[i,n]of this.sliders){if(e.has(i))continue;let[a,h]=i.split(".");
+n.show(t.values[i]??(h?s[a]?.[h]:s[a]),t.automatic?.[i])}}showChoices(t,e){let{scenario:s,values:i}=t,n=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
+tion":"eccentricity",a="speed"in s.start,h="mu_static"in s.plane,r=s.contact.model==="compliant",c=(...f)=>f.some(g=>e.has(g));c("hoop.load_fraction","hoop.ecce\
+ntricity","hoop.parts")||(this.way.select.value=n),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu","plane.mu_static")||
+(this.apart.checked=h);let p=this.gravities.find(([,f])=>Math.abs(f-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=p?p[0]:"");let d={"hoo\
+p.load_fraction":n==="load_fraction","hoop.eccentricity":n==="eccentricity","hoop.inertia_ratio":n==="eccentricity","hoop.mass":n!=="parts","plane.mu":!h,"plane\
+.mu_static":h,"plane.mu_kinetic":h,"plane.restitution":!r,"plane.impact_law":!r,"plane.painleve":!r,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,
+"start.omega":!a,"contact.law":r,"contact.friction":r,"contact.stiffness":r,"contact.slip_speed":r,"contact.restitution":r};for(let[f,g]of Object.entries(d))this.
+at(f).hidden=!g;this.parts.element.hidden=n!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=n==="\
+eccentricity"?"":`ε = ${x(i["hoop.eccentricity"],5)}, κ = ${x(i["hoop.inertia_ratio"],5)}`+(n==="parts"?`, m = ${x(i["hoop.mass"],5)} kg`:"");let u=s;for(let[
+f,{select:g}]of this.choices){if(e.has(f))continue;let[y,w]=f.split(".");u[y]?.[w]!==void 0&&(g.value=u[y][w])}}};var Fe=Math.PI/180;function Fs(o,t){let{start:e,plane:s,contact:i,hoop:n}=o.scenario;return i.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
 be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||n.parts?"The radius must stay 1 m,\
  without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in n?"speed"in e?Math.abs(e.speed??3.1)>t+1e-9?t>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Bs=o=>o.events.filter(
