@@ -110,8 +110,24 @@ def simulate(
     if digits is not None:
         motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, hophoop.__version__)
         return motion
+    return simulate_watched(scenario)
+
+
+def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> Trajectory:
+    """`simulate`, for who shows from another thread how far a compliant motion is.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    reached : ndarray, shape (1,), optional
+        Is given the share of the duration that is computed, again and again, with a compliant contact [1].
+
+    Returns
+    -------
+    motion : Trajectory
+    """
     if isinstance(scenario.contact, Compliant):
-        status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario)
+        status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario, reached)
     else:
         status, events, segments, _ = _simulate_rigid(scenario, scenario.contact)
     return Trajectory(scenario, status, events, segments, hophoop.__version__)

@@ -93,6 +93,7 @@ def write_state(row, state):
     row["friction"] = state.friction
     row["impact_normal"] = state.impact_n
     row["impact_tangential"] = state.impact_t
+    row["rolling_resistance"] = state.resisted
 
 
 @apart_jit
@@ -165,7 +166,8 @@ def state_of(row):
     """The state just after an event, or where a segment begins."""
     return State(
         row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["turns"], row["theta"], row["theta_low"],
-        row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"], NONE,
+        row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"],
+        row["rolling_resistance"], NONE,
     )  # fmt: skip
 
 
