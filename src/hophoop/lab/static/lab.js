@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources c516be920a9e196e437356b28eb81845 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 755fd330a1dc4043f5f328b4ad2eeb3f */
 var Ce={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function q(a){let t=a instanceof DataView||ArrayBuffer.isView(a)?a:new DataView(a),e=new Uint8Array(t.buffer,
 t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
 4,4+s))),o={};for(let{name:n,type:r,shape:h,place:c}of i.arrays){let d=h.reduce((p,m)=>p*m,1);o[n]=new Ce[r](e.buffer,e.byteOffset+4+s+c,d)}return{header:i,arrays:o}}var Z=class extends Error{},Oe=500;async function te(a,t,e){for(;;)try{return await a()}catch(s){if(!(s instanceof Z))throw s;t(s.message),await new Promise(i=>setTimeout(
