@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 7d260b8ce32db904a12da12cb59d51a3 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources f93db2309edc1812767a4fbab93be760 */
 var ms={};var gs={};var ws={};var ys={};var Ie=new Map;function lt(o){try{return localStorage.getItem(o)??Ie.get(o)??null}catch{return Ie.get(o)??null}}function ct(o,t){Ie.set(o,t);try{localStorage.setItem(
 o,t)}catch{}}var xt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},xs={de:ms,es:gs,fr:ws,zh:ys},Gi=new Set(["de","es","fr"]),ks="hophoop-language",Ki=4e3,
 Re=/\{(\w+)\}/g,pt="en",Ms=[],vt=new Map,_e=new Set,zt=()=>pt;function Le(o){pt=o in xt?o:"en",vt=new Map,_e.clear(),Ms=Object.keys(xs[pt]??{}).filter(t=>t.includes(
