@@ -1,5 +1,6 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
+import { readShown } from "./address.js";
 import { HttpBackend, KernelBackend } from "./backend.js";
 import { unpack } from "./packing.js";
 import { Lab } from "./lab.js";
@@ -18,8 +19,9 @@ async function startPage(root) {
   const lab = new Lab(root, backend, setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
   const other = new URLSearchParams(location.hash.slice(1)).get("with");
+  const shown = readShown(location.hash);
   try {
-    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])]);
+    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])], shown);
   } catch (error) {
     // a link that holds no scenario: say so, and show the reference case
     history.replaceState(null, "", base);

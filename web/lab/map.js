@@ -4,6 +4,8 @@ import { patiently } from "./backend.js";
 import { fitted, focused, h, once } from "./dom.js";
 import { AXES, cross, MapAxes } from "./map_axes.js";
 import { takeHands } from "./map_hands.js";
+import { otherStart } from "./map_words.js";
+import { zoomHint } from "./zoom.js";
 import { layerOf, legendOf, stacked, textAt } from "./map_layers.js";
 
 const LEVELS = [
@@ -35,11 +37,16 @@ export class MotionMap {
   /**
    * @param {Backend} backend
    * @param {Setup} setup
-   * @param {(changes: Change[]) => void} take what a click on a motion does
+   * @param {object} rest
+   * @param {(changes: Change[]) => void} rest.take what a click on a motion does
+   * @param {(text: string) => void} rest.say for a screen reader
+   * @param {() => void} rest.changed another part of it is looked at
    */
-  constructor(backend, setup, take) {
+  constructor(backend, setup, { take, say, changed }) {
     this.backend = backend;
     this.onmotion = take;
+    this.say = say;
+    this.changed = changed;
     const axes = setup.controls.map_axes;
     this.axes = new MapAxes(axes);
     this.what = "sequence";
@@ -59,7 +66,7 @@ export class MotionMap {
       this.tip,
     );
     this.keys = h("div", { class: "map-keys" });
-    this.state = h("span", { class: "hint", role: "status" });
+    this.state = h("span", { class: "hint" });
     /** @type {(name: AxisName) => HTMLSelectElement} */
     const pick = (name) => {
       const select = h(
@@ -102,11 +109,7 @@ export class MotionMap {
       ),
       this.body,
       this.keys,
-      h(
-        "p",
-        { class: "hint" },
-        "Click to take that motion into the player; wheel or two fingers to zoom, drag to move.",
-      ),
+      h("p", { class: "hint" }, `Click to take that motion into the player; ${zoomHint("drag to move")}.`),
     );
     takeHands(this);
     this.soon = once(() => this.refresh(), 140);
@@ -174,8 +177,25 @@ export class MotionMap {
     this.redraw();
   }
 
+  // What a link says of it; nothing as long as it is as at first.
+  shown() {
+    const { paths, windows } = this.axes;
+    if (this.what === "sequence" && this.axes.isHome() && paths.x === "start.speed" && paths.y === "plane.mu") return;
+    const axis = (/** @type {AxisName} */ name) =>
+      /** @type {[string, number, number]} */ ([paths[name], ...windows[name]]);
+    return { what: this.what, x: axis("x"), y: axis("y") };
+  }
+
+  /** @param {NonNullable<ReturnType<MotionMap["shown"]>>} asked */
+  restore(asked) {
+    if (![...this.quantity.options].some(({ value }) => value === asked.what) || !this.axes.restore(asked)) return;
+    this.quantity.value = this.what = asked.what;
+    this.syncSelects();
+  }
+
   async refresh() {
     if (!this.film) return;
+    this.changed();
     if (!this.seen) {
       this.stale = true;
       return;
@@ -208,7 +228,8 @@ export class MotionMap {
         const layer = layerOf(reply);
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
-        this.state.textContent = `${x * y} motions${changes.length ? ", with rigid contact" : ""}`;
+        const other = otherStart(base, Object.values(this.axes.paths));
+        this.state.textContent = `${x * y} motions${changes.length ? ", with rigid contact" : ""}${other && `; ${other}`}`;
         this.redraw();
       }
       this.level = LEVELS.length;

@@ -2,7 +2,7 @@
 
 import { h } from "./dom.js";
 
-const TOAST_TIME = 4000; // milliseconds
+const TOAST_TIME = 6000; // milliseconds
 
 export class Notice {
   constructor() {
@@ -15,15 +15,25 @@ export class Notice {
   fail(error) {
     this.message.textContent = error.message;
     this.message.hidden = false;
-    if (!this.message.isConnected) this.say(error.message);
+    if (!this.seen()) this.say(error.message, this.message.isConnected);
+  }
+
+  // Whether the refusal stands where one looks.
+  seen() {
+    const { top, bottom, height } = this.message.getBoundingClientRect();
+    return this.message.isConnected && height > 0 && top >= 0 && bottom <= innerHeight;
   }
 
   clear() {
     this.message.hidden = true;
   }
 
-  /** @param {string} text */
-  say(text) {
+  /**
+   * @param {string} text
+   * @param {boolean} [heard] whether a screen reader has it already
+   */
+  say(text, heard = false) {
+    this.toast.setAttribute("role", heard ? "presentation" : "status");
     this.toast.textContent = text;
     this.toast.hidden = false;
     clearTimeout(this.timer);

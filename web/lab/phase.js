@@ -4,7 +4,7 @@ import { faded, parsed } from "./colors.js";
 import { fitted, h, once, pen } from "./dom.js";
 import { clamp, niceStep, tickText, ticks } from "./numbers.js";
 import { swatch } from "./plot.js";
-import { zoomable } from "./zoom.js";
+import { zoomable, zoomHint } from "./zoom.js";
 
 const LEFT = 52;
 const RIGHT = 10;
@@ -68,9 +68,7 @@ export class PhasePlane {
         "p",
         { class: "hint" },
         "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox. " +
-          (matchMedia("(hover: none)").matches
-            ? "Tap to go there, two fingers zoom."
-            : "Click to go there; with Ctrl or Shift the wheel zooms, double-click for all."),
+          `Click to go there; ${zoomHint("")}.`,
       ),
     );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));

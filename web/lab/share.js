@@ -58,7 +58,7 @@ export class Share {
   }
 
   async copyLink() {
-    const link = this.lab.motions.link() ?? "";
+    const link = this.lab.link() ?? "";
     try {
       await navigator.clipboard.writeText(link);
       this.lab.notice.say("The link is copied.");

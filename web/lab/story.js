@@ -63,9 +63,17 @@ export class Story {
     this.cursor(this.clock.time);
   }
 
+  /**
+   * Tell a screen reader: the one place where changes are said, so that they do not talk over each other.
+   * @param {string} text
+   */
+  say(text) {
+    this.live.textContent = text;
+  }
+
   /** @param {Film[]} films */
   announce(films) {
-    this.live.textContent = films.map((film) => film.summary).join(" ");
+    this.say(films.map((film) => film.summary).join(" "));
   }
 
   /** @param {number} time */

@@ -62,7 +62,7 @@ export class Theme {
 
 // Storage may be forbidden; the choice then lasts as long as the page.
 /** @param {string} key */
-function stored(key) {
+export function stored(key) {
   try {
     return localStorage.getItem(key);
   } catch {
@@ -74,7 +74,7 @@ function stored(key) {
  * @param {string} key
  * @param {string} value
  */
-function store(key, value) {
+export function store(key, value) {
   try {
     localStorage.setItem(key, value);
   } catch {

@@ -217,15 +217,16 @@ def run(
         precise.run(scenario, CHECK_DIGITS if digits is None else digits, check, json, quiet)
         return
 
-    from hophoop.cli._work import work_ahead
+    from rich.console import Console
+
+    from hophoop.cli._work import with_progress, work_ahead
     from hophoop.explanation import phases
-    from hophoop.simulation import simulate
 
     explained = phases(scenario) if explain else None  # says at once what it cannot explain
     ahead = work_ahead(scenario)
     if ahead is not None and not quiet:
         say(ahead)
-    motion = simulate(scenario)
+    motion = with_progress(scenario, Console(stderr=True, quiet=quiet))
     derived = (
         motion.sensitivity(sensitivity.split(","), wrt.split(",")) if sensitivity is not None and wrt is not None else None
     )

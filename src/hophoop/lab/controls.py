@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from hophoop.scenario import parameter
+from hophoop.scenario.ranges import RANGES, Range
 
 DEGREES = {"plane.slope", "start.angle"}
 
@@ -87,6 +88,27 @@ MAP_AXES = [
 ]
 
 
+def range_of(path: str) -> Range:
+    """What a number of a scenario may be.
+
+    Parameters
+    ----------
+    path : str
+        Such as ``"plane.mu_static"``.
+
+    Returns
+    -------
+    range : Range
+        In its SI unit.
+    """
+    return RANGES["plane.mu" if path.startswith("plane.mu") else path]
+
+
+def _allowed(allowed: Range) -> dict[str, Any]:
+    also = ["inf" if value == float("inf") else value for value in allowed.also]
+    return {"least": allowed.least, "most": allowed.most, "also": also}
+
+
 def controls() -> dict[str, Any]:
     """All that the page needs to know to offer its controls.
 
@@ -113,13 +135,21 @@ def controls() -> dict[str, Any]:
                     "step": step,
                     "logarithmic": step == 0.0,
                     "degrees": angle,
+                    "allowed": _allowed(range_of(path)),
                 }
             )
     axes = []
     for path, label, low, high in MAP_AXES:
         angle = path in DEGREES
         unit = "°" if angle else "" if parameter(path).unit == "1" else parameter(path).unit
-        axes.append({"path": path, "label": label, "unit": unit, "degrees": angle, "range": [low, high]})
+        allowed = range_of(path)
+        least = min(allowed.least, 0.0) if 0.0 in allowed.also else allowed.least
+        axes.append(
+            {
+                "path": path, "label": label, "unit": unit, "degrees": angle, "range": [low, high],
+                "allowed": [least, allowed.most],
+            }
+        )  # fmt: skip
     return {
         "groups": groups,
         "choices": [

@@ -9,9 +9,10 @@ from numba import carray
 
 from hophoop._jit import jit
 from hophoop.maps.kernel import CELL, KEYS, NUMBERS, WORDS, body_of, evaluate_block, scales_of
-from hophoop.module.layout import THRESHOLDS
+from hophoop.module.layout import PART, THRESHOLDS
 from hophoop.module.motions import FIELDS
 from hophoop.physics.body import Mode
+from hophoop.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
 from hophoop.records.layout import EVENT
 from hophoop.rigid.contact_phase import equilibrium_is_stable
 from hophoop.theory.kernels.arcs import TURN, first_valley
@@ -24,7 +25,7 @@ from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
-BODY_WIDTH = 11
+BODY_WIDTH, PART_WIDTH = 11, len(PART)
 
 
 @jit
@@ -141,3 +142,20 @@ def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
         columns, 0, n, span, stop, timed != 0, wanted, np.empty(0, EVENT),
         carray(numbers, (n, NUMBER_COUNT)), carray(words, (n, WORD_COUNT)), carray(keys, (n, KEYS)),
     )  # fmt: skip
+
+
+@jit
+def ideal_hoop(load_fraction, out):
+    """κ of the ideal hoop."""
+    carray(out, (1,))[0] = ideal_inertia(load_fraction)
+
+
+@jit
+def hoop_of_parts(radius, parts, count, out, reaches):
+    """Mass, ε and κ of parts (rows of `layout.PART`), and how far each reaches from C."""
+    table = carray(parts, (count, PART_WIDTH))
+    made = carray(out, (3,))
+    made[0], made[1], made[2] = combined(radius, table)
+    far = carray(reaches, (count,))
+    for k in range(count):
+        far[k] = part_reach(table[k, SHAPE], table[k, FIRST], table[k, SECOND], table[k, AT])

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from hophoop.compliant.records import WIDTH
-from hophoop.maps.kernel import CELL, ENDINGS, KEYS, NUMBERS, WORDS
+from hophoop.maps.kernel import CELL, ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
+from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.records.layout import EVENT, SEGMENT
 
 # What a motion is told with, besides its events: SI units, and counts.
@@ -32,8 +35,8 @@ SAMPLE_COLUMNS = (
 COMPLIANT = (
     "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
 )  # fmt: skip
-# The numbers that it chose by itself.
-CHOSEN = ("stiffness", "slip_speed")
+# What it makes of them: numbers over those of the hoop, how deep the rim sinks [R], steps; and two of them in SI units.
+CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "steps", "stiffness_si", "slip_speed_si")
 
 # What theory says about a hoop; nan where it says nothing. Angles are from the outward normal, in rad.
 THRESHOLDS = (
@@ -43,8 +46,8 @@ THRESHOLDS = (
 )  # fmt: skip
 
 # Shapes of a hoop's parts, and the numbers of one.
-SHAPES = ("ring", "disk", "point_mass", "rod_radial", "rod_tangential")
-PART = ("shape", "mass", "first_length", "second_length", "at")
+SHAPES = ("ring", "disk", "point_mass", "radial_rod", "tangential_rod")
+PART = ("shape", "mass", "first", "second", "at")
 
 
 def layout() -> dict[str, Any]:
@@ -61,12 +64,19 @@ def layout() -> dict[str, Any]:
         "events": EVENT_COLUMNS,
         "samples": SAMPLE_COLUMNS,
         "compliant": COMPLIANT,
+        "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],
+        "friction_laws": [law.name.lower() for law in FrictionLaw],
         "chosen": CHOSEN,
         "thresholds": THRESHOLDS,
         "numbers": NUMBERS,
         "words": WORDS,
         "keys": KEYS,
+        "letters_a_key": LETTERS_A_KEY,
+        "more": MORE,
         "endings": ENDINGS,
+        "spans": {name: _span(name) for name in ("first_revolution", "takeoff", "reversal", "duration")},
+        "wanted": {name: wanted_of(choose_quantities([name])) for name in QUANTITIES},
+        "codes": {name: quantity.words for name, quantity in QUANTITIES.items() if quantity.words},
         "shapes": SHAPES,
         "part": PART,
         "kinds": EVENT_NAMES,
@@ -76,3 +86,8 @@ def layout() -> dict[str, Any]:
         "segment_bytes": SEGMENT.itemsize,
         "compliant_segment_bytes": 8 * WIDTH,
     }
+
+
+def _span(name: str) -> dict[str, Any]:
+    span = make_span(name)
+    return {"angle": None if math.isnan(span.angle) else span.angle, "stop": span.stop, "timed": int(span.timed)}
