@@ -4,6 +4,7 @@ import json
 import math
 import shutil
 import subprocess
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -84,7 +85,7 @@ def test_a_crowd_of_marks_stays_apart(js):
     events.append({"kind": "jam", "x": 333.3})
     places = js("marks.js", "return lab.placed(events)", events=events)
     assert "✖" in [mark["mark"] for mark in places]
-    gaps = [b["x"] - a["x"] for a, b in zip(places, places[1:], strict=False)]
+    gaps = [b["x"] - a["x"] for a, b in pairwise(places)]
     assert min(gaps) >= 8
     assert len(places) > 30
 

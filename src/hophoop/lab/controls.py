@@ -143,12 +143,9 @@ def controls() -> dict[str, Any]:
         angle = path in DEGREES
         unit = "°" if angle else "" if parameter(path).unit == "1" else parameter(path).unit
         allowed = range_of(path)
-        axes.append(
-            {
-                "path": path, "label": label, "unit": unit, "degrees": angle, "range": [low, high],
-                "allowed": [min(allowed.least, *allowed.also), allowed.most] if 0.0 in allowed.also else [allowed.least, allowed.most],
-            }
-        )  # fmt: skip
+        least = min(allowed.least, *(value for value in allowed.also if value == 0.0), allowed.least)
+        known = {"path": path, "label": label, "unit": unit, "degrees": angle}
+        axes.append({**known, "range": [low, high], "allowed": [least, allowed.most]})
     return {
         "groups": groups,
         "choices": [
