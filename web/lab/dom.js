@@ -1,4 +1,8 @@
-// Elements of the page.
+// Elements of the page. Words go through `t` on their way there, see words.js.
+
+import { name as called, spokenText } from "./words.js";
+
+const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
 
 import { luminance } from "./colors.js";
 
@@ -18,13 +22,24 @@ export function h(tag, attributes = {}, ...children) {
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else if (name === "class") element.className = value;
     else if (name in element && name !== "list" && typeof value !== "string") properties[name] = value;
+    else if (SAID.has(name)) called(element, name, String(value));
     else element.setAttribute(name, value === true ? "" : value);
   }
   for (const child of children.flat()) {
     if (child === null || child === undefined || child === false) continue;
-    element.append(child.nodeType ? child : document.createTextNode(String(child)));
+    element.append(child.nodeType ? child : spokenText(String(child)));
   }
   return element;
+}
+
+/**
+ * Put other words into an element; they change with the language.
+ * @param {Element} element
+ * @param {string} text in English
+ */
+export function say(element, text) {
+  if (text) element.replaceChildren(spokenText(text));
+  else element.replaceChildren();
 }
 
 // Also inside a shadow tree, where notebooks put widgets.

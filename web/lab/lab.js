@@ -4,6 +4,7 @@ import { Address, written } from "./address.js";
 import { Clock } from "./clock.js";
 import { Controls } from "./controls.js";
 import { h, once } from "./dom.js";
+import { Extras } from "./extras.js";
 import { Header } from "./header.js";
 import { helpDialog } from "./help.js";
 import { Hoops } from "./hoops.js";
@@ -94,6 +95,7 @@ export class Lab {
       help: () => this.help.showModal(),
     });
     this.layOut(panels);
+    this.extras = new Extras(this);
     this.requested = false; // a picture
     this.surrounding = false; // diagrams and words, which follow the picture
     /** @type {Preset | null} */
@@ -191,6 +193,7 @@ export class Lab {
   close() {
     this.clock.playing = false;
     this.asked?.abort();
+    this.extras.close();
     this.map.close();
     this.theme.close();
     this.address?.close();
@@ -323,6 +326,7 @@ export class Lab {
     this.drawTime();
     this.map.mark(this.film(), look);
     this.stage.describe(films);
+    this.extras.changed();
     this.later();
   }
 
@@ -353,6 +357,7 @@ export class Lab {
     this.clock.tick(now);
     this.drawStage();
     this.drawTime();
+    this.extras.frame();
     this.afterFrame?.();
     this.frames += 1;
     if (this.clock.playing) this.request();

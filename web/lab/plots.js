@@ -1,6 +1,7 @@
 // Which diagrams there are: velocities, energies and losses, forces, friction utilization.
 
 import { h } from "./dom.js";
+import { optionsOf, ownPlot } from "./own_plot.js";
 import { Plot } from "./plot.js";
 import { zoomHint } from "./zoom.js";
 
@@ -84,7 +85,7 @@ export class Plots {
   constructor(clock, colors) {
     this.colors = colors;
     this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
-    this.plots = definitions(colors).map((definition) => new Plot(definition, this.shared));
+    this.plots = [...definitions(colors).map((definition) => new Plot(definition, this.shared)), ownPlot(this.shared)];
     for (const plot of this.plots) plot.onseek = (/** @type {number} */ time) => clock.seek(time);
     // diagrams that are scrolled away wait until they are seen
     this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
@@ -107,8 +108,7 @@ export class Plots {
           this.redraw();
         },
       },
-      h("option", { value: "time" }, "over time"),
-      h("option", { value: "angle" }, "over angle"),
+      optionsOf(({ name }) => `over ${name}`),
     );
     this.back = h(
       "button",

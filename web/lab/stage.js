@@ -17,7 +17,7 @@ export class Stage {
     this.colors = colors;
     this.onview = onview;
     /** @type {StageOptions} */
-    this.options = { traces: true, forces: true, speed: true, whole: false, three: false };
+    this.options = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
     this.plane = h("canvas", { class: "stage-canvas" });
     this.space = h("canvas", { class: "stage-canvas", hidden: true });
     this.flat = new Stage2D(this.plane, onview);

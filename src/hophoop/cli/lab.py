@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -16,8 +17,17 @@ def lab(
         list[str] | None, typer.Option(help="A name under which it is reached, such as a proxy's; may be given again.")
     ] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
+    export: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write the lab as a folder of files for any web host instead of serving it."),
+    ] = None,
 ) -> None:
     """Play with the hoop in a browser."""
+    if export is not None:
+        from hophoop.lab import site
+
+        typer.echo(site.summary(export, site.export(export)))
+        return
     from hophoop.lab.app import serve
     from hophoop.scenario import Scenario
 

@@ -61,17 +61,19 @@ class Guard:
             scope = {**scope, "method": "GET", HEAD: True}
             send = _without_body(send)
         send = _with(send, SECURITY_HEADERS)
-        refusal = self.refusal(headers)
+        refusal = self.refusal(headers, scope["path"])
         if refusal:
             await JSONResponse({"detail": refusal}, 403)(scope, receive, send)
             return
         await self.app(scope, receive, send)
 
-    def refusal(self, headers: Headers) -> str:
-        """Why a request is refused; empty where it is not."""
+    def refusal(self, headers: Headers, path: str) -> str:
+        """Why a request is refused; empty where it is not. Pages and scripts are for everybody, calls for the lab's own page."""
         host = headers.get("host", "")
         if not self._known(host_name(host)):
             return f"Host = {host[:80]!r} is not a name of this lab; `hophoop lab --name` says under which it is reached."
+        if not path.startswith(("/api/", "/lab/")):
+            return ""
         origin = headers.get("origin")
         foreign = headers.get("sec-fetch-site") in ("cross-site", "same-site") and headers.get("sec-fetch-mode") != "navigate"
         if foreign or (origin is not None and origin.partition("://")[2].lower() != host.strip().lower()):
