@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources b2a2d271955f6919a672434ee6963ce7 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 30dcb82328cced9e9fdb30ca9d4e585b */
 var r={sources:"aa53a6a497f806ac85cdb28ab7197be8",module:"0b4d02ef87ab1218",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring","damping","friction",
