@@ -13,13 +13,16 @@ WEB = ROOT / "web"
 BUILT = {
     "lab.js": ROOT / "src/hophoop/lab/static/lab.js",
     "kernel.js": ROOT / "src/hophoop/lab/static/kernel.js",
+    "motion_element.js": ROOT / "src/hophoop/lab/static/motion_element.js",
+    "embed.js": ROOT / "src/hophoop/lab/static/embed.js",
+    "service_worker.js": ROOT / "src/hophoop/lab/static/service_worker.js",
     "scene.js": ROOT / "src/hophoop/animate/static/scene.js",
 }
 
 
 def stamp():
     """As web/build.mjs computes it."""
-    folders = ("kernel", "lab", "scene", "space", "words")
+    folders = ("kernel", "lab", "scene", "site", "space", "words")
     sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js*")]
     digest = hashlib.sha256()
     for name in ["build.mjs", "../src/hophoop/module/layout.json", *sorted(sources)]:

@@ -8,11 +8,14 @@ import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const SOURCES = ["kernel", "lab", "scene", "space", "words"];
+const SOURCES = ["kernel", "lab", "scene", "site", "space", "words"];
 const LAYOUT = "../src/hophoop/module/layout.json"; // of the WebAssembly module, which the bundles are for
 const TARGETS = [
   { entry: "lab/main.js", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
   { entry: "kernel/worker.js", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
+  { entry: "site/motion_element.js", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
+  { entry: "site/embed.js", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
+  { entry: "site/service_worker.js", file: "../src/hophoop/lab/static/service_worker.js", format: "esm" },
   { entry: "scene/main.js", file: "../src/hophoop/animate/static/scene.js", format: "iife" },
 ];
 

@@ -43,7 +43,7 @@ class EventRecord:
         Velocities just before.
     impulse_normal, impulse_tangential : float
         Of an impact [N s], else 0.
-    friction, impact_normal, impact_tangential : float
+    friction, impact_normal, impact_tangential, rolling_resistance : float
         Energy lost from the start to just after the event [J].
     collision : bool or None
         Of an impact: whether the rim approached the plane (False: impact without collision).
@@ -70,6 +70,7 @@ class EventRecord:
     friction: float
     impact_normal: float
     impact_tangential: float
+    rolling_resistance: float
     collision: bool | None
     gain: float
     stable: bool | None
@@ -93,8 +94,8 @@ class Sample:
         F and N [N].
     kinetic, potential : float or ndarray
         Energies; the potential is zero with the load at the top in contact at x = 0 [J].
-    friction, impact_normal, impact_tangential : float or ndarray
-        Energy lost so far in slip and in the two parts of impacts [J].
+    friction, impact_normal, impact_tangential, rolling_resistance : float or ndarray
+        Energy lost so far in slip, in the two parts of impacts, and to rolling resistance [J].
     spring, damping : float or ndarray
         Energy stored in, and lost so far in the normal direction by, a compliant contact [J]; 0 in rigid contact.
     """
@@ -115,6 +116,7 @@ class Sample:
     friction: Any
     impact_normal: Any
     impact_tangential: Any
+    rolling_resistance: Any
     spring: Any
     damping: Any
 
@@ -265,6 +267,7 @@ class Ledger:
     friction: float
     impact_normal: float
     impact_tangential: float
+    rolling_resistance: float
     spring: float
     damping: float
     residual: float

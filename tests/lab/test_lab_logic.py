@@ -1,5 +1,6 @@
 """What the page's scripts compute without a browser: entries, marks of the bar of time, windows of the map, steps, links."""
 
+import itertools
 import json
 import math
 import shutil
@@ -84,7 +85,7 @@ def test_a_crowd_of_marks_stays_apart(js):
     events.append({"kind": "jam", "x": 333.3})
     places = js("marks.js", "return lab.placed(events)", events=events)
     assert "✖" in [mark["mark"] for mark in places]
-    gaps = [b["x"] - a["x"] for a, b in zip(places, places[1:], strict=False)]
+    gaps = [b["x"] - a["x"] for a, b in itertools.pairwise(places)]
     assert min(gaps) >= 8
     assert len(places) > 30
 

@@ -42,3 +42,22 @@ export function cellOf(given) {
   });
   return cell;
 }
+
+/**
+ * A compliant contact's numbers in the order of `layout.compliant`; nan is what it chooses by itself.
+ * @param {GivenContact} contact
+ */
+export function contactOf(contact) {
+  /** @param {number | null} value */
+  const number = (value) => value ?? Number.NaN;
+  return Float64Array.of(
+    layout.laws.indexOf(contact.law),
+    layout.friction_laws.indexOf(contact.friction),
+    number(contact.stiffness),
+    number(contact.damping),
+    number(contact.restitution),
+    number(contact.slip_speed),
+    number(contact.tangential_stiffness),
+    number(contact.rtol),
+  );
+}

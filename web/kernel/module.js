@@ -1,17 +1,20 @@
 // The kernel as WebAssembly, called at once and without waiting: in a worker, or where one motion is wanted now.
 
-import { cellOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.js";
+import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.js";
 import { Memory } from "./memory.js";
 import { columnsOf } from "./columns.js";
 import { sequencesOf } from "./sequences.js";
 
 const FIRST_EVENTS = 256;
 const FIRST_SEGMENTS = 2048;
+const FIRST_ROWS = 4096;
+const MOST_STEPS = 200_000; // of a compliant motion: some seconds, and 100 MB
 const BUFFER = layout.statuses.indexOf("buffer");
 const PASSING = new Set(["turn", "apex", "kane_gain", "rest"]);
 /** @param {number} value */
 const finite = (value) => (Number.isFinite(value) ? value : null);
 
+/** @implements {Mechanics} */
 export class HoopModule {
   /** @param {WebAssembly.Module} compiled */
   constructor(compiled) {
@@ -20,6 +23,7 @@ export class HoopModule {
     this.memory = new Memory(this.exports);
     this.mostEvents = FIRST_EVENTS;
     this.mostSegments = FIRST_SEGMENTS;
+    this.mostRows = FIRST_ROWS;
   }
 
   /**
@@ -40,23 +44,69 @@ export class HoopModule {
    */
   compute(given) {
     const { memory } = this;
-    const cell = memory.put("cell", cellOf(given));
     const width = layout.events.length;
     for (;;) {
-      const events = memory.room("events", layout.event_bytes * this.mostEvents);
-      const segments = memory.room("segments", layout.segment_bytes * this.mostSegments);
       const table = memory.room("table", 8 * width * this.mostEvents);
       const heads = memory.room("heads", 8 * layout.heads.length);
-      this.call("motion", cell, events, this.mostEvents, segments, this.mostSegments, table, heads);
+      if (given.contact) this.computeCompliant(given, given.contact, table, heads);
+      else this.computeRigid(given, table, heads);
       const head = memory.floats(heads, layout.heads.length).slice();
       const count = head[HEAD.events];
-      if (head[HEAD.status] === BUFFER) this.mostSegments *= 4;
+      if (head[HEAD.status] === BUFFER) this.makeRoom(given, head[HEAD.segments]);
       else if (count === this.mostEvents && count < given.max_events) this.mostEvents *= 4;
       else {
         const rows = memory.floats(table, count * width).slice();
         return { given, head, rows, count, duration: head[HEAD.duration], segments: head[HEAD.segments] };
       }
     }
+  }
+
+  /**
+   * @param {Given} given
+   * @param {number} table
+   * @param {number} heads
+   */
+  computeRigid(given, table, heads) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const events = memory.room("events", layout.event_bytes * this.mostEvents);
+    const segments = memory.room("segments", layout.segment_bytes * this.mostSegments);
+    this.call("motion", cell, events, this.mostEvents, segments, this.mostSegments, table, heads);
+  }
+
+  /**
+   * @param {Given} given
+   * @param {GivenContact} contact
+   * @param {number} table
+   * @param {number} heads
+   */
+  computeCompliant(given, contact, table, heads) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const numbers = memory.put("contact", contactOf(contact));
+    const events = memory.room("events", layout.event_bytes * this.mostEvents);
+    const rows = memory.room("rows", layout.compliant_segment_bytes * this.mostRows);
+    this.call(
+      "compliant_motion",
+      cell,
+      numbers,
+      events,
+      this.mostEvents,
+      MOST_STEPS,
+      rows,
+      this.mostRows,
+      table,
+      heads,
+    );
+  }
+
+  /**
+   * @param {Given} given
+   * @param {number} wanted
+   */
+  makeRoom(given, wanted) {
+    if (given.contact) this.mostRows = wanted;
+    else this.mostSegments *= 4;
   }
 
   /**
@@ -105,9 +155,13 @@ export class HoopModule {
     const size = times.length * layout.samples.length;
     const when = memory.put("times", times);
     const out = memory.room("states", 8 * Math.max(size, 1));
-    const segments = memory.room("segments", layout.segment_bytes);
     const cell = memory.room("cell", 8);
-    this.call("samples", cell, segments, computed.segments, when, times.length, Number(left), out);
+    const ask = [computed.segments, when, times.length, Number(left), out];
+    if (computed.given.contact) {
+      this.call("compliant_samples", cell, memory.room("contact", 8), memory.room("rows", 8), ...ask);
+    } else {
+      this.call("samples", cell, memory.room("segments", 8), ...ask);
+    }
     return memory.floats(out, size).slice();
   }
 
@@ -213,6 +267,30 @@ export class HoopModule {
     const [mass, eccentricity, inertia_ratio] = memory.floats(out, 3);
     return { mass, eccentricity, inertia_ratio, reaches: [...memory.floats(reaches, parts.length)] };
   }
+
+  /**
+   * @param {Given} given
+   * @returns {Compliance}
+   */
+  compliance(given) {
+    const { memory } = this;
+    if (!given.contact) throw new TypeError("The contact is rigid.");
+    const cell = memory.put("cell", cellOf(given));
+    const contact = memory.put("contact", contactOf(given.contact));
+    const out = memory.room("answers", 8 * layout.thresholds.length);
+    this.call("compliance", cell, contact, out);
+    const values = memory.floats(out, layout.chosen.length);
+    /** @param {string} name */
+    const value = (name) => values[layout.chosen.indexOf(name)];
+    return {
+      stiffness: value("stiffness"),
+      tangential_stiffness: value("tangential_stiffness"),
+      slip_speed: value("slip_speed"),
+      depth: value("depth"),
+      steps: value("steps"),
+      automatic: { stiffness: value("stiffness_si"), slip_speed: value("slip_speed_si") },
+    };
+  }
 }
 
 /** @param {WholePart} part */
@@ -227,6 +305,8 @@ function rowOf(part) {
 
 // --- a motion as it is told -----------------------------------------------------------------------
 
+const LOSSES = ["friction", "impact_normal", "impact_tangential", "rolling_resistance"];
+const ENERGIES = ["kinetic", "potential", ...LOSSES, "residual"];
 const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
 
 /**
@@ -234,15 +314,12 @@ const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
  * @param {Computed} computed
  * @returns {ComputedMotion}
  */
-function told({ head, rows, count, duration }) {
+function told({ given, head, rows, count, duration }) {
   const width = layout.events.length;
   const events = Array.from({ length: count }, (_, k) => eventOf(rows.subarray(k * width, (k + 1) * width)));
   const last = events[count - 1];
   const energy = Object.fromEntries(
-    ["kinetic", "potential", "friction", "impact_normal", "impact_tangential", "residual"].map((name) => [
-      name,
-      head[HEAD[name]],
-    ]),
+    [...ENERGIES, ...(given.contact ? ["spring", "damping"] : [])].map((name) => [name, head[HEAD[name]]]),
   );
   return {
     status: layout.statuses[head[HEAD.status]],

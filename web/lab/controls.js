@@ -254,6 +254,7 @@ export class Controls {
       this.gravity.element,
       this.at("plane.gravity"),
       this.at("plane.restitution"),
+      this.at("plane.rolling_resistance"),
       this.at("plane.impact_law"),
       this.at("plane.painleve"),
     );

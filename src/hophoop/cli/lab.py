@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -13,8 +14,17 @@ def lab(
     port: Annotated[int, typer.Option(help="Port to listen on; 0 takes a free one.")] = 8765,
     workers: Annotated[int, typer.Option(help="Processes that answer, for many users.")] = 1,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
+    export: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write the lab as a folder of files for any web host instead of serving it."),
+    ] = None,
 ) -> None:
     """Play with the hoop in a browser."""
+    if export is not None:
+        from hophoop.lab import site
+
+        typer.echo(site.summary(export, site.export(export)))
+        return
     from hophoop.lab.app import serve
     from hophoop.scenario import Scenario
 

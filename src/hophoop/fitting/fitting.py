@@ -7,9 +7,12 @@ from pathlib import Path
 
 import numpy as np
 
+from hophoop.fitting.covariance import memories
 from hophoop.fitting.guess import candidates, guess, start_kind
-from hophoop.fitting.judging import correlations, lacking, least_static_friction, shares
-from hophoop.fitting.problem import PARAMETERS, REFUSED, STARTS, Problem, defaults, problem_of
+from hophoop.fitting.judging import WORDS, correlations, lacking, least_static_friction, shares
+from hophoop.fitting.losses import influence
+from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
+from hophoop.fitting.problem import Problem, defaults, problem_of
 from hophoop.fitting.result import Fit
 from hophoop.fitting.solving import Choice, Solution, at_end, best_of, one_sided, solve
 from hophoop.scenario import Hoop, InputError, Plane
@@ -175,6 +178,13 @@ def _told(
     for name in blind:
         if name not in ("mu_kinetic", "mu_excess", "restitution"):
             notes.append(f"The film says nothing about {name}.")
+    pulls = influence(solution.residuals) if soft else solution.residuals
+    for name, alike in memories(problem, pulls).items():
+        if alike:
+            notes.append(
+                f"Errors of {WORDS[name]} last over several frames (correlation of neighbours {alike:.2f}); "
+                "the uncertainties count with that."
+            )
     chi_square = float((solution.residuals**2).sum())
     freedom = problem.count - len(solution.free)
     scale = max(1.0, float(np.sqrt(chi_square / max(freedom, 1))))
@@ -191,5 +201,5 @@ def _told(
         tuple(notes),
         track,
         settings,
-        solution.calls,
+        problem.computed[0],
     )

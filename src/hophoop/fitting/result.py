@@ -16,7 +16,8 @@ import hophoop
 from hophoop._files import replacing
 from hophoop.fitting.guess import gathered
 from hophoop.fitting.judging import WORDS
-from hophoop.fitting.problem import PARAMETERS, Problem, problem_of
+from hophoop.fitting.parameters import PARAMETERS
+from hophoop.fitting.problem import Problem, problem_of
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.tracking import Track
 from hophoop.tracking.table import track_from_dict

@@ -9,17 +9,15 @@ from __future__ import annotations
 import hashlib
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
 
-# Nothing may come from, or go, anywhere else; a film recorded in the page is a blob.
+from hophoop.lab.site import POLICY, site_files
+
 SECURITY_HEADERS = {
-    "Content-Security-Policy": (
-        "default-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; "
-        "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'; "
-        "frame-ancestors 'self'"
-    ),
+    "Content-Security-Policy": f"{POLICY}; frame-ancestors 'self'",
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
 }
@@ -45,12 +43,14 @@ def style() -> str:
 @cache
 def _assets() -> dict[str, tuple[bytes, str, str]]:
     """Name → content, type and tag."""
-    texts = {
-        "lab.js": (script(), "text/javascript; charset=utf-8"),
-        "lab.css": (style(), "text/css; charset=utf-8"),
-        "icon.svg": (static_text("icon.svg"), "image/svg+xml"),
-    }
-    return {name: (text.encode(), kind, hashlib.sha256(text.encode()).hexdigest()[:16]) for name, (text, kind) in texts.items()}
+    kinds = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".svg": "image/svg+xml"}
+    found = {}
+    for path, content in site_files().items():
+        folder, _, name = path.rpartition("/")
+        if folder == "static":
+            kind = kinds.get(Path(name).suffix, "application/wasm")
+            found[name] = (content, kind, hashlib.sha256(content).hexdigest()[:16])
+    return found
 
 
 def html() -> str:

@@ -9,12 +9,14 @@ from hophoop.compliant.records import WIDTH
 from hophoop.maps.kernel import CELL, ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
 from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
+from hophoop.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.records.layout import EVENT, SEGMENT
 
 # What a motion is told with, besides its events: SI units, and counts.
 HEADS = (
     "status", "events", "segments", "duration", "doubt_from", "doubt_until", "panels",
     "kinetic", "potential", "spring", "damping", "friction", "impact_normal", "impact_tangential", "residual",
+    "rolling_resistance",
 )  # fmt: skip
 
 # An event, in SI units; `from_mode` is −1 where there is none, `collision` and `stable` where they say nothing.
@@ -22,20 +24,22 @@ EVENT_COLUMNS = (
     "t", "kind", "from_mode", "to_mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
     "before_vx", "before_vy", "before_omega", "before_slip", "impulse_normal", "impulse_tangential",
     "friction", "impact_normal", "impact_tangential", "gain", "collision", "stable",
+    "rolling_resistance",
 )  # fmt: skip
 
 # A state, in SI units; `mode` is a number of `MODE_LETTERS`.
 SAMPLE_COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
     "friction", "impact_normal", "impact_tangential", "spring", "damping", "kinetic", "potential", "utilization",
+    "rolling_resistance",
 )  # fmt: skip
 
 # The compliant contact, in SI units; nan is "by itself".
 COMPLIANT = (
     "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
 )  # fmt: skip
-# The numbers that it chose by itself.
-CHOSEN = ("stiffness", "slip_speed")
+# What it makes of them: numbers over those of the hoop, how deep the rim sinks [R], steps; and two of them in SI units.
+CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "steps", "stiffness_si", "slip_speed_si")
 
 # What theory says about a hoop; nan where it says nothing. Angles are from the outward normal, in rad.
 THRESHOLDS = (
@@ -63,6 +67,8 @@ def layout() -> dict[str, Any]:
         "events": EVENT_COLUMNS,
         "samples": SAMPLE_COLUMNS,
         "compliant": COMPLIANT,
+        "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],
+        "friction_laws": [law.name.lower() for law in FrictionLaw],
         "chosen": CHOSEN,
         "thresholds": THRESHOLDS,
         "numbers": NUMBERS,

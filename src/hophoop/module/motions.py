@@ -22,6 +22,7 @@ from hophoop.rigid.sampling import sample
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
 RAW_WIDTH = len(sampling.COLUMNS)
+RESISTED = sampling.COLUMNS.index("rolling_resistance")
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
 kinetic = jit(kinetic_energy)
@@ -64,6 +65,7 @@ def write_event(row, scales, t, out):
     out[20] = row["gain"] * scales.energy
     out[21] = row["collision"]
     out[22] = row["stable"]
+    out[23] = row["rolling_resistance"] * scales.energy
 
 
 @jit
@@ -76,28 +78,21 @@ def energies_at(body, row):
 
 
 @jit
-def write_heads(cells, body, scales, status, events, count, pieces, last_time, scratch, head):
-    """What a motion is told with, in the order of `layout.HEADS`."""
+def write_energies(body, scales, first, last, spring, damping, first_spring, head):
+    """The energies of a motion, from its first and last event, in the order of `layout.HEADS`."""
     unit = scales.energy
-    first = events[0]
-    last = events[count - 1]
     begin_kinetic, begin_potential = energies_at(body, first)
     end_kinetic, end_potential = energies_at(body, last)
-    head[0] = status
-    head[1] = count
-    head[2] = pieces
-    head[3] = last_time
-    head[4] = scratch.doubt[0] * scales.time
-    head[5] = scratch.doubt[1] * scales.time
-    head[6] = scratch.written[2]
     head[7] = end_kinetic * unit
     head[8] = end_potential * unit
-    head[9] = 0.0
-    head[10] = 0.0
+    head[9] = spring * unit
+    head[10] = damping * unit
     head[11] = last["friction"] * unit
     head[12] = last["impact_normal"] * unit
     head[13] = last["impact_tangential"] * unit
-    head[14] = (head[7] + head[8] + head[11] + head[12] + head[13]) - (begin_kinetic + begin_potential) * unit
+    head[15] = last["rolling_resistance"] * unit
+    now = head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[13] + head[15]
+    head[14] = now - (begin_kinetic + begin_potential + first_spring) * unit
 
 
 @jit
@@ -124,12 +119,19 @@ def motion(given, events, most_events, segments, most_segments, table, heads):
     for k in range(count):
         write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), rows[k])
     last = pieces[length - 1]["t_end"] if length > 0 else records[count - 1]["t"]
-    write_heads(cells, body, scales, status, records, count, length, seconds(last, t_end, duration, scales.time), scratch, head)
+    head[0] = status
+    head[1] = count
+    head[2] = length
+    head[3] = seconds(last, t_end, duration, scales.time)
+    head[4] = scratch.doubt[0] * scales.time
+    head[5] = scratch.doubt[1] * scales.time
+    head[6] = scratch.written[2]
+    write_energies(body, scales, records[0], records[count - 1], 0.0, 0.0, 0.0, head)
 
 
 @jit
-def write_sample(body, scales, raw, row):
-    """A state in SI units, in the order of `layout.SAMPLE_COLUMNS`."""
+def write_state(body, scales, raw, row):
+    """A state in SI units, in the order of `layout.SAMPLE_COLUMNS`, but for the energies that the contact models differ in."""
     length = scales.length
     speed = length / scales.time
     unit = scales.energy
@@ -148,12 +150,9 @@ def write_sample(body, scales, raw, row):
     row[10] = raw[10] * unit
     row[11] = raw[11] * unit
     row[12] = raw[12] * unit
-    row[13] = 0.0
-    row[14] = 0.0
-    row[15] = kinetic(body, raw[13], raw[6], raw[7], raw[5], raw[14]) * unit
-    row[16] = potential(body, raw[1], raw[2], raw[13]) * unit
     slips = mode in (SPIN, SKID)
     row[17] = utilization(slips, raw[8], raw[9], body.mu_s, body.mu_k)
+    row[18] = raw[RESISTED] * unit  # its column is the same in both contact models
 
 
 @jit
@@ -171,4 +170,9 @@ def samples(given, segments, count, times, n, left, out):
     raw = np.empty((n, RAW_WIDTH))
     sample(body, pieces, asked, left != 0, raw)
     for k in range(n):
-        write_sample(body, scales, raw[k], rows[k])
+        line = raw[k]
+        write_state(body, scales, line, rows[k])
+        rows[k, 13] = 0.0
+        rows[k, 14] = 0.0
+        rows[k, 15] = kinetic(body, line[13], line[6], line[7], line[5], line[14]) * scales.energy
+        rows[k, 16] = potential(body, line[1], line[2], line[13]) * scales.energy

@@ -40,3 +40,27 @@ void NRT_MemInfo_call_dtor(void *block)
 {
     free(block);
 }
+
+void *NRT_MemInfo_alloc(int64_t size)
+{
+    return NRT_MemInfo_alloc_aligned(size, 16);
+}
+
+void *NRT_Allocate(int64_t size)
+{
+    return malloc((size_t)size);
+}
+
+void NRT_Free(void *place)
+{
+    free(place);
+}
+
+/* Where Numba's own code reports what cannot happen here: the entry's status tells that it was left. */
+void *PyExc_RuntimeError = 0;
+
+void PyErr_SetString(void *kind, const char *text)
+{
+    (void)kind;
+    (void)text;
+}

@@ -224,6 +224,8 @@ class Plane(Frozen):
         What ends the restitution of an impact.
     painleve : {'flight', 'impact'}, default 'flight'
         What follows where Painlevé's paradox leaves the motion indeterminate.
+    rolling_resistance : float, default 0
+        f from 0 to 1: in contact the couple f R N acts against the rotation [1].
 
     Raises
     ------
@@ -241,6 +243,7 @@ class Plane(Frozen):
     restitution: Fraction = quantity(0.0, "Restitution of an impact")
     impact_law: Literal["stronge", "newton", "poisson"] = quantity("stronge", "Law of restitution", "")
     painleve: Literal["flight", "impact"] = quantity("flight", "What follows an indeterminate contact", "")
+    rolling_resistance: Fraction = quantity(0.0, "Rolling resistance: couple against the rotation over R N")
 
     @model_validator(mode="after")
     def _complete(self) -> Plane:
@@ -260,7 +263,9 @@ class Plane(Frozen):
 
     def _written(self) -> Iterable[str]:
         apart = any(name in self.model_fields_set for name in _FRICTIONS)
-        left_out = ("mu",) if apart else _FRICTIONS
+        left_out = {"mu"} if apart else set(_FRICTIONS)
+        if self.rolling_resistance == 0.0:  # as in files of before there was one
+            left_out.add("rolling_resistance")
         return [name for name in type(self).model_fields if name not in left_out]
 
 

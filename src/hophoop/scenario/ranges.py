@@ -75,6 +75,7 @@ RANGES: dict[str, Range] = {
     "plane.slope": Range(-1.57, 1.57),
     "plane.mu": Range(0.0, 1e6, (float("inf"),)),
     "plane.restitution": Range(0.0, 1.0),
+    "plane.rolling_resistance": Range(0.0, 1.0),
     "start.x": Range(-1e9, 1e9),
     "start.height": Range(0.0, 1e6),
     "start.angle": Range(-1e6, 1e6),

@@ -12,6 +12,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
 from hophoop.physics.body import Body, ImpactLaw
+from hophoop.physics.resistance import most_resistance
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
@@ -38,7 +39,8 @@ class Scenario(Frozen):
     ------
     ValueError
         If duration is not positive, or the parts do not go together: the massless hoop needs a level plane
-        and rigid contact, and compliant contact a finite friction.
+        without rolling resistance and rigid contact, compliant contact a finite friction, and rolling resistance is below a
+        limit that the hoop sets.
 
     Examples
     --------
@@ -60,6 +62,7 @@ class Scenario(Frozen):
         compliant = isinstance(self.contact, Compliant)
         if self.hoop.massless and self.plane.slope != 0.0:
             raise refuse(f"plane.slope = {self.plane.slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).")
+        _check_resistance(self.hoop, self.plane)
         if self.hoop.massless and compliant:
             raise refuse("contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).")
         if compliant and self.plane.mu_static == math.inf:
@@ -281,6 +284,21 @@ class Scenario(Frozen):
         return to_body(self.hoop, self.plane)
 
 
+def _check_resistance(hoop: Hoop, plane: Plane) -> None:
+    """Refuse a rolling resistance with which the rolling of this hoop would not have one answer at every angle."""
+    given = plane.rolling_resistance
+    if given == 0.0:
+        return
+    if hoop.massless:
+        raise refuse(f"plane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).")
+    most = most_resistance(hoop.eccentricity, hoop.inertia_ratio)
+    if not given < most:
+        raise refuse(
+            f"plane.rolling_resistance = {given!r} must be below {most:.6g} for this hoop, whose inertia about the contact "
+            f"it would cancel at some angle."
+        )
+
+
 def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     """Refuse a spring that is no contact any more: too soft or too stiff for this hoop, or for its start."""
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
@@ -334,6 +352,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
         ideal=hoop.load_fraction is not None,
+        resist=plane.rolling_resistance,
     )
 
 

@@ -150,8 +150,8 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
         raise InputError(f"turns = {turns!r} must be a whole number of at least 1.")
     cases = _cases(hoop, plane)
     # run by Python, so that the motions go through the kernel that simulate() has compiled already
-    hop_speed = kernels.hop_speed.py_func
-    speeds = np.array([float(hop_speed(body_from(row), int(turns))) for row in cases.body])
+    kernel: Any = kernels.hop_speed
+    speeds = np.array([float(kernel.py_func(body_from(row), int(turns))) for row in cases.body])
     return cases.shaped(speeds * cases.speed)
 
 

@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
-import hophoop as hh  # noqa: E402
+import hophoop as hh
 
 
 def wait_for(page, expression):
@@ -42,7 +42,7 @@ def test_the_load_is_turned_and_the_motion_follows_the_hand(visit):
     page = visit("?start.speed=2", reduced_motion="reduce")
     still(page)
     center = middle(page, "hoop")
-    x, y = middle(page, "load")
+    _x, y = middle(page, "load")
     radius = center[1] - y
     # a quarter turn: the load comes to where the finger is
     drag(page, "load", [(0.7 * radius, 0.3 * radius), (radius, radius)])

@@ -7,8 +7,8 @@ import pytest
 
 pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
-import hophoop as hh  # noqa: E402
-from hophoop.vocabulary.words import mode_word  # noqa: E402
+import hophoop as hh
+from hophoop.vocabulary.words import mode_word
 
 
 def wait_for(page, expression):

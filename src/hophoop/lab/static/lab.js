@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 30dcb82328cced9e9fdb30ca9d4e585b */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 58f63787a165b6f7431eaed1c755ed49 */
 function Z(i){let e=Number.parseInt(i.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var bs=i=>xe(i)>.2?"#111111":"#ffffff",Te=(i,e)=>`rgba(${Z(i).join(",")},${e}\
 )`,Go=i=>{let e=i/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function xe(i){let[e,t,s]=Z(i).map(Go);return .2126*e+.7152*t+.0722*s}function _e(i,e){if(!e||
 !/^#[0-9a-f]{6}$/i.test(i))return i;if(xe(i)<.002)return"#eceef2";let t=i;for(let s=0;xe(t)<.2&&s<1;s+=.05)t=`#${Z(i).map(o=>Math.round(o+(255-o)*s).toString(16).
@@ -1185,23 +1185,23 @@ adius"),this.at("hoop.mass"))}plane(){return this.apart=h("input",{type:"checkbo
 ne.mu_static",e["plane.mu_static"]],["plane.mu_kinetic",e["plane.mu_kinetic"]]]):this.onchange([["plane.mu",e["plane.mu_static"]]])}}),this.gravity=this.select(
 "Where",[...this.gravities.map(([e])=>[e,e]),["","elsewhere"]],e=>{let t=this.gravities.find(([s])=>s===e);t&&this.onchange([["plane.gravity",t[1]]])}),this.group(
 "Plane",this.at("plane.mu"),this.at("plane.mu_static"),this.at("plane.mu_kinetic"),h("label",{class:"check"},this.apart,"static and kinetic friction apart"),this.
-at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.impact_law"),this.at("plane.painleve"))}start(){return this.
-kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.onchange([["start.speed",t["start.vx"]]]):
-this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at("start.angle"),this.at("start.height"),this.
-at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",this.at("contact.model"),this.at("contact.l\
-aw"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitution"))}refuse(e,t){let s=e.length===1?this.
-sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){this.film&&this.showChoices(this.film,new Set)}show(e,t=new Set){
-this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[o,a]of this.sliders){if(t.has(o))continue;let[n,r]=o.split(".");a.show(e.values[o]??(r?s[n]?.[r]:s[n]),
-e.automatic?.[o])}}showChoices(e,t){let{scenario:s,values:o}=e,a=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_fraction":"eccentricity",n="speed"in s.start,
-r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...m)=>m.some(g=>t.has(g));c("hoop.load_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.
-value=a),c("start.speed","start.omega")||(this.kind.select.value=n?"rolling":"free"),c("plane.mu","plane.mu_static")||(this.apart.checked=r);let d=this.gravities.
-find(([,m])=>Math.abs(m-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=d?d[0]:"");let u={"hoop.load_fraction":a==="load_fraction","hoop.e\
-ccentricity":a==="eccentricity","hoop.inertia_ratio":a==="eccentricity","hoop.mass":a!=="parts","plane.mu":!r,"plane.mu_static":r,"plane.mu_kinetic":r,"plane.re\
-stitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":n,"start.height":!n,"start.vx":!n,"start.vy":!n,"start.omega":!n,"contact.law":l,"contact.\
-friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[m,g]of Object.entries(u))this.at(m).hidden=!g;this.parts.element.hidden=
-a!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=a==="eccentricity"?"":`ε = ${x(o["hoop.eccentr\
-icity"],5)}, κ = ${x(o["hoop.inertia_ratio"],5)}`+(a==="parts"?`, m = ${x(o["hoop.mass"],5)} kg`:"");let p=s;for(let[m,{select:g}]of this.choices){if(t.has(m))
-continue;let[b,w]=m.split(".");p[b]?.[w]!==void 0&&(g.value=p[b][w])}}};var Ot=Math.PI/180;function _s(i,e){let{start:t,plane:s,contact:o,hoop:a}=i.scenario;return o.model!=="rigid"?"Rigid contact only.":i.slope!==0?"The plane must \
+at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.rolling_resistance"),this.at("plane.impact_law"),this.
+at("plane.painleve"))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.
+onchange([["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at(
+"start.angle"),this.at("start.height"),this.at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",
+this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitut\
+ion"))}refuse(e,t){let s=e.length===1?this.sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){this.film&&this.showChoices(
+this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[o,a]of this.sliders){if(t.has(o))continue;let[n,r]=o.split(".");
+a.show(e.values[o]??(r?s[n]?.[r]:s[n]),e.automatic?.[o])}}showChoices(e,t){let{scenario:s,values:o}=e,a=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
+tion":"eccentricity",n="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...m)=>m.some(g=>t.has(g));c("hoop.load_fraction","hoop.ecce\
+ntricity","hoop.parts")||(this.way.select.value=a),c("start.speed","start.omega")||(this.kind.select.value=n?"rolling":"free"),c("plane.mu","plane.mu_static")||
+(this.apart.checked=r);let d=this.gravities.find(([,m])=>Math.abs(m-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=d?d[0]:"");let u={"hoo\
+p.load_fraction":a==="load_fraction","hoop.eccentricity":a==="eccentricity","hoop.inertia_ratio":a==="eccentricity","hoop.mass":a!=="parts","plane.mu":!r,"plane\
+.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":n,"start.height":!n,"start.vx":!n,"start.vy":!n,
+"start.omega":!n,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[m,g]of Object.entries(u))this.
+at(m).hidden=!g;this.parts.element.hidden=a!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=a==="\
+eccentricity"?"":`ε = ${x(o["hoop.eccentricity"],5)}, κ = ${x(o["hoop.inertia_ratio"],5)}`+(a==="parts"?`, m = ${x(o["hoop.mass"],5)} kg`:"");let p=s;for(let[
+m,{select:g}]of this.choices){if(t.has(m))continue;let[b,w]=m.split(".");p[b]?.[w]!==void 0&&(g.value=p[b][w])}}};var Ot=Math.PI/180;function _s(i,e){let{start:t,plane:s,contact:o,hoop:a}=i.scenario;return o.model!=="rigid"?"Rigid contact only.":i.slope!==0?"The plane must \
 be level.":Math.abs(i.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":i.radius!==1||a.parts?"The radius must stay 1 m,\
  without parts.":i.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in a?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":i.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Hs=i=>i.events.filter(
