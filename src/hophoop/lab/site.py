@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import gzip
 import hashlib
 import json
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
@@ -26,6 +28,12 @@ PAGES = ("site.html", "embed.html")
 def static_bytes(name: str) -> bytes:
     """Content of a file of static/."""
     return (files("hophoop.lab") / "static" / name).read_bytes()
+
+
+@cache
+def packed_module() -> bytes:
+    """The module, compressed by gzip, for what travels with a notebook."""
+    return gzip.compress((files("hophoop.module") / MODULE).read_bytes(), 9, mtime=0)
 
 
 def site_files() -> dict[str, bytes]:
