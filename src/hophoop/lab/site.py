@@ -11,7 +11,7 @@ from pathlib import Path
 
 import hophoop
 from hophoop._files import replacing
-from hophoop.module.stamp import MODULE
+from hophoop.module.stamp import MODULE, built
 from hophoop.scenario import InputError
 
 # Nothing may come from, or go, anywhere else. What a frame may hold it only takes as a header, not from the page itself.
@@ -47,7 +47,8 @@ def site_files() -> dict[str, bytes]:
     made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in STATIC}
     made[f"static/{MODULE}"] = (files("hophoop.module") / MODULE).read_bytes()
     for name in PAGES:
-        made[NAMES.get(name, name)] = static_bytes(name).replace(b"{policy}", POLICY.encode())
+        page = static_bytes(name).replace(b"{policy}", POLICY.encode())
+        made[NAMES.get(name, name)] = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
     for name, content in sorted(made.items()):

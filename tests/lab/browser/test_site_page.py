@@ -67,7 +67,7 @@ def test_what_is_not_allowed_is_said(visit):
     mass = page.get_by_label("Mass, exact value in kg", exact=True)
     mass.fill("-1")
     mass.press("Enter")
-    page.wait_for_selector("text=hoop.mass", timeout=PATIENCE)
+    page.wait_for_selector("text=must be", timeout=PATIENCE)
 
 
 def test_a_map_is_computed_in_workers(visit):
