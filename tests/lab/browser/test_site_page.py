@@ -1,6 +1,7 @@
 """The exported lab, served by Python's plain web server: everything is computed in the browser, also without a network."""
 
 import functools
+import hashlib
 import http.server
 import threading
 from pathlib import Path
@@ -140,3 +141,33 @@ def test_the_folder_may_stand_anywhere(folder: Path, browser, tmp_path):
     context.close()
     server.shutdown()
     server.server_close()
+
+
+def test_chromium_gives_the_same_bits_as_wasmtime(visit):
+    pytest.importorskip("wasmtime")
+    from hophoop.module.stamp import HERE, MODULE
+    from module.host import Host
+    from module.module_tools import cell_of
+    from module.test_page_kernel import given_of, scenarios
+
+    host = Host(HERE / MODULE)
+    digest = hashlib.sha256()
+    for scenario in scenarios():
+        digest.update(host.motion(cell_of(scenario))[1].tobytes())
+    page = visit()
+    found = page.evaluate(
+        """async (asked) => {
+          const { HoopModule } = await import(new URL("static/kernel.js", document.baseURI).href);
+          const binary = await (await fetch("static/hophoop.wasm")).arrayBuffer();
+          const module = new HoopModule(await WebAssembly.compile(binary));
+          const rows = asked.map((given) => {
+            for (const name in given) if (given[name] === "inf") given[name] = Infinity;
+            return new Uint8Array(module.compute(given).rows.buffer);
+          });
+          const all = new Uint8Array(await new Blob(rows).arrayBuffer());
+          const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", all));
+          return [...hash].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+        }""",
+        [given_of(scenario) for scenario in scenarios()],
+    )
+    assert found == digest.hexdigest()
