@@ -310,6 +310,8 @@ interface SceneHoop {
   normalForce: Float32Array;
   frictionForce: Float32Array;
   traces: SceneTraces | null;
+  tag: string;
+  marks: [number, number, string, string][]; // when, how far along the plane, which kind, in a word
 }
 
 interface SceneTraces {
@@ -328,11 +330,13 @@ interface SceneData {
   height: number;
   grid: number;
   topSpeed: number;
-  newton: number;
+  newton: Float32Array | null; // length of a newton's arrow at each frame
+  flies: boolean;
   map: number[][];
   theme: { background: string; ground: string; ink: string; muted: string; load: string; dark: boolean };
   colors: { center: string; airborne: string; normal: string; friction: string };
   flight: number;
+  rate: Float32Array;
   modes: [string, string][];
   hoops: SceneHoop[];
 }

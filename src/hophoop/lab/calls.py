@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hophoop.lab import files, film, motion_map, requests, thresholds
-from hophoop.lab.limits import USUAL, Limits, TooMuch, within
+from hophoop.lab.limits import USUAL, Limits, TooMuch, turns_of, within
 from hophoop.lab.packing import pack
 from hophoop.lab.python_code import python_code
 from hophoop.lab.regions import regions
@@ -23,6 +23,8 @@ from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Frozen
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
+
+LIGHT_SAMPLES, LIGHT_TURNS = 2000, 2000.0  # more than these is not answered at once
 
 
 @dataclass(frozen=True)
@@ -203,6 +205,25 @@ def waits_for(request: Request) -> str:
     if progress is None:
         return ""
     return f"compiling the kernel of maps, this once: {progress[0]} of {progress[1]} functions"
+
+
+def cost(request: Request, limits: Limits = USUAL) -> str:
+    """Which lane of the server a request belongs to.
+
+    Parameters
+    ----------
+    request : Request
+    limits : Limits, optional
+
+    Returns
+    -------
+    lane : {'light', 'heavy'}
+        Light is what is answered at once, as the page's sliders ask it.
+    """
+    scenario = request.scenario
+    many = request.call == "map" or getattr(request.body, "samples", 0) > LIGHT_SAMPLES
+    long = not scenario.duration <= limits.duration or turns_of(scenario) > LIGHT_TURNS
+    return "heavy" if many or long or scenario.contact.model == "compliant" else "light"
 
 
 def answer(request: Request, limits: Limits = USUAL) -> Reply:

@@ -113,6 +113,8 @@ class ScenarioRequest(Frozen):
         TooMuch
             If it is.
         """
+        if len(self.changes) > limits.changes:
+            raise TooMuch(f"changes has {len(self.changes)} pairs and must have at most {limits.changes} in the lab.")
 
 
 class SimulateRequest(ScenarioRequest):
@@ -128,6 +130,7 @@ class SimulateRequest(ScenarioRequest):
         TooMuch
             If there are.
         """
+        super().bounded(limits)
         if self.samples > limits.samples:
             raise TooMuch(f"samples = {self.samples} must be at most {limits.samples} in the lab.")
 
@@ -155,6 +158,7 @@ class MapRequest(ScenarioRequest):
         TooMuch
             If there are too many cells.
         """
+        super().bounded(limits)
         if self.x.path == self.y.path:
             raise InputError(LAB["equal_axes"].format(path=self.x.path))
         cells = self.x.cells * self.y.cells

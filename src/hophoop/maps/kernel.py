@@ -11,6 +11,7 @@ from hophoop._jit import jit
 from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.physics.contact import rolling_forces
 from hophoop.physics.friction import utilization
+from hophoop.physics.resistance import resisted_acceleration, resisted_forces
 from hophoop.physics.roll import rolling_u
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch

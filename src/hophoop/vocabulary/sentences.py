@@ -80,6 +80,10 @@ THEORY: Final[dict[str, str]] = {
 LAB: Final[dict[str, str]] = {
     "too_long": "duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",
     "too_many_parts": "hoop.parts has {parts} parts and must have at most {most} in the lab.",
+    "too_many_turns": (
+        "duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} "
+        "in the lab; the library itself has no such limit."
+    ),
     "too_many_cells": "x.cells times y.cells = {cells} must be at most {most} in the lab.",
     "equal_axes": "x.path and y.path are both {path!r} and must differ.",
     "two_axes": "{one} and {other} cannot both be axes: they say the same thing in two ways.",
