@@ -305,7 +305,15 @@ function rowOf(part) {
 
 // --- a motion as it is told -----------------------------------------------------------------------
 
-const ENERGIES = ["kinetic", "potential", "friction", "impact_normal", "impact_tangential", "residual"];
+const ENERGIES = [
+  "kinetic",
+  "potential",
+  "friction",
+  "impact_normal",
+  "impact_tangential",
+  "rolling_resistance",
+  "residual",
+];
 const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
 
 /**

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources eaea4ab4a5a975a028ae84db5dc8c78e */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 5c154041486e338312336eefbbce928c */
 var a={sources:"764e8b8e53f79af7cb4e81ca3c1d686f",module:"a81c61d7b0d54a9c",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring","damping","friction",
@@ -26,13 +26,13 @@ a.laws.indexOf(o.law),a.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.dam
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
 n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,D=6e3,[me,R,F]=[0,1,2],P={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],utilization:["utilization"]};function A(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.ceil(n*W),B),D),l=a.events.length,r=new Set;for(let p=0;p<=
-i&&n>0;p++)r.add(p===i?n:p*(n/i));let c=new Set;for(let p=0;p<s;p++)c.add(Math.min(t[p*l+_.t],n));for(let p of c)r.add(p);let m=Float64Array.from(r).sort(),f=Float64Array.
-from(c).filter(p=>p>0).sort(),d=o.states(e,m,!1),g=o.states(e,f,!0);return V(m,d,f,g)}function V(o,e,t,s){let n=o.length+t.length,i=a.samples.length,l=new Float64Array(
-n),r=new Float64Array(n*i),c=0,m=0;for(let d=0;d<o.length;d++)m<t.length&&t[m]<=o[d]&&(l[c]=t[m],r.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),l[c]=o[d],r.set(e.subarray(
-d*i,(d+1)*i),c*i),c++;let f={t:l};for(let[d,g]of Object.entries(P)){let p=new Float64Array(n);for(let v of g)for(let y=0;y<n;y++)p[y]+=r[y*i+O[v]];f[d]=p}return f.
-mode=C(r,n,f.omega),f}function C(o,e,t){let s=a.samples.length,n=new Float64Array(e),i=0;for(let l=e-1;l>=0&&!i;l--)i=Math.sign(t[l])||0;for(let l=e-1;l>=0;l--){
-i=Math.sign(t[l])||i;let r=o[l*s+O.mode],c=r===R?-1:r===F?1:0;n[l]=c===0?r:c*i<0?R:F}return n}function T(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=$(o.subarray(n*a.keys,(n+1)*a.keys));if(i===""){s[n]=Number.NaN;continue}let l=t.
+amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.ceil(n*
+W),B),D),l=a.events.length,r=new Set;for(let p=0;p<=i&&n>0;p++)r.add(p===i?n:p*(n/i));let c=new Set;for(let p=0;p<s;p++)c.add(Math.min(t[p*l+_.t],n));for(let p of c)
+r.add(p);let m=Float64Array.from(r).sort(),f=Float64Array.from(c).filter(p=>p>0).sort(),d=o.states(e,m,!1),g=o.states(e,f,!0);return V(m,d,f,g)}function V(o,e,t,s){
+let n=o.length+t.length,i=a.samples.length,l=new Float64Array(n),r=new Float64Array(n*i),c=0,m=0;for(let d=0;d<o.length;d++)m<t.length&&t[m]<=o[d]&&(l[c]=t[m],r.
+set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),l[c]=o[d],r.set(e.subarray(d*i,(d+1)*i),c*i),c++;let f={t:l};for(let[d,g]of Object.entries(P)){let p=new Float64Array(
+n);for(let v of g)for(let y=0;y<n;y++)p[y]+=r[y*i+O[v]];f[d]=p}return f.mode=C(r,n,f.omega),f}function C(o,e,t){let s=a.samples.length,n=new Float64Array(e),i=0;
+for(let l=e-1;l>=0&&!i;l--)i=Math.sign(t[l])||0;for(let l=e-1;l>=0;l--){i=Math.sign(t[l])||i;let r=o[l*s+O.mode],c=r===R?-1:r===F?1:0;n[l]=c===0?r:c*i<0?R:F}return n}function T(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=$(o.subarray(n*a.keys,(n+1)*a.keys));if(i===""){s[n]=Number.NaN;continue}let l=t.
 get(i);l===void 0&&(l=t.size,t.set(i,l)),s[n]=l}return{values:s,sequences:[...t.keys()]}}function $(o){let e="";for(let t of o){let s=t;for(let n=0;n<a.letters_a_key&&
 s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===a.more?"+":a.letters[i-1])}}return e}var G=256,H=2048,K=4096,J=2e5,Q=a.statuses.indexOf("buffer"),X=new Set(["turn","apex","kane_gain","rest"]),j=o=>Number.isFinite(o)?o:null,x=class{constructor(e){
 this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new k(this.exports),this.mostEvents=G,this.mostSegments=H,this.mostRows=
@@ -64,12 +64,12 @@ put("cell",w(e)),n=t.put("contact",S(e.contact)),i=t.room("answers",8*a.threshol
 chosen.indexOf(c)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),steps:r("steps"),automatic:{
 stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Y(o){let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=a.shapes.indexOf(e);return o.shape===
 "ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,o.mass,o.radius,0,o.at]:o.shape==="rod"?[t,o.mass,o.length,0,o.at]:[t,o.mass,0,0,o.at]}var Z=[
-"kinetic","potential","friction","impact_normal","impact_tangential","residual"],L=["x","height","angle","vx","vy","omega"];function I({given:o,head:e,rows:t,count:s,
-duration:n}){let i=a.events.length,l=Array.from({length:s},(m,f)=>ee(t.subarray(f*i,(f+1)*i))),r=l[s-1],c=Object.fromEntries([...Z,...o.contact?["spring","dampi\
-ng"]:[]].map(m=>[m,e[u[m]]]));return{status:a.statuses[e[u.status]],sequence:te(l),duration:n,events:l,final:{t:r.t,mode:r.to,...Object.fromEntries(L.map(m=>[m,
-r[m]]))},energy:c,doubt:j(e[u.doubt_from])}}function ee(o){let e=a.kinds[o[_.kind]],t=o[_.from_mode],s={t:o[_.t],kind:e,from:t<0?null:a.letters[t],to:a.letters[o[_.
-to_mode]]};for(let n of L)s[n]=j(o[_[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,j(o[_[`before_${n}`]])])),s.impulse={normal:o[_.impulse_normal],
-tangential:o[_.impulse_tangential]},o[_.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[_.gain]),o[_.stable]>=0&&(s.stable=o[_.stable]===1),s}function te(o){
-let e=o.filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var z;function se(o){let e=new Set,t=s=>{ArrayBuffer.isView(s)?e.add(s.buffer):s&&typeof s=="object"&&!Array.isArray(s)&&Object.values(s).forEach(t)};return t(o),
+"kinetic","potential","friction","impact_normal","impact_tangential","rolling_resistance","residual"],L=["x","height","angle","vx","vy","omega"];function I({given:o,
+head:e,rows:t,count:s,duration:n}){let i=a.events.length,l=Array.from({length:s},(m,f)=>ee(t.subarray(f*i,(f+1)*i))),r=l[s-1],c=Object.fromEntries([...Z,...o.contact?
+["spring","damping"]:[]].map(m=>[m,e[u[m]]]));return{status:a.statuses[e[u.status]],sequence:te(l),duration:n,events:l,final:{t:r.t,mode:r.to,...Object.fromEntries(
+L.map(m=>[m,r[m]]))},energy:c,doubt:j(e[u.doubt_from])}}function ee(o){let e=a.kinds[o[_.kind]],t=o[_.from_mode],s={t:o[_.t],kind:e,from:t<0?null:a.letters[t],to:a.
+letters[o[_.to_mode]]};for(let n of L)s[n]=j(o[_[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,j(o[_[`before_${n}`]])])),s.impulse={normal:o[_.
+impulse_normal],tangential:o[_.impulse_tangential]},o[_.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[_.gain]),o[_.stable]>=0&&(s.stable=o[_.stable]===
+1),s}function te(o){let e=o.filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var z;function se(o){let e=new Set,t=s=>{ArrayBuffer.isView(s)?e.add(s.buffer):s&&typeof s=="object"&&!Array.isArray(s)&&Object.values(s).forEach(t)};return t(o),
 [...e]}function ne({data:{number:o,compiled:e,call:t,values:s}}){try{if(e){z=new x(e);return}let n=z[t](...s);self.postMessage({number:o,answer:n},{transfer:se(
 n)})}catch(n){self.postMessage({number:o,error:n.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",ne);export{x as HoopModule};

@@ -1,17 +1,17 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources eaea4ab4a5a975a028ae84db5dc8c78e */
-var ms={};var gs={};var ws={};var ys={};var Ie=new Map;function lt(o){try{return localStorage.getItem(o)??Ie.get(o)??null}catch{return Ie.get(o)??null}}function ct(o,t){Ie.set(o,t);try{localStorage.setItem(
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 5c154041486e338312336eefbbce928c */
+var ms={};var gs={};var ws={};var ys={};var _e=new Map;function lt(o){try{return localStorage.getItem(o)??_e.get(o)??null}catch{return _e.get(o)??null}}function ct(o,t){_e.set(o,t);try{localStorage.setItem(
 o,t)}catch{}}var xt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},xs={de:ms,es:gs,fr:ws,zh:ys},Gi=new Set(["de","es","fr"]),ks="hophoop-language",Ki=4e3,
-Re=/\{(\w+)\}/g,pt="en",Ms=[],vt=new Map,_e=new Set,zt=()=>pt;function Le(o){pt=o in xt?o:"en",vt=new Map,_e.clear(),Ms=Object.keys(xs[pt]??{}).filter(t=>t.includes(
+Re=/\{(\w+)\}/g,pt="en",Ms=[],vt=new Map,Ie=new Set,zt=()=>pt;function Le(o){pt=o in xt?o:"en",vt=new Map,Ie.clear(),Ms=Object.keys(xs[pt]??{}).filter(t=>t.includes(
 "{")).map(Vi).sort((t,e)=>bs(e.key)-bs(t.key))}function Xi(){let o=lt(ks);return o&&o in xt?o:(navigator.languages??[navigator.language]).map(e=>e.slice(0,2).toLowerCase()).
 find(e=>e in xt)??"en"}function Ts(o){ct(ks,o)}var bs=o=>o.replace(Re,"").length;function Vi(o){let t=[...o.matchAll(Re)].map(([,s])=>s),e=o.split(/\{\w+\}/).map(
 s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:o,names:t,pattern:new RegExp(`^${e.join("(.+?)")}$`,"su")}}var Ss=o=>Gi.has(pt)?o.replace(/(\d)\.(\d)/g,"\
 $1,$2"):o;function T(o,t){let e=xs[pt];if(t)return Es(e?.[o]??vs(o),t);if(!e||!/\p{L}/u.test(o))return Ss(o);let s=vt.get(o);if(s!==void 0)return s;let i=o.trim(),
 n=e[i]??Ji(i,e)??vs(i),a=o.replace(i,()=>n);return vt.size>Ki&&vt.clear(),vt.set(o,a),a}var Es=(o,t)=>o.replace(Re,(e,s)=>T(String(t[s])));function Ji(o,t){for(let{
 key:e,pattern:s,names:i}of Ms){let n=o.match(s);if(n)return Es(t[e],Object.fromEntries(i.map((a,h)=>[a,n[h+1]])))}return Zi(o)}function Zi(o){if(o.includes(" → "))
-return o.split(" → ").map(t=>T(t)).join(" → ")}function vs(o){let t=/\p{L}{3,}/u.test(o)&&!/^[\w.[\]]+\.\w+$/.test(o);return pt!=="en"&&t&&_e.size<200&&_e.add(o),Ss(o)}var As=new WeakMap,$e=new WeakMap;function Ne(o){
-let t=document.createTextNode(T(o));return As.set(t,o),t}function Ps(o,t,e){let s=$e.get(o)??{};s[t]=e,$e.set(o,s),o.setAttribute(t,T(e))}function Is(o){let t=document.
+return o.split(" → ").map(t=>T(t)).join(" → ")}function vs(o){let t=/\p{L}{3,}/u.test(o)&&!/^[\w.[\]]+\.\w+$/.test(o);return pt!=="en"&&t&&Ie.size<200&&Ie.add(o),Ss(o)}var As=new WeakMap,$e=new WeakMap;function Ne(o){
+let t=document.createTextNode(T(o));return As.set(t,o),t}function Ps(o,t,e){let s=$e.get(o)??{};s[t]=e,$e.set(o,s),o.setAttribute(t,T(e))}function _s(o){let t=document.
 createTreeWalker(o,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let e=t.nextNode();e;e=t.nextNode()){let s=As.get(e);s!==void 0&&(e.nodeValue=T(s));let i=$e.
-get(e);for(let[n,a]of Object.entries(i??{}))e.setAttribute(n,T(a))}}Le(Xi());function X(o){let t=Number.parseInt(o.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var _s=o=>kt(o)>.2?"#111111":"#ffffff",Mt=(o,t)=>`rgba(${X(o).join(",")},${t}\
+get(e);for(let[n,a]of Object.entries(i??{}))e.setAttribute(n,T(a))}}Le(Xi());function X(o){let t=Number.parseInt(o.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var Is=o=>kt(o)>.2?"#111111":"#ffffff",Mt=(o,t)=>`rgba(${X(o).join(",")},${t}\
 )`,Qi=o=>{let t=o/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};function kt(o){let[t,e,s]=X(o).map(Qi);return .2126*t+.7152*e+.0722*s}function Ot(o,t){if(!t||
 !/^#[0-9a-f]{6}$/i.test(o))return o;if(kt(o)<.002)return"#eceef2";let e=o;for(let s=0;kt(e)<.2&&s<1;s+=.05)e=`#${X(o).map(i=>Math.round(i+(255-i)*s).toString(16).
 padStart(2,"0")).join("")}`;return e}var Ct=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function to(){let o=[];for(let t=0;t<
@@ -19,7 +19,7 @@ padStart(2,"0")).join("")}`;return e}var Ct=["#440154","#472d7b","#3b528b","#2c7
 Ft=dt.map(o=>`rgb(${o.join(",")})`);var eo=new Set(["aria-label","title","placeholder","label"]);function l(o,t={},...e){let s=document.createElement(o),i=s;for(let[n,a]of Object.entries(t))a==null||
 a===!1||(n.startsWith("on")?s.addEventListener(n.slice(2),a):n==="class"?s.className=a:n in s&&n!=="list"&&typeof a!="string"?i[n]=a:eo.has(n)?Ps(s,n,String(a)):
 s.setAttribute(n,a===!0?"":a));for(let n of e.flat())n==null||n===!1||s.append(n.nodeType?n:Ne(String(n)));return s}function j(o,t){t?o.replaceChildren(Ne(t)):o.
-replaceChildren()}var Bt=o=>o!==null&&o.getRootNode().activeElement===o,V=o=>o.getContext("2d");function _(o){let t=o.getBoundingClientRect(),e=Math.min(globalThis.
+replaceChildren()}var Bt=o=>o!==null&&o.getRootNode().activeElement===o,V=o=>o.getContext("2d");function I(o){let t=o.getBoundingClientRect(),e=Math.min(globalThis.
 devicePixelRatio||1,2.5),s=Math.max(Math.round(t.width*e),1),i=Math.max(Math.round(t.height*e),1);(o.width!==s||o.height!==i)&&(o.width=s,o.height=i);let n=V(o);
 return n.setTransform(e,0,0,e,0,0),{context:n,width:s/e,height:i/e}}function so(o){if(/^#[0-9a-f]{6}$/i.test(o))return o;let t=V(l("canvas",{width:1,height:1}));
 t.fillStyle=o,t.fillRect(0,0,1,1);let[e,s,i]=t.getImageData(0,0,1,1).data;return`#${[e,s,i].map(n=>n.toString(16).padStart(2,"0")).join("")}`}function ze(o){let t=getComputedStyle(
@@ -111,23 +111,23 @@ adius"),this.at("hoop.mass"))}plane(){return this.apart=l("input",{type:"checkbo
 ne.mu_static",t["plane.mu_static"]],["plane.mu_kinetic",t["plane.mu_kinetic"]]]):this.onchange([["plane.mu",t["plane.mu_static"]]])}}),this.gravity=this.select(
 "Where",[...this.gravities.map(([t])=>[t,t]),["","elsewhere"]],t=>{let e=this.gravities.find(([s])=>s===t);e&&this.onchange([["plane.gravity",e[1]]])}),this.group(
 "Plane",this.at("plane.mu"),this.at("plane.mu_static"),this.at("plane.mu_kinetic"),l("label",{class:"check"},this.apart,"static and kinetic friction apart"),this.
-at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.impact_law"),this.at("plane.painleve"))}start(){return this.
-kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],t=>{let{values:e}=this.film;t==="rolling"?this.onchange([["start.speed",e["start.vx"]]]):
-this.onchange([["start.omega",e["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at("start.angle"),this.at("start.height"),this.
-at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",this.at("contact.model"),this.at("contact.l\
-aw"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitution"))}refuse(t,e){let s=t.length===1?this.
-sliders.get(t[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(e),!0):!1}restore(){this.film&&this.showChoices(this.film,new Set)}show(t,e=new Set){
-this.film=t,this.showChoices(t,e);let s=t.scenario;for(let[i,n]of this.sliders){if(e.has(i))continue;let[a,h]=i.split(".");n.show(t.values[i]??(h?s[a]?.[h]:s[a]),
-t.automatic?.[i])}}showChoices(t,e){let{scenario:s,values:i}=t,n=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_fraction":"eccentricity",a="speed"in s.start,
-h="mu_static"in s.plane,r=s.contact.model==="compliant",c=(...f)=>f.some(g=>e.has(g));c("hoop.load_fraction","hoop.eccentricity","hoop.parts")||(this.way.select.
-value=n),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu","plane.mu_static")||(this.apart.checked=h);let p=this.gravities.
-find(([,f])=>Math.abs(f-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=p?p[0]:"");let d={"hoop.load_fraction":n==="load_fraction","hoop.e\
-ccentricity":n==="eccentricity","hoop.inertia_ratio":n==="eccentricity","hoop.mass":n!=="parts","plane.mu":!h,"plane.mu_static":h,"plane.mu_kinetic":h,"plane.re\
-stitution":!r,"plane.impact_law":!r,"plane.painleve":!r,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,"start.omega":!a,"contact.law":r,"contact.\
-friction":r,"contact.stiffness":r,"contact.slip_speed":r,"contact.restitution":r};for(let[f,g]of Object.entries(d))this.at(f).hidden=!g;this.parts.element.hidden=
-n!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=n==="eccentricity"?"":`ε = ${x(i["hoop.eccentr\
-icity"],5)}, κ = ${x(i["hoop.inertia_ratio"],5)}`+(n==="parts"?`, m = ${x(i["hoop.mass"],5)} kg`:"");let u=s;for(let[f,{select:g}]of this.choices){if(e.has(f))
-continue;let[y,w]=f.split(".");u[y]?.[w]!==void 0&&(g.value=u[y][w])}}};var Fe=Math.PI/180;function Fs(o,t){let{start:e,plane:s,contact:i,hoop:n}=o.scenario;return i.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
+at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.rolling_resistance"),this.at("plane.impact_law"),this.
+at("plane.painleve"))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],t=>{let{values:e}=this.film;t==="rolling"?this.
+onchange([["start.speed",e["start.vx"]]]):this.onchange([["start.omega",e["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at(
+"start.angle"),this.at("start.height"),this.at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",
+this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitut\
+ion"))}refuse(t,e){let s=t.length===1?this.sliders.get(t[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(e),!0):!1}restore(){this.film&&this.showChoices(
+this.film,new Set)}show(t,e=new Set){this.film=t,this.showChoices(t,e);let s=t.scenario;for(let[i,n]of this.sliders){if(e.has(i))continue;let[a,h]=i.split(".");
+n.show(t.values[i]??(h?s[a]?.[h]:s[a]),t.automatic?.[i])}}showChoices(t,e){let{scenario:s,values:i}=t,n=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
+tion":"eccentricity",a="speed"in s.start,h="mu_static"in s.plane,r=s.contact.model==="compliant",c=(...f)=>f.some(g=>e.has(g));c("hoop.load_fraction","hoop.ecce\
+ntricity","hoop.parts")||(this.way.select.value=n),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu","plane.mu_static")||
+(this.apart.checked=h);let p=this.gravities.find(([,f])=>Math.abs(f-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=p?p[0]:"");let d={"hoo\
+p.load_fraction":n==="load_fraction","hoop.eccentricity":n==="eccentricity","hoop.inertia_ratio":n==="eccentricity","hoop.mass":n!=="parts","plane.mu":!h,"plane\
+.mu_static":h,"plane.mu_kinetic":h,"plane.restitution":!r,"plane.impact_law":!r,"plane.painleve":!r,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,
+"start.omega":!a,"contact.law":r,"contact.friction":r,"contact.stiffness":r,"contact.slip_speed":r,"contact.restitution":r};for(let[f,g]of Object.entries(d))this.
+at(f).hidden=!g;this.parts.element.hidden=n!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=n==="\
+eccentricity"?"":`ε = ${x(i["hoop.eccentricity"],5)}, κ = ${x(i["hoop.inertia_ratio"],5)}`+(n==="parts"?`, m = ${x(i["hoop.mass"],5)} kg`:"");let u=s;for(let[
+f,{select:g}]of this.choices){if(e.has(f))continue;let[y,w]=f.split(".");u[y]?.[w]!==void 0&&(g.value=u[y][w])}}};var Fe=Math.PI/180;function Fs(o,t){let{start:e,plane:s,contact:i,hoop:n}=o.scenario;return i.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
 be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||n.parts?"The radius must stay 1 m,\
  without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in n?"speed"in e?Math.abs(e.speed??3.1)>t+1e-9?t>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Bs=o=>o.events.filter(
@@ -206,21 +206,21 @@ let{lab:e}=this;this.held=null,this.before=null,this.tip.hidden=!0,e.stage.optio
 "(prefers-reduced-motion: reduce)").matches&&e.clock.play(!0),e.request()}async back(){let{lab:t,before:e}=this;if(this.end(!1),e===null)return;let s=t.motions.
 lanes[t.motions.active];for(s.pending=null;s.busy;)await new Promise(i=>requestAnimationFrame(i));try{t.motions.replace(await t.backend.call("film",{query:e}))}catch(i){
 t.notice.fail(i)}}comeBack(t){let{flat:e}=this.lab.stage,s=matchMedia("(prefers-reduced-motion: reduce)").matches,i=()=>{if(this.pull)return;let n=e.shift[0]-t[0];
-e.shift=Math.abs(n)<1||s?[...t]:[t[0]+.82*n,t[1]],this.lab.request(),e.shift[0]!==t[0]&&requestAnimationFrame(i)};i()}};var Io={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+e.shift=Math.abs(n)<1||s?[...t]:[t[0]+.82*n,t[1]],this.lab.request(),e.shift[0]!==t[0]&&requestAnimationFrame(i)};i()}};var _o={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function L(o){let t="\
 http://www.w3.org/2000/svg",e=document.createElementNS(t,"svg");e.setAttribute("viewBox","0 0 17 17"),e.setAttribute("aria-hidden","true"),e.setAttribute("class",
-"icon");let s=document.createElementNS(t,"path");return s.setAttribute("d",Io[o]),e.append(s),e}var Jt=class{constructor(t){this.lab=t,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+"icon");let s=document.createElementNS(t,"path");return s.setAttribute("d",_o[o]),e.append(s),e}var Jt=class{constructor(t){this.lab=t,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(t=!this.on){let{root:e}=this.lab;if(this.on=t,e.classList.toggle("presenting",t),this.onchange(),this.lab.
 show(),!t){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await e.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Ks=.22,Xs=.03;function Vs(o,t){let e=o.at(t),s=o.mass*(o.gravity||9.81),i=e.mode==="H"||!(e.normal_force>0)?0:e.normal_force/s,n=i/(1+i),a=e.mode==="S"||e.mode===
 "K",h=Math.abs(e.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:n,pitch:55*(1+Math.min(i,8))**.5,hiss:a?n*b(.15+h,0,1):0}}function Js(o,t,e){let s=Math.
-sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:i,t:n,before:a})=>i==="impact"&&a&&n>t&&n<=e).map(({before:i})=>b(Math.abs(i.vy)/s,.02,1))}function _o(o){
+sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:i,t:n,before:a})=>i==="impact"&&a&&n>t&&n<=e).map(({before:i})=>b(Math.abs(i.vy)/s,.02,1))}function Io(o){
 let t=o.createBuffer(1,o.sampleRate,o.sampleRate),e=t.getChannelData(0),s=1;for(let i=0;i<e.length;i++)s=s*16807%2147483647,e[i]=2*s/2147483647-1;return t}var Zt=class{static heard=Vs;static knocks=Js;context=null;on=!1;last=0;start(){
-let t=new AudioContext,e=t.createOscillator();e.type="triangle";let s=t.createBufferSource();s.buffer=_o(t),s.loop=!0;let i=t.createBiquadFilter();i.type="bandp\
+let t=new AudioContext,e=t.createOscillator();e.type="triangle";let s=t.createBufferSource();s.buffer=Io(t),s.loop=!0;let i=t.createBiquadFilter();i.type="bandp\
 ass",i.frequency.value=1800,i.Q.value=.6;let[n,a]=[t.createGain(),t.createGain()];n.gain.value=a.gain.value=0,e.connect(n).connect(t.destination),s.connect(i).connect(
 a).connect(t.destination),e.start(),s.start(),this.context=t,Object.assign(this,{tone:e,low:n,high:a})}turn(t){this.on=t,t&&!this.context&&this.start(),t?this.context?.
 resume():this.context&&(this.set("low",0),this.set("high",0))}set(t,e){let{gain:s}=this[t];s.setTargetAtTime(Ks*e,this.context.currentTime,Xs)}follow(t,e){if(!this.
@@ -239,7 +239,8 @@ name:"normal force",symbol:"N",unit:"N",values:C("normal_force")},friction_force
 name:"use of friction",symbol:"|F|/μN",unit:"",values:C("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:C("kinetic")},potential:{name:"\
 potential energy",symbol:"E_p",unit:"J",values:C("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Pt("total",({kinetic:o,potential:t},e)=>o[e]+
 t[e])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:C("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:C("normal_loss")}},Zs=({name:o,symbol:t})=>`${o} ${t}`;var $o=["time","angle","x","vx","spin","normal_force","friction_force"],Ro=[1,.5,.2,.1,.05,.02,.01],je=601;function Qs(o,t,e){let s=Math.min(Math.floor(o.duration/
+J",values:C("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:C("rolling_resistance")}},Zs=({name:o,symbol:t})=>`${o}\
+ ${t}`;var $o=["time","angle","x","vx","spin","normal_force","friction_force"],Ro=[1,.5,.2,.1,.05,.02,.01],je=601;function Qs(o,t,e){let s=Math.min(Math.floor(o.duration/
 e+1e-9)+1,je),i=[];for(let n=0;n<s;n++){let a=Number((n*e).toPrecision(12));i.push({time:a,mode:o.at(a).mode,values:t.map(h=>Lo(o,h,a))})}return i}function Lo(o,t,e){
 if(t==="time")return e;let s=o.at(e);if(t in s&&t!=="angle")return s[t];let i=s.angle*180/Math.PI;if(t==="angle")return i;if(t==="turns")return i-360*Math.floor(
 i/360);let n=N[t].values(o),a=o.index(e),h=Math.min(a+1,o.length-1),r=o.t[h]>o.t[a]?(e-o.t[a])/(o.t[h]-o.t[a]):0;return n[a]+r*(n[h]-n[a])}var Qt=class{film;rows=[];now;constructor(t){
@@ -301,31 +302,31 @@ set(t,s),s}};function Ho(o,t,e,s,i){if(!Number.isFinite(e)||!Number.isFinite(s))
 Math.min(...t,0),s=t.reduce((i,n,a)=>i+Math.abs(n-o[a]),0)/t.length;return Math.round(100*b(1-2*s/(e||1),0,1))}var jo=0;function $t(o,t,e=!1){let s=`hh-guess-${++jo}`,
 i="",n=o.map(([a,h])=>{let r=l("input",{type:"radio",name:s,value:a,onchange:()=>{i=a,t()}});return{key:a,radio:r,row:l("label",{class:"guess-choice"},r,l("span",
 {},h))}});return{element:l("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},n.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:h,radio:r,
-row:c}of n){r.disabled=!0;let p=e||h===a;p&&c.append(l("b",{class:"guess-right"},"✓")),c.classList.toggle("right",p)}return e||i===a?100:0}}}var J=168,_t=58,Ye=(o,t=_t)=>{
+row:c}of n){r.disabled=!0;let p=e||h===a;p&&c.append(l("b",{class:"guess-right"},"✓")),c.classList.toggle("right",p)}return e||i===a?100:0}}}var J=168,It=58,Ye=(o,t=It)=>{
 let e=o*Math.PI/180;return[J/2+t*Math.sin(e),J/2-t*Math.cos(e)]};function Xe(o,t){let e=0,s=!1,i=null,n=l("canvas",{class:"dial-canvas"}),a=l("div",{class:"gues\
-s dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},n),h=()=>{let{context:p}=_(n),d=getComputedStyle(
+s dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},n),h=()=>{let{context:p}=I(n),d=getComputedStyle(
 a),u=d.getPropertyValue("--ink").trim(),f=d.getPropertyValue("--soft").trim(),g=d.getPropertyValue("--accent").trim();p.clearRect(0,0,J,J),p.strokeStyle=f,p.fillStyle=
-f,p.lineWidth=1.5,p.beginPath(),p.moveTo(8,J/2+_t),p.lineTo(J-8,J/2+_t),p.stroke(),p.lineWidth=4,p.beginPath(),p.arc(J/2,J/2,_t,0,2*Math.PI),p.stroke(),p.font="\
-11px system-ui, sans-serif",p.textAlign="center";for(let w of[0,90,180,270]){let[m,v]=Ye(w,_t-17);p.fillText(`${w}°`,m,v+4)}let y=(w,m,v)=>{p.fillStyle=m,p.beginPath(),
+f,p.lineWidth=1.5,p.beginPath(),p.moveTo(8,J/2+It),p.lineTo(J-8,J/2+It),p.stroke(),p.lineWidth=4,p.beginPath(),p.arc(J/2,J/2,It,0,2*Math.PI),p.stroke(),p.font="\
+11px system-ui, sans-serif",p.textAlign="center";for(let w of[0,90,180,270]){let[m,v]=Ye(w,It-17);p.fillText(`${w}°`,m,v+4)}let y=(w,m,v)=>{p.fillStyle=m,p.beginPath(),
 p.arc(...Ye(w),v,0,2*Math.PI),p.fill()};i!==null&&(p.strokeStyle=u,p.lineWidth=2,p.beginPath(),p.arc(...Ye(i),12,0,2*Math.PI),p.stroke(),y(i,u,7)),y(e,s?g:f,9)},
 r=p=>{i===null&&(e=Ke(p),s=!0,a.setAttribute("aria-valuenow",String(Math.round(e))),a.setAttribute("aria-valuetext",`${Math.round(e)}°`),h(),t())},c=p=>{let d=n.
 getBoundingClientRect(),[u,f]=[p.clientX-d.left-d.width/2,p.clientY-d.top-d.height/2];r(Math.atan2(u,-f)*180/Math.PI)};return a.addEventListener("pointerdown",p=>{
 p.preventDefault(),a.focus({preventScroll:!0}),c(p),R(a,p,c)}),a.addEventListener("keydown",p=>{let d={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[p.key];d!==void 0&&(p.preventDefault(),p.stopPropagation(),r(e+(p.shiftKey?d/5:d)))}),requestAnimationFrame(h),{element:a,redraw:h,made:()=>s,judge:p=>(i=
-Ke(p),h(),qo(e,i))}}var It=9,[Y,te,it,Ge]=[34,12,12,26];function si({label:o,unit:t,most:e},s){let i=Array(It).fill(e/4),n=!1,a=null,h=l("canvas",{class:"sketch\
+Ke(p),h(),qo(e,i))}}var _t=9,[Y,te,it,Ge]=[34,12,12,26];function si({label:o,unit:t,most:e},s){let i=Array(_t).fill(e/4),n=!1,a=null,h=l("canvas",{class:"sketch\
 -canvas"}),r=i.map((m,v)=>l("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":T("{what} with the load at {angle}",{what:T(o),angle:`${45*v}°`}),
 "aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(e),onkeydown:k=>{let M={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[k.key];M&&(k.
 preventDefault(),k.stopPropagation(),g(v,i[v]+M*e/(k.shiftKey?100:20)))}})),c=l("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the \
-points up and down"},h,r),p=()=>h.getBoundingClientRect(),d=m=>Y+m/(It-1)*(p().width-Y-te),u=m=>it+(1-m/e)*(p().height-it-Ge),f=()=>{let{context:m,width:v,height:k}=_(
+points up and down"},h,r),p=()=>h.getBoundingClientRect(),d=m=>Y+m/(_t-1)*(p().width-Y-te),u=m=>it+(1-m/e)*(p().height-it-Ge),f=()=>{let{context:m,width:v,height:k}=I(
 h),M=getComputedStyle(c),A=S=>M.getPropertyValue(S).trim();m.clearRect(0,0,v,k),m.strokeStyle=A("--line"),m.fillStyle=A("--soft"),m.font="11px system-ui, sans-s\
-erif";for(let S=0;S<It;S+=2)m.textAlign="center",m.fillText(`${45*S}°`,d(S),k-8),m.strokeRect(d(S),it,0,k-it-Ge);for(let S of[0,e/2,e])m.textAlign="right",m.fillText(
+erif";for(let S=0;S<_t;S+=2)m.textAlign="center",m.fillText(`${45*S}°`,d(S),k-8),m.strokeRect(d(S),it,0,k-it-Ge);for(let S of[0,e/2,e])m.textAlign="right",m.fillText(
 String(S),Y-6,u(S)+4),m.strokeRect(Y,u(S),v-Y-te,0);m.textAlign="left",m.fillText(t,Y+4,it+10);let E=(S,K,qi)=>{m.strokeStyle=K,m.lineWidth=2.5,m.setLineDash(qi),
 m.beginPath(),S.forEach((ds,us)=>{let fs=Y+us/(S.length-1)*(v-Y-te);us?m.lineTo(fs,u(b(ds,0,e))):m.moveTo(fs,u(b(ds,0,e)))}),m.stroke(),m.setLineDash([])};E(i,A(
 "--accent"),[6,4]),a&&E(a,A("--ink"),[]),r.forEach((S,K)=>{S.style.transform=`translate(${d(K)}px, ${u(i[K])}px)`})},g=(m,v)=>{a||(i[m]=b(v,0,e),n=!0,r[m].setAttribute(
 "aria-valuenow",i[m].toPrecision(3)),r[m].setAttribute("aria-valuetext",`${i[m].toPrecision(2)} ${t}`),f(),s())},y=null,w=m=>{let v=p(),k=b((m.clientX-v.left-Y)/
-(v.width-Y-te),0,1),M=Math.round(k*(It-1)),A=e*(1-(m.clientY-v.top-it)/(v.height-it-Ge)),E=y??M,S=i[E];for(let K=Math.min(E,M);K<=Math.max(E,M);K++)g(K,E===M?A:
+(v.width-Y-te),0,1),M=Math.round(k*(_t-1)),A=e*(1-(m.clientY-v.top-it)/(v.height-it-Ge)),E=y??M,S=i[E];for(let K=Math.min(E,M);K<=Math.max(E,M);K++)g(K,E===M?A:
 S+(A-S)*(K-E)/(M-E));y=M};c.addEventListener("pointerdown",m=>{m.preventDefault(),y=null,w(m),R(c,m,w)});for(let[m,v]of r.entries())v.setAttribute("aria-valueno\
-w",i[m].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>n,judge:m=>{a=m,f();let v=(m.length-1)/(It-1);return Wo(i,i.map((k,M)=>m[Math.
+w",i[m].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>n,judge:m=>{a=m,f();let v=(m.length-1)/(_t-1);return Wo(i,i.map((k,M)=>m[Math.
 round(M*v)]))}}}var se=2*Math.PI,O=(o,t)=>o.events.find(e=>e.kind===t),ee=o=>P(o-se*Math.floor(o/se));function Uo(o,t,e=72){let{angle:s}=o.columns,i=o.columns[t],n=[],a=0;for(let h=0;h<=
 e;h++){let r=o.columns.angle[0]+se*h/e;for(;a+1<o.length&&s[a+1]<r;)a+=1;let c=Math.min(a+1,o.length-1),p=s[c]>s[a]?Math.min((r-s[a])/(s[c]-s[a]),1):0;n.push(i[a]+
 p*(i[c]-i[a]))}return n}var Yo=(o,t)=>o.t[o.columns.angle.findIndex(e=>e>=t)]??o.duration,Go={R:"roll",S:"spin",K:"skid",H:"bounce"},ot=[{key:"littlewood",title:"\
@@ -405,7 +406,7 @@ let t=(s,i)=>l("button",{type:"button",onclick:()=>{e.open=!1,i()}},s),e=l("deta
 menu-body"},t("Guided visit",()=>this.visit.start()),t("Challenges",()=>this.challenges.open()),t("Table of the motion",()=>this.table.open(!0)),t("Presentation",
 ()=>this.present.turn(!0)),t("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{e.contains(s.target)||(e.open=
 !1)}),e.addEventListener("keydown",s=>{s.key!=="Escape"||!e.open||(s.stopPropagation(),e.open=!1,e.querySelector("summary")?.focus())}),e}languages(){let t=l("s\
-elect",{class:"language","aria-label":"Language",onchange:()=>{Ts(t.value),Le(t.value),this.spoken(),Is(this.lab.root),this.lab.show()}},Object.entries(xt).map(
+elect",{class:"language","aria-label":"Language",onchange:()=>{Ts(t.value),Le(t.value),this.spoken(),_s(this.lab.root),this.lab.show()}},Object.entries(xt).map(
 ([e,s])=>l("option",{value:e,lang:e},s)));return t.value=zt(),t}spoken(){this.lab.root.lang=zt(),this.lab.hosted&&(document.documentElement.lang=zt())}frame(){let{
 lab:t}=this;this.grips.draw(),this.sound.follow(t.film(),t.clock),this.table.cursor(t.clock.time),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.
 table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Rt=(o,t,e)=>l("button",{type:"button",title:t,"aria-label":t,onclick:e},o),ne=class{constructor(t,e,s){let i=new Map;for(let a of t)i.set(a.group,[...i.get(
@@ -514,7 +515,7 @@ kind=i,this.redraw();try{for(let[n,a]of vi){this.state.textContent=`computing ${
 changes:s,...h,what:this.what},c=await zs(()=>this.backend.call("map",r,t),u=>{this.state.textContent=u},t),p=gi(c);this.layers=wi(this.layers,p),this.keys.replaceChildren(
 ...yi(p));let d=fi(e,Object.values(this.axes.paths));this.state.textContent=`${n*a} motions${s.length?", with rigid contact":""}${d&&`; ${d}`}`,this.redraw()}this.
 level=vi.length}catch(n){let{name:a,message:h}=n;if(a==="AbortError")return;this.state.textContent=h}this.computing=!1}redraw(){if(!this.film)return;let{look:t}=this,
-{context:e,width:s,height:i}=_(this.canvas);this.axes.fit(s,i),e.clearRect(0,0,s,i),e.save(),this.axes.clip(e),e.imageSmoothingEnabled=!1;let{axes:n}=this;for(let h of this.
+{context:e,width:s,height:i}=I(this.canvas);this.axes.fit(s,i),e.clearRect(0,0,s,i),e.save(),this.axes.clip(e),e.imageSmoothingEnabled=!1;let{axes:n}=this;for(let h of this.
 layers){let[r,c]=h.x.map(u=>n.x(u)),[p,d]=h.y.map(u=>n.y(u));e.drawImage(h.picture,r,d,c-r,p-d)}let a=this.here();a&&Qe(e,n.x(a.x),n.y(a.y),t.ink,t.paper),this.
 pointed&&Bt(this.body)&&Qe(e,n.x(this.pointed.x),n.y(this.pointed.y),"#D55E00",t.paper),e.restore(),n.draw(e,i,t)}here(){let t=s=>{let[i,n]=s.split(".");return this.
 film.values[s]??this.film.scenario[i]?.[n]},e={x:t(this.axes.paths.x),y:t(this.axes.paths.y)};return typeof e.x=="number"&&typeof e.y=="number"?e:null}said(t){return`${this.
@@ -547,7 +548,7 @@ g","aria-label":e},this.canvas,this.over),this.element=l("section",{class:"plot"
 "pointerdown",r=>this.press(r)),this.pinched=D(this.body,{zoom:(r,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/r),home:()=>this.zoomTo(null),
 keys:!0}),this.onseek=()=>{}}abscissa(t){return N[this.shared.axis].values(t)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.
 duration),1e-9)];let[t,e]=[1/0,-1/0];for(let s of this.films)for(let i of this.abscissa(s))i<t&&(t=i),i>e&&(e=i);return e>t?[t,e]:[t-1,e+1]}draw(t,e,s,i){this.films=
-t,this.active=e,this.look=s;let{context:n,width:a,height:h}=_(this.canvas);this.box={width:a-H-ss,height:h-F-yn},n.clearRect(0,0,a,h),this.range=this.shared.range??
+t,this.active=e,this.look=s;let{context:n,width:a,height:h}=I(this.canvas);this.box={width:a-H-ss,height:h-F-yn},n.clearRect(0,0,a,h),this.range=this.shared.range??
 this.fullRange();let r=t.flatMap((c,p)=>this.shades(c).map(d=>({...d,film:c,lane:p})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="time"&&
 this.bands(n,t[e],i),this.grid(n,s,a,h),n.save(),n.beginPath(),n.rect(H,F,this.box.width,this.box.height),n.clip();for(let c of r)this.curve(n,c,t.length>1);n.restore(),
 this.legend(this.shades(t[e]),s.dark),this.describe(r)}shades(t){return this.curves(t).map(e=>({...e,color:e.color&&Ot(e.color,this.look.dark)}))}x(t){return H+
@@ -569,7 +570,7 @@ u):t.moveTo(d,u),c=!0}t.stroke(),t.setLineDash([]),t.globalAlpha=1}legend(t,e){l
 "span",{class:"value"})),this.keys.replaceChildren(...t.map((i,n)=>l("span",{class:"plot-key"},is(i.color,i.dash),i.name," ",this.values[n]))))}describe(t){let e=t.
 slice(0,6).map(({name:s,values:i,lane:n})=>{let[a,h]=[1/0,-1/0];for(let c of i)c<a&&(a=c),c>h&&(h=c);let r=this.films.length>1?`${"AB"[n]}: `:"";return h>=a?`${r}${s}\
  from ${x(a,3)} to ${x(h,3)}`:""});this.body.setAttribute("aria-label",`${this.title} in ${this.unit}. ${e.filter(Boolean).join("; ")}.`)}cursor(t){if(!this.films)
-return;let{context:e,width:s,height:i}=_(this.over);if(e.clearRect(0,0,s,i),this.films.forEach((n,a)=>{let h=n.at(t),r=n.index(h.t),c=Math.min(r+1,n.length-1),p=n.
+return;let{context:e,width:s,height:i}=I(this.over);if(e.clearRect(0,0,s,i),this.films.forEach((n,a)=>{let h=n.at(t),r=n.index(h.t),c=Math.min(r+1,n.length-1),p=n.
 t[c]>n.t[r]?(h.t-n.t[r])/(n.t[c]-n.t[r]):0,d=this.abscissa(n),u=this.x(d[r]+p*(d[c]-d[r])),f=u>=H-1&&u<=H+this.box.width+1;f&&(e.strokeStyle=this.look.soft,e.lineWidth=
 1,e.beginPath(),e.moveTo(u,F),e.lineTo(u,F+this.box.height),e.stroke()),this.shades(n).forEach((g,y)=>{let w=g.values[c],m=Number.isFinite(w)?g.values[r]+p*(w-g.
 values[r]):g.values[r];a===this.active&&this.values?.[y]&&(this.values[y].textContent=x(m,3));let v=this.y(m);!f||!(v>=F-1&&v<=F+this.box.height+1)||(e.fillStyle=
@@ -582,7 +583,7 @@ this.shared.clock.time):r&&!n&&this.seek(t.pointerType==="mouse"?i:c)})}seek(t){
 s=this.abscissa(e),i=0;for(let n=0;n<s.length;n++)Math.abs(s[n]-t)<Math.abs(s[i]-t)&&(i=n);return this.onseek(e.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){
 let s=this.fullRange(),i=Math.max(t-(t-this.range[0])*e,s[0]),n=Math.min(t+(this.range[1]-t)*e,s[1]);this.zoomTo(i<=s[0]&&n>=s[1]?null:[i,n])}zoomTo(t){this.shared.
 range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};function is(o,t="solid"){let e=l("i",{class:"swatch","aria-hidden":"true"});return e.style.borderTopColor=
-o??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted"}[t],e}var et=52,xi=10,I=8,vn=30,xn="RSKHM?",fe=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(t,e,s){this.backend=
+o??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted"}[t],e}var et=52,xi=10,_=8,vn=30,xn="RSKHM?",fe=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(t,e,s){this.backend=
 t,this.clock=e,this.colors=s,this.canvas=l("canvas",{class:"plot-canvas"}),this.over=l("canvas",{class:"plot-canvas plot-over"}),this.keys=l("div",{class:"plot-\
 keys"}),this.body=l("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
 ght"},this.canvas,this.over),this.element=l("section",{class:"phase"},l("header",{},l("h3",{},"Plane of θ and θ̇"),this.keys),this.body,l("p",{class:"hint"},
@@ -595,34 +596,34 @@ pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortContr
 arrays:n}=await this.backend.call("regions",{scenario:t,window:e},s);return{window:i.window,paradox:n.paradox,picture:this.paint(n.modes,i.arrays[0].shape)}}reach(){
 return this.reached}findReach(){let t=0;for(let s of this.films??[]){let i=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();t=Math.max(
 t,i[Math.floor(.99*(i.length-1))]??0)}let e=z(Math.max(t,1)*1.15,4);return Math.ceil(Math.max(t,1)*1.12/e)*e}zoomTo(t){this.range=t??[0,2*Math.PI],this.window=null,
-this.pictures?.splice(1),this.redraw()}point(t){let e=this.body.getBoundingClientRect(),s=(t.clientX-e.left-et)/this.box.width,i=1-(t.clientY-e.top-I)/this.box.
+this.pictures?.splice(1),this.redraw()}point(t){let e=this.body.getBoundingClientRect(),s=(t.clientX-e.left-et)/this.box.width,i=1-(t.clientY-e.top-_)/this.box.
 height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
 bottom()+this.top())]}zoomAbout([t,e],s){let i=Math.max(t-(t-this.range[0])*s,0),n=Math.min(t+(this.range[1]-t)*s,2*Math.PI),a=this.reach(),h=Math.max(e-(e-this.
 bottom())*s,-a),r=Math.min(e+(this.top()-e)*s,a);this.range=[i,n],this.window=n-i<2*Math.PI-1e-9||r-h<2*a-1e-9?[h,r]:null,this.redraw(),this.soon()}bottom(){return this.
 window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(t,e,s){this.films=
 t,this.active=e,this.look=s,this.reached=this.findReach(),this.forwards=t.some(i=>i.columns.omega.some(n=>n>.3)),this.backwards=t.some(i=>i.columns.omega.some(n=>n<
--.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return et+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return I+
+-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return et+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return _+
 (1-(t-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(t,[e,s]){let{modes:i}=this.colors,n=l("canvas",{width:s,height:e}),a=new ImageData(s,e);for(let h=0;h<
 e;h++)for(let r=0;r<s;r++){let c=xn[t[h*s+r]],p=X(i[c]??"#6E6E6E"),d=4*((e-1-h)*s+r);a.data.set([...p,255],d)}return V(n).putImageData(a,0,0),n}redraw(){if(!this.
-films)return;let{colors:t,look:e}=this,{context:s,width:i,height:n}=_(this.canvas);if(this.box={width:i-et-xi,height:n-I-vn},s.clearRect(0,0,i,n),s.save(),s.beginPath(),
-s.rect(et,I,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:h}of this.pictures){let[r,c,p,d]=h,u=[this.
+films)return;let{colors:t,look:e}=this,{context:s,width:i,height:n}=I(this.canvas);if(this.box={width:i-et-xi,height:n-_-vn},s.clearRect(0,0,i,n),s.save(),s.beginPath(),
+s.rect(et,_,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:h}of this.pictures){let[r,c,p,d]=h,u=[this.
 x(r),this.y(d),this.x(c)-this.x(r),this.y(p)-this.y(d)];s.fillStyle=e.panel,s.fillRect(u[0],u[1],u[2],u[3]),s.globalAlpha=.35,s.drawImage(a,u[0],u[1],u[2],u[3]),
 s.globalAlpha=1}this.hatch(s)}for(let[a,h]of this.films.entries())this.way(s,h,a);if(s.restore(),this.axes(s,i,n),this.keyed!==e.dark){this.keyed=e.dark;let a=Object.
 entries(t.mode_names).filter(([h])=>"RSKH".includes(h));this.keys.replaceChildren(...a.map(([h,r])=>l("span",{class:"plot-key"},is(t.modes[h]),r)))}this.cursor(
 this.clock.time)}hatch(t){let{paradox:e}=this.pictures[0],s=e.length;t.strokeStyle=Mt(this.look.dark?"#ffffff":"#000000",.28),t.lineWidth=1;for(let i=0;i<s;i++){
-if(!e[i])continue;let n=i;for(;n<s&&e[n]===e[i];)n++;let a=this.x(i*2*Math.PI/s),h=this.x(n*2*Math.PI/s);t.save(),t.beginPath(),t.rect(a,I,h-a,this.box.height),
-t.clip(),t.beginPath();let r=e[i];for(let c=-this.box.height;c<h-a+this.box.height;c+=7)t.moveTo(a+c,r>0?I+this.box.height:I),t.lineTo(a+c+this.box.height,r>0?I:
-I+this.box.height);t.stroke(),t.restore(),i=n}}way(t,e,s){let{angle:i,omega:n,mode:a}=e.columns,h=2*Math.PI;t.lineWidth=s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=
+if(!e[i])continue;let n=i;for(;n<s&&e[n]===e[i];)n++;let a=this.x(i*2*Math.PI/s),h=this.x(n*2*Math.PI/s);t.save(),t.beginPath(),t.rect(a,_,h-a,this.box.height),
+t.clip(),t.beginPath();let r=e[i];for(let c=-this.box.height;c<h-a+this.box.height;c+=7)t.moveTo(a+c,r>0?_+this.box.height:_),t.lineTo(a+c+this.box.height,r>0?_:
+_+this.box.height);t.stroke(),t.restore(),i=n}}way(t,e,s){let{angle:i,omega:n,mode:a}=e.columns,h=2*Math.PI;t.lineWidth=s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=
 this.look.ink,t.beginPath();let r=null;for(let c=0;c<e.length;c++){if(!Number.isFinite(n[c])){r=null;continue}let p=Math.floor(i[c]/h),d=i[c]-p*h;if(r===null)t.
 moveTo(this.x(d),this.y(n[c]));else if(p!==r.lap){let u=p>r.lap?h:0;t.lineTo(this.x(u),this.y(n[c])),t.moveTo(this.x(h-u),this.y(n[c])),t.lineTo(this.x(d),this.
 y(n[c]))}else t.lineTo(this.x(d),this.y(n[c]));r={lap:p,mode:a[c]}}t.stroke(),t.setLineDash([])}axes(t,e,s){let{look:i}=this;t.font=`11px ${i.font}`,t.strokeStyle=
-i.soft,t.fillStyle=i.soft,t.lineWidth=1,t.strokeRect(et+.5,I+.5,this.box.width-1,this.box.height-1),t.textAlign="center";let n=this.range[0]*180/Math.PI,a=this.
-range[1]*180/Math.PI,h=a-n>200?45:z(a-n,6);for(let c=Math.ceil(n/h-1e-9);c*h<=a+1e-9;c++){let p=this.x(c*h*Math.PI/180);t.beginPath(),t.moveTo(p,I+this.box.height),
-t.lineTo(p,I+this.box.height+4),t.stroke(),t.fillText(B(c*h,h),p,I+this.box.height+15)}t.textAlign="right",t.fillText("angle θ within a turn [°]",e-xi,s-3),t.
+i.soft,t.fillStyle=i.soft,t.lineWidth=1,t.strokeRect(et+.5,_+.5,this.box.width-1,this.box.height-1),t.textAlign="center";let n=this.range[0]*180/Math.PI,a=this.
+range[1]*180/Math.PI,h=a-n>200?45:z(a-n,6);for(let c=Math.ceil(n/h-1e-9);c*h<=a+1e-9;c++){let p=this.x(c*h*Math.PI/180);t.beginPath(),t.moveTo(p,_+this.box.height),
+t.lineTo(p,_+this.box.height+4),t.stroke(),t.fillText(B(c*h,h),p,_+this.box.height+15)}t.textAlign="right",t.fillText("angle θ within a turn [°]",e-xi,s-3),t.
 textBaseline="middle";let r=this.top()-this.bottom();for(let c of q(this.bottom(),this.top(),5))t.fillText(B(c,z(r,5)),et-6,this.y(c));t.textBaseline="alphabeti\
-c",t.save(),t.translate(11,I+.5*this.box.height),t.rotate(-Math.PI/2),t.textAlign="center",t.fillText("θ̇ [rad/s]",0,0),t.restore()}cursor(t){if(!this.films||
-!this.box)return;let{context:e,width:s,height:i}=_(this.over);e.clearRect(0,0,s,i),this.films.forEach((n,a)=>{let h=n.at(t),r=2*Math.PI,c=h.angle-Math.floor(h.angle/
-r)*r,p=this.x(c),d=this.y(h.omega);p>=et&&p<=et+this.box.width&&d>=I&&d<=I+this.box.height&&(e.beginPath(),e.arc(p,d,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.
+c",t.save(),t.translate(11,_+.5*this.box.height),t.rotate(-Math.PI/2),t.textAlign="center",t.fillText("θ̇ [rad/s]",0,0),t.restore()}cursor(t){if(!this.films||
+!this.box)return;let{context:e,width:s,height:i}=I(this.over);e.clearRect(0,0,s,i),this.films.forEach((n,a)=>{let h=n.at(t),r=2*Math.PI,c=h.angle-Math.floor(h.angle/
+r)*r,p=this.x(c),d=this.y(h.omega);p>=et&&p<=et+this.box.width&&d>=_&&d<=_+this.box.height&&(e.beginPath(),e.arc(p,d,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.
 modes[h.mode],e.fill(),e.lineWidth=2,e.strokeStyle=this.look.ink,e.stroke())})}seek(t){let e=this.body.getBoundingClientRect(),[s,i]=[t.clientX-e.left,t.clientY-
 e.top];if(this.pinched())return;let n=this.films[this.active],{angle:a,omega:h}=n.columns,r=2*Math.PI,c={distance:1/0,t:0};for(let p=0;p<n.length;p++){let d=a[p]-
 Math.floor(a[p]/r)*r,u=Math.hypot(this.x(d)-s,this.y(h[p])-i);u<c.distance&&(c={distance:u,t:n.t[p]})}c.distance<40&&this.clock.seek(b(c.t,0,n.duration))}};var os=o=>Object.entries(N).map(([t,e])=>l("option",{value:t},o(e)));function ki(o){let t="height",e=new wt({key:"own",title:"Your choice",unit:"",curves:n=>[{name:T(
@@ -632,18 +633,19 @@ R θ̇",color:o.rotation_speed,dash:"dash",values:t.derived("spin",({omega:e})=>
 s",unit:"energy [J]",curves:t=>[{name:"kinetic",color:o.kinetic,values:t.columns.kinetic},{name:"potential",color:o.potential,values:t.columns.potential},{name:"\
 total",values:t.derived("total",({t:e,kinetic:s,potential:i})=>Float64Array.from(e,(n,a)=>s[a]+i[a])),dash:"dash"},{name:"lost to friction",color:o.friction_loss,
 values:t.columns.friction_loss},{name:t.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:o.impact_loss,values:t.columns.
-normal_loss,dash:"dot"}]},{key:"forces",title:"Contact forces",unit:"force [N]",curves:t=>[{name:"normal N",color:o.normal_force,values:t.columns.normal_force},
-{name:"friction F",color:o.friction_force,dash:"dash",values:t.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],
-curves:t=>[{name:"|F| / μN",color:o.friction_force,values:t.columns.utilization}]}]}var me=class{films;active;look;constructor(t,e){this.colors=e,this.shared={
-axis:"time",range:null,clock:t,changed:()=>this.redraw()},this.plots=[...kn(e).map(i=>new wt(i,this.shared)),ki(this.shared)];for(let i of this.plots)i.onseek=n=>t.
-seek(n);this.seen=new Map(this.plots.map(i=>[i.element,!0]));let s=new IntersectionObserver(i=>{for(let{target:n,isIntersecting:a}of i)this.seen.set(n,a);this.redraw()},
-{rootMargin:"400px"});for(let i of this.plots)s.observe(i.element);this.axis=l("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.
-axis=this.axis.value,this.shared.range=null,this.redraw()}},os(({name:i})=>`over ${i}`)),this.back=l("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].
-zoomTo(null)},"Whole motion"),this.hint=l("span",{class:"hint"}),this.element=l("div",{class:"plots"},l("div",{class:"plots-head"},this.axis,this.back,this.hint),
-this.plots.map(i=>i.element))}draw(t,e,s){this.films=t,this.active=e,this.look=s;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":
-`click to go there, drag to zoom; ${gt("")}`;this.hint.textContent=t.length>1?`A full, B dotted; numbers and colours of ${"AB"[e]}; ${i}`:i,this.redraw()}redraw(){
-if(this.films?.length){this.back.hidden=!this.shared.range;for(let t of this.visible())t.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.
-clock.time)}}visible(){return this.plots.filter(t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var Mn=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+normal_loss,dash:"dot"},...t.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:t.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
+orces",title:"Contact forces",unit:"force [N]",curves:t=>[{name:"normal N",color:o.normal_force,values:t.columns.normal_force},{name:"friction F",color:o.friction_force,
+dash:"dash",values:t.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:t=>[{name:"|F| / μN",color:o.
+friction_force,values:t.columns.utilization}]}]}var me=class{films;active;look;constructor(t,e){this.colors=e,this.shared={axis:"time",range:null,clock:t,changed:()=>this.
+redraw()},this.plots=[...kn(e).map(i=>new wt(i,this.shared)),ki(this.shared)];for(let i of this.plots)i.onseek=n=>t.seek(n);this.seen=new Map(this.plots.map(i=>[
+i.element,!0]));let s=new IntersectionObserver(i=>{for(let{target:n,isIntersecting:a}of i)this.seen.set(n,a);this.redraw()},{rootMargin:"400px"});for(let i of this.
+plots)s.observe(i.element);this.axis=l("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
+null,this.redraw()}},os(({name:i})=>`over ${i}`)),this.back=l("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
+l("span",{class:"hint"}),this.element=l("div",{class:"plots"},l("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(t,e,s){
+this.films=t,this.active=e,this.look=s;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${gt("")}`;
+this.hint.textContent=t.length>1?`A full, B dotted; numbers and colours of ${"AB"[e]}; ${i}`:i,this.redraw()}redraw(){if(this.films?.length){this.back.hidden=!this.
+shared.range;for(let t of this.visible())t.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.plots.filter(
+t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var Mn=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
 )"]],ge=class{constructor(t){this.lab=t,this.menu=l("details",{class:"menu"},l("summary",{class:"button"},"Keep"),l("div",{class:"menu-body"},t.backend.shares&&
 this.item("Copy the link",()=>this.copyLink()),Mn.map(([e,s])=>this.item(s,()=>this.download(e))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
 d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=l("dialog",{class:"code-dialog","aria-label":"The same mo\
@@ -669,7 +671,7 @@ o.classList.contains("stuck"))return;let a=o.offsetHeight;o.style.marginBottom="
 document.documentElement.style.scrollPaddingTop=n?`${o.offsetHeight}px`:"",t()});return s.observe(e),{edge:e,close:()=>s.disconnect()}}var Ti=120,we=class{constructor(t,e){this.canvas=t,this.onview=e,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,t.addEventListener("pointerdown",s=>this.
 drag(s)),this.pinched=D(t,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>t.parentElement})}reset(){this.zoom=1,this.shift=[0,0],this.onview()}zoomBy(t){
 this.zoom=b(this.zoom*t,.05,60),this.onview()}drag(t){let e=[t.clientX,t.clientY],s=this.shift;R(this.canvas,t,i=>{this.pinched()||(this.shift=[s[0]+i.clientX-e[0],
-s[1]+i.clientY-e[1]],this.onview())})}draw(t,e,s,i,n){let{context:a,width:h,height:r}=_(this.canvas);if(a.clearRect(0,0,h,r),h<40||r<40)return;let c=r/t.length,
+s[1]+i.clientY-e[1]],this.onview())})}draw(t,e,s,i,n){let{context:a,width:h,height:r}=I(this.canvas);if(a.clearRect(0,0,h,r),h<40||r<40)return;let c=r/t.length,
 p={top:Math.max(...t.map(d=>d.extent.top)),radius:Math.max(...t.map(d=>d.radius)),speed:Math.max(...t.map(d=>d.extent.speed))};t.forEach((d,u)=>{a.save(),a.beginPath(),
 a.rect(0,u*c,h,c),a.clip(),a.translate(0,u*c);let f=new ns(a,h,c,d,e,s,i,n,this.zoom,this.shift,p);f.top=u*c,f.scale=this.fixed??f.scale,f.draw(),this.views[u]=
 f,t.length>1&&(a.fillStyle=i.soft,a.font=`600 15px ${i.font}`,a.textAlign="left",a.fillText("AB"[u],12,c-12)),a.restore(),u>0&&(a.fillStyle=i.line,a.fillRect(0,
@@ -739,7 +741,7 @@ Math.PI*i/e,a=[Math.cos(n),1-t,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,Ni="vec4(0.0, 0.0, 0.0, shadow)",Ii=[`attribute vec2 bend;
+  }`,Ni="vec4(0.0, 0.0, 0.0, shadow)",_i=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
    ${Li}
@@ -758,7 +760,7 @@ Math.PI*i/e,a=[Math.cos(n),1-t,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
      gl_FragColor = shadow > 0.0 ? ${Ni} : vec4(shaded(color, n), 1.0);
-   }`],_i=[`attribute vec3 position, normal;
+   }`],Ii=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
    ${Li}
@@ -785,7 +787,7 @@ float side;
      color = tint;
    }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],ve=class{constructor(t,e,s,i,{keep:n=!1}={}){let a=t.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:n});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
-t,this.sun=rt(s),this.dark=i,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=yt(a,Ii[0],Ii[1]),this.body=yt(a,_i[0],_i[1]),this.line=yt(a,$i[0],$i[1]),this.torus=Ai(
+t,this.sun=rt(s),this.dark=i,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=yt(a,_i[0],_i[1]),this.body=yt(a,Ii[0],Ii[1]),this.line=yt(a,$i[0],$i[1]),this.torus=Ai(
 a),this.sphere=Pi(a),this.cylinder=ps(a,1),this.cone=ps(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let h=new Uint8Array(e.flatMap(
 r=>[...r,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,e.length,1,0,a.RGBA,a.UNSIGNED_BYTE,h);for(let r of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
 a.texParameteri(a.TEXTURE_2D,r,a.CLAMP_TO_EDGE);for(let r of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,r,a.LINEAR);this.view=ls(0),
@@ -881,7 +883,7 @@ let e=this.clock.playing;this.clock.playing=!1;let s=i=>!this.pinched()&&this.cl
 let e=this.timeAt(t),s=this.nearest(e,8),i=s?`${Se[s.kind]??s.kind} · ${x(s.t,5)} s · ${x(s.angle*180/Math.PI,4)}°`:`${x(e,4)} s`;this.tip.textContent=i,this.
 tip.hidden=!1;let n=this.canvas.getBoundingClientRect();this.tip.style.left=`${b(t.clientX-n.left,70,n.width-70)}px`}nearest(t,e){let[s,i]=this.ends(),n=e*(i-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let h of this.films??[])for(let r of h.events){if(r.kind==="end")continue;let c=Math.abs(r.t-t);c<=n&&
-(!a||c<Math.abs(a.t-t))&&(a=r)}return a}draw(t,e,s){this.films=t;let{context:i,width:n,height:a}=_(this.canvas);this.keep();let[h,r]=this.ends(),c=w=>(w-h)/(r-h)*
+(!a||c<Math.abs(a.t-t))&&(a=r)}return a}draw(t,e,s){this.films=t;let{context:i,width:n,height:a}=I(this.canvas);this.keep();let[h,r]=this.ends(),c=w=>(w-h)/(r-h)*
 n;i.clearRect(0,0,n,a);let p=15,d=(a-15)/t.length-p;t.forEach((w,m)=>{let v=p+m*(p+d);for(let{mode:k,from:M,wide:A}of Bi(w.phases,c,n)){let E=s.modes[k];i.fillStyle=
 E,i.fillRect(M,v,A,d-2),this.named(i,s.mode_names[k],M,A,v,d-2,E,e)}w.duration<r&&(i.fillStyle=e.line,i.fillRect(Math.max(c(w.duration),0),v,n,d-2)),this.marks(
 i,w,c,v,n,e),t.length>1&&(i.fillStyle=e.soft,i.font=`600 11px ${e.font}`,i.textAlign="left",i.fillText("AB"[m],1,v-4))});let u=z(r-h,n/60);i.fillStyle=e.soft,i.
@@ -890,13 +892,13 @@ let g=b(c(this.clock.time),6,n-6),y=b(c(this.clock.time),1,n-1);i.fillStyle=e.in
 i.lineTo(y,p-1),i.fill(),this.tell(t,s)}tell(t,e){let{time:s,duration:i,playing:n}=this.clock,h=t.map((r,c)=>{let p=e.mode_names[r.at(s).mode];return t.length>1?
 `${"AB"[c]} ${p}`:p}).join(", ");n&&h===this.said||(this.said=h,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute("aria-valuenow",
 s.toFixed(3)),this.element.setAttribute("aria-valuetext",`${x(s,4)} seconds, ${h}`))}named(t,e,s,i,n,a,h,r){t.font=`11px ${r.font}`,!(a<13||t.measureText(e).width+
-8>i)&&(t.fillStyle=_s(h),t.textAlign="center",t.textBaseline="middle",t.fillText(e,s+.5*i,n+.5*a+1),t.textBaseline="alphabetic")}marks(t,e,s,i,n,a){t.font=`11px\
+8>i)&&(t.fillStyle=Is(h),t.textAlign="center",t.textBaseline="middle",t.fillText(e,s+.5*i,n+.5*a+1),t.textBaseline="alphabetic")}marks(t,e,s,i,n,a){t.font=`11px\
  ${a.font}`,t.textAlign="center";let h=e.events.filter(({kind:r})=>r!=="start"&&r!=="end").map(({kind:r,t:c})=>({kind:r,x:s(c)})).filter(({x:r})=>r>=-1&&r<=n+1);
-if(t.fillStyle=a.panel,h.length<n/6)for(let{x:r}of h)t.fillRect(r-.5,i,1,5);t.fillStyle=a.ink;for(let{mark:r,x:c}of Fi(h))t.fillText(r,b(c,6,n-6),i-4)}};var An=1/60,Pn=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],In={three:"In space"},st=(o,t,e)=>l(
+if(t.fillStyle=a.panel,h.length<n/6)for(let{x:r}of h)t.fillRect(r-.5,i,1,5);t.fillStyle=a.ink;for(let{mark:r,x:c}of Fi(h))t.fillText(r,b(c,6,n-6),i-4)}};var An=1/60,Pn=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],_n={three:"In space"},st=(o,t,e)=>l(
 "button",{type:"button",title:t,"aria-label":t,onclick:e},o),Di=(o,t)=>l("span",{},l("span",{"aria-hidden":"true"},`${o} `),t),Pe=class{constructor(t,e,s,i,n){this.
 clock=t,this.films=e,this.say=i,this.tell=n,this.playButton=st(L("play"),"Play (space)",()=>t.play()),this.playButton.classList.add("play"),this.speeds=l("selec\
 t",{"aria-label":"Speed of the film",onchange:()=>{t.speed=Number(this.speeds.value)}},St.map(a=>l("option",{value:String(a)},`${a}×`))),this.speeds.value="1",
-this.switches=new Map(Pn.map(([a,h,r])=>{let c=`${a==="three"?In.three:h} (${r})`;return[a,l("button",{type:"button",class:"switch",title:c,onclick:()=>s(a)},h)]})),
+this.switches=new Map(Pn.map(([a,h,r])=>{let c=`${a==="three"?_n.three:h} (${r})`;return[a,l("button",{type:"button",class:"switch",title:c,onclick:()=>s(a)},h)]})),
 this.element=l("div",{class:"transport"},l("div",{class:"buttons"},st(L("start"),"To the start (Home)",()=>t.seek(0)),st(L("previous"),"Previous event (Shift ←)",
 ()=>this.jump(-1)),st(L("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,st(L("on"),"One frame on (→)",()=>this.nudge(1)),st(L("next"),"Next\
  event (Shift →)",()=>this.jump(1))),l("div",{class:"buttons jumps"},st(Di("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),st(Di("▼","l\
@@ -946,9 +948,9 @@ motions.lanes.length&&(this.clock.tick(t),this.drawStage(),this.drawTime(),this.
 let{scenario:t}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked;try{let s=await this.backend.call("theory",{scenario:t},
 e);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(t,e)}catch(s){let{name:i,message:n}=s;i!=="AbortError"&&this.theory.draw([{label:"\
 –",text:n}])}}toggle(t){let{options:e}=this.stage;if(t!=="three")e[t]=!e[t];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
-this.transport.show(e),this.address?.soon(),this.request()}};async function _n(o){let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=new Ht(t),s;try{s=(await e.call("setup",{})).header}catch(h){o.textContent=h.message;
+this.transport.show(e),this.address?.soon(),this.request()}};async function In(o){let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=new Ht(t),s;try{s=(await e.call("setup",{})).header}catch(h){o.textContent=h.message;
 return}let i=new Nt(o,e,s,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let n=new URLSearchParams(location.hash.slice(1)).get("with"),a=Ns(location.hash);
 try{await i.open([location.search.slice(1),...n===null?[]:[n]],a)}catch(h){history.replaceState(null,"",t),await i.open([""]),i.notice.fail(h)}}function $n({model:o,
 el:t}){let e=document.createElement("div");t.append(e);let s=new qt(o),i=new Nt(e,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set(
 "query",a),o.save_changes())}});i.motions.set([ft(o.get("film"))]),i.begin();let n=()=>i.motions.replace(ft(o.get("film")));return o.on("change:film",n),()=>{o.
-off("change:film",n),s.close(),i.close()}}var Hi=document.getElementById("hophoop-lab");Hi&&_n(Hi);var Gl={render:$n};export{Gl as default};
+off("change:film",n),s.close(),i.close()}}var Hi=document.getElementById("hophoop-lab");Hi&&In(Hi);var Gl={render:$n};export{Gl as default};
