@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources b40e7cbc0d90fade93a838b93dec118b */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 2db61f5f58055985d7ca4ae06d3b1e3a */
 function he(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Tn=o=>st(o)>.2?"#111111":"#ffffff",ot=(o,e)=>`rgba(${he(o).join(",")}\
 ,${e})`,Ja=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function st(o){let[e,t,s]=he(o).map(Ja);return .2126*e+.7152*t+.0722*s}function Lt(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(st(o)<.002)return"#eceef2";let t=o;for(let s=0;st(t)<.2&&s<1;s+=.05)t=`#${he(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -1292,18 +1292,19 @@ on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),thi
 this.set("high",.6*i),this.tone.frequency.setTargetAtTime(n,this.context.currentTime,oi),t.time>this.last)for(let a of ii(e,this.last,t.time))this.knock(a);this.
 last=t.time}knock(e){let t=this.context,s=t.currentTime,n=t.createGain();n.gain.setValueAtTime(2.2*si*Math.sqrt(e),s),n.gain.exponentialRampToValueAtTime(1e-4,s+
 .18);let i=t.createOscillator();i.frequency.setValueAtTime(190,s),i.frequency.exponentialRampToValueAtTime(60,s+.15),i.connect(n).connect(t.destination),i.start(
-s),i.stop(s+.2)}close(){this.context?.close()}};var eo=Math.PI/180,U=o=>e=>e.columns[o],ut=(o,e)=>t=>t.derived(o,s=>Float64Array.from(t.t,(n,i)=>e(s,i,t))),$={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
+s),i.stop(s+.2)}close(){this.context?.close()}};var eo=Math.PI/180,K=o=>e=>e.columns[o],ut=(o,e)=>t=>t.derived(o,s=>Float64Array.from(t.t,(n,i)=>e(s,i,t))),$={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
 t},angle:{name:"angle",symbol:"θ",unit:"°",values:ut("degrees",({angle:o},e)=>o[e]/eo)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:ut(
 "within",({angle:o},e)=>{let t=s=>Math.floor(o[s]/eo/360);return e>0&&t(e)!==t(e-1)?Number.NaN:o[e]/eo-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:U("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:U("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:ut(
-"rise",({height:o,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+o[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:U("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:ut("spin",({omega:o},e,t)=>o[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:U(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:U("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:U("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:U("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:U("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:U("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:U("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:U("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:ut("total",({kinetic:o,potential:e},t)=>o[t]+
-e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:U("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:U("normal_loss")}},ai=({name:o,symbol:e})=>[o," ",e];var zr=["time","angle","x","vx","spin","normal_force","friction_force"],Rr=[1,.5,.2,.1,.05,.02,.01],to=601;function ri(o,e,t){let s=Math.min(Math.floor(o.duration/
+m",values:K("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:K("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:ut(
+"rise",({height:o,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+o[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:K("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:ut("spin",({omega:o},e,t)=>o[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:K(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:K("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:K("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:K("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:K("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:K("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:K("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:K("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:ut("total",({kinetic:o,potential:e},t)=>o[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:K("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:K("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:K("rolling_resistance")}},ai=({name:o,symbol:e})=>[
+o," ",e];var zr=["time","angle","x","vx","spin","normal_force","friction_force"],Rr=[1,.5,.2,.1,.05,.02,.01],to=601;function ri(o,e,t){let s=Math.min(Math.floor(o.duration/
 t+1e-9)+1,to),n=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));n.push({time:a,mode:o.at(a).mode,values:e.map(r=>Pr(o,r,a))})}return n}function Pr(o,e,t){
 if(e==="time")return t;let s=o.at(t);if(e in s&&e!=="angle")return s[e];let n=s.angle*180/Math.PI;if(e==="angle")return n;if(e==="turns")return n-360*Math.floor(
 n/360);let i=$[e].values(o),a=o.index(t),r=Math.min(a+1,o.length-1),l=o.t[r]>o.t[a]?(t-o.t[a])/(o.t[r]-o.t[a]):0;return i[a]+l*(i[r]-i[a])}var Jt=class{film;rows=[];now;constructor(e){
@@ -1707,18 +1708,19 @@ R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:o.kinetic,values:e.columns.kinetic},{name:"potential",color:o.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:s,potential:n})=>Float64Array.from(t,(i,a)=>s[a]+n[a])),dash:"dash"},{name:"lost to friction",color:o.friction_loss,
 values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:o.impact_loss,values:e.columns.
-normal_loss,dash:"dot"}]},{key:"forces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:o.normal_force,values:e.columns.normal_force},
-{name:"friction F",color:o.friction_force,dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],
-curves:e=>[{name:"|F| / μN",color:o.friction_force,values:e.columns.utilization}]}]}var us=class{films;active;look;constructor(e,t){this.colors=t,this.shared={
-axis:"time",range:null,clock:e,changed:()=>this.redraw()},this.plots=[...Tl(t).map(n=>new Be(n,this.shared)),Ri(this.shared)];for(let n of this.plots)n.onseek=i=>e.
-seek(i);this.seen=new Map(this.plots.map(n=>[n.element,!0]));let s=new IntersectionObserver(n=>{for(let{target:i,isIntersecting:a}of n)this.seen.set(i,a);this.redraw()},
-{rootMargin:"400px"});for(let n of this.plots)s.observe(n.element);this.axis=c("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.
-axis=this.axis.value,this.shared.range=null,this.redraw()}},mo(({name:n})=>`over ${n}`)),this.back=c("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].
-zoomTo(null)},"Whole motion"),this.hint=c("span",{class:"hint"}),this.element=c("div",{class:"plots"},c("div",{class:"plots-head"},this.axis,this.back,this.hint),
-this.plots.map(n=>n.element))}draw(e,t,s){this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":
-`click to go there, drag to zoom; ${$e("")}`,i=e.length>1;E(this.hint,i?`A full, B dotted; numbers and colours of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.
-films?.length){this.back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.
-time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Sl=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
+orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:o.normal_force,values:e.columns.normal_force},{name:"friction F",color:o.friction_force,
+dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:o.
+friction_force,values:e.columns.utilization}]}]}var us=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
+redraw()},this.plots=[...Tl(t).map(n=>new Be(n,this.shared)),Ri(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
+n.element,!0]));let s=new IntersectionObserver(n=>{for(let{target:i,isIntersecting:a}of n)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let n of this.
+plots)s.observe(n.element);this.axis=c("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
+null,this.redraw()}},mo(({name:n})=>`over ${n}`)),this.back=c("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
+c("span",{class:"hint"}),this.element=c("div",{class:"plots"},c("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(n=>n.element))}draw(e,t,s){
+this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${$e("")}`,
+i=e.length>1;E(this.hint,i?`A full, B dotted; numbers and colours of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.back.hidden=!this.shared.
+range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.plots.filter(e=>this.
+seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Sl=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
 )"]],ps=class{constructor(e){this.lab=e,this.menu=c("details",{class:"menu"},c("summary",{class:"button"},"Keep"),c("div",{class:"menu-body"},e.backend.shares&&
 this.item("Copy the link",()=>this.copyLink()),Sl.map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
 d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=c("dialog",{class:"code-dialog","aria-label":"The same mo\
@@ -2064,13 +2066,14 @@ of(k.laws.indexOf(o.law),k.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
 n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Cl=150,jl=240,ql=6e3,[Bm,Zi,Xi]=[0,1,2],Ol={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],utilization:["utilization"]};function Eo(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.ceil(n*Cl),jl),ql),a=k.events.length,r=new Set;
-for(let m=0;m<=i&&n>0;m++)r.add(m===i?n:m*(n/i));let l=new Set;for(let m=0;m<s;m++)l.add(Math.min(t[m*a+B.t],n));for(let m of l)r.add(m);let h=Float64Array.from(
-r).sort(),d=Float64Array.from(l).filter(m=>m>0).sort(),u=o.states(e,h,!1),p=o.states(e,d,!0);return Fl(h,u,d,p)}function Fl(o,e,t,s){let n=o.length+t.length,i=k.
-samples.length,a=new Float64Array(n),r=new Float64Array(n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),
-l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*i),l++;let d={t:a};for(let[u,p]of Object.entries(Ol)){let m=new Float64Array(n);for(let g of p)for(let b=0;b<
-n;b++)m[b]+=r[b*i+To[g]];d[u]=m}return d.mode=Dl(r,n,d.omega),d}function Dl(o,e,t){let s=k.samples.length,n=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=
-Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(t[a])||i;let r=o[a*s+To.mode],l=r===Zi?-1:r===Xi?1:0;n[a]=l===0?r:l*i<0?Zi:Xi}return n}function Qi(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Wl(o.subarray(n*k.keys,(n+1)*k.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Eo(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.
+ceil(n*Cl),jl),ql),a=k.events.length,r=new Set;for(let m=0;m<=i&&n>0;m++)r.add(m===i?n:m*(n/i));let l=new Set;for(let m=0;m<s;m++)l.add(Math.min(t[m*a+B.t],n));
+for(let m of l)r.add(m);let h=Float64Array.from(r).sort(),d=Float64Array.from(l).filter(m=>m>0).sort(),u=o.states(e,h,!1),p=o.states(e,d,!0);return Fl(h,u,d,p)}
+function Fl(o,e,t,s){let n=o.length+t.length,i=k.samples.length,a=new Float64Array(n),r=new Float64Array(n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=
+o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*i),l++;let d={t:a};for(let[u,p]of Object.entries(Ol)){let m=new Float64Array(
+n);for(let g of p)for(let b=0;b<n;b++)m[b]+=r[b*i+To[g]];d[u]=m}return d.mode=Dl(r,n,d.omega),d}function Dl(o,e,t){let s=k.samples.length,n=new Float64Array(e),
+i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(t[a])||i;let r=o[a*s+To.mode],l=r===Zi?-1:r===Xi?1:0;n[a]=l===0?r:l*i<0?
+Zi:Xi}return n}function Qi(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Wl(o.subarray(n*k.keys,(n+1)*k.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[n]=a}return{values:s,sequences:[...t.keys()]}}function Wl(o){let e="";for(let t of o){let s=t;for(let n=0;n<k.letters_a_key&&
 s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===k.more?"+":k.letters[i-1])}}return e}var $l=256,Bl=2048,Hl=4096,Kl=2e5,Ul=k.statuses.indexOf("buffer"),Gl=new Set(["turn","apex","kane_gain","rest"]),Ao=o=>Number.isFinite(o)?o:null,As=class{constructor(e){
 this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Es(this.exports),this.mostEvents=$l,this.mostSegments=Bl,this.mostRows=
@@ -2467,14 +2470,14 @@ t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function wn(
 potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let d=t.map(u=>u===tc?String(a[u][l]):
 Ie(a[u][l]));r.push([Ie(h),...d].join(","))}return`${r.join(`\r
 `)}\r
-`}var{theory:K}=T.words;function yn({hoop:o,plane:e},t){let s=[],n=(r,l,h,d)=>{l!==null&&s.push({key:r,label:K[r],value:Number.isFinite(l)?l:null,unit:h,text:d(l)})},
-i=()=>n("painleve",t.painleve_friction,"1",r=>oc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?K.loss_by_friction:
-K.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>L(r,{where:qe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:d,
-any_speed:u}=K;n("first_slip",t.first_slip_speed,"m/s",p=>bn(p,r,d)),n("first_hop",t.first_hop_speed,"m/s",p=>bn(p,l,d)),n("immediate_hop",t.immediate_hop_speed,
+`}var{theory:U}=T.words;function yn({hoop:o,plane:e},t){let s=[],n=(r,l,h,d)=>{l!==null&&s.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:h,text:d(l)})},
+i=()=>n("painleve",t.painleve_friction,"1",r=>oc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?U.loss_by_friction:
+U.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>L(r,{where:qe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:d,
+any_speed:u}=U;n("first_slip",t.first_slip_speed,"m/s",p=>bn(p,r,d)),n("first_hop",t.first_hop_speed,"m/s",p=>bn(p,l,d)),n("immediate_hop",t.immediate_hop_speed,
 "m/s",p=>bn(p,h,u))}n("needed_friction",t.needed_friction,"1",r=>sc(r,e)),i();let a=t.jam_angles.map(qe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>L(
-K.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>L(K.rest_at,{where:qe(r)})),s}function bn(o,e,t){return o===0?L(t,{would:e}):Number.isFinite(
-o)?L(K.above,{would:e,speed:Le(o,4)}):K.no_speed}function sc(o,{mu_static:e}){return Number.isFinite(o)?L(o<=e?K.friction_enough:K.friction_short,{mu:Le(o,3)}):
-K.no_friction}function oc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===null)return K.never;let s=o<=t?K.paradox_here:K.paradox_not_here;return L(s,{mu:Le(o,3),where:qe(
+U.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>L(U.rest_at,{where:qe(r)})),s}function bn(o,e,t){return o===0?L(t,{would:e}):Number.isFinite(
+o)?L(U.above,{would:e,speed:Le(o,4)}):U.no_speed}function sc(o,{mu_static:e}){return Number.isFinite(o)?L(o<=e?U.friction_enough:U.friction_short,{mu:Le(o,3)}):
+U.no_friction}function oc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===null)return U.never;let s=o<=t?U.paradox_here:U.paradox_not_here;return L(s,{mu:Le(o,3),where:qe(
 e)})}var ic=360,ac=240,rc=[0,2*Math.PI,-12,12],vn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},lc=["mot\
 ion.nc","motion.mp4","motion.gif"],Rt=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
 s!==null,this.files=[...Object.keys(vn),...n?lc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let n=Ls(t,this.mechanics);
