@@ -11,7 +11,7 @@ import asyncio
 import json
 import logging
 from collections.abc import Callable, Coroutine
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import anyio
 from anyio import to_thread
@@ -27,6 +27,9 @@ from hophoop.lab import calls, files, page, replies, requests
 from hophoop.lab.limits import USUAL, Limits, TooBusy, TooMuch
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.sentences import findings_sentence
+
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
 
 logger = logging.getLogger("hophoop.lab")
 
@@ -75,13 +78,15 @@ class Gate:
             self.inside -= 1
 
 
-def create_app(limits: Limits = USUAL) -> FastAPI:
+def create_app(limits: Limits = USUAL, backdrop: Backdrop | None = None) -> FastAPI:
     """The whole lab as an ASGI application.
 
     Parameters
     ----------
     limits : Limits, optional
         Bounds of one request.
+    backdrop : Backdrop, optional
+        A film to lay under the hoop.
 
     Returns
     -------
@@ -126,7 +131,7 @@ def create_app(limits: Limits = USUAL) -> FastAPI:
         return response
 
     app.include_router(router)
-    page.mount(app)
+    page.mount(app, backdrop)
     return app
 
 

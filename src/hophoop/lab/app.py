@@ -8,6 +8,7 @@ import sys
 import threading
 import time
 import webbrowser
+from typing import TYPE_CHECKING, Any
 from urllib.request import urlopen
 
 from hophoop._extras import need
@@ -15,6 +16,9 @@ from hophoop._jit import mode
 from hophoop._jit.beside import launch
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.simulation import simulate
+
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
@@ -54,6 +58,7 @@ def serve(
     workers: int = 1,
     browser: bool = False,
     query: str = "",
+    backdrop: Backdrop | None = None,
 ) -> None:
     """Serve the lab until it is stopped.
 
@@ -69,6 +74,8 @@ def serve(
         Open the page in a browser.
     query : str, default ''
         A scenario's link that the browser opens with.
+    backdrop : Backdrop, optional
+        A film to lay under the hoop; one process serves it.
 
     Raises
     ------
@@ -83,6 +90,8 @@ def serve(
         raise InputError(f"port = {port} must be from 0 to 65535.")
     if not 1 <= workers <= 256:
         raise InputError(f"workers = {workers} must be from 1 to 256.")
+    if backdrop is not None and workers != 1:
+        raise InputError(f"workers = {workers} must be 1 where a film lies under the hoop.")
     if port == 0:
         port = _free_port(host)
     _check_free(host, port)
@@ -99,9 +108,14 @@ def serve(
         file=sys.stderr,
         flush=True,
     )
+    application: Any = APPLICATION
+    if backdrop is not None:
+        from hophoop.lab.api import create_app
+
+        application = create_app(backdrop=backdrop)
     uvicorn.run(
-        APPLICATION,
-        factory=True,
+        application,
+        factory=backdrop is None,
         host=host,
         port=port,
         workers=workers,
