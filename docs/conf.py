@@ -37,6 +37,7 @@ extensions = [
     "sphinx.ext.autosummary",
     "typeset",
     "accessible",
+    "matplotlib.sphinxext.plot_directive",
     "generated",
     "gallery",
     "sphinx_gallery.gen_gallery",
@@ -80,6 +81,10 @@ sphinx_gallery_conf = {
     "write_computation_times": False,
     "abort_on_example_error": True,
 }
+
+# Pictures of tutorials, drawn by the code above them.
+plot_html_show_formats = plot_html_show_source_link = False
+plot_formats = [("png", 110)]
 
 html_theme = "furo"
 html_title = f"hophoop {version}"

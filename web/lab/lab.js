@@ -3,7 +3,7 @@
 import { Address, written } from "./address.js";
 import { Clock } from "./clock.js";
 import { Controls } from "./controls.js";
-import { h, once } from "./dom.js";
+import { h, once, say } from "./dom.js";
 import { Extras } from "./extras.js";
 import { Header } from "./header.js";
 import { helpDialog } from "./help.js";
@@ -263,7 +263,7 @@ export class Lab {
     const { query } = this.film();
     const preset = this.known.find((one) => one.query === query);
     this.header.presets.value = preset?.key ?? "";
-    this.hoops.text.textContent = preset?.text ?? "";
+    say(this.hoops.text, preset?.text ?? "");
   }
 
   /** @param {Preset} preset */

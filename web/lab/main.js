@@ -1,21 +1,27 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
 import { readShown } from "./address.js";
-import { HttpBackend, KernelBackend } from "./backend.js";
-import { unpack } from "./packing.js";
+import { KernelBackend } from "./backend.js";
 import { Lab } from "./lab.js";
+import { unpack } from "./packing.js";
+import { backendOf, keepOffline } from "./start.js";
+
+const here = new URL("./", import.meta.url);
 
 /** @param {HTMLElement} root */
 async function startPage(root) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
-  const backend = new HttpBackend(base);
+  const site = document.querySelector("meta[name=hophoop-site]");
+  let backend;
   let setup;
   try {
+    backend = await backendOf(here, site ? null : base, base);
     setup = (await backend.call("setup", {})).header;
   } catch (error) {
     root.textContent = /** @type {Error} */ (error).message;
     return;
   }
+  if (site) keepOffline(site.getAttribute("content") ?? "");
   const lab = new Lab(root, backend, setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
   const other = new URLSearchParams(location.hash.slice(1)).get("with");
@@ -28,6 +34,21 @@ async function startPage(root) {
     await lab.open([""]);
     lab.notice.fail(/** @type {Error} */ (error));
   }
+}
+
+/**
+ * A live hoop in any page, for <hophoop-motion>.
+ * @param {HTMLElement} root
+ * @param {URL} folder of the script and the module
+ * @param {string} query
+ * @param {string[]} panels
+ */
+export async function mount(root, folder, query, panels) {
+  const backend = await backendOf(folder, null, new URL("../", folder));
+  const { header } = await backend.call("setup", {});
+  const lab = new Lab(root, backend, header, { panels });
+  await lab.open([query]);
+  return lab;
 }
 
 /**

@@ -226,7 +226,7 @@ export class Plot {
     context.translate(11, TOP + 0.5 * this.box.height);
     context.rotate(-Math.PI / 2);
     context.textAlign = "center";
-    context.fillText(this.unit, 0, 0);
+    context.fillText(t(this.unit), 0, 0);
     context.restore();
   }
 
@@ -285,9 +285,11 @@ export class Plot {
         if (value > high) high = value;
       }
       const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
-      return high >= low ? `${which}${name} from ${show(low, 3)} to ${show(high, 3)}` : "";
+      const found = { name: t(name), low: show(low, 3), high: show(high, 3) };
+      return high >= low ? `${which}${t("{name} from {low} to {high}", found)}` : "";
     });
-    this.body.setAttribute("aria-label", `${this.title} in ${this.unit}. ${parts.filter(Boolean).join("; ")}.`);
+    const head = t("Diagram: {title} in {unit}.", { title: t(this.title), unit: t(this.unit) });
+    this.body.setAttribute("aria-label", `${head} ${parts.filter(Boolean).join("; ")}.`);
   }
 
   /** @param {number} time */

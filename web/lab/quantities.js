@@ -72,4 +72,4 @@ export const QUANTITIES = {
 };
 
 /** @param {Quantity} quantity */
-export const withSymbol = ({ name, symbol }) => `${name} ${symbol}`;
+export const withSymbol = ({ name, symbol }) => [name, " ", symbol];

@@ -22,6 +22,8 @@ export class Stage2D {
     this.views = [];
     /** The scale while the hoop is held: it must not slip out of the hand. @type {number | null} */
     this.fixed = null;
+    /** Takes what is under the pointer, if there is anything to take. @type {(event: PointerEvent) => boolean} */
+    this.grab = () => false;
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     this.pinched = zoomable(canvas, {
       zoom: (factor) => this.zoomBy(factor),
@@ -44,6 +46,7 @@ export class Stage2D {
 
   /** @param {PointerEvent} event */
   drag(event) {
+    if (this.grab(event)) return;
     const start = [event.clientX, event.clientY];
     const before = this.shift;
     follow(this.canvas, event, (/** @type {PointerEvent} */ moved) => {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -14,7 +15,10 @@ def lab(
     ] = None,
     host: Annotated[str, typer.Option(help="Address to listen on; 0.0.0.0 answers other machines as well.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port to listen on; 0 takes a free one.")] = 8765,
-    workers: Annotated[int, typer.Option(help="Processes that answer, for many users.")] = 1,
+    workers: Annotated[int, typer.Option(help="Processes that compute.")] = 2,
+    name: Annotated[
+        list[str] | None, typer.Option(help="A name under which it is reached, such as a proxy's; may be given again.")
+    ] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
     film: Annotated[
         Path | None, typer.Option(metavar="VIDEO", help="With a fit: the film that was tracked, to lay under the hoop.")
@@ -38,9 +42,9 @@ def lab(
             raise InputError("--film needs a fit to a track of that film, such as fitted/fit.json.")
         from hophoop.lab.app import serve
 
-        serve(host, port, workers, browser, "" if file is None else Scenario.load(file).to_query())
+        serve(host, port, workers, browser, "" if file is None else Scenario.load(file).to_query(), name or ())
         return
-    open_fit(found, film, host, port, workers, browser)
+    open_fit(found, film, host, port, workers, browser, name or ())
 
 
 def fit_in(file: str | None) -> Any:
@@ -57,7 +61,13 @@ def fit_in(file: str | None) -> Any:
 
 
 def open_fit(
-    found: Any, film: Path | None, host: str = "127.0.0.1", port: int = 8765, workers: int = 1, browser: bool = True
+    found: Any,
+    film: Path | None,
+    host: str = "127.0.0.1",
+    port: int = 8765,
+    workers: int = 2,
+    browser: bool = True,
+    names: Sequence[str] = (),
 ) -> None:
     """Open the lab with a fit's scenario, and its film under the hoop."""
     from tempfile import TemporaryDirectory
@@ -72,4 +82,4 @@ def open_fit(
 
             with bar("preparing the film") as progress:
                 backdrop = prepared(found, film, Path(folder) / "film.mp4", progress)
-        serve(host, port, workers, browser, found.scenario.to_query(), backdrop)
+        serve(host, port, workers, browser, found.scenario.to_query(), names, backdrop)

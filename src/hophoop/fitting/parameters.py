@@ -24,6 +24,7 @@ PARAMETERS: dict[str, Kind] = {
     "mu_excess": Kind("1", "static less kinetic friction", 0.0, 2.0, 1e-5),
     "restitution": Kind("1", "restitution", 0.0, 0.9, 1e-5),
     "slope": Kind("rad", "slope of the plane", -1.0, 1.0, 1e-6),
+    "rolling_resistance": Kind("1", "couple against the rotation over the radius and the normal force", 0.0, 0.5, 1e-6),
     "x0": Kind("m", "place of the centre in the first frame", -INFINITE, INFINITE, 1e-6),
     "angle0": Kind("rad", "angle in the first frame", -INFINITE, INFINITE, 1e-6),
     "speed": Kind("m/s", "speed of the centre in the first frame, rolling", -INFINITE, INFINITE, 1e-6),

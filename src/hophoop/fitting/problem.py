@@ -61,7 +61,7 @@ class Problem:
         """Parameters that this problem has."""
         hoop = () if self.hoop is not None else ("eccentricity", "inertia_ratio") if self.general else ("gamma",)
         return (
-            *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", *STARTS[self.start],
+            *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", "rolling_resistance", *STARTS[self.start],
             "scale", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
         )  # fmt: skip
 
@@ -109,6 +109,7 @@ class Problem:
             mu_static=values["mu_kinetic"] + values["mu_excess"],
             mu_kinetic=values["mu_kinetic"],
             restitution=values["restitution"],
+            rolling_resistance=values["rolling_resistance"],
             impact_law=self.plane.impact_law,
             painleve=self.plane.painleve,
         )
@@ -289,6 +290,7 @@ def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]
     values: dict[str, Any] = {
         "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,
         "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
+        "rolling_resistance": problem.plane.rolling_resistance,
         "x0": 0.0, "angle0": 0.0, "speed": 1.0, "height0": 0.0, "vx0": 1.0, "vy0": 0.0, "omega0": 1.0 / problem.radius,
         "scale": 1.0, "tilt": 0.0, "origin_y": 0.0, "row_delay": 0.0, "marker_angle": 0.0, "marker_ratio": 1.0,
     }  # fmt: skip

@@ -25,6 +25,7 @@ _SLIDERS: dict[str, list[tuple[str, str, str, float, float, float]]] = {
         ("plane.slope", "Slope", "β", -30.0, 30.0, 0.5),
         ("plane.gravity", "Gravity", "g", 0.0, 25.0, 0.01),
         ("plane.restitution", "Restitution", "e", 0.0, 1.0, 0.01),
+        ("plane.rolling_resistance", "Rolling resistance", "f", 0.0, 0.2, 0.001),
     ],
     "start": [
         ("start.speed", "Speed", "v₀", -6.0, 6.0, 0.01),
@@ -85,6 +86,7 @@ MAP_AXES = [
     ("plane.slope", "Slope β", -0.35, 0.35),
     ("plane.gravity", "Gravity g", 1.0, 20.0),
     ("plane.restitution", "Restitution e", 0.0, 1.0),
+    ("plane.rolling_resistance", "Rolling resistance f", 0.0, 0.1),
 ]
 
 

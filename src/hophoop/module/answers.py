@@ -25,7 +25,7 @@ from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
-BODY_WIDTH, PART_WIDTH = 11, len(PART)
+BODY_WIDTH, PART_WIDTH = 12, len(PART)
 
 
 @jit
@@ -44,6 +44,7 @@ def row_of(body):
     row[8] = 1.0 if body.strike else 0.0
     row[9] = body.slope
     row[10] = 1.0 if body.ideal else 0.0
+    row[11] = body.resist
     return rows
 
 
@@ -79,6 +80,8 @@ def thresholds(given, speed, out):
     speeds = np.full(1, speed / unit)
     row[:] = math.nan
     row[2] = lift_off(body, 0.0) * unit
+    if body.resist > 0.0:
+        return  # no closed form is known
     weighs = body.gn > 0.0
     if body.kap > 0.0:
         minima(rows, pair)

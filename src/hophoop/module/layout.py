@@ -16,6 +16,7 @@ from hophoop.records.layout import EVENT, SEGMENT
 HEADS = (
     "status", "events", "segments", "duration", "doubt_from", "doubt_until", "panels",
     "kinetic", "potential", "spring", "damping", "friction", "impact_normal", "impact_tangential", "residual",
+    "rolling_resistance",
 )  # fmt: skip
 
 # An event, in SI units; `from_mode` is −1 where there is none, `collision` and `stable` where they say nothing.
@@ -23,12 +24,14 @@ EVENT_COLUMNS = (
     "t", "kind", "from_mode", "to_mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
     "before_vx", "before_vy", "before_omega", "before_slip", "impulse_normal", "impulse_tangential",
     "friction", "impact_normal", "impact_tangential", "gain", "collision", "stable",
+    "rolling_resistance",
 )  # fmt: skip
 
 # A state, in SI units; `mode` is a number of `MODE_LETTERS`.
 SAMPLE_COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
     "friction", "impact_normal", "impact_tangential", "spring", "damping", "kinetic", "potential", "utilization",
+    "rolling_resistance",
 )  # fmt: skip
 
 # The compliant contact, in SI units; nan is "by itself".

@@ -22,6 +22,7 @@ from hophoop.rigid.sampling import sample
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
 RAW_WIDTH = len(sampling.COLUMNS)
+RESISTED = sampling.COLUMNS.index("rolling_resistance")
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
 kinetic = jit(kinetic_energy)
@@ -64,6 +65,7 @@ def write_event(row, scales, t, out):
     out[20] = row["gain"] * scales.energy
     out[21] = row["collision"]
     out[22] = row["stable"]
+    out[23] = row["rolling_resistance"] * scales.energy
 
 
 @jit
@@ -88,7 +90,8 @@ def write_energies(body, scales, first, last, spring, damping, first_spring, hea
     head[11] = last["friction"] * unit
     head[12] = last["impact_normal"] * unit
     head[13] = last["impact_tangential"] * unit
-    now = head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[13]
+    head[15] = last["rolling_resistance"] * unit
+    now = head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[13] + head[15]
     head[14] = now - (begin_kinetic + begin_potential + first_spring) * unit
 
 
@@ -149,6 +152,7 @@ def write_state(body, scales, raw, row):
     row[12] = raw[12] * unit
     slips = mode in (SPIN, SKID)
     row[17] = utilization(slips, raw[8], raw[9], body.mu_s, body.mu_k)
+    row[18] = raw[RESISTED] * unit  # its column is the same in both contact models
 
 
 @jit
