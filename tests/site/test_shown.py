@@ -96,6 +96,14 @@ def test_axe_finds_nothing_serious(browser, site, address, name, scheme):
     assert serious(browser, address + name, scheme) == []
 
 
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious_in_the_report(browser, scheme):
+    report = os.environ.get("HOPHOOP_REPORT")
+    if report is None:
+        pytest.skip("HOPHOOP_REPORT names no report of hophoop reproduce (.ci/run main does one)")
+    assert serious(browser, Path(report).resolve().as_uri(), scheme) == []
+
+
 def test_axe_finds_what_is_serious(browser, tmp_path):
     (tmp_path / "bad.html").write_text("<html><title>Bad</title><img src='data:,'><p>No text</p></html>", encoding="utf-8")
     assert {"image-alt", "html-has-lang"} <= {rule for rule, _ in serious(browser, (tmp_path / "bad.html").as_uri())}

@@ -152,7 +152,7 @@ def _runs() -> str:
             f"<td class='l'>{_ribbon(motion)}</td>{numbers}</tr>"
         )
     return (
-        "<h2 id='motions'>The five motions</h2><div class='scroll'><table class='runs'><thead><tr>"
+        "<h2 id='motions'>The five motions</h2><div class='scroll' tabindex='0' role='group' aria-label='table'><table class='runs'><thead><tr>"
         "<th>v₀ (m/s)</th><th>μ</th><th class='l'>phases</th><th>slips at</th><th>takes off at</th>"
         "<th>lost to friction (J)</th><th>in impacts, normal part (J)</th><th>unaccounted for (J)</th></tr></thead><tbody>"
         + "".join(rows)
@@ -186,7 +186,7 @@ def _table(statements: Sequence[Statement]) -> str:
             f"<td><span class='badge {CLASSES[one.verdict]}'>{escape(one.verdict)}</span></td></tr>"
         )
     return (
-        "<h2 id='statements'>What the article says, and what we find</h2><div class='scroll'>"
+        "<h2 id='statements'>What the article says, and what we find</h2><div class='scroll' tabindex='0' role='group' aria-label='table'>"
         "<table "
         "class='statements'><thead><tr><th>Statement</th><th>Article</th><th>Ours</th><th>Verdict</th></tr>"
         "</thead><tbody>" + "".join(rows) + "</tbody></table></div>"
