@@ -214,7 +214,7 @@ interface MapLayer {
 interface Curve {
   name: string;
   color?: string;
-  dash?: "solid" | "dash" | "dot";
+  dash?: "solid" | "dash" | "dot" | "long" | "mixed";
   values: Column;
 }
 

@@ -73,7 +73,9 @@ def test_no_text_is_left_over():
     sources = "".join(path.read_text(encoding="utf-8") for path in sorted((WEB / "lab").glob("*.js")))
     sources = re.sub(r'"\s*\+\s*["`]', "", sources)
     sources = re.sub(r"\$\{(?:[^{}]|\{[^{}]*\})*\}", "{}", sources)
-    sources += json.dumps(controls(), ensure_ascii=False) + json.dumps(list(motion_map.MAP_QUANTITIES.values()), ensure_ascii=False)
+    sources += json.dumps(controls(), ensure_ascii=False) + json.dumps(
+        list(motion_map.MAP_QUANTITIES.values()), ensure_ascii=False
+    )
     sources += "".join(f"{p.group}|{p.title}|{p.text}|" for p in presets()) + "|".join(STATUSES.values())
     lab = Path(words.__file__).parent
     vocabulary = lab.parent / "vocabulary"

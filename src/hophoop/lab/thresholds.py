@@ -48,6 +48,9 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
         add("first_hop", "Hops", "first_hop_speed", lambda speed: _above(speed, "would hop in its first turn", push))
         at_once = "would hop at once"
         add("immediate_hop", "Hops at once", "immediate_hop_speed", lambda speed: _above(speed, at_once, "at any speed"))
+    else:
+        # uphill the speed changes with every turn: there is no one speed from which on it happens in the first
+        found.append({"key": "uphill", "label": "Slips, hops", "value": None, "unit": "", "text": UPHILL})
     add("needed_friction", "Friction for pure rolling", "needed_friction", lambda mu: _needed(mu, plane))
     add("painleve", PARADOX_LABEL, "painleve_friction", lambda mu: _painleve(mu, known, plane))
     jams = [quantity for key, quantity in known.items() if key.startswith("jam_angle")]
@@ -58,11 +61,13 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
     return found
 
 
+LEAST_SPEED = 1e-9  # m/s
+UPHILL = "no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it"
 PARADOX_LABEL = "Painlevé’s paradox"
 
 
 def _above(speed: float, would: str, always: str) -> str:
-    if speed == 0.0:
+    if speed < LEAST_SPEED:  # a number that is no speed but the least that doubles hold
         return f"{would}: {always}"
     if not math.isfinite(speed):
         return "never, at any speed"

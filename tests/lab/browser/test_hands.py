@@ -76,15 +76,18 @@ def test_a_flick_gives_the_speed_of_the_hand(visit):
     assert held["height"] == 0
     assert held["angle"] == pytest.approx(0.4, rel=1e-6)  # it has rolled 0.4 m in the hand
     # a hand that has come to rest before it lets go gives none
-    assert page.evaluate(
-        """() => {
+    assert (
+        page.evaluate(
+            """() => {
           const view = hophoopLab.stage.flat.views[0];
           const { Pull } = hophoopLab.extras.grips.constructor;
           const pull = new Pull("load", hophoopLab.film(), 0, view, { clientX: 300, clientY: 100 });
           for (let k = 0; k <= 20; k++) pull.move({ clientX: 300 + 4 * k, clientY: 100 }, 10 * k);
           return pull.release(400).omega;
         }"""
-    ) == 0
+        )
+        == 0
+    )
 
 
 def test_it_is_pulled_up_and_dropped_and_escape_takes_it_back(visit):

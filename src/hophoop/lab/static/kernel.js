@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 8dda6340007e55a9fe4536fcb9466212 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 384dda2ecc030583c8741b00e141aa19 */
 var a={sources:"c546abcc7d5900ea313a76f0a8fb7632",module:"ea38310512919946",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
