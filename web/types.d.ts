@@ -377,7 +377,6 @@ interface Given {
   mu_static: number; // may be Infinity, as μk
   mu_kinetic: number;
   restitution: number;
-  rolling_resistance: number;
   impact_law: "stronge" | "newton" | "poisson";
   painleve: "flight" | "impact";
   x: number;

@@ -91,7 +91,7 @@ def test_setup_code_theory_and_regions_are_those_of_python():
 
 AXES = {
     "speed and friction": ({"path": "start.speed", "from": 0, "to": 5}, {"path": "plane.mu", "from": -0.2, "to": 1.5}),
-    "load and slope": ({"path": "hoop.load_fraction", "from": 0.05, "to": 1.2}, {"path": "plane.slope", "from": -0.3, "to": 0.3}),
+    "load and slope": ({"path": "hoop.load_fraction", "from": 0.05, "to": 1.2}, {"path": "plane.slope", "from": -0.3, "to": 0.3}),  # noqa: E501
     "radius and rotation": ({"path": "hoop.radius", "from": 0.1, "to": 2}, {"path": "start.omega", "from": -8, "to": 8}),
     "kappa and eccentricity": (
         {"path": "hoop.inertia_ratio", "from": 0.05, "to": 1}, {"path": "hoop.eccentricity", "from": 0.05, "to": 0.95},
@@ -183,8 +183,8 @@ MAP = {"x": {"path": "start.speed", "from": 0, "to": 5, "cells": 4}, "y": {"path
     ("changes", "said"),
     [
         ({"y": MAP["x"]}, "x.path and y.path are both 'start.speed' and must differ."),
-        ({"y": {**MAP["y"], "path": "start.vx"}}, "start.speed and start.vx cannot both be axes: they say the same thing in two ways."),
-        ({"x": {**MAP["x"], "cells": 4096}, "y": {**MAP["y"], "cells": 4096}}, "x.cells times y.cells = 16777216 must be at most 65536"),
+        ({"y": {**MAP["y"], "path": "start.vx"}}, "start.speed and start.vx cannot both be axes: they say the same thing in two ways."),  # noqa: E501
+        ({"x": {**MAP["x"], "cells": 4096}, "y": {**MAP["y"], "cells": 4096}}, "x.cells times y.cells = 16777216 must be at most 65536"),  # noqa: E501
         ({"query": "contact.model=compliant"}, "contact.model = 'compliant' must be 'rigid' for a map."),
     ],
 )  # fmt: skip

@@ -121,7 +121,6 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
             "plane.rolling_resistance": plane.rolling_resistance,
             "plane.mu_static": _finite(plane.mu_static),
             "plane.mu_kinetic": _finite(plane.mu_kinetic),
-            "plane.rolling_resistance": plane.rolling_resistance,
             "start.speed": scenario.start.speed,
             "start.height": state.height,
             "start.vx": state.vx,
