@@ -129,7 +129,7 @@ export class PhasePlane {
     return {
       window: header.window,
       paradox: arrays.paradox,
-      picture: this.paint(arrays.modes, header.arrays[0].shape),
+      picture: this.paint(arrays.modes, [arrays.modes.length / arrays.paradox.length, arrays.paradox.length]),
     };
   }
 
