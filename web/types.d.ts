@@ -400,8 +400,10 @@ interface Mechanics {
     radius: number,
     parts: WholePart[],
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
-  /** A compliant contact beside its hoop, with the defaults filled in. */
-  compliance(given: Given): Compliance;
+  /** Python's `most_resistance`; missing where the kernel knows none. */
+  resistance?(eccentricity: number, inertia_ratio: number): number;
+  /** A compliant contact beside its hoop, with the defaults filled in; missing where the kernel knows rigid contact only. */
+  compliance?(given: Given): Compliance;
 }
 
 interface Compliance {
@@ -458,7 +460,7 @@ interface MapValues {
 interface Kernel {
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
-  columns(given: Given, signal?: AbortSignal): MaybeLater<Record<string, Column>>;
+  columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;
   /** The state at some times, as Trajectory.at. */
   samples(given: Given, times: Float64Array, signal?: AbortSignal): MaybeLater<Samples>;
   thresholds(given: Given, signal?: AbortSignal): MaybeLater<TheoryNumbers>;
@@ -482,4 +484,52 @@ interface Computed {
   count: number;
   duration: number; // [s]
   segments: number;
+}
+
+// --- A scenario that has been checked: web/model ---------------------------------------------------------------------
+
+interface CheckedHoop {
+  radius: number;
+  mass: number;
+  load_fraction: number | null; // how it was given: by this, by parts, or by the two numbers that follow from them
+  eccentricity: number;
+  inertia_ratio: number;
+  parts: WholePart[] | null;
+}
+
+interface CheckedPlane {
+  gravity: number;
+  slope: number;
+  rolling_resistance: number;
+  mu: number | null; // where both are one
+  mu_static: number;
+  mu_kinetic: number;
+  apart: boolean; // given as two
+  restitution: number;
+  impact_law: "stronge" | "newton" | "poisson";
+  painleve: "flight" | "impact";
+}
+
+interface CheckedStart {
+  x: number;
+  height: number;
+  angle: number;
+  speed: number | null; // of a rolling start
+  vx: number;
+  vy: number;
+  omega: number | null;
+}
+
+interface CheckedContact {
+  model: "rigid" | "compliant";
+  max_events: number;
+  [key: string]: any;
+}
+
+interface Checked {
+  duration: number;
+  hoop: CheckedHoop;
+  plane: CheckedPlane;
+  start: CheckedStart;
+  contact: CheckedContact;
 }

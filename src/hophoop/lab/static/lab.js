@@ -1,10 +1,10 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 384dda2ecc030583c8741b00e141aa19 */
-function X(i){let e=Number.parseInt(i.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var ys=i=>Te(i)>.2?"#111111":"#ffffff",Se=(i,e)=>`rgba(${X(i).join(",")},${e}\
-)`,Jo=i=>{let e=i/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function Te(i){let[e,t,s]=X(i).map(Jo);return .2126*e+.7152*t+.0722*s}function Me(i,e){if(!e||
-!/^#[0-9a-f]{6}$/i.test(i))return i;if(Te(i)<.002)return"#eceef2";let t=i;for(let s=0;Te(t)<.2&&s<1;s+=.05)t=`#${X(i).map(o=>Math.round(o+(255-o)*s).toString(16).
-padStart(2,"0")).join("")}`;return t}var He=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Zo(){let i=[];for(let e=0;e<
-256;e++){let t=e/255*(He.length-1),s=Math.min(Math.floor(t),He.length-2),o=X(He[s]),a=X(He[s+1]);i.push(o.map((n,r)=>Math.round(n+(a[r]-n)*(t-s))))}return i}var fe=Zo(),
-Oe=fe.map(i=>`rgb(${i.join(",")})`),Xo=["#6a3d9a","#33702a"],U=(i,e)=>Me(Xo[i],e);var vs={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
+/* Built from web/lab/main.js by esbuild 0.28.2; sources bc0562dfa2a6980f8464c44b5afb176d */
+function ee(i){let e=Number.parseInt(i.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Ds=i=>Re(i)>.2?"#111111":"#ffffff",Pe=(i,e)=>`rgba(${ee(i).join(",")}\
+,${e})`,Mi=i=>{let e=i/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function Re(i){let[e,t,s]=ee(i).map(Mi);return .2126*e+.7152*t+.0722*s}function Le(i,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(i))return i;if(Re(i)<.002)return"#eceef2";let t=i;for(let s=0;Re(t)<.2&&s<1;s+=.05)t=`#${ee(i).map(o=>Math.round(o+(255-o)*s).toString(
+16).padStart(2,"0")).join("")}`;return t}var Je=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Ei(){let i=[];
+for(let e=0;e<256;e++){let t=e/255*(Je.length-1),s=Math.min(Math.floor(t),Je.length-2),o=ee(Je[s]),n=ee(Je[s+1]);i.push(o.map((a,r)=>Math.round(a+(n[r]-a)*(t-s))))}
+return i}var be=Ei(),Ze=be.map(i=>`rgb(${i.join(",")})`),Ai=["#123a8c","#8a6d00"],G=(i,e)=>Le(Ai[i],e);var Fs={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
 spins:"dreht durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {ang\
 le} durch","skids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {\
 angle}":"hüpft bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"glei\
@@ -282,8 +282,8 @@ er Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoße
 er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table gives numbers to ever\
 y student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.","Slips, hops":"Gleitet, hüpft","no thresh\
 old uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"bergauf (β < 0) keine Schwelle: ob er gleitet oder hüpft, hängt d\
-avon ab, wo er umkehrt; die Karte zeigt es","A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violett, B grün; die Strichart ne\
-nnt die Größe; Zahlen von {hoop}; {hands}"};var ks={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
+avon ab, wo er umkehrt; die Karte zeigt es","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt \
+die Größe; Zahlen von {hoop}; {hands}"};var js={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
 ueda",spins:"patina",skids:"derrapa",flies:"vuela","skims the plane":"roza el plano","rolls at {angle}":"rueda desde {angle}","spins at {angle}":"patina desde {\
 angle}","skids at {angle}":"derrapa desde {angle}","flies at {angle}":"vuela desde {angle}","skims the plane at {angle}":"roza el plano desde {angle}","hops at \
 {angle}":"salta a {angle}","lands at {angle}":"aterriza a {angle}","bounces at {angle}":"rebota a {angle}","slips the other way at {angle}":"desliza en sentido \
@@ -556,8 +556,8 @@ oad of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the lo
 a y se empuja hacia la derecha. Rozamiento: μ = 1; g = 9,81 m/s².",phases:"fases","does it hop?":"¿salta?","at which angle?":"¿a qué ángulo?",Print:"Impri\
 mir","The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student.":"La visita pregunta antes de mostrar; la pre\
 sentación llena la pantalla; la tabla da números a cada estudiante.","Slips, hops":"Desliza, salta","no threshold uphill (β < 0): whether it slips or hops han\
-gs on where it turns back; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A v\
-iolet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violeta, B verde; el trazo indica la magnitud; números de {hoop}; {hands}"};var xs={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
+gs on where it turns back; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A b\
+lue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {hands}"};var Bs={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
 roule",spins:"patine",skids:"dérape",flies:"vole","skims the plane":"effleure le plan","rolls at {angle}":"roule à partir de {angle}","spins at {angle}":"pati\
 ne à partir de {angle}","skids at {angle}":"dérape à partir de {angle}","flies at {angle}":"vole à partir de {angle}","skims the plane at {angle}":"effleure\
  le plan à partir de {angle}","hops at {angle}":"saute à {angle}","lands at {angle}":"retombe à {angle}","bounces at {angle}":"rebondit à {angle}","slips th\
@@ -838,8 +838,8 @@ e en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².",pha
 Imprimer","The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student.":"La visite interroge avant de montrer ;\
  la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.","Slips, hops":"Glisse, saute","no threshold uphill (β < 0): whether it s\
 lips or hops hangs on where it turns back; the map shows it":"en montée (β < 0) pas de seuil : qu'il glisse ou saute dépend de l'endroit où il rebrousse chemin \
-; la carte le montre","A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violet, B vert ; le tracé indique la grandeur ; nombres\
- de {hoop} ; {hands}"};var Ts={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
+; la carte le montre","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A bleu, B ocre ; le tracé indique la grandeur ; nombres de \
+{hoop} ; {hands}"};var Os={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
 转",skids:"拖滑",flies:"腾空","skims the plane":"贴着平面滑过","rolls at {angle}":"在 {angle} 处开始滚动","spins at {angle}":"在 {angle} 处开始空转",
 "skids at {angle}":"在 {angle} 处开始拖滑","flies at {angle}":"在 {angle} 处腾空","skims the plane at {angle}":"在 {angle} 处开始贴着平面滑过",
 "hops at {angle}":"在 {angle} 处跳起","lands at {angle}":"在 {angle} 处落地","bounces at {angle}":"在 {angle} 处弹起","slips the other way at {angle\
@@ -1081,111 +1081,96 @@ hed to the right. Friction: μ = 1; g = 9.81 m/s².":"一个半径 0.40 m 的薄
 phases:"阶段","does it hop?":"是否跳起？","at which angle?":"在哪个角度？",Print:"打印","The visit asks before it shows; the presentation fills t\
 he screen; the table gives numbers to every student.":"参观先提问后演示；演示占满屏幕；数据表为每个学生提供数字。","Slips, hops":"打\
 滑、跳起","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"上坡（β < 0）没有阈值：是否打滑或跳起取决于在何处折返；见参数图",
-"A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为紫色，B 为绿色；线型表示物理量；数值属于 {hoop}；{hands}"};var Dt=new Map;function K(i){try{return localStorage.getItem(i)??Dt.get(i)??null}catch{return Dt.get(i)??null}}function G(i,e){Dt.set(i,e);try{localStorage.setItem(
-i,e)}catch{}}var Ae={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Ft={de:vs,es:ks,fr:xs,zh:Ts},oi=new Set(["de","es","fr"]),zs="hophoop-language",Es=4e3,
-$e=/\{(\w+)\}/g,Q="en",As=[],ze=new Map,Ee=new Set,Pe=new Set,Ue=()=>Q;function Bt(i){Q=i in Ae?i:"en",ze=new Map,Ee=new Set,Pe.clear(),As=Object.keys(Ft[Q]??{}).
-filter(e=>e.includes("{")).map(ai).sort((e,t)=>Ss(t.key)-Ss(e.key))}function ii(){let i=K(zs);return i&&i in Ae?i:(globalThis.navigator?.languages??[]).map(s=>s.
-slice(0,2).toLowerCase()).find(s=>s in Ae)??"en"}function Ps(i){G(zs,i)}var Ss=i=>i.replace($e,"").length;function ai(i){let e=[...i.matchAll($e)].map(([,s])=>s),
-t=i.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:i,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var oe=i=>oi.has(Q)?i.
-replace(/(\d)\.(\d)/g,"$1,$2"):i;function v(i,e){let t=Ft[Q];if(e)return ee(Ls(t?.[i]??Ms(i),e));if(!t||!/\p{L}/u.test(i))return oe(i);if(Ee.has(i))return i;let s=ze.
-get(i);if(s!==void 0)return s;let o=i.trim(),a=t[o]??ni(o,t)??Ms(o),n=i.replace(o,()=>a);return ze.size>Es&&ze.clear(),ze.set(i,n),ee(n)}function ee(i){return Ee.
-size>Es&&Ee.clear(),Ee.add(i),i}var Rs=(i,e)=>i.replace($e,(t,s)=>String(e[s])),Ls=(i,e)=>i.replace($e,(t,s)=>v(String(e[s])));function ni(i,e){for(let{key:t,pattern:s,
-names:o}of As){let a=i.match(s);if(a)return Ls(e[t],Object.fromEntries(o.map((n,r)=>[n,a[r+1]])))}return ri(i)}function ri(i){if(i.includes(" → "))return i.split(
-" → ").map(e=>v(e)).join(" → ")}function Is(i){if(!Ft[Q])return i;let[,e,t]=i.match(/^(.*?)\.(?: (.*))?$/su)??["",i,""],{comma:s,stop:o}=Q==="zh"?{comma:"，",
-stop:"。"}:{comma:", ",stop:"."},n=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>v(r)).join(s);return ee(`${n[0]?.toLocaleUpperCase(Q)??""}${n.
-slice(1)}${o}${t?` ${v(t)}`:""}`)}function Ms(i){let e=/\p{L}{3,}/u.test(i)&&!/^([\w.[\]]+\.\w+|rad\/s|hophoop.*)$/u.test(i);return Q!=="en"&&e&&Pe.size<200&&Pe.
-add(i),oe(i)}var Cs=new WeakMap,Nt=new WeakMap;function jt(i){let e=document.createTextNode(v(i));return Cs.set(e,i),e}function Re(i,e,t){let s=Nt.get(i)??{};s[e]=
-t,Nt.set(i,s),i.setAttribute(e,v(t))}function Ws(i){let e=document.createTreeWalker(i,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.
-nextNode()){let s=Cs.get(t);s!==void 0&&(t.nodeValue=v(s));let o=Nt.get(t);for(let[a,n]of Object.entries(o??{}))t.setAttribute(a,v(n))}}Bt(ii());var li=new Set(["aria-label","title","placeholder","label"]);function h(i,e={},...t){let s=document.createElement(i),o=s;for(let[a,n]of Object.entries(e))n==null||
-n===!1||(a.startsWith("on")?s.addEventListener(a.slice(2),n):a==="class"?s.className=n:a in s&&a!=="list"&&typeof n!="string"?o[a]=n:li.has(a)?Re(s,a,String(n)):
-s.setAttribute(a,n===!0?"":n));for(let a of t.flat())a==null||a===!1||s.append(a.nodeType?a:jt(String(a)));return s}function S(i,e){e?i.replaceChildren(jt(e)):i.
-replaceChildren()}var Ke=i=>i!==null&&i.getRootNode().activeElement===i,te=i=>i.getContext("2d");function L(i){let e=i.getBoundingClientRect(),t=Math.min(globalThis.
-devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),o=Math.max(Math.round(e.height*t),1);(i.width!==s||i.height!==o)&&(i.width=s,i.height=o);let a=te(i);
-return a.setTransform(t,0,0,t,0,0),{context:a,width:s/t,height:o/t}}function hi(i){if(/^#[0-9a-f]{6}$/i.test(i))return i;let e=te(h("canvas",{width:1,height:1}));
-e.fillStyle=i,e.fillRect(0,0,1,1);let[t,s,o]=e.getImageData(0,0,1,1).data;return`#${[t,s,o].map(a=>a.toString(16).padStart(2,"0")).join("")}`}function _t(i){let e=getComputedStyle(
-i),t=o=>e.getPropertyValue(o).trim(),s=o=>hi(t(o));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
-und"),font:t("--font"),dark:Te(s("--paper"))<.2}}function ge(i,e){let t=h("a",{href:URL.createObjectURL(i),download:e});document.body.append(t),t.click(),t.remove(),
-setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function V(i,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(i,e)}}var y=(i,e,t)=>Math.min(Math.max(i,e),t);function x(i,e=4){if(i==null)return"–";if(typeof i!="number")return String(i);if(!Number.isFinite(i))return Number.isNaN(
-i)?"–":i>0?"∞":"−∞";if(i===0)return"0";let t=Math.abs(i),s;if(t>=1e6||t<1e-4){let[o,a]=i.toExponential(e-1).split("e");s=`${qs(o)}·10${ci(Number(a))}`}else
-s=qs(i.toPrecision(e)),s.includes("e")&&(s=String(Math.round(i)));return oe(s.replace("-","−"))}function qs(i){return i.includes(".")&&!i.includes("e")?i.replace(
-/\.?0+$/,""):i}function ci(i){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(i)].map(t=>e[t]).join(
-"")}var I=(i,e)=>e?e==="°"?`${i}°`:`${i} ${e}`:i,P=i=>oe(`${(i*180/Math.PI).toFixed(1)}°`.replace("-","−"));function ie(i){let e=Math.abs(i),[t,s]=e>=.995?
-[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return I(x(i*t,3),s)}function N(i,e){let t=i/Math.max(e,1),s=10**Math.floor(Math.log10(t)),o=t/s;return(o>5?10:o>2?5:o>1?
-2:1)*s}function O(i,e,t){if(!(e>i)||!Number.isFinite(i)||!Number.isFinite(e))return[];let s=N(e-i,t),o=[];for(let a=Math.ceil(i/s-1e-9);a*s<=e+1e-9*s&&o.length<
-200;a++)o.push(a*s);return o}function j(i,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(i),e)>=1e6||t>12?x(i,3):oe((Math.abs(i)<e*1e-6?
-0:i).toFixed(t).replace("-","−"))}var Ds=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],di="tfc",ui=400;function Ns({time:i=0,options:e={},zoom:t=1,map:s}){let o=[];i>
-0&&o.push(`t=${Number(i.toFixed(4))}`);let a=Ds.filter(([n])=>e[n]).map(([,n])=>n);return a.join("")!==di&&o.push(`show=${a.join("")}`),t!==1&&o.push(`zoom=${Number(
-t.toPrecision(3))}`),s&&o.push(`map=${[s.what,...s.x,...s.y].join(",")}`),o.join("&")}function Fs(i){let e=new URLSearchParams(i.replace(/^#/,"")),t={},s=Number(
-e.get("t")??Number.NaN);s>=0&&(t.time=s);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(Ds.map(([g,b])=>[g,o.includes(b)])));let a=Number(e.get("zo\
-om")??Number.NaN);a>0&&(t.zoom=y(a,.05,60));let[n,r,l,c,d,u,p]=e.get("map")?.split(",")??[],m=[l,c,u,p].map(Number);return p!==void 0&&m.every(Number.isFinite)&&
-m[0]<m[1]&&m[2]<m[3]&&(t.map={what:n,x:[r,m[0],m[1]],y:[d,m[2],m[3]]}),t}var pi=()=>{let i=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
-search.slice(1),...i===null?[]:[i]]},Ge=class{constructor(e){this.lab=e,this.number=0,this.soon=V(()=>this.write("same"),ui),this.listen=()=>this.arrived(),addEventListener(
+"A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为蓝色，B 为赭色；线型表示物理量；数值属于 {hoop}；{hands}"};var Kt=new Map;function V(i){try{return localStorage.getItem(i)??Kt.get(i)??null}catch{return Kt.get(i)??null}}function Y(i,e){Kt.set(i,e);try{localStorage.setItem(
+i,e)}catch{}}var Ce={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Vt={de:Fs,es:js,fr:Bs,zh:Os},Ii=new Set(["de","es","fr"]),Us="hophoop-language",Ks=4e3,
+Xe=/\{(\w+)\}/g,te="en",Gs=[],Ie=new Map,_e=new Set,Ne=new Set,Qe=()=>te;function Yt(i){te=i in Ce?i:"en",Ie=new Map,_e=new Set,Ne.clear(),Gs=Object.keys(Vt[te]??
+{}).filter(e=>e.includes("{")).map(Ci).sort((e,t)=>Hs(t.key)-Hs(e.key))}function _i(){let i=V(Us);return i&&i in Ce?i:(globalThis.navigator?.languages??[]).map(
+s=>s.slice(0,2).toLowerCase()).find(s=>s in Ce)??"en"}function Vs(i){Y(Us,i)}var Hs=i=>i.replace(Xe,"").length;function Ci(i){let e=[...i.matchAll(Xe)].map(([,s])=>s),
+t=i.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:i,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ae=i=>Ii.has(te)?
+i.replace(/(\d)\.(\d)/g,"$1,$2"):i;function k(i,e){let t=Vt[te];if(e)return se(Js(t?.[i]??$s(i),e));if(!t||!/\p{L}/u.test(i))return ae(i);if(_e.has(i))return i;
+let s=Ie.get(i);if(s!==void 0)return s;let o=i.trim(),n=t[o]??Ni(o,t)??$s(o),a=i.replace(o,()=>n);return Ie.size>Ks&&Ie.clear(),Ie.set(i,a),se(a)}function se(i){
+return _e.size>Ks&&_e.clear(),_e.add(i),i}var Ys=(i,e)=>i.replace(Xe,(t,s)=>String(e[s])),Js=(i,e)=>i.replace(Xe,(t,s)=>k(String(e[s])));function Ni(i,e){for(let{
+key:t,pattern:s,names:o}of Gs){let n=i.match(s);if(n)return Js(e[t],Object.fromEntries(o.map((a,r)=>[a,n[r+1]])))}return Wi(i)}function Wi(i){if(i.includes(" → "))
+return i.split(" → ").map(e=>k(e)).join(" → ")}function Zs(i){if(!Vt[te])return i;let[,e,t]=i.match(/^(.*?)\.(?: (.*))?$/su)??["",i,""],{comma:s,stop:o}=te===
+"zh"?{comma:"，",stop:"。"}:{comma:", ",stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>k(r)).join(s);return se(`${a[0]?.toLocaleUpperCase(
+te)??""}${a.slice(1)}${o}${t?` ${k(t)}`:""}`)}function $s(i){let e=/\p{L}{3,}/u.test(i)&&!/^([\w.[\]]+\.\w+|rad\/s|hophoop.*)$/u.test(i);return te!=="en"&&e&&Ne.
+size<200&&Ne.add(i),ae(i)}var Xs=new WeakMap,Gt=new WeakMap;function Jt(i){let e=document.createTextNode(k(i));return Xs.set(e,i),e}function We(i,e,t){let s=Gt.
+get(i)??{};s[e]=t,Gt.set(i,s),i.setAttribute(e,k(t))}function Qs(i){let e=document.createTreeWalker(i,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.
+nextNode();t;t=e.nextNode()){let s=Xs.get(t);s!==void 0&&(t.nodeValue=k(s));let o=Gt.get(t);for(let[n,a]of Object.entries(o??{}))t.setAttribute(n,k(a))}}Yt(_i());var qi=new Set(["aria-label","title","placeholder","label"]);function h(i,e={},...t){let s=document.createElement(i),o=s;for(let[n,a]of Object.entries(e))a==null||
+a===!1||(n.startsWith("on")?s.addEventListener(n.slice(2),a):n==="class"?s.className=a:n in s&&n!=="list"&&typeof a!="string"?o[n]=a:qi.has(n)?We(s,n,String(a)):
+s.setAttribute(n,a===!0?"":a));for(let n of t.flat())n==null||n===!1||s.append(n.nodeType?n:Jt(String(n)));return s}function M(i,e){e?i.replaceChildren(Jt(e)):i.
+replaceChildren()}var et=i=>i!==null&&i.getRootNode().activeElement===i,oe=i=>i.getContext("2d");function I(i){let e=i.getBoundingClientRect(),t=Math.min(globalThis.
+devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),o=Math.max(Math.round(e.height*t),1);(i.width!==s||i.height!==o)&&(i.width=s,i.height=o);let n=oe(i);
+return n.setTransform(t,0,0,t,0,0),{context:n,width:s/t,height:o/t}}function Di(i){if(/^#[0-9a-f]{6}$/i.test(i))return i;let e=oe(h("canvas",{width:1,height:1}));
+e.fillStyle=i,e.fillRect(0,0,1,1);let[t,s,o]=e.getImageData(0,0,1,1).data;return`#${[t,s,o].map(n=>n.toString(16).padStart(2,"0")).join("")}`}function Zt(i){let e=getComputedStyle(
+i),t=o=>e.getPropertyValue(o).trim(),s=o=>Di(t(o));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
+und"),font:t("--font"),dark:Re(s("--paper"))<.2}}function ye(i,e){let t=h("a",{href:URL.createObjectURL(i),download:e});document.body.append(t),t.click(),t.remove(),
+setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function J(i,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(i,e)}}var y=(i,e,t)=>Math.min(Math.max(i,e),t);function T(i,e=4){if(i==null)return"–";if(typeof i!="number")return String(i);if(!Number.isFinite(i))return Number.isNaN(
+i)?"–":i>0?"∞":"−∞";if(i===0)return"0";let t=Math.abs(i),s;if(t>=1e6||t<1e-4){let[o,n]=i.toExponential(e-1).split("e");s=`${eo(o)}·10${Fi(Number(n))}`}else
+s=eo(i.toPrecision(e)),s.includes("e")&&(s=String(Math.round(i)));return ae(s.replace("-","−"))}function eo(i){return i.includes(".")&&!i.includes("e")?i.replace(
+/\.?0+$/,""):i}function Fi(i){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(i)].map(t=>e[t]).join(
+"")}var _=(i,e)=>e?e==="°"?`${i}°`:`${i} ${e}`:i,P=i=>ae(`${(i*180/Math.PI).toFixed(1)}°`.replace("-","−"));function re(i){let e=Math.abs(i),[t,s]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return _(T(i*t,3),s)}function F(i,e){let t=i/Math.max(e,1),s=10**Math.floor(Math.log10(t)),o=t/s;return(o>5?10:o>2?5:o>1?
+2:1)*s}function U(i,e,t){if(!(e>i)||!Number.isFinite(i)||!Number.isFinite(e))return[];let s=F(e-i,t),o=[];for(let n=Math.ceil(i/s-1e-9);n*s<=e+1e-9*s&&o.length<
+200;n++)o.push(n*s);return o}function O(i,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(i),e)>=1e6||t>12?T(i,3):ae((Math.abs(i)<e*1e-6?
+0:i).toFixed(t).replace("-","−"))}var to=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],ji="tfc",Bi=400;function so({time:i=0,options:e={},zoom:t=1,map:s}){let o=[];i>
+0&&o.push(`t=${Number(i.toFixed(4))}`);let n=to.filter(([a])=>e[a]).map(([,a])=>a);return n.join("")!==ji&&o.push(`show=${n.join("")}`),t!==1&&o.push(`zoom=${Number(
+t.toPrecision(3))}`),s&&o.push(`map=${[s.what,...s.x,...s.y].join(",")}`),o.join("&")}function oo(i){let e=new URLSearchParams(i.replace(/^#/,"")),t={},s=Number(
+e.get("t")??Number.NaN);s>=0&&(t.time=s);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(to.map(([w,b])=>[w,o.includes(b)])));let n=Number(e.get("zo\
+om")??Number.NaN);n>0&&(t.zoom=y(n,.05,60));let[a,r,l,c,d,u,p]=e.get("map")?.split(",")??[],m=[l,c,u,p].map(Number);return p!==void 0&&m.every(Number.isFinite)&&
+m[0]<m[1]&&m[2]<m[3]&&(t.map={what:a,x:[r,m[0],m[1]],y:[d,m[2],m[3]]}),t}var Oi=()=>{let i=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
+search.slice(1),...i===null?[]:[i]]},tt=class{constructor(e){this.lab=e,this.number=0,this.soon=J(()=>this.write("same"),Bi),this.listen=()=>this.arrived(),addEventListener(
 "popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length)return;let s=t.link();e==="step"?
 history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(t=>{let s=()=>t();addEventListener("\
-popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=pi();JSON.stringify(t)===JSON.stringify(this.lab.motions.
-queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var mi={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function we(i){let e=i instanceof DataView||ArrayBuffer.isView(i)?i:new DataView(i),t=new Uint8Array(e.buffer,
-e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+s))),a={};for(let{name:n,type:r,shape:l,place:c}of o.arrays){let d=l.reduce((u,p)=>u*p,1);a[n]=new mi[r](t.buffer,t.byteOffset+4+s+c,d)}return{header:o,arrays:a}}var Le=class extends Error{},fi=500,gi=4,wi="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function Bs(i,e,t){
-for(;;)try{return await i()}catch(s){if(!(s instanceof Le))throw s;e(s.message),await new Promise(o=>setTimeout(o,fi)),t.throwIfAborted()}}var Ve=class{constructor(e){
-this.base=e,this.shares=!0}async call(e,t,s){let o={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},a=await this.answered(
-new URL(`lab/${e}`,this.base),o);if(a.status===202)throw new Le((await a.json()).detail);return we(await a.arrayBuffer())}async answered(e,t){for(let s=gi;;s--){
-let o=await fetch(e,t).catch(n=>{throw n.name==="AbortError"?n:new Error(wi)});if(o.ok)return o;let a=Number(o.headers.get("Retry-After"));if(o.status!==503||!(a>
-0)||s<=1){let n=await o.json().catch(()=>({}));throw new Error(n.detail??`The server answered ${o.status}.`)}await new Promise(n=>setTimeout(n,1e3*Math.min(a,10))),
-t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
-"",this.base)}${t}`}},bi=2e4,yi=3e5,Ye=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
-slice(2),this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(
-s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new Le(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve(we(t[0])))}call(e,t,s){let o=++this.
-number;return new Promise((a,n)=>{let r=setTimeout(()=>{this.waiting.delete(o),n(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
-"file"?yi:bi);this.waiting.set(o,{resolve:a,reject:n,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(o),n(new DOMException("super\
-seded","AbortError"))}),this.model.send({view:this.view,number:o,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("file",{query:t,name:e});return new Blob(
-[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var Ie=[.05,.1,.25,.5,1,2,4],Je=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=Oi();JSON.stringify(t)===JSON.stringify(this.lab.motions.
+queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var qe=[.05,.1,.25,.5,1,2,4],st=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
 for(let e of this.listeners)e(this)}seek(e){this.time=y(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
-duration&&(this.time=0),this.changed()}faster(e){let t=Ie.indexOf(this.speed);this.speed=Ie[y(t+e,0,Ie.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
+duration&&(this.time=0),this.changed()}faster(e){let t=qe.indexOf(this.speed);this.speed=qe[y(t+e,0,qe.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
-this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function vi(i,e=""){let t=i.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
-(o,a,n)=>`e${a&&"-"}${n.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function ki(i,e,{label:t,unit:s,range:o}){let a=i.trim();if(Number.isNaN(e))return`${t} = ${a} must be a number, s\
-uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let n=o.also.includes(0)?"0 or ":"",r=`from ${x(o.least,4)} to ${I(x(o.most,4),s)}`,l=o.also.
-includes(1/0)?", or inf":"";return`${t} = ${I(x(e,6),s)} must be ${n}${r}${l}.`}var xi=0,be=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
-typing=!1,this.error=h("p",{class:"error",role:"alert",id:`hh-error-${++xi}`,hidden:!0}),this.input=h("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function Hi(i,e=""){let t=i.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+(o,n,a)=>`e${n&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
+test(t)?Number(t.replace(",",".")):Number.NaN}function $i(i,e,{label:t,unit:s,range:o}){let n=i.trim();if(Number.isNaN(e))return`${t} = ${n} must be a number, s\
+uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let a=o.also.includes(0)?"0 or ":"",r=`from ${T(o.least,4)} to ${_(T(o.most,4),s)}`,l=o.also.
+includes(1/0)?", or inf":"";return`${t} = ${_(T(e,6),s)} must be ${a}${r}${l}.`}var Ui=0,ve=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
+typing=!1,this.error=h("p",{class:"error",role:"alert",id:`hh-error-${++Ui}`,hidden:!0}),this.input=h("input",{type:"text",inputmode:"decimal",autocomplete:"off",
 spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
 s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=vi(e,this.info.unit),s=ki(e,t,this.info);s?this.refuse(
-s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),S(this.error,e),this.error.
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=Hi(e,this.info.unit),s=$i(e,t,this.info);s?this.refuse(
+s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),M(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=oe(e),this.typing||this.restore()}};var js={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Ti={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},Si=(i,e,t)=>({ring:{shape:i,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:i,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:i,mass:t,at:e},rod:{shape:i,mass:t,length:.5*e,at:.5*e}})[i];function _s(i){let e=i["hoop.radius"],t=i["hoop.mass"],s=Math.min(Math.
-max(i["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ze(t*(1-s)),inner_radius:Ze(.98*e),outer_radius:e},{shape:"point_mass",mass:Ze(t*s),at:e}]}var Ze=i=>Number(
-i.toPrecision(6)),Xe=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=h("div",{class:"parts"}),this.element=h("div",{},this.list,h("select",
-{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Si(s,this.radius,Ze(.2*this.mass))])}},h("option",{value:""},
-"+ add a part …"),Object.entries(js).map(([t,{label:s}])=>h("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let o=JSON.stringify(
+input.value=this.shown,this.accept()}show(e){this.shown=ae(e),this.typing||this.restore()}};var io={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Ki={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},Gi=(i,e,t)=>({ring:{shape:i,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:i,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:i,mass:t,at:e},rod:{shape:i,mass:t,length:.5*e,at:.5*e}})[i];function no(i){let e=i["hoop.radius"],t=i["hoop.mass"],s=Math.min(Math.
+max(i["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:ot(t*(1-s)),inner_radius:ot(.98*e),outer_radius:e},{shape:"point_mass",mass:ot(t*s),at:e}]}var ot=i=>Number(
+i.toPrecision(6)),it=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=h("div",{class:"parts"}),this.element=h("div",{},this.list,h("select",
+{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Gi(s,this.radius,ot(.2*this.mass))])}},h("option",{value:""},
+"+ add a part …"),Object.entries(io).map(([t,{label:s}])=>h("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let o=JSON.stringify(
 e);if(o===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:o,parts:e,radius:t,mass:s}),this.list.
-replaceChildren(...e.map((a,n)=>this.row(a,n)))}row(e,t){let{label:s,keys:o}=js[e.shape];return h("fieldset",{class:"part"},h("legend",{},s,this.parts.length>1&&
-h("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((a,n)=>n!==t))},"×")),o.map(a=>this.field(
-e,t,a)))}field(e,t,s){let[o,a]=Ti[s],n=new be({label:o,unit:a},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return n.show(String(e[s]??0)),h("div",
-{},h("label",{},`${o} [${a}]`,n.input),n.error)}};var Ht=Math.PI/180;function Mi({allowed:i,degrees:e}){if(!i)return;let t=e?1/Ht:1;return{least:i.least*t,most:i.most*t,also:i.also.map(s=>s==="inf"?1/0:Number(s))}}
-var Ot=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
+replaceChildren(...e.map((n,a)=>this.row(n,a)))}row(e,t){let{label:s,keys:o}=io[e.shape];return h("fieldset",{class:"part"},h("legend",{},s,this.parts.length>1&&
+h("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((n,a)=>a!==t))},"×")),o.map(n=>this.field(
+e,t,n)))}field(e,t,s){let[o,n]=Ki[s],a=new ve({label:o,unit:n},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),h("div",
+{},h("label",{},`${o} [${n}]`,a.input),a.error)}};var Xt=Math.PI/180;function Vi({allowed:i,degrees:e}){if(!i)return;let t=e?1/Xt:1;return{least:i.least*t,most:i.most*t,also:i.also.map(s=>s==="inf"?1/0:Number(s))}}
+var Qt=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
 range=h("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
-slid(!1),onchange:()=>this.slid(!0),onpointerdown:o(!0),onpointerup:o(!1),onpointercancel:o(!1),onblur:o(!1)});let{label:a,unit:n}=e,r=`${a}, exact value${n?` i\
-n ${n}`:""}`;this.entry=new be({label:a,unit:n,name:r,range:Mi(e)},l=>this.send(l,!0)),this.element=h("div",{class:"control",title:e.help},h("label",{for:s},h("\
-span",{},a),h("span",{class:"symbol"},e.symbol)),this.range,h("span",{class:"entry"},this.entry.input,h("span",{class:"unit"},n)),this.entry.error)}low(){return this.
+slid(!1),onchange:()=>this.slid(!0),onpointerdown:o(!0),onpointerup:o(!1),onpointercancel:o(!1),onblur:o(!1)});let{label:n,unit:a}=e,r=`${n}, exact value${a?` i\
+n ${a}`:""}`;this.entry=new ve({label:n,unit:a,name:r,range:Vi(e)},l=>this.send(l,!0)),this.element=h("div",{class:"control",title:e.help},h("label",{for:s},h("\
+span",{},n),h("span",{class:"symbol"},e.symbol)),this.range,h("span",{class:"entry"},this.entry.input,h("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
-let s=this.info.degrees?e*Ht:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",I(x(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let s=e!=null,o=s?e:t;if(o==null){this.entry.show("");return}let a=o==="inf"?1/0:Number(o)/(this.info.degrees?Ht:1);this.
-entry.show(s?Number.isFinite(a)?String(Number(a.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":v("auto {value}",{value:x(a,2)}),this.entry.input.title=
-s?I(String(a),this.info.unit):"";let n=y(this.info.logarithmic?Math.log10(a):a,this.low(),this.high());Math.abs(Number(this.range.value)-n)>1e-6&&(this.range.value=
-String(n)),this.say(a)}};function zi(i,e){let t=h("select",{"data-path":i.path,onchange:()=>e([[i.path,t.value]],!0)},i.options.map(([o,a])=>h("option",{value:o},
-a)));return{element:h("label",{class:"choice",title:i.help},h("span",{},i.label),t),select:t,path:i.path}}var Qe=class{way;kind;gravity;apart;derived;film;constructor(e,t){
-this.onchange=(s,o=!0)=>t(s,o),this.sliders=new Map;for(let s of Object.values(e.groups))for(let o of s)this.sliders.set(o.path,new Ot(o,this.onchange));this.choices=
-new Map(e.choices.map(s=>[s.path,zi(s,this.onchange)])),this.parts=new Xe(this.onchange),this.gravities=e.gravities,this.element=h("div",{class:"controls"},this.
+let s=this.info.degrees?e*Xt:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",_(T(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let s=e!=null,o=s?e:t;if(o==null){this.entry.show("");return}let n=o==="inf"?1/0:Number(o)/(this.info.degrees?Xt:1);this.
+entry.show(s?Number.isFinite(n)?String(Number(n.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":k("auto {value}",{value:T(n,2)}),this.entry.input.title=
+s?_(String(n),this.info.unit):"";let a=y(this.info.logarithmic?Math.log10(n):n,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(n)}};function Yi(i,e){let t=h("select",{"data-path":i.path,onchange:()=>e([[i.path,t.value]],!0)},i.options.map(([o,n])=>h("option",{value:o},
+n)));return{element:h("label",{class:"choice",title:i.help},h("span",{},i.label),t),select:t,path:i.path}}var nt=class{way;kind;gravity;apart;derived;film;constructor(e,t){
+this.onchange=(s,o=!0)=>t(s,o),this.sliders=new Map;for(let s of Object.values(e.groups))for(let o of s)this.sliders.set(o.path,new Qt(o,this.onchange));this.choices=
+new Map(e.choices.map(s=>[s.path,Yi(s,this.onchange)])),this.parts=new it(this.onchange),this.gravities=e.gravities,this.element=h("div",{class:"controls"},this.
 hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
-element}select(e,t,s){let o=h("select",{onchange:()=>s(o.value)},t.map(([a,n])=>h("option",{value:a},n)));return{select:o,element:h("label",{class:"choice"},h("\
+element}select(e,t,s){let o=h("select",{onchange:()=>s(o.value)},t.map(([n,a])=>h("option",{value:n},a)));return{select:o,element:h("label",{class:"choice"},h("\
 span",{},e),o)}}group(e,...t){let s=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return h("details",{class:"group",open:s},h("summary",{},
 e),t)}hoop(){return this.way=this.select("Given by",[["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.
-film;e==="parts"?this.onchange([["hoop.parts",_s(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=h("p",{class:"derived"}),this.group(
+film;e==="parts"?this.onchange([["hoop.parts",no(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=h("p",{class:"derived"}),this.group(
 "Hoop",this.way.element,this.at("hoop.load_fraction"),this.at("hoop.eccentricity"),this.at("hoop.inertia_ratio"),this.parts.element,this.derived,this.at("hoop.r\
 adius"),this.at("hoop.mass"))}plane(){return this.apart=h("input",{type:"checkbox",onchange:()=>{let{values:e}=this.film;this.apart.checked?this.onchange([["pla\
 ne.mu_static",e["plane.mu_static"]],["plane.mu_kinetic",e["plane.mu_kinetic"]]]):this.onchange([["plane.mu",e["plane.mu_static"]]])}}),this.gravity=this.select(
@@ -1197,279 +1182,279 @@ onchange([["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start
 "start.angle"),this.at("start.height"),this.at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",
 this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitut\
 ion"))}refuse(e,t){let s=e.length===1?this.sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){this.film&&this.showChoices(
-this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[o,a]of this.sliders){if(t.has(o))continue;let[n,r]=o.split(".");
-a.show(e.values[o]??(r?s[n]?.[r]:s[n]),e.automatic?.[o])}}showChoices(e,t){let{scenario:s,values:o}=e,a=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
-tion":"eccentricity",n="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...m)=>m.some(g=>t.has(g));c("hoop.load_fraction","hoop.ecce\
-ntricity","hoop.parts")||(this.way.select.value=a),c("start.speed","start.omega")||(this.kind.select.value=n?"rolling":"free"),c("plane.mu","plane.mu_static")||
+this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[o,n]of this.sliders){if(t.has(o))continue;let[a,r]=o.split(".");
+n.show(e.values[o]??(r?s[a]?.[r]:s[a]),e.automatic?.[o])}}showChoices(e,t){let{scenario:s,values:o}=e,n=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
+tion":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...m)=>m.some(w=>t.has(w));c("hoop.load_fraction","hoop.ecce\
+ntricity","hoop.parts")||(this.way.select.value=n),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu","plane.mu_static")||
 (this.apart.checked=r);let d=this.gravities.find(([,m])=>Math.abs(m-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=d?d[0]:"");let u={"hoo\
-p.load_fraction":a==="load_fraction","hoop.eccentricity":a==="eccentricity","hoop.inertia_ratio":a==="eccentricity","hoop.mass":a!=="parts","plane.mu":!r,"plane\
-.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":n,"start.height":!n,"start.vx":!n,"start.vy":!n,
-"start.omega":!n,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[m,g]of Object.entries(u))this.
-at(m).hidden=!g;this.parts.element.hidden=a!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=a==="\
-eccentricity"?"":`ε = ${x(o["hoop.eccentricity"],5)}, κ = ${x(o["hoop.inertia_ratio"],5)}`+(a==="parts"?`, m = ${x(o["hoop.mass"],5)} kg`:"");let p=s;for(let[
-m,{select:g}]of this.choices){if(t.has(m))continue;let[b,w]=m.split(".");p[b]?.[w]!==void 0&&(g.value=p[b][w])}}};var $t=Math.PI/180;function Hs(i,e){let{start:t,plane:s,contact:o,hoop:a}=i.scenario;return o.model!=="rigid"?"Rigid contact only.":i.slope!==0?"The plane must \
-be level.":Math.abs(i.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":i.radius!==1||a.parts?"The radius must stay 1 m,\
- without parts.":i.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in a?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":i.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Os=i=>i.events.filter(
-({kind:e})=>e==="takeoff");function Ei(i){return i.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var $s=(i,e)=>Math.min(Math.round(100*i/e),100),Ai=1.596,
-Pi=.37,Ri=.05,Ut=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:i=>{let e=Hs(i,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...Ei(i));return t?{points:$s(t,Ai),text:"It rises by {height}.",values:{height:ie(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+p.load_fraction":n==="load_fraction","hoop.eccentricity":n==="eccentricity","hoop.inertia_ratio":n==="eccentricity","hoop.mass":n!=="parts","plane.mu":!r,"plane\
+.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,
+"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[m,w]of Object.entries(u))this.
+at(m).hidden=!w;this.parts.element.hidden=n!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=n==="\
+eccentricity"?"":`ε = ${T(o["hoop.eccentricity"],5)}, κ = ${T(o["hoop.inertia_ratio"],5)}`+(n==="parts"?`, m = ${T(o["hoop.mass"],5)} kg`:"");let p=s;for(let[
+m,{select:w}]of this.choices){if(t.has(m))continue;let[b,g]=m.split(".");p[b]?.[g]!==void 0&&(w.value=p[b][g])}}};var es=Math.PI/180;function ao(i,e){let{start:t,plane:s,contact:o,hoop:n}=i.scenario;return o.model!=="rigid"?"Rigid contact only.":i.slope!==0?"The plane must \
+be level.":Math.abs(i.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":i.radius!==1||n.parts?"The radius must stay 1 m,\
+ without parts.":i.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in n?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
+m/s.":"At most 3.1 m/s.":i.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var ro=i=>i.events.filter(
+({kind:e})=>e==="takeoff");function Ji(i){return i.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var lo=(i,e)=>Math.min(Math.round(100*i/e),100),Zi=1.596,
+Xi=.37,Qi=.05,ts=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:i=>{let e=ao(i,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...Ji(i));return t?{points:lo(t,Zi),text:"It rises by {height}.",values:{height:re(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:i=>{let e=Os(i)[0],t=i.events.find(({kind:n,t:r})=>n==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let s=i.events.find(({kind:n,t:r})=>n==="apex"&&r>e.t);if(!s||s.height<Ri)return{points:0,text:"The first hop is too low."};let o=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/$t,a=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(a,100),text:"It lands {off} away \
-from the top.",values:{off:P(o*$t)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:i=>{let e=ro(i)[0],t=i.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let s=i.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Qi)return{points:0,text:"The first hop is too low."};let o=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/es,n=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(n,100),text:"It lands {off} away \
+from the top.",values:{off:P(o*es)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:i=>{let e=Hs(i,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(i.scenario.start.angle??0)-Math.PI)>.5*$t)return{points:0,text:"The load must start at the bottom."};if(i.values["plane.mu_kinetic"]>1.5||i.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Os(i)[0];if(!t)return{points:0,text:"It does not hop."};let s=i.phases.filter(
-({from:a})=>a<t.t);if(s.some(({mode:a})=>a==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let o=i.events.find(({kind:a,t:n})=>a==="apex"&&n>t.t);return o?{points:$s(o.height,Pi),text:"It rises by {height}.",values:{height:ie(o.height)}}:{points:0,
-text:"It does not hop."}}}],Kt=i=>i>=95?3:i>=75?2:i>=40?1:0;var Us="hophoop-best-",Li=i=>"★".repeat(Kt(i))+"☆".repeat(3-Kt(i)),et=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(Ut.map(t=>[t.key,h("button",
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:i=>{let e=ao(i,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(i.scenario.start.angle??0)-Math.PI)>.5*es)return{points:0,text:"The load must start at the bottom."};if(i.values["plane.mu_kinetic"]>1.5||i.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=ro(i)[0];if(!t)return{points:0,text:"It does not hop."};let s=i.phases.filter(
+({from:n})=>n<t.t);if(s.some(({mode:n})=>n==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
+ng."};let o=i.events.find(({kind:n,t:a})=>n==="apex"&&a>t.t);return o?{points:lo(o.height,Xi),text:"It rises by {height}.",values:{height:re(o.height)}}:{points:0,
+text:"It does not hop."}}}],ss=i=>i>=95?3:i>=75?2:i>=40?1:0;var ho="hophoop-best-",en=i=>"★".repeat(ss(i))+"☆".repeat(3-ss(i)),at=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(ts.map(t=>[t.key,h("button",
 {type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=h("p",{}),this.meter=h("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
 100","aria-label":"Score"}),this.result=h("p",{class:"challenge-result",role:"status"}),this.kept=h("p",{class:"hint"}),this.element=h("section",{class:"challen\
 ges card","aria-label":"Challenges",hidden:!0},h("header",{},h("h2",{},"Challenges"),h("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
 onclick:()=>this.close()},"×")),h("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
 kept,h("div",{class:"buttons"},h("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),h("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Ut[0]),this.element.scrollIntoView({block:"nearest"}),
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??ts[0]),this.element.scrollIntoView({block:"nearest"}),
 this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,s]of this.tabs)s.setAttribute(
-"aria-pressed",String(t===e.key));S(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
-!1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:o,values:a={}}=e.score(t.film());
-this.meter.value=s;let n=v("{stars} {points} points. {what}",{stars:Li(s),points:s,what:v(o,a)});this.result.textContent!==n&&(this.result.textContent=n);let r=Number(
-K(Us+e.key)??0);s>r&&!t.stage.options.ahead&&G(Us+e.key,String(s)),S(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var Ks=.09,Ii=.03,Gt=Math.PI/180,tt=Math.PI/4,Gs=2*Math.PI,Ce=i=>i-Gs*Math.round(i/Gs);function st(i,e){let t=i.at(e),s=e===0;return{angle:Ce(t.angle),height:Math.
-max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:i.slope}}var Vs=i=>2*Math.sqrt(Math.max(i.gravity,1)*i.radius),ae=i=>Number(i.toFixed(4))+0;function Ys(i,e,t){
-if(i==="plane")return[["plane.slope",ae(e.slope)]];if(e.height>0)return[["start.angle",ae(e.angle)],["start.height",ae(e.height)],["start.vx",ae(e.vx)],["start.\
-vy",ae(e.vy)],["start.omega",ae(e.omega)]];let s=i==="load"?e.omega*t.radius:e.vx;return[["start.angle",ae(e.angle)],["start.speed",ae(s)]]}var We=class{constructor(e,t,s,o,a){
-this.grip=e,this.film=t,this.view=o,this.before=st(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let n=t.at(s);this.center=[n.x,t.radius+n.height],this.foot=
-o.point(n.x,0),this.from=this.read(a),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),o=this.grip==="plane"?Math.
+"aria-pressed",String(t===e.key));M(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
+!1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:o,values:n={}}=e.score(t.film());
+this.meter.value=s;let a=k("{stars} {points} points. {what}",{stars:en(s),points:s,what:k(o,n)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
+V(ho+e.key)??0);s>r&&!t.stage.options.ahead&&Y(ho+e.key,String(s)),M(this.kept,k("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var co=.09,tn=.03,os=Math.PI/180,rt=Math.PI/4,uo=2*Math.PI,De=i=>i-uo*Math.round(i/uo);function lt(i,e){let t=i.at(e),s=e===0;return{angle:De(t.angle),height:Math.
+max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:i.slope}}var po=i=>2*Math.sqrt(Math.max(i.gravity,1)*i.radius),le=i=>Number(i.toFixed(4))+0;function mo(i,e,t){
+if(i==="plane")return[["plane.slope",le(e.slope)]];if(e.height>0)return[["start.angle",le(e.angle)],["start.height",le(e.height)],["start.vx",le(e.vx)],["start.\
+vy",le(e.vy)],["start.omega",le(e.omega)]];let s=i==="load"?e.omega*t.radius:e.vx;return[["start.angle",le(e.angle)],["start.speed",le(s)]]}var Fe=class{constructor(e,t,s,o,n){
+this.grip=e,this.film=t,this.view=o,this.before=lt(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.center=[a.x,t.radius+a.height],this.foot=
+o.point(a.x,0),this.from=this.read(n),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),o=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:o}}move(e,t){
-let s=this.read(e),{radius:o}=this.film;if(this.turned+=Ce(s.turn-this.from.turn-this.turned),this.grip==="plane"){let a=y(this.before.slope+this.turned,-tt,tt);
-this.held.slope=Math.abs(a)<Gt?0:a}else if(this.grip==="load")this.held.angle=Ce(this.before.angle+this.turned);else{let a=this.before.height+s.away-this.from.away;
-this.held.height=a<Ii*o?0:a;let n=s.along-this.from.along;this.held.angle=Ce(this.before.angle+(this.held.height>0?0:n/o)),this.moved=s.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Ks;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:s,film:o}=this,a=s.at(-1),n=s[0],r=a&&n?a.t-n.t:0,l=!a||r<.012||e/1e3-a.t>Ks,c=Vs(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=y((a.turned-
-n.turned)/r,-c/o.radius,c/o.radius):(t.vx=y((a.along-n.along)/r,-c,c),t.vy=t.height>0?y((a.away-n.away)/r,-c,c):0)),t}};function Js(i,e,t,s,o){let a={ArrowLeft:-1,
-ArrowRight:1}[e]??0,n={ArrowDown:-1,ArrowUp:1}[e]??0;if(!a&&!n)return null;let r=t?.2:1;if(i==="load"){let u=Ce(s.angle+(a||n)*5*Gt*r);return{...s,angle:u}}if(i===
-"plane"){let u=y(s.slope+(a||-n)*Gt*r,-tt,tt);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=Vs(o),c=y(s.height+n*.05*r*o.radius,0,4*o.radius),d=y(s.vx+a*.1*r,-l,
-l);return{...s,height:c<1e-9?0:c,vx:d}}function C(i,e,t,s=()=>{}){let o=new AbortController,{signal:a}=o,n=(l,c)=>i.addEventListener(l,d=>d.pointerId===e.pointerId&&c(d),{signal:a}),r=l=>c=>{o.abort(),
-s(c,l)};i.setPointerCapture(e.pointerId),n("pointermove",t),n("pointerup",r(!0)),n("pointercancel",r(!1))}function Zs(i,e){let t=new Map,s=null,o=()=>{let[n,r]=[
-...t.values()];return{span:Math.max(Math.hypot(n.clientX-r.clientX,n.clientY-r.clientY),1),clientX:.5*(n.clientX+r.clientX),clientY:.5*(n.clientY+r.clientY)}};i.
-addEventListener("pointerdown",n=>{n.pointerType!=="mouse"&&(t.set(n.pointerId,n),s=t.size===2?o():null)}),i.addEventListener("pointermove",n=>{if(!t.has(n.pointerId)||
-(t.set(n.pointerId,n),t.size!==2||!s))return;let r=o();e(r.span/s.span,r),s=r});for(let n of["pointerup","pointercancel"])i.addEventListener(n,r=>{t.delete(r.pointerId),
-s=null});let a=n=>n.touches.length>1&&n.cancelable&&n.preventDefault();return i.addEventListener("touchmove",a,{passive:!1}),()=>t.size>1}var Ci=700,Vt=44,Wi=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],ot=class{static Pull=We;pull=null;held=null;before=null;constructor(e){this.
-lab=e,this.places=new Map(Wi.map(([a,n,r])=>[a,this.place(a,n,r)])),this.tip=h("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=h("div",
+let s=this.read(e),{radius:o}=this.film;if(this.turned+=De(s.turn-this.from.turn-this.turned),this.grip==="plane"){let n=y(this.before.slope+this.turned,-rt,rt);
+this.held.slope=Math.abs(n)<os?0:n}else if(this.grip==="load")this.held.angle=De(this.before.angle+this.turned);else{let n=this.before.height+s.away-this.from.away;
+this.held.height=n<tn*o?0:n;let a=s.along-this.from.along;this.held.angle=De(this.before.angle+(this.held.height>0?0:a/o)),this.moved=s.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-co;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:s,film:o}=this,n=s.at(-1),a=s[0],r=n&&a?n.t-a.t:0,l=!n||r<.012||e/1e3-n.t>co,c=po(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=y((n.turned-
+a.turned)/r,-c/o.radius,c/o.radius):(t.vx=y((n.along-a.along)/r,-c,c),t.vy=t.height>0?y((n.away-a.away)/r,-c,c):0)),t}};function fo(i,e,t,s,o){let n={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!n&&!a)return null;let r=t?.2:1;if(i==="load"){let u=De(s.angle+(n||a)*5*os*r);return{...s,angle:u}}if(i===
+"plane"){let u=y(s.slope+(n||-a)*os*r,-rt,rt);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=po(o),c=y(s.height+a*.05*r*o.radius,0,4*o.radius),d=y(s.vx+n*.1*r,-l,
+l);return{...s,height:c<1e-9?0:c,vx:d}}function C(i,e,t,s=()=>{}){let o=new AbortController,{signal:n}=o,a=(l,c)=>i.addEventListener(l,d=>d.pointerId===e.pointerId&&c(d),{signal:n}),r=l=>c=>{o.abort(),
+s(c,l)};i.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function go(i,e){let t=new Map,s=null,o=()=>{let[a,r]=[
+...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};i.
+addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?o():null)}),i.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
+(t.set(a.pointerId,a),t.size!==2||!s))return;let r=o();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])i.addEventListener(a,r=>{t.delete(r.pointerId),
+s=null});let n=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return i.addEventListener("touchmove",n,{passive:!1}),()=>t.size>1}var sn=700,is=44,on=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],ht=class{static Pull=Fe;pull=null;held=null;before=null;constructor(e){this.
+lab=e,this.places=new Map(on.map(([n,a,r])=>[n,this.place(n,a,r)])),this.tip=h("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=h("div",
 {class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:s}=e.
-stage;t.grab=a=>this.take(a),s.addEventListener("pointermove",a=>this.hover(a)),s.addEventListener("pointerleave",()=>this.hover(null));let o=a=>this.pull&&a.cancelable&&
-a.preventDefault();s.addEventListener("touchmove",o,{passive:!1}),this.settle=V(()=>this.chosen(!1),Ci)}place(e,t,s){return h("div",{class:`grip grip-${e}`,role:"\
+stage;t.grab=n=>this.take(n),s.addEventListener("pointermove",n=>this.hover(n)),s.addEventListener("pointerleave",()=>this.hover(null));let o=n=>this.pull&&n.cancelable&&
+n.preventDefault();s.addEventListener("touchmove",o,{passive:!1}),this.settle=J(()=>this.chosen(!1),sn)}place(e,t,s){return h("div",{class:`grip grip-${e}`,role:"\
 slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:o=>this.key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.
-toggle("running",e.clock.playing);let{pose:o,film:a,scale:n}=t,r=a.radius,l=t.point(o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),
-d=this.onPlane(t),u=y(1.1*r*n,Vt,190),p=[["plane",d,Vt],["hoop",l,u],["load",c,Vt]];for(let[m,[g,b],w]of p){let f=this.places.get(m);f.style.transform=`translat\
-e(${g-w/2}px, ${t.top+b-w/2}px)`,f.style.width=f.style.height=`${w}px`,f.hidden=g<0||b<0||g>t.width||b>t.height}e.clock.playing||this.tell(a)}onPlane(e){let t=e.
+toggle("running",e.clock.playing);let{pose:o,film:n,scale:a}=t,r=n.radius,l=t.point(o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),
+d=this.onPlane(t),u=y(1.1*r*a,is,190),p=[["plane",d,is],["hoop",l,u],["load",c,is]];for(let[m,[w,b],g]of p){let f=this.places.get(m);f.style.transform=`translat\
+e(${w-g/2}px, ${t.top+b-g/2}px)`,f.style.width=f.style.height=`${g}px`,f.hidden=w<0||b<0||w>t.width||b>t.height}e.clock.playing||this.tell(n)}onPlane(e){let t=e.
 point(e.pose.x,0),o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){
-let t=this.pull?.held??this.held??st(e,this.lab.clock.time),s={load:P(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:ie(t.height),speed:x(t.vx,3)}),plane:P(
-t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},a={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[n,r]of this.places)
-r.getAttribute("aria-valuetext")!==s[n]&&(r.setAttribute("aria-valuetext",s[n]),r.setAttribute("aria-valuenow",String(Number(o[n].toPrecision(4)))),r.setAttribute(
-"aria-valuemin",String(a[n][0])),r.setAttribute("aria-valuemax",String(Number(a[n][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
-for(let[s,o]of this.places){let{left:a,top:n,width:r}=o.getBoundingClientRect(),l=Math.hypot(e.clientX-a-r/2,e.clientY-n-r/2);!o.hidden&&l<=r/2&&(t=s)}return t}hover(e){
+let t=this.pull?.held??this.held??lt(e,this.lab.clock.time),s={load:P(t.angle),hoop:k("gap {height}, speed {speed} m/s",{height:re(t.height),speed:T(t.vx,3)}),plane:P(
+t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},n={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
+r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(o[a].toPrecision(4)))),r.setAttribute(
+"aria-valuemin",String(n[a][0])),r.setAttribute("aria-valuemax",String(Number(n[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
+for(let[s,o]of this.places){let{left:n,top:a,width:r}=o.getBoundingClientRect(),l=Math.hypot(e.clientX-n-r/2,e.clientY-a-r/2);!o.hidden&&l<=r/2&&(t=s)}return t}hover(e){
 if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,o]of this.places)o.classList.toggle("near",s===t);this.lab.stage.plane.style.cursor=
-t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:o,plane:a}=s.stage,n=this.places.get(t),r=this.view(),l=a.getBoundingClientRect(),
-c=f=>({clientX:f.clientX-l.left,clientY:f.clientY-l.top-r.top}),d=new We(t,s.film(),s.clock.time,r,c(e)),u=[...o.shift],[p,m]=[!1,!1];this.pull=d,n.classList.add(
-"held");let g=()=>{m=!0,b.abort(),n.classList.remove("held"),o.fixed=null,this.pull=null,p&&this.comeBack(u)},b=new AbortController,w=f=>{f.key==="Escape"&&(f.stopPropagation(),
-g(),p&&this.back())};return addEventListener("keydown",w,{capture:!0,signal:b.signal}),C(a,e,f=>{if(!m){if(o.pinched()){g(),p&&this.back();return}!p&&Math.hypot(
+t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:o,plane:n}=s.stage,a=this.places.get(t),r=this.view(),l=n.getBoundingClientRect(),
+c=f=>({clientX:f.clientX-l.left,clientY:f.clientY-l.top-r.top}),d=new Fe(t,s.film(),s.clock.time,r,c(e)),u=[...o.shift],[p,m]=[!1,!1];this.pull=d,a.classList.add(
+"held");let w=()=>{m=!0,b.abort(),a.classList.remove("held"),o.fixed=null,this.pull=null,p&&this.comeBack(u)},b=new AbortController,g=f=>{f.key==="Escape"&&(f.stopPropagation(),
+w(),p&&this.back())};return addEventListener("keydown",g,{capture:!0,signal:b.signal}),C(n,e,f=>{if(!m){if(o.pinched()){w(),p&&this.back();return}!p&&Math.hypot(
 f.clientX-e.clientX,f.clientY-e.clientY)<3||(p||(o.fixed=r.scale,this.hold(),this.begin()),p=!0,d.move(c(f),f.timeStamp),o.shift=[u[0]+d.moved,u[1]],this.change(
-t,d.held,!1),this.show(t,d.held))}},(f,k)=>{m||(g(),p&&(k?(this.change(t,d.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
-t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=st(s.film(),s.clock.time);let o=Js(
+t,d.held,!1),this.show(t,d.held))}},(f,x)=>{m||(w(),p&&(x?(this.change(t,d.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
+t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=lt(s.film(),s.clock.time);let o=fo(
 e,t.key,t.shiftKey,this.held,s.film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,
 o),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
-ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(Ys(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${P(t.angle)}`,
-hoop:t.height>0?`y = ${ie(t.height)}`:`θ = ${P(t.angle)}`,plane:`β = ${P(t.slope)}`};S(this.tip,t.vx&&this.held?`${s[e]}, v = ${x(t.vx,3)} m/s`:s[e]),this.tip.
+ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(mo(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${P(t.angle)}`,
+hoop:t.height>0?`y = ${re(t.height)}`:`θ = ${P(t.angle)}`,plane:`β = ${P(t.slope)}`};M(this.tip,t.vx&&this.held?`${s[e]}, v = ${T(t.vx,3)} m/s`:s[e]),this.tip.
 hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=
 !0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.
 request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let s=e.motions.lanes[e.motions.active];for(s.pending=null;s.busy;)await new Promise(
 o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){let{flat:t}=this.lab.stage,s=matchMedia(
-"(prefers-reduced-motion: reduce)").matches,o=()=>{if(this.pull)return;let a=t.shift[0]-e[0];t.shift=Math.abs(a)<1||s?[...e]:[e[0]+.82*a,e[1]],this.lab.request(),
-t.shift[0]!==e[0]&&requestAnimationFrame(o)};o()}};var qi={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+"(prefers-reduced-motion: reduce)").matches,o=()=>{if(this.pull)return;let n=t.shift[0]-e[0];t.shift=Math.abs(n)<1||s?[...e]:[e[0]+.82*n,e[1]],this.lab.request(),
+t.shift[0]!==e[0]&&requestAnimationFrame(o)};o()}};var nn={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
-v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function W(i){let e="\
+v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function N(i){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",qi[i]),t.append(s),t}var it=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",nn[i]),t.append(s),t}var ct=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Xs=.22,Qs=.03;function eo(i,e){let t=i.at(e),s=i.mass*(i.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,a=o/(1+o),n=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((i.gravity||9.81)*i.radius);return{tone:a,pitch:55*(1+Math.min(o,8))**.5,hiss:n?a*y(.15+r,0,1):0}}function to(i,e,t){let s=Math.
-sqrt(2*(i.gravity||9.81)*i.radius);return i.events.filter(({kind:o,t:a,before:n})=>o==="impact"&&n&&a>e&&a<=t).map(({before:o})=>y(Math.abs(o.vy)/s,.02,1))}function Di(i){
-let e=i.createBuffer(1,i.sampleRate,i.sampleRate),t=e.getChannelData(0),s=1;for(let o=0;o<t.length;o++)s=s*16807%2147483647,t[o]=2*s/2147483647-1;return e}var at=class{static heard=eo;static knocks=to;context=null;on=!1;last=0;start(){
-let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=Di(e),s.loop=!0;let o=e.createBiquadFilter();o.type="bandp\
-ass",o.frequency.value=1800,o.Q.value=.6;let[a,n]=[e.createGain(),e.createGain()];a.gain.value=n.gain.value=0,t.connect(a).connect(e.destination),s.connect(o).connect(
-n).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(this,{tone:t,low:a,high:n})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
-resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:s}=this[e];s.setTargetAtTime(Xs*t,this.context.currentTime,Qs)}follow(e,t){if(!this.
-on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:s,pitch:o,hiss:a}=eo(e,t.time);if(this.set("low",s),
-this.set("high",.6*a),this.tone.frequency.setTargetAtTime(o,this.context.currentTime,Qs),t.time>this.last)for(let n of to(e,this.last,t.time))this.knock(n);this.
-last=t.time}knock(e){let t=this.context,s=t.currentTime,o=t.createGain();o.gain.setValueAtTime(2.2*Xs*Math.sqrt(e),s),o.gain.exponentialRampToValueAtTime(1e-4,s+
-.18);let a=t.createOscillator();a.frequency.setValueAtTime(190,s),a.frequency.exponentialRampToValueAtTime(60,s+.15),a.connect(o).connect(t.destination),a.start(
-s),a.stop(s+.2)}close(){this.context?.close()}};var Yt=Math.PI/180,F=i=>e=>e.columns[i],qe=(i,e)=>t=>t.derived(i,s=>Float64Array.from(t.t,(o,a)=>e(s,a,t))),q={time:{name:"time",symbol:"t",unit:"s",values:i=>i.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:qe("degrees",({angle:i},e)=>i[e]/Yt)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:qe(
-"within",({angle:i},e)=>{let t=s=>Math.floor(i[s]/Yt/360);return e>0&&t(e)!==t(e-1)?Number.NaN:i[e]/Yt-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:F("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:F("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:qe(
-"rise",({height:i,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+i[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:F("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:qe("spin",({omega:i},e,t)=>i[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:F(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:F("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:F("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:F("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:F("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:F("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:F("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:F("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:qe("total",({kinetic:i,potential:e},t)=>i[t]+
-e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:F("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:F("normal_loss")}},so=({name:i,symbol:e})=>[i," ",e];var Ni=["time","angle","x","vx","spin","normal_force","friction_force"],Fi=[1,.5,.2,.1,.05,.02,.01],Jt=601;function oo(i,e,t){let s=Math.min(Math.floor(i.duration/
-t+1e-9)+1,Jt),o=[];for(let a=0;a<s;a++){let n=Number((a*t).toPrecision(12));o.push({time:n,mode:i.at(n).mode,values:e.map(r=>Bi(i,r,n))})}return o}function Bi(i,e,t){
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var wo=.22,bo=.03;function yo(i,e){let t=i.at(e),s=i.mass*(i.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,n=o/(1+o),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((i.gravity||9.81)*i.radius);return{tone:n,pitch:55*(1+Math.min(o,8))**.5,hiss:a?n*y(.15+r,0,1):0}}function vo(i,e,t){let s=Math.
+sqrt(2*(i.gravity||9.81)*i.radius);return i.events.filter(({kind:o,t:n,before:a})=>o==="impact"&&a&&n>e&&n<=t).map(({before:o})=>y(Math.abs(o.vy)/s,.02,1))}function an(i){
+let e=i.createBuffer(1,i.sampleRate,i.sampleRate),t=e.getChannelData(0),s=1;for(let o=0;o<t.length;o++)s=s*16807%2147483647,t[o]=2*s/2147483647-1;return e}var dt=class{static heard=yo;static knocks=vo;context=null;on=!1;last=0;start(){
+let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=an(e),s.loop=!0;let o=e.createBiquadFilter();o.type="bandp\
+ass",o.frequency.value=1800,o.Q.value=.6;let[n,a]=[e.createGain(),e.createGain()];n.gain.value=a.gain.value=0,t.connect(n).connect(e.destination),s.connect(o).connect(
+a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(this,{tone:t,low:n,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
+resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:s}=this[e];s.setTargetAtTime(wo*t,this.context.currentTime,bo)}follow(e,t){if(!this.
+on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:s,pitch:o,hiss:n}=yo(e,t.time);if(this.set("low",s),
+this.set("high",.6*n),this.tone.frequency.setTargetAtTime(o,this.context.currentTime,bo),t.time>this.last)for(let a of vo(e,this.last,t.time))this.knock(a);this.
+last=t.time}knock(e){let t=this.context,s=t.currentTime,o=t.createGain();o.gain.setValueAtTime(2.2*wo*Math.sqrt(e),s),o.gain.exponentialRampToValueAtTime(1e-4,s+
+.18);let n=t.createOscillator();n.frequency.setValueAtTime(190,s),n.frequency.exponentialRampToValueAtTime(60,s+.15),n.connect(o).connect(t.destination),n.start(
+s),n.stop(s+.2)}close(){this.context?.close()}};var ns=Math.PI/180,j=i=>e=>e.columns[i],je=(i,e)=>t=>t.derived(i,s=>Float64Array.from(t.t,(o,n)=>e(s,n,t))),W={time:{name:"time",symbol:"t",unit:"s",values:i=>i.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:je("degrees",({angle:i},e)=>i[e]/ns)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:je(
+"within",({angle:i},e)=>{let t=s=>Math.floor(i[s]/ns/360);return e>0&&t(e)!==t(e-1)?Number.NaN:i[e]/ns-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+m",values:j("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:j("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:je(
+"rise",({height:i,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+i[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:j("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:je("spin",({omega:i},e,t)=>i[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:j(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:j("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:j("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:j("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:j("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:j("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:j("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:j("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:je("total",({kinetic:i,potential:e},t)=>i[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:j("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:j("normal_loss")}},ko=({name:i,symbol:e})=>[i," ",e];var rn=["time","angle","x","vx","spin","normal_force","friction_force"],ln=[1,.5,.2,.1,.05,.02,.01],as=601;function xo(i,e,t){let s=Math.min(Math.floor(i.duration/
+t+1e-9)+1,as),o=[];for(let n=0;n<s;n++){let a=Number((n*t).toPrecision(12));o.push({time:a,mode:i.at(a).mode,values:e.map(r=>hn(i,r,a))})}return o}function hn(i,e,t){
 if(e==="time")return t;let s=i.at(t);if(e in s&&e!=="angle")return s[e];let o=s.angle*180/Math.PI;if(e==="angle")return o;if(e==="turns")return o-360*Math.floor(
-o/360);let a=q[e].values(i),n=i.index(t),r=Math.min(n+1,i.length-1),l=i.t[r]>i.t[n]?(t-i.t[n])/(i.t[r]-i.t[n]):0;return a[n]+l*(a[r]-a[n])}var nt=class{film;rows=[];now;constructor(e){
-this.lab=e,this.columns=[...Ni],this.step=h("select",{onchange:()=>this.fill()},Fi.map(t=>h("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
-h("div",{class:"table-picks"},Object.entries(q).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=h("caption",{}),this.head=h("thead",
+o/360);let n=W[e].values(i),a=i.index(t),r=Math.min(a+1,i.length-1),l=i.t[r]>i.t[a]?(t-i.t[a])/(i.t[r]-i.t[a]):0;return n[a]+l*(n[r]-n[a])}var ut=class{film;rows=[];now;constructor(e){
+this.lab=e,this.columns=[...rn],this.step=h("select",{onchange:()=>this.fill()},ln.map(t=>h("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
+h("div",{class:"table-picks"},Object.entries(W).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=h("caption",{}),this.head=h("thead",
 {}),this.body=h("tbody",{}),this.element=h("section",{class:"table","aria-label":"Table of the motion",hidden:!0},h("header",{},h("h2",{},"Table"),h("label",{class:"\
 table-step"},h("span",{},"Every"),this.step),h("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),h("button",{type:"button",onclick:()=>this.open(!1)},
 "Close")),h("details",{class:"table-columns"},h("summary",{},"Columns"),this.picks),h("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table\
  of the motion, rows"},h("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=h("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
-let o=new Set(this.columns);s.checked?o.add(e):o.delete(e),this.columns=Object.keys(q).filter(a=>o.has(a)),this.fill()}});return h("label",{},s,h("span",{},t))}open(e){
+let o=new Set(this.columns);s.checked?o.add(e):o.delete(e),this.columns=Object.keys(W).filter(n=>o.has(n)),this.fill()}});return h("label",{},s,h("span",{},t))}open(e){
 this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.
-element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),o=this.lab.theme.colors.mode_names,a=t.map(c=>q[c]);this.head.
-replaceChildren(h("tr",{},a.map(({name:c,symbol:d,unit:u})=>h("th",{scope:"col",title:c},d,u&&h("small",{},` ${u}`))),h("th",{scope:"col"},"mode")));let n=oo(e,
-t,s);this.rows=n.map(({time:c,mode:d,values:u})=>({time:c,row:h("tr",{onclick:()=>this.lab.clock.seek(c)},u.map((p,m)=>m===0?h("th",{scope:"row"},x(p,4)):h("td",
-{},x(p,4))),h("td",{class:"table-mode"},o[d]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/s+1<=Jt+1e-6,l=v("The first {count}\
- rows.",{count:Jt});S(this.caption,r?e.summary:ee(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),o=this.lab.theme.colors.mode_names,n=t.map(c=>W[c]);this.head.
+replaceChildren(h("tr",{},n.map(({name:c,symbol:d,unit:u})=>h("th",{scope:"col",title:c},d,u&&h("small",{},` ${u}`))),h("th",{scope:"col"},"mode")));let a=xo(e,
+t,s);this.rows=a.map(({time:c,mode:d,values:u})=>({time:c,row:h("tr",{onclick:()=>this.lab.clock.seek(c)},u.map((p,m)=>m===0?h("th",{scope:"row"},T(p,4)):h("td",
+{},T(p,4))),h("td",{class:"table-mode"},o[d]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/s+1<=as+1e-6,l=k("The first {count}\
+ rows.",{count:as});M(this.caption,r?e.summary:se(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
-now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(a=>`${q[a].name} [${q[a].unit||"1"}]`),"mode"],o=oo(e,t,Number(this.step.value)).map(({mode:a,values:n})=>[
-...n,a].join(","));ge(new Blob([[s.join(","),...o,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var io="hoop.radius=0.4&duration=1.5&start.speed=",ji=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(n=>`${W[n].name} [${W[n].unit||"1"}]`),"mode"],o=xo(e,t,Number(this.step.value)).map(({mode:n,values:a})=>[
+...a,n].join(","));ye(new Blob([[s.join(","),...o,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var To="hoop.radius=0.4&duration=1.5&start.speed=",cn=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${io}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],_i=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${To}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],dn=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],Hi=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],un=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Oi=["1.0","1.3","1.6","1.9","2.2","2.3"],$i=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ao(i,e){
-let t=d=>{c.close(),i(d)},s=(d,u="Show")=>h("button",{type:"button",class:"link",onclick:()=>t(d)},u),o=$i(),a=o&&[["teach/index.html","Teaching with the hoop"],
-["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],n=h("table",{},h("caption",{},"A lesson of 45 mi\
-nutes"),h("thead",{},h("tr",{},["Minute","What happens","Motion"].map(d=>h("th",{scope:"col"},d)))),h("tbody",{},ji.map(([d,u,p])=>h("tr",{},h("th",{scope:"row"},
+rim slips. Why does slipping help it to hop?"],pn=["1.0","1.3","1.6","1.9","2.2","2.3"],mn=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function So(i,e){
+let t=d=>{c.close(),i(d)},s=(d,u="Show")=>h("button",{type:"button",class:"link",onclick:()=>t(d)},u),o=mn(),n=o&&[["teach/index.html","Teaching with the hoop"],
+["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=h("table",{},h("caption",{},"A lesson of 45 mi\
+nutes"),h("thead",{},h("tr",{},["Minute","What happens","Motion"].map(d=>h("th",{scope:"col"},d)))),h("tbody",{},cn.map(([d,u,p])=>h("tr",{},h("th",{scope:"row"},
 d),h("td",{},u),h("td",{},p===null?"":s(p)))))),r=h("table",{},h("caption",{},"What students often think"),h("thead",{},h("tr",{},["Idea","What is right"].map(d=>h(
-"th",{scope:"col"},d)))),h("tbody",{},_i.map(([d,u])=>h("tr",{},h("td",{},d),h("td",{},u))))),l=h("section",{class:"sheet"},h("h3",{},"Worksheet: the hoop that \
+"th",{scope:"col"},d)))),h("tbody",{},dn.map(([d,u])=>h("tr",{},h("td",{},d),h("td",{},u))))),l=h("section",{class:"sheet"},h("h3",{},"Worksheet: the hoop that \
 hops"),h("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),h("ol",{},Hi.map(d=>h("li",{},d,h("div",{class:"answer-line"})))),h("table",{class:"sheet-\
-table"},h("thead",{},h("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(d=>h("th",{scope:"col"},d)))),h("tbody",{},Oi.map(d=>h("tr",{},h("th",
-{scope:"row"},s(`${io}${Number(d)}`,d)),h("td",{}),h("td",{}),h("td",{})))))),c=h("dialog",{class:"teach","aria-label":"For teachers"},h("header",{},h("h2",{},"\
+e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),h("ol",{},un.map(d=>h("li",{},d,h("div",{class:"answer-line"})))),h("table",{class:"sheet-\
+table"},h("thead",{},h("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(d=>h("th",{scope:"col"},d)))),h("tbody",{},pn.map(d=>h("tr",{},h("th",
+{scope:"row"},s(`${To}${Number(d)}`,d)),h("td",{}),h("td",{}),h("td",{})))))),c=h("dialog",{class:"teach","aria-label":"For teachers"},h("header",{},h("h2",{},"\
 For teachers"),h("button",{type:"button",onclick:()=>print()},"Print"),h("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),h("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",h("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),a&&h("p",{},a.map(([d,u])=>h("a",{class:"teach-page",href:new URL(d,new URL(o,document.baseURI)).href},u))),n,r,l);return c}var Zt="RSKHM",Ui=new Set(["x","angle","height"]),Ki=1/60,no=8,Gi={x:"vx",angle:"omega",height:"vy"},ne=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+e()}},"Start the visit")),n&&h("p",{},n.map(([d,u])=>h("a",{class:"teach-page",href:new URL(d,new URL(o,document.baseURI)).href},u))),a,r,l);return c}var rs="RSKHM",fn=new Set(["x","angle","height"]),gn=1/60,Mo=8,wn={x:"vx",angle:"omega",height:"vy"},he=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
 this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.
 said=t.summary,this.story=t.story,this.shortened=t.shortened,this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.rad\
 ius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.
-gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.part=null}wanted(e,t=0){if(this.duration<Ki*this.length)return null;
-let s=y(e,0,this.duration),o=Math.min(s+t,this.duration);if(this.part&&s>=this.part.t[0]&&o<=this.part.t[this.part.length-1])return null;let a=Math.max(s-.25*no,
-0);return[a,Math.min(a+no+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){
-let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return Is(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.
-length;s++){let o=t.at(-1);o&&o.mode===Zt[e[s]]?o.to=this.t[s]:t.push({mode:Zt[e[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;
-return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:o,omega:a}=this.columns,n={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<
-this.length;l++){Number.isFinite(e[l])&&(n.left=Math.min(n.left,e[l]),n.right=Math.max(n.right,e[l])),t[l]>n.top&&(n.top=t[l]);let c=Math.hypot(s[l],o[l])+this.
-radius*Math.abs(a[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),n.speed=r[Math.floor(.95*(r.length-1))]||1,n}index(e){let t=0,s=this.length;for(;s-
+gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.part=null}wanted(e,t=0){if(this.duration<gn*this.length)return null;
+let s=y(e,0,this.duration),o=Math.min(s+t,this.duration);if(this.part&&s>=this.part.t[0]&&o<=this.part.t[this.part.length-1])return null;let n=Math.max(s-.25*Mo,
+0);return[n,Math.min(n+Mo+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){
+let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return Zs(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.
+length;s++){let o=t.at(-1);o&&o.mode===rs[e[s]]?o.to=this.t[s]:t.push({mode:rs[e[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;
+return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:o,omega:n}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<
+this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let c=Math.hypot(s[l],o[l])+this.
+radius*Math.abs(n[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,s=this.length;for(;s-
 t>1;){let o=t+s>>1;this.t[o]<=e?t=o:s=o}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.length}];let[t,s]=[e.t[0],e.t[e.length-1]],o=this.
-index(t);for(;o>0&&this.t[o]>=t;)o--;let a=this.t[o]>=t?0:o+1;return[{film:this,from:0,to:a},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.
-length}]}at(e){let t=y(e,0,this.duration),s=this.holding(t);if(s!==this)return s.at(t);let o=this.index(t),a=Math.min(o+1,this.length-1),n=this.t[a]-this.t[o],r=n>
-0?(t-this.t[o])/n:0,l={t,mode:Zt[this.columns.mode[o]]};for(let[c,d]of Object.entries(this.columns)){if(c==="t"||c==="mode")continue;let u=d[o],p=d[a];if(r===0||
-!Number.isFinite(p))l[c]=u;else if(Ui.has(c)){let m=this.columns[Gi[c]];l[c]=Vi(u,p,m[o]*n,m[a]*n,r)}else l[c]=u+(p-u)*r}return l}derived(e,t){let s=this.cache.
-get(e)??t(this.columns);return this.cache.set(e,s),s}};function Vi(i,e,t,s,o){if(!Number.isFinite(t)||!Number.isFinite(s))return i+(e-i)*o;let a=1-o;return a*a*
-(1+2*o)*i+o*o*(3-2*o)*e+o*a*(a*t-o*s)}var es=i=>i-360*Math.floor(i/360);function Yi(i,e){let t=Math.abs(es(i-e+180)-180);return Math.round(100*y(1-(t-1)/89,0,1))}function Ji(i,e){let t=Math.max(...e)-
-Math.min(...e,0),s=e.reduce((o,a,n)=>o+Math.abs(a-i[n]),0)/e.length;return Math.round(100*y(1-2*s/(t||1),0,1))}var Zi=0;function Fe(i,e,t=!1){let s=`hh-guess-${++Zi}`,
-o="",a=i.map(([n,r])=>{let l=h("input",{type:"radio",name:s,value:n,onchange:()=>{o=n,e()}});return{key:n,radio:l,row:h("label",{class:"guess-choice"},l,h("span",
-{},r))}});return{element:h("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},a.map(({row:n})=>n)),made:()=>o!=="",judge:n=>{for(let{key:r,radio:l,
-row:c}of a){l.disabled=!0;let d=t||r===n;d&&c.append(h("b",{class:"guess-right"},"✓")),c.classList.toggle("right",d)}return t||o===n?100:0}}}var se=168,Ne=58,
-Xt=(i,e=Ne)=>{let t=i*Math.PI/180;return[se/2+e*Math.sin(t),se/2-e*Math.cos(t)]};function ts(i,e){let t=0,s=!1,o=null,a=h("canvas",{class:"dial-canvas"}),n=h("d\
-iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":i,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},a),r=()=>{let{context:d}=L(a),u=getComputedStyle(
-n),p=u.getPropertyValue("--ink").trim(),m=u.getPropertyValue("--soft").trim(),g=u.getPropertyValue("--accent").trim();d.clearRect(0,0,se,se),d.strokeStyle=m,d.fillStyle=
-m,d.lineWidth=1.5,d.beginPath(),d.moveTo(8,se/2+Ne),d.lineTo(se-8,se/2+Ne),d.stroke(),d.lineWidth=4,d.beginPath(),d.arc(se/2,se/2,Ne,0,2*Math.PI),d.stroke(),d.font=
-"11px system-ui, sans-serif",d.textAlign="center";for(let w of[0,90,180,270]){let[f,k]=Xt(w,Ne-17);d.fillText(`${w}°`,f,k+4)}let b=(w,f,k)=>{d.fillStyle=f,d.beginPath(),
-d.arc(...Xt(w),k,0,2*Math.PI),d.fill()};o!==null&&(d.strokeStyle=p,d.lineWidth=2,d.beginPath(),d.arc(...Xt(o),12,0,2*Math.PI),d.stroke(),b(o,p,7)),b(t,s?g:m,9)},
-l=d=>{o===null&&(t=es(d),s=!0,n.setAttribute("aria-valuenow",String(Math.round(t))),n.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=d=>{let u=a.
-getBoundingClientRect(),[p,m]=[d.clientX-u.left-u.width/2,d.clientY-u.top-u.height/2];l(Math.atan2(p,-m)*180/Math.PI)};return n.addEventListener("pointerdown",d=>{
-d.preventDefault(),n.focus({preventScroll:!0}),c(d),C(n,d,c)}),n.addEventListener("keydown",d=>{let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
-PageUp:45}[d.key];u!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:n,redraw:r,made:()=>s,judge:d=>(o=
-es(d),r(),Yi(t,o))}}var De=9,[Y,rt,he,Qt]=[34,12,12,26];function ro({label:i,unit:e,most:t},s){let o=Array(De).fill(t/4),a=!1,n=null,r=h("canvas",{class:"sketch\
--canvas"}),l=o.map((f,k)=>h("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${i} with the load at ${45*k}°`,"aria-orientation":"vertical",
-"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:T=>{let M={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[T.key];M&&(T.preventDefault(),T.stopPropagation(),
-g(k,o[k]+M*t/(T.shiftKey?100:20)))}})),c=h("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),
-u=f=>Y+f/(De-1)*(d().width-Y-rt),p=f=>he+(1-f/t)*(d().height-he-Qt),m=()=>{let{context:f,width:k,height:T}=L(r),M=getComputedStyle(c),A=z=>M.getPropertyValue(z).
-trim();f.clearRect(0,0,k,T),f.strokeStyle=A("--line"),f.fillStyle=A("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<De;z+=2)f.textAlign="center",f.fillText(
-`${45*z}°`,u(z),T-8),f.strokeRect(u(z),he,0,T-he-Qt);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),Y-6,p(z)+4),f.strokeRect(Y,p(z),k-Y-rt,0);f.
-textAlign="left",f.fillText(e,Y+4,he+10);let E=(z,Z,Yo)=>{f.strokeStyle=Z,f.lineWidth=2.5,f.setLineDash(Yo),f.beginPath(),z.forEach((gs,ws)=>{let bs=Y+ws/(z.length-
-1)*(k-Y-rt);ws?f.lineTo(bs,p(y(gs,0,t))):f.moveTo(bs,p(y(gs,0,t)))}),f.stroke(),f.setLineDash([])};E(o,A("--accent"),[6,4]),n&&E(n,A("--ink"),[]),l.forEach((z,Z)=>{
-z.style.transform=`translate(${u(Z)}px, ${p(o[Z])}px)`})},g=(f,k)=>{n||(o[f]=y(k,0,t),a=!0,l[f].setAttribute("aria-valuenow",o[f].toPrecision(3)),l[f].setAttribute(
-"aria-valuetext",`${o[f].toPrecision(2)} ${e}`),m(),s())},b=null,w=f=>{let k=d(),T=y((f.clientX-k.left-Y)/(k.width-Y-rt),0,1),M=Math.round(T*(De-1)),A=t*(1-(f.clientY-
-k.top-he)/(k.height-he-Qt)),E=b??M,z=o[E];for(let Z=Math.min(E,M);Z<=Math.max(E,M);Z++)g(Z,E===M?A:z+(A-z)*(Z-E)/(M-E));b=M};c.addEventListener("pointerdown",f=>{
-f.preventDefault(),b=null,w(f),C(c,f,w)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",o[f].toPrecision(3));return requestAnimationFrame(m),{element:c,
-redraw:m,made:()=>a,judge:f=>{n=f,m();let k=(f.length-1)/(De-1);return Ji(o,o.map((T,M)=>f[Math.round(M*k)]))}}}var ht=2*Math.PI,B=(i,e)=>i.events.find(t=>t.kind===e),lt=i=>P(i-ht*Math.floor(i/ht));function Xi(i,e,t=72){let{angle:s}=i.columns,o=i.columns[e],a=[],n=0;for(let r=0;r<=
-t;r++){let l=i.columns.angle[0]+ht*r/t;for(;n+1<i.length&&s[n+1]<l;)n+=1;let c=Math.min(n+1,i.length-1),d=s[c]>s[n]?Math.min((l-s[n])/(s[c]-s[n]),1):0;a.push(o[n]+
-d*(o[c]-o[n]))}return a}var Qi=(i,e)=>i.t[i.columns.angle.findIndex(t=>t>=e)]??i.duration,ea={R:"roll",S:"spin",K:"skid",H:"bounce"},ce=[{key:"littlewood",title:"\
+index(t);for(;o>0&&this.t[o]>=t;)o--;let n=this.t[o]>=t?0:o+1;return[{film:this,from:0,to:n},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.
+length}]}at(e){let t=y(e,0,this.duration),s=this.holding(t);if(s!==this)return s.at(t);let o=this.index(t),n=Math.min(o+1,this.length-1),a=this.t[n]-this.t[o],r=a>
+0?(t-this.t[o])/a:0,l={t,mode:rs[this.columns.mode[o]]};for(let[c,d]of Object.entries(this.columns)){if(c==="t"||c==="mode")continue;let u=d[o],p=d[n];if(r===0||
+!Number.isFinite(p))l[c]=u;else if(fn.has(c)){let m=this.columns[wn[c]];l[c]=bn(u,p,m[o]*a,m[n]*a,r)}else l[c]=u+(p-u)*r}return l}derived(e,t){let s=this.cache.
+get(e)??t(this.columns);return this.cache.set(e,s),s}};function bn(i,e,t,s,o){if(!Number.isFinite(t)||!Number.isFinite(s))return i+(e-i)*o;let n=1-o;return n*n*
+(1+2*o)*i+o*o*(3-2*o)*e+o*n*(n*t-o*s)}var cs=i=>i-360*Math.floor(i/360);function yn(i,e){let t=Math.abs(cs(i-e+180)-180);return Math.round(100*y(1-(t-1)/89,0,1))}function vn(i,e){let t=Math.max(...e)-
+Math.min(...e,0),s=e.reduce((o,n,a)=>o+Math.abs(n-i[a]),0)/e.length;return Math.round(100*y(1-2*s/(t||1),0,1))}var kn=0;function He(i,e,t=!1){let s=`hh-guess-${++kn}`,
+o="",n=i.map(([a,r])=>{let l=h("input",{type:"radio",name:s,value:a,onchange:()=>{o=a,e()}});return{key:a,radio:l,row:h("label",{class:"guess-choice"},l,h("span",
+{},r))}});return{element:h("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},n.map(({row:a})=>a)),made:()=>o!=="",judge:a=>{for(let{key:r,radio:l,
+row:c}of n){l.disabled=!0;let d=t||r===a;d&&c.append(h("b",{class:"guess-right"},"✓")),c.classList.toggle("right",d)}return t||o===a?100:0}}}var ie=168,Oe=58,
+ls=(i,e=Oe)=>{let t=i*Math.PI/180;return[ie/2+e*Math.sin(t),ie/2-e*Math.cos(t)]};function ds(i,e){let t=0,s=!1,o=null,n=h("canvas",{class:"dial-canvas"}),a=h("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":i,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},n),r=()=>{let{context:d}=I(n),u=getComputedStyle(
+a),p=u.getPropertyValue("--ink").trim(),m=u.getPropertyValue("--soft").trim(),w=u.getPropertyValue("--accent").trim();d.clearRect(0,0,ie,ie),d.strokeStyle=m,d.fillStyle=
+m,d.lineWidth=1.5,d.beginPath(),d.moveTo(8,ie/2+Oe),d.lineTo(ie-8,ie/2+Oe),d.stroke(),d.lineWidth=4,d.beginPath(),d.arc(ie/2,ie/2,Oe,0,2*Math.PI),d.stroke(),d.font=
+"11px system-ui, sans-serif",d.textAlign="center";for(let g of[0,90,180,270]){let[f,x]=ls(g,Oe-17);d.fillText(`${g}°`,f,x+4)}let b=(g,f,x)=>{d.fillStyle=f,d.beginPath(),
+d.arc(...ls(g),x,0,2*Math.PI),d.fill()};o!==null&&(d.strokeStyle=p,d.lineWidth=2,d.beginPath(),d.arc(...ls(o),12,0,2*Math.PI),d.stroke(),b(o,p,7)),b(t,s?w:m,9)},
+l=d=>{o===null&&(t=cs(d),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=d=>{let u=n.
+getBoundingClientRect(),[p,m]=[d.clientX-u.left-u.width/2,d.clientY-u.top-u.height/2];l(Math.atan2(p,-m)*180/Math.PI)};return a.addEventListener("pointerdown",d=>{
+d.preventDefault(),a.focus({preventScroll:!0}),c(d),C(a,d,c)}),a.addEventListener("keydown",d=>{let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
+PageUp:45}[d.key];u!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:d=>(o=
+cs(d),r(),yn(t,o))}}var Be=9,[Z,pt,ue,hs]=[34,12,12,26];function Eo({label:i,unit:e,most:t},s){let o=Array(Be).fill(t/4),n=!1,a=null,r=h("canvas",{class:"sketch\
+-canvas"}),l=o.map((f,x)=>h("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${i} with the load at ${45*x}°`,"aria-orientation":"vertical",
+"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:S=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[S.key];E&&(S.preventDefault(),S.stopPropagation(),
+w(x,o[x]+E*t/(S.shiftKey?100:20)))}})),c=h("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),
+u=f=>Z+f/(Be-1)*(d().width-Z-pt),p=f=>ue+(1-f/t)*(d().height-ue-hs),m=()=>{let{context:f,width:x,height:S}=I(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(A).
+trim();f.clearRect(0,0,x,S),f.strokeStyle=R("--line"),f.fillStyle=R("--soft"),f.font="11px system-ui, sans-serif";for(let A=0;A<Be;A+=2)f.textAlign="center",f.fillText(
+`${45*A}°`,u(A),S-8),f.strokeRect(u(A),ue,0,S-ue-hs);for(let A of[0,t/2,t])f.textAlign="right",f.fillText(String(A),Z-6,p(A)+4),f.strokeRect(Z,p(A),x-Z-pt,0);f.
+textAlign="left",f.fillText(e,Z+4,ue+10);let z=(A,Q,Si)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash(Si),f.beginPath(),A.forEach((Ns,Ws)=>{let qs=Z+Ws/(A.length-
+1)*(x-Z-pt);Ws?f.lineTo(qs,p(y(Ns,0,t))):f.moveTo(qs,p(y(Ns,0,t)))}),f.stroke(),f.setLineDash([])};z(o,R("--accent"),[6,4]),a&&z(a,R("--ink"),[]),l.forEach((A,Q)=>{
+A.style.transform=`translate(${u(Q)}px, ${p(o[Q])}px)`})},w=(f,x)=>{a||(o[f]=y(x,0,t),n=!0,l[f].setAttribute("aria-valuenow",o[f].toPrecision(3)),l[f].setAttribute(
+"aria-valuetext",`${o[f].toPrecision(2)} ${e}`),m(),s())},b=null,g=f=>{let x=d(),S=y((f.clientX-x.left-Z)/(x.width-Z-pt),0,1),E=Math.round(S*(Be-1)),R=t*(1-(f.clientY-
+x.top-ue)/(x.height-ue-hs)),z=b??E,A=o[z];for(let Q=Math.min(z,E);Q<=Math.max(z,E);Q++)w(Q,z===E?R:A+(R-A)*(Q-z)/(E-z));b=E};c.addEventListener("pointerdown",f=>{
+f.preventDefault(),b=null,g(f),C(c,f,g)});for(let[f,x]of l.entries())x.setAttribute("aria-valuenow",o[f].toPrecision(3));return requestAnimationFrame(m),{element:c,
+redraw:m,made:()=>n,judge:f=>{a=f,m();let x=(f.length-1)/(Be-1);return vn(o,o.map((S,E)=>f[Math.round(E*x)]))}}}var ft=2*Math.PI,B=(i,e)=>i.events.find(t=>t.kind===e),mt=i=>P(i-ft*Math.floor(i/ft));function xn(i,e,t=72){let{angle:s}=i.columns,o=i.columns[e],n=[],a=0;for(let r=0;r<=
+t;r++){let l=i.columns.angle[0]+ft*r/t;for(;a+1<i.length&&s[a+1]<l;)a+=1;let c=Math.min(a+1,i.length-1),d=s[c]>s[a]?Math.min((l-s[a])/(s[c]-s[a]),1):0;n.push(o[a]+
+d*(o[c]-o[a]))}return n}var Tn=(i,e)=>i.t[i.columns.angle.findIndex(t=>t>=e)]??i.duration,Sn={R:"roll",S:"spin",K:"skid",H:"bounce"},pe=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:i=>Fe(
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:i=>He(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],i),until:([i])=>{
 let[e,t]=[B(i,"skim"),B(i,"impact")];return e?e.t+.7*((t?.t??i.duration)-e.t):i.duration},answer:([i])=>{let e=B(i,"skim")??B(i,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:lt(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:mt(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:i=>ro({label:"Speed of the centre",unit:"m/s",most:10},
-i),until:([i])=>Qi(i,ht),answer:([i])=>{let e=Xi(i,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:x(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:i=>Eo({label:"Speed of the centre",unit:"m/s",most:10},
+i),until:([i])=>Tn(i,ft),answer:([i])=>{let e=xn(i,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:T(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:i=>ts("Angle of the load where it begins to slip",i),until:([i])=>(B(i,"slip_start")?.t??0)+.02,answer:([i])=>{let e=B(i,"slip_start"),t=i.at(e.t).normal_force/
-(i.mass*i.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:lt(e.
-angle),share:`${x(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
+guess:i=>ds("Angle of the load where it begins to slip",i),until:([i])=>(B(i,"slip_start")?.t??0)+.02,answer:([i])=>{let e=B(i,"slip_start"),t=i.at(e.t).normal_force/
+(i.mass*i.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:mt(e.
+angle),share:`${T(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:i=>ts("Angle of the load\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:i=>ds("Angle of the load\
  where it takes off",i),until:([i])=>(B(i,"takeoff")?.t??0)+.12,answer:([i])=>{let e=B(i,"takeoff"),t=i.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It t\
-akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:lt(e.angle),slip:x(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the plan\
+akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:mt(e.angle),slip:T(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the plan\
 e while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the \
 top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it d\
-o just after it has landed?",queries:[""],guess:i=>Fe([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
+o just after it has landed?",queries:[""],guess:i=>He([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
 too fast."],["bounce","It bounces."]],i),until:([i])=>(B(i,"impact")?.t??i.duration)+.15,answer:([i])=>{let[e,t]=[B(i,"takeoff"),B(i,"impact")],s=i.events.find(
-o=>o.kind==="apex");return{truth:ea[i.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:x((t?.t??0)-(e?.t??0),3),height:x(100*(s?.height??0),3),angle:lt(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+o=>o.kind==="apex");return{truth:Sn[i.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+values:{time:T((t?.t??0)-(e?.t??0),3),height:T(100*(s?.height??0),3),angle:mt(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:i=>Fe([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],i),until:i=>.3+Math.max(0,...i.map(e=>B(e,"impact")?.t??0)),
-answer:i=>{let e=i.map(a=>Math.max(0,...a.events.map(({kind:n,height:r})=>n==="apex"?r:0))),[t,s,o]=e.map(a=>x(100*a,3));return{truth:String(e.indexOf(Math.max(
+"plane.mu=0.05","plane.mu=0.2",""],guess:i=>He([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],i),until:i=>.3+Math.max(0,...i.map(e=>B(e,"impact")?.t??0)),
+answer:i=>{let e=i.map(n=>Math.max(0,...n.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,s,o]=e.map(n=>T(100*n,3));return{truth:String(e.indexOf(Math.max(
 ...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:o}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:i=>Fe([["flight","It flies off."],["impact","An impact stops the sli\
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:i=>He([["flight","It flies off."],["impact","An impact stops the sli\
 de at once."],["both","Both agree with the laws."]],i),until:i=>Math.min(.8,...i.map(e=>e.duration)),answer:i=>({truth:i.every(e=>B(e,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var lo="hophoop-visit",ct=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
+ the motion itself.",question:"",queries:[""]}];var Ao="hophoop-visit",gt=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
 t,this.body=h("div",{class:"visit-body"}),this.said=h("div",{class:"visit-answer",role:"status"}),this.element=h("section",{class:"visit card","aria-label":"Gui\
-ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){K(lo)||(this.element.hidden=!1,S(this.said,""),this.
+ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){V(Ao)||(this.element.hidden=!1,M(this.said,""),this.
 body.replaceChildren(h("div",{class:"buttons offer"},h("p",{},h("b",{},"New here?")," ","Eight short questions: guess, then play."),h("button",{type:"button",class:"\
 main",onclick:()=>this.start()},"Start the visit"),h("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
-G(lo,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
-lab.show()}async go(e){let t=ce[e],s=++this.asked,{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),S(this.said,
-""),this.element.hidden=!1,o.root.classList.toggle("visiting",e<ce.length-1);try{let a=await Promise.all(t.queries.map(n=>o.backend.call("film",{query:n})));if(s!==
-this.asked)return;this.films=a.map(n=>new ne(n)),o.motions.active=0,o.motions.set(a.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),o.changed(),
-o.motions.note(),this.fill(e)}catch(a){o.notice.fail(a)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
-"aria-label",v("The hoop, before it is let go."))}fill(e){let t=ce[e];this.play=h("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
-"Play");let s=e===ce.length-1,o=h("h2",{tabindex:"-1"},t.title);this.next=h("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
-h("header",{},h("span",{class:"visit-count"},`Step ${e+1} of ${ce.length}`),h("progress",{max:String(ce.length),value:String(e+1),"aria-hidden":"true"}),h("butt\
+Y(Ao,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
+lab.show()}async go(e){let t=pe[e],s=++this.asked,{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),M(this.said,
+""),this.element.hidden=!1,o.root.classList.toggle("visiting",e<pe.length-1);try{let n=await Promise.all(t.queries.map(a=>o.backend.call("film",{query:a})));if(s!==
+this.asked)return;this.films=n.map(a=>new he(a)),o.motions.active=0,o.motions.set(n.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),o.changed(),
+o.motions.note(),this.fill(e)}catch(n){o.notice.fail(n)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
+"aria-label",k("The hoop, before it is let go."))}fill(e){let t=pe[e];this.play=h("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
+"Play");let s=e===pe.length-1,o=h("h2",{tabindex:"-1"},t.title);this.next=h("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
+h("header",{},h("span",{class:"visit-count"},`Step ${e+1} of ${pe.length}`),h("progress",{max:String(pe.length),value:String(e+1),"aria-hidden":"true"}),h("butt\
 on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,h("p",{},t.text),t.question?h("p",{class:"visit-question"},t.
 question):"",this.guess?.element??"",h("div",{class:"buttons"},e>0&&h("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,s?h("butto\
 n",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&h("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&
@@ -1478,15 +1463,15 @@ h("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&
 stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),matchMedia("(prefers-reduced-motion: reduce)").matches?e.clock.
 seek(this.stop):e.clock.play(!0),this.frame())}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===
 null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;e.playing=!1;let s=this.stop;this.stop=null,this.unwind(),e.seek(s),this.judge()}judge(){
-let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:o,values:a={}}=e.answer(this.films),n=t.judge(s);this.points.set(e.key,n),this.said.replaceChildren(
-h("p",{},h("b",{},`${n} of 100 points.`)," ",Rs(o,a)),h("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
+let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:o,values:n={}}=e.answer(this.films),a=t.judge(s);this.points.set(e.key,a),this.said.replaceChildren(
+h("p",{},h("b",{},`${a} of 100 points.`)," ",Ys(o,n)),h("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
 {block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(h("p",{},`You have ${e} of ${100*this.points.size} poi\
-nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var dt=class{words={t:v,untranslated:Pe};constructor(e){this.lab=e,this.grips=new ot(e),this.sound=new at,this.present=new it(e),this.challenges=new et(e),this.
-visit=new ct(e,()=>this.challenges.open()),this.table=new nt(e),this.teach=ao(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){
+nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var wt=class{words={t:k,untranslated:Ne};constructor(e){this.lab=e,this.grips=new ht(e),this.sound=new dt,this.present=new ct(e),this.challenges=new at(e),this.
+visit=new gt(e,()=>this.challenges.open()),this.table=new ut(e),this.teach=So(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){
 let{lab:e}=this,t=e.stage.element.parentElement,s=e.root.querySelector(".side");s?s.prepend(this.visit.element,this.challenges.element):t.before(this.visit.element,
 this.challenges.element),t.after(this.table.element),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.
-querySelector(".right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,o,a)=>h(
-"button",{type:"button",title:o,"aria-label":o,"aria-pressed":"false",onclick:a},W(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.
+querySelector(".right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,o,n)=>h(
+"button",{type:"button",title:o,"aria-label":o,"aria-pressed":"false",onclick:n},N(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.
 slow=t("slow","Slow motion: a tenth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.
 sound.turn(!this.sound.on),this.mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),
 this.mark(),h("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(
@@ -1495,351 +1480,366 @@ ia-pressed",String(this.present.on))}menu(){let e=(s,o)=>h("button",{type:"butto
 button"},"Learn"),h("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("Table of the motion",()=>this.
 table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{
 t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),
-t}languages(){let e=h("select",{class:"language","aria-label":"Language",onchange:()=>{Ps(e.value),Bt(e.value),this.spoken(),Ws(this.lab.root),this.lab.show()}},
-Object.entries(Ae).map(([t,s])=>h("option",{value:t,lang:t},document.createTextNode(s))));return e.value=Ue(),e}spoken(){this.lab.root.lang=Ue(),this.lab.hosted&&
-(document.documentElement.lang=Ue())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
+t}languages(){let e=h("select",{class:"language","aria-label":"Language",onchange:()=>{Vs(e.value),Yt(e.value),this.spoken(),Qs(this.lab.root),this.lab.show()}},
+Object.entries(Ce).map(([t,s])=>h("option",{value:t,lang:t},document.createTextNode(s))));return e.value=Qe(),e}spoken(){this.lab.root.lang=Qe(),this.lab.hosted&&
+(document.documentElement.lang=Qe())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
 this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.
-close()}};var Be=(i,e,t)=>h("button",{type:"button",title:e,"aria-label":e,onclick:t},i),ut=class{constructor(e,t,s){let o=new Map;for(let n of e)o.set(n.group,[...o.get(
-n.group)??[],n]);this.fresh=!1,this.presets=h("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let n=e.find(({key:r})=>r===this.presets.
-value);this.fresh=n!==void 0,n&&s.take(n)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},h("option",{value:""},"Motions to start from …"),[...o].
-map(([n,r])=>h("optgroup",{label:n},r.map(({key:l,title:c})=>h("option",{value:l},c))))),this.undo=Be(W("undo"),"Undo (z)",s.undo),this.redo=Be(W("redo"),"Redo \
-(y)",s.redo);let a=h("span",{},h("span",{class:"long"},"Compare"),h("span",{class:"short"},W("two")));this.compare=Be(a,"Compare two hoops",s.compare),this.element=
+close()}};var $e=(i,e,t)=>h("button",{type:"button",title:e,"aria-label":e,onclick:t},i),bt=class{constructor(e,t,s){let o=new Map;for(let a of e)o.set(a.group,[...o.get(
+a.group)??[],a]);this.fresh=!1,this.presets=h("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
+value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},h("option",{value:""},"Motions to start from …"),[...o].
+map(([a,r])=>h("optgroup",{label:a},r.map(({key:l,title:c})=>h("option",{value:l},c))))),this.undo=$e(N("undo"),"Undo (z)",s.undo),this.redo=$e(N("redo"),"Redo \
+(y)",s.redo);let n=h("span",{},h("span",{class:"long"},"Compare"),h("span",{class:"short"},N("two")));this.compare=$e(n,"Compare two hoops",s.compare),this.element=
 h("header",{class:"top"},h("h1",{},h("span",{class:"logo","aria-hidden":"true"}),h("span",{},"hophoop",h("span",{class:"long"}," lab"))),this.presets,h("div",{class:"\
-buttons"},this.undo,this.redo,this.compare),h("div",{class:"buttons right"},t,Be(W("theme"),"Dark or light (d)",s.theme),Be("?","Keys and help (?)",s.help)))}show(e,t){
-this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var ta=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+buttons"},this.undo,this.redo,this.compare),h("div",{class:"buttons right"},t,$e(N("theme"),"Dark or light (d)",s.theme),$e("?","Keys and help (?)",s.help)))}show(e,t){
+this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Mn=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["3","in space"],["+ − 0","zoom, zoom back"],["Esc","leave a field, a menu, a picture \
-that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],sa=[["R","roll","the rim does not slide"],["S","spin","slip: the rim tur\
+that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],En=[["R","roll","the rim does not slide"],["S","spin","slip: the rim tur\
 ns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)"],["H","\
-flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],oa=[["▲ ▼","take-off, landing"],["•","highest point"],
+flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],An=[["▲ ▼","take-off, landing"],["•","highest point"],
 ["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy out of nothing"],["≋","bounces without numbe\
-r end"],["◗ ■","skimming begins, rest"]],ss=(i,e,t=()=>!1)=>h("table",{},h("caption",{},i),e.map(([s,...o])=>h("tr",{},h("th",{scope:"row"},t(s),s),o.map(a=>h(
-"td",{},a)))));function ho(i,e,t){let s=h("dialog",{class:"help","aria-label":"Keys and help"},h("h2",{},"The hoop"),h("p",{},"A ring with a load on its rim rol\
+r end"],["◗ ■","skimming begins, rest"]],us=(i,e,t=()=>!1)=>h("table",{},h("caption",{},i),e.map(([s,...o])=>h("tr",{},h("th",{scope:"row"},t(s),s),o.map(n=>h(
+"td",{},n)))));function zo(i,e,t){let s=h("dialog",{class:"help","aria-label":"Keys and help"},h("h2",{},"The hoop"),h("p",{},"A ring with a load on its rim rol\
 ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
-. Move a slider and see."),ss("Modes",sa,o=>h("i",{class:"dot",style:`background:${e.modes[o]}`})),ss("Marks on the bar of time",oa),ss("Keys",ta),t,h("p",{class:"\
-hint"},`hophoop ${i}`),h("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var pt=class{constructor(e){this.tabs=["A","B"].map((t,s)=>h("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=h("div",{class:"\
+. Move a slider and see."),us("Modes",En,o=>h("i",{class:"dot",style:`background:${e.modes[o]}`})),us("Marks on the bar of time",An),us("Keys",Mn),t,h("p",{class:"\
+hint"},`hophoop ${i}`),h("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var yt=class{constructor(e){this.tabs=["A","B"].map((t,s)=>h("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=h("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=h("p",{class:"preset-text"}),this.element=h("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(s===t))}};var co="hophoop-single-keys",ia=(i,e)=>({" ":()=>i.clock.play(),ArrowLeft:()=>e?i.transport.jump(-1):i.transport.nudge(-1),ArrowRight:()=>e?i.transport.jump(1):
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(s===t))}};var Ro="hophoop-single-keys",zn=(i,e)=>({" ":()=>i.clock.play(),ArrowLeft:()=>e?i.transport.jump(-1):i.transport.nudge(-1),ArrowRight:()=>e?i.transport.jump(1):
 i.transport.nudge(1),Home:()=>i.clock.seek(0),End:()=>i.clock.seek(i.clock.duration),h:()=>i.transport.jump(1,"takeoff"),l:()=>i.transport.jump(1,"impact"),"[":()=>i.
 clock.faster(-1),"]":()=>i.clock.faster(1),t:()=>i.toggle("traces"),f:()=>i.toggle("forces"),c:()=>i.toggle("speed"),w:()=>i.toggle("whole"),3:()=>i.toggle("thr\
 ee"),"+":()=>i.stage.zoom(1.25),"=":()=>i.stage.zoom(1.25),"-":()=>i.stage.zoom(.8),0:()=>i.stage.zoom(0),z:()=>i.travel(-1),y:()=>i.travel(1),d:()=>i.theme.toggle(),
-p:()=>i.share.code(),"?":()=>i.help.showModal()});function aa(i,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.preventDefault(),i.travel(t==="y"||
-e.shiftKey?1:-1))}function na(i){let e=i.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var mt=class{constructor(e){this.on=!e||K(co)!=="off";
-let t=h("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&G(co,this.on?"on":"off")}});this.element=h("label",{class:"check"},t,"Single\
- keys (letters, digits, signs) do what the table says")}};function ra(i,e){let t=e.target;if(i.root.querySelector("dialog[open]"))return;if(e.key==="Escape"){na(
-i);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){aa(i,e);return}if(e.altKey||t.matches?.("select")&&
+p:()=>i.share.code(),"?":()=>i.help.showModal()});function Rn(i,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.preventDefault(),i.travel(t==="y"||
+e.shiftKey?1:-1))}function Pn(i){let e=i.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var vt=class{constructor(e){this.on=!e||V(Ro)!=="off";
+let t=h("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&Y(Ro,this.on?"on":"off")}});this.element=h("label",{class:"check"},t,"Single\
+ keys (letters, digits, signs) do what the table says")}};function Ln(i,e){let t=e.target;if(i.root.querySelector("dialog[open]"))return;if(e.key==="Escape"){Pn(
+i);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){Rn(i,e);return}if(e.altKey||t.matches?.("select")&&
 !(e.key===" "&&i.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button, summary, input[type=ch\
-eckbox]")||!i.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=ia(i,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function uo(i,e){let t=e?document:i.
-root,s=o=>{ra(i,o),e||o.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var[po,la]=[62,92],ha=12,de=10,ca=36,mo=Math.PI/180,J=["x","y"],ft=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
-y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=po}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of J)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+eckbox]")||!i.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=zn(i,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function Po(i,e){let t=e?document:i.
+root,s=o=>{Ln(i,o),e||o.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var In={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function ke(i){let e=i instanceof DataView||ArrayBuffer.isView(i)?i:new DataView(i),t=new Uint8Array(e.buffer,
+e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
+4,4+s))),n={};for(let{name:a,type:r,shape:l,place:c}of o.arrays){let d=l.reduce((u,p)=>u*p,1);n[a]=new In[r](t.buffer,t.byteOffset+4+s+c,d)}return{header:o,arrays:n}}var Ue=class extends Error{},_n=500,Cn=4,Nn="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function Lo(i,e,t){
+for(;;)try{return await i()}catch(s){if(!(s instanceof Ue))throw s;e(s.message),await new Promise(o=>setTimeout(o,_n)),t.throwIfAborted()}}var kt=class{constructor(e){
+this.base=e,this.shares=!0}async call(e,t,s){let o={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},n=await this.answered(
+new URL(`lab/${e}`,this.base),o);if(n.status===202)throw new Ue((await n.json()).detail);return ke(await n.arrayBuffer())}async answered(e,t){for(let s=Cn;;s--){
+let o=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(Nn)});if(o.ok)return o;let n=Number(o.headers.get("Retry-After"));if(o.status!==503||!(n>
+0)||s<=1){let a=await o.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${o.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(n,10))),
+t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
+"",this.base)}${t}`}},Wn=2e4,qn=3e5,xt=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
+slice(2),this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(
+s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new Ue(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve(ke(t[0])))}call(e,t,s){let o=++this.
+number;return new Promise((n,a)=>{let r=setTimeout(()=>{this.waiting.delete(o),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
+"file"?qn:Wn);this.waiting.set(o,{resolve:n,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(o),a(new DOMException("super\
+seded","AbortError"))}),this.model.send({view:this.view,number:o,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("file",{query:t,name:e});return new Blob(
+[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[Io,Dn]=[62,92],Fn=12,me=10,jn=36,_o=Math.PI/180,X=["x","y"],Tt=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
+y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=Io}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of X)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[s,o]=this.windows[e];return{path:this.paths[e],from:s,to:o,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),o=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
-o),Math.min(s[1],t[1]+o)]}zoom(e,t){let s={x:[],y:[]};for(let o of J){let[a,n]=this.windows[o],r=t?.[o]??.5*(a+n);s[o]=ue([r-(r-a)*e,r+(n-r)*e],this.bounds(o));
-let l=Math.max(Math.abs(s[o][0]),Math.abs(s[o][1]),1e-9);if(s[o][1]-s[o][0]<400*Number.EPSILON*l)return!1}return J.every(o=>s[o].every((a,n)=>a===this.windows[o][n]))?
-!1:(this.windows=s,!0)}drag(e,t,s){let o=(a,n)=>ue(e[a].map(r=>r+n*(e[a][1]-e[a][0])),this.bounds(a));this.windows={x:o("x",-t/this.box.width),y:o("y",s/this.box.
-height)}}restore(e){if(!J.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of J)this.paths[t]=e[t][0];for(let t of J)this.windows[t]=ue(e[t].
-slice(1).map(Number),this.bounds(t));return!0}isHome(){return J.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?la:po,this.box={width:e-this.left-ha,height:t-de-ca}}clip(e){e.beginPath(),e.rect(this.
-left,de,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return de+
-(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([o,a],n)=>o+y(n,0,1)*(a-o);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-de)/
-this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let o=this.info(s),[a,n]=this.windows[s],
-r=Math.max(Math.abs(a),Math.abs(n)),l=y(Math.ceil(Math.log10(r/(n-a)))+4,4,16);return`${v(o.label)} = ${I(x(o.degrees?e[s]/mo:e[s],l),o.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,de+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
-font}`;for(let o of J){let a=this.info(o),n=a.degrees?1/mo:1,[r,l]=this.windows[o].map(w=>w*n),c=o==="x"?this.box.width/80:this.box.height/40,d=N(l-r,c),u=this.
-deep(o),p=u?Number((.5*(r+l)).toPrecision(12)):0,m=u?O(r-p,l-p,c).map(w=>w+p):O(r,l,c);for(let w of m){let f=u?x(w-p,3):j(w,d);o==="x"?(e.textAlign="center",e.fillText(
-f,this.x(w/n),de+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(w/n)),e.textBaseline="alphabetic")}let g=u?` \
-− ${String(p).replace("-","−")}`:"",b=`${v(a.label)}${g}${a.unit?` [${a.unit}]`:""}`;e.save(),e.textAlign="center",o==="x"?e.translate(this.left+.5*this.box.
-width,t-5):(e.translate(12,de+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(b,0,0),e.restore()}}};function ue([i,e],[t,s]){let o=Math.min(e-i,s-t);return i<
-t?[t,t+o]:e>s?[s-o,s]:[i,e]}function os(i,e,t,s,o){for(let[a,n]of[[o,4],[s,1.8]])i.strokeStyle=a,i.lineWidth=n,i.beginPath(),i.arc(e,t,7,0,2*Math.PI),i.moveTo(e-
-13,t),i.lineTo(e-4,t),i.moveTo(e+4,t),i.lineTo(e+13,t),i.moveTo(e,t-13),i.lineTo(e,t-4),i.moveTo(e,t+4),i.lineTo(e,t+13),i.stroke()}var ye=i=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${i&&`; ${i}`}; double-click for all`,da=.0018,fo=200,
-[ua,pa]=[1/.6,1/1.7];function _(i,{zoom:e,home:t,chosen:s=()=>i,keys:o=!1}){return i.addEventListener("wheel",a=>{(a.ctrlKey||a.metaKey||Ke(s()))&&(a.preventDefault(),
-e(Math.exp(-Math.min(Math.max(a.deltaY,-fo),fo)*da),a))},{passive:!1}),i.addEventListener("dblclick",t),o&&i.addEventListener("keydown",a=>{if(a.key==="+"||a.key===
-"=")e(ua);else if(a.key==="-")e(pa);else if(a.key==="0")t();else if(a.key==="Escape")i.blur();else return;a.preventDefault(),a.stopPropagation()}),Zs(i,e)}var go={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},wo=48;function bo(i){let{body:e}=i,t=!1,s=_(e,{zoom:(o,a)=>i.axes.box&&i.zoom(1/o,a?is(
-i,a):i.pointed??void 0),home:()=>i.home(),keys:!0});e.addEventListener("pointerdown",o=>fa(i,o,s,a=>t=a)),e.addEventListener("pointermove",o=>{i.axes.box&&!t&&o.
-pointerType!=="touch"&&ma(i,o)}),e.addEventListener("pointerleave",()=>i.tip.hidden=!0),e.addEventListener("keydown",o=>ga(i,o))}function is(i,e){let t=i.body.getBoundingClientRect();
-return i.axes.place(e.clientX-t.left,e.clientY-t.top)}function ma(i,e){i.tip.textContent=i.said(is(i,e)),i.tip.hidden=!1;let t=i.body.getBoundingClientRect();i.
-tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,i.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function fa(i,e,t,s){e.preventDefault(),
-i.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],a={x:[...i.axes.windows.x],y:[...i.axes.windows.y]};i.pointed=is(i,e);let n=!1,r=t(),l=c=>{if(r||=t(),
-r)return;let[d,u]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(d,u)<5&&!n||(n=!0,s(!0),i.tip.hidden=!0,i.axes.drag(a,d,u),i.redraw(),i.soon())};C(i.body,e,l,(c,d)=>{
-d&&!n&&!r&&i.pointed&&i.take(i.pointed),s(!1)})}function ga(i,e){let t=i.pointed??i.here()??i.axes.middle();if(i.pointed=t,go[e.key]){let[s,o]=go[e.key],{x:a,y:n}=i.
-axes.windows;i.pointed={x:y(t.x+s*(a[1]-a[0])/wo,a[0],a[1]),y:y(t.y+o*(n[1]-n[0])/wo,n[0],n[1])},i.state.textContent=i.said(i.pointed),i.say(i.said(i.pointed))}else if(e.
-key==="Enter")i.take(t);else return;e.preventDefault(),e.stopPropagation(),i.redraw()}var wa=["start.height","start.vx","start.vy","start.omega"];function yo(i,e){let t="speed"in i.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(s=>wa.includes(s))?"of starts in any state, though this motion starts rolling":""}var ba=Math.PI/180,ya=12,va=["hop_height","flight_time","energy_lost","greatest_utilization"];function vo(i){return i.unit==="rad"?[1/ba,"°"]:[1,i.unit==="1"?"":
-i.unit]}function ka({classes:i,what:e},t){let[s,o]=[1/0,-1/0];if(i)return[s,o];for(let a of t)a<s&&(s=a),a>o&&(o=a);return[va.includes(e)?Math.min(s,0):s,o]}function ko(i){
-let{values:e}=i.arrays,t=i.header,{x:s,y:o,classes:a}=t,n=new ImageData(s.cells,o.cells),[r,l]=ka(t,e),c=a?.map(({color:u})=>X(u));for(let u=0;u<o.cells;u++)for(let p=0;p<
-s.cells;p++){let m=e[u*s.cells+p],g=4*((o.cells-1-u)*s.cells+p);if(!Number.isFinite(m))continue;let b=c&&(p+1<s.cells&&e[u*s.cells+p+1]!==m||u+1<o.cells&&e[(u+1)*
-s.cells+p]!==m),w=c?c[m].map(f=>b?.72*f:f):fe[y(Math.round(255*(m-r)/(l-r||1)),0,255)];n.data.set([...w,255],g)}let d=h("canvas",{width:s.cells,height:o.cells});
-return te(d).putImageData(n,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[o.from,o.to],low:r,high:l}}function xo(i,e){let t=(o,a)=>o[0]>=a[0]-1e-300&&o[1]<=
-a[1]+1e-300;return[...i.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-ya)}function To({header:i,low:e,high:t,values:s}){let{classes:o}=i;if(!o){let r=h("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=te(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${fe[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
-10);let[c,d]=vo(i);return[h("span",{},i.label,": ",t>=e?x(e*c,3):"none"," "),r,h("span",{},t>=e?I(x(t*c,3),d):""),s.some(u=>!Number.isFinite(u))?h("span",{},h("\
-i",{class:"blank"}),"none"):""]}let a=new Map;for(let r of s)a.set(r,(a.get(r)??0)+1);let n=[...a].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...n.slice(
-0,10).map(([r])=>{let{color:l,text:c}=o[r];return h("span",{},h("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),n.length>10?h("span",{},`and ${n.length-
-10} more`):""]}function So(i,e){for(let{header:t,values:s}of[...i].reverse()){let{x:o,y:a,classes:n}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
-(e.y-a.from)/(a.to-a.from)*a.cells);if(r<0||l<0||r>=o.cells||l>=a.cells)continue;let c=s[l*o.cells+r];if(n)return v(n[c]?.text??"not allowed");let[d,u]=vo(t);return Number.
-isFinite(c)?I(x(c*d,4),u):v("none")}return"…"}var Mo=[[24,16],[72,48],[216,144]],gt=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:s,say:o,changed:a}){this.backend=
-e,this.onmotion=s,this.say=o,this.changed=a;let n=t.controls.map_axes;this.axes=new ft(n),this.what="sequence",this.layers=[],this.canvas=h("canvas",{class:"plo\
+o),Math.min(s[1],t[1]+o)]}zoom(e,t){let s={x:[],y:[]};for(let o of X){let[n,a]=this.windows[o],r=t?.[o]??.5*(n+a);s[o]=fe([r-(r-n)*e,r+(a-r)*e],this.bounds(o));
+let l=Math.max(Math.abs(s[o][0]),Math.abs(s[o][1]),1e-9);if(s[o][1]-s[o][0]<400*Number.EPSILON*l)return!1}return X.every(o=>s[o].every((n,a)=>n===this.windows[o][a]))?
+!1:(this.windows=s,!0)}drag(e,t,s){let o=(n,a)=>fe(e[n].map(r=>r+a*(e[n][1]-e[n][0])),this.bounds(n));this.windows={x:o("x",-t/this.box.width),y:o("y",s/this.box.
+height)}}restore(e){if(!X.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of X)this.paths[t]=e[t][0];for(let t of X)this.windows[t]=fe(e[t].
+slice(1).map(Number),this.bounds(t));return!0}isHome(){return X.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?Dn:Io,this.box={width:e-this.left-Fn,height:t-me-jn}}clip(e){e.beginPath(),e.rect(this.
+left,me,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return me+
+(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([o,n],a)=>o+y(a,0,1)*(n-o);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-me)/
+this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let o=this.info(s),[n,a]=this.windows[s],
+r=Math.max(Math.abs(n),Math.abs(a)),l=y(Math.ceil(Math.log10(r/(a-n)))+4,4,16);return`${k(o.label)} = ${_(T(o.degrees?e[s]/_o:e[s],l),o.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,me+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
+font}`;for(let o of X){let n=this.info(o),a=n.degrees?1/_o:1,[r,l]=this.windows[o].map(g=>g*a),c=o==="x"?this.box.width/80:this.box.height/40,d=F(l-r,c),u=this.
+deep(o),p=u?Number((.5*(r+l)).toPrecision(12)):0,m=u?U(r-p,l-p,c).map(g=>g+p):U(r,l,c);for(let g of m){let f=u?T(g-p,3):O(g,d);o==="x"?(e.textAlign="center",e.fillText(
+f,this.x(g/a),me+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(g/a)),e.textBaseline="alphabetic")}let w=u?` \
+− ${String(p).replace("-","−")}`:"",b=`${k(n.label)}${w}${n.unit?` [${n.unit}]`:""}`;e.save(),e.textAlign="center",o==="x"?e.translate(this.left+.5*this.box.
+width,t-5):(e.translate(12,me+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(b,0,0),e.restore()}}};function fe([i,e],[t,s]){let o=Math.min(e-i,s-t);return i<
+t?[t,t+o]:e>s?[s-o,s]:[i,e]}function ps(i,e,t,s,o){for(let[n,a]of[[o,4],[s,1.8]])i.strokeStyle=n,i.lineWidth=a,i.beginPath(),i.arc(e,t,7,0,2*Math.PI),i.moveTo(e-
+13,t),i.lineTo(e-4,t),i.moveTo(e+4,t),i.lineTo(e+13,t),i.moveTo(e,t-13),i.lineTo(e,t-4),i.moveTo(e,t+4),i.lineTo(e,t+13),i.stroke()}var xe=i=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${i&&`; ${i}`}; double-click for all`,Bn=.0018,Co=200,
+[On,Hn]=[1/.6,1/1.7];function H(i,{zoom:e,home:t,chosen:s=()=>i,keys:o=!1}){return i.addEventListener("wheel",n=>{(n.ctrlKey||n.metaKey||et(s()))&&(n.preventDefault(),
+e(Math.exp(-Math.min(Math.max(n.deltaY,-Co),Co)*Bn),n))},{passive:!1}),i.addEventListener("dblclick",t),o&&i.addEventListener("keydown",n=>{if(n.key==="+"||n.key===
+"=")e(On);else if(n.key==="-")e(Hn);else if(n.key==="0")t();else if(n.key==="Escape")i.blur();else return;n.preventDefault(),n.stopPropagation()}),go(i,e)}var No={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Wo=48;function qo(i){let{body:e}=i,t=!1,s=H(e,{zoom:(o,n)=>i.axes.box&&i.zoom(1/o,n?ms(
+i,n):i.pointed??void 0),home:()=>i.home(),keys:!0});e.addEventListener("pointerdown",o=>Un(i,o,s,n=>t=n)),e.addEventListener("pointermove",o=>{i.axes.box&&!t&&o.
+pointerType!=="touch"&&$n(i,o)}),e.addEventListener("pointerleave",()=>i.tip.hidden=!0),e.addEventListener("keydown",o=>Kn(i,o))}function ms(i,e){let t=i.body.getBoundingClientRect();
+return i.axes.place(e.clientX-t.left,e.clientY-t.top)}function $n(i,e){i.tip.textContent=i.said(ms(i,e)),i.tip.hidden=!1;let t=i.body.getBoundingClientRect();i.
+tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,i.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function Un(i,e,t,s){e.preventDefault(),
+i.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],n={x:[...i.axes.windows.x],y:[...i.axes.windows.y]};i.pointed=ms(i,e);let a=!1,r=t(),l=c=>{if(r||=t(),
+r)return;let[d,u]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(d,u)<5&&!a||(a=!0,s(!0),i.tip.hidden=!0,i.axes.drag(n,d,u),i.redraw(),i.soon())};C(i.body,e,l,(c,d)=>{
+d&&!a&&!r&&i.pointed&&i.take(i.pointed),s(!1)})}function Kn(i,e){let t=i.pointed??i.here()??i.axes.middle();if(i.pointed=t,No[e.key]){let[s,o]=No[e.key],{x:n,y:a}=i.
+axes.windows;i.pointed={x:y(t.x+s*(n[1]-n[0])/Wo,n[0],n[1]),y:y(t.y+o*(a[1]-a[0])/Wo,a[0],a[1])},i.state.textContent=i.said(i.pointed),i.say(i.said(i.pointed))}else if(e.
+key==="Enter")i.take(t);else return;e.preventDefault(),e.stopPropagation(),i.redraw()}var Gn=["start.height","start.vx","start.vy","start.omega"];function Do(i,e){let t="speed"in i.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(s=>Gn.includes(s))?"of starts in any state, though this motion starts rolling":""}var Vn=Math.PI/180,Yn=12,Jn=["hop_height","flight_time","energy_lost","greatest_utilization"];function Fo(i){return i.unit==="rad"?[1/Vn,"°"]:[1,i.unit==="1"?"":
+i.unit]}function Zn({classes:i,what:e},t){let[s,o]=[1/0,-1/0];if(i)return[s,o];for(let n of t)n<s&&(s=n),n>o&&(o=n);return[Jn.includes(e)?Math.min(s,0):s,o]}function jo(i){
+let{values:e}=i.arrays,t=i.header,{x:s,y:o,classes:n}=t,a=new ImageData(s.cells,o.cells),[r,l]=Zn(t,e),c=n?.map(({color:u})=>ee(u));for(let u=0;u<o.cells;u++)for(let p=0;p<
+s.cells;p++){let m=e[u*s.cells+p],w=4*((o.cells-1-u)*s.cells+p);if(!Number.isFinite(m))continue;let b=c&&(p+1<s.cells&&e[u*s.cells+p+1]!==m||u+1<o.cells&&e[(u+1)*
+s.cells+p]!==m),g=c?c[m].map(f=>b?.72*f:f):be[y(Math.round(255*(m-r)/(l-r||1)),0,255)];a.data.set([...g,255],w)}let d=h("canvas",{width:s.cells,height:o.cells});
+return oe(d).putImageData(a,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[o.from,o.to],low:r,high:l}}function Bo(i,e){let t=(o,n)=>o[0]>=n[0]-1e-300&&o[1]<=
+n[1]+1e-300;return[...i.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-Yn)}function Oo({header:i,low:e,high:t,values:s}){let{classes:o}=i;if(!o){let r=h("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=oe(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${be[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
+10);let[c,d]=Fo(i);return[h("span",{},i.label,": ",t>=e?T(e*c,3):"none"," "),r,h("span",{},t>=e?_(T(t*c,3),d):""),s.some(u=>!Number.isFinite(u))?h("span",{},h("\
+i",{class:"blank"}),"none"):""]}let n=new Map;for(let r of s)n.set(r,(n.get(r)??0)+1);let a=[...n].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
+0,10).map(([r])=>{let{color:l,text:c}=o[r];return h("span",{},h("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?h("span",{},`and ${a.length-
+10} more`):""]}function Ho(i,e){for(let{header:t,values:s}of[...i].reverse()){let{x:o,y:n,classes:a}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
+(e.y-n.from)/(n.to-n.from)*n.cells);if(r<0||l<0||r>=o.cells||l>=n.cells)continue;let c=s[l*o.cells+r];if(a)return k(a[c]?.text??"not allowed");let[d,u]=Fo(t);return Number.
+isFinite(c)?_(T(c*d,4),u):k("none")}return"…"}var $o=[[24,16],[72,48],[216,144]],St=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:s,say:o,changed:n}){this.backend=
+e,this.onmotion=s,this.say=o,this.changed=n;let a=t.controls.map_axes;this.axes=new Tt(a),this.what="sequence",this.layers=[],this.canvas=h("canvas",{class:"plo\
 t-canvas"}),this.tip=h("div",{class:"tip",hidden:!0}),this.body=h("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
 ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=h("div",{class:"map-keys"}),this.state=h("span",{class:"hint"});
-let r=l=>{let c=h("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},n.map(({path:d,label:u})=>h("option",{value:d},u)));return c};this.selects={x:r(
+let r=l=>{let c=h("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:d,label:u})=>h("option",{value:d},u)));return c};this.selects={x:r(
 "x"),y:r("y")},this.quantity=h("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,
 c])=>h("option",{value:l},c))),this.element=h("section",{class:"map","aria-label":"Map of motions"},h("div",{class:"map-head"},h("h2",{},"Map"),h("label",{},"of",
 this.quantity),h("label",{},"Across",this.selects.x),h("label",{},"Up",this.selects.y),h("span",{class:"buttons"},h("button",{type:"button","aria-label":"Zoom i\
 nto the map",onclick:()=>this.zoom(.5)},"+"),h("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),h("button",{type:"but\
-ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,h("p",{class:"hint"},`Click to take that motion into the player; ${ye("drag to move")}\
-.`)),bo(this),this.soon=V(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
-refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of J)this.selects[e].value=
+ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,h("p",{class:"hint"},`Click to take that motion into the player; ${xe("drag to move")}\
+.`)),qo(this),this.soon=J(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
+refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of X)this.selects[e].value=
 this.axes.paths[e]}setAxis(e,t){this.axes.choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);
-for(let s of Object.values(this.axes.paths)){let[o,a]=s.split(".");t[o]&&delete t[o][a]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(
+for(let s of Object.values(this.axes.paths)){let[o,n]=s.split(".");t[o]&&delete t[o][n]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(
 e.scenario);s!==this.key_now&&(this.key_now=s,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&
 e.x==="start.speed"&&e.y==="plane.mu")return;let s=o=>[e[o],...t[o]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===
 e.what)||!this.axes.restore(e)||(this.quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.
 stale=!0;return}this.stale=!1,this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,s=t.contact.model==="rigid"?[]:[[
 "contact.model","rigid"]];this.computing=!0;let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.
-kind=o,this.redraw();try{for(let[a,n]of Mo){S(this.state,`computing ${a*n} motions …`);let r={x:this.axes.asked("x",a),y:this.axes.asked("y",n)},l={scenario:t,
-changes:s,...r,what:this.what},c=await Bs(()=>this.backend.call("map",l,e),m=>{S(this.state,m)},e),d=ko(c);this.layers=xo(this.layers,d),this.keys.replaceChildren(
-...To(d));let u=yo(t,Object.values(this.axes.paths)),p=v(s.length?"{count} motions, with rigid contact":"{count} motions",{count:a*n});S(this.state,u?`${p}; ${v(
-u)}`:p),this.redraw()}this.level=Mo.length}catch(a){let{name:n,message:r}=a;if(n==="AbortError")return;S(this.state,r)}this.computing=!1}redraw(){if(!this.film)
-return;let{look:e}=this,{context:t,width:s,height:o}=L(this.canvas);this.axes.fit(s,o),t.clearRect(0,0,s,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
-let{axes:a}=this;for(let r of this.layers){let[l,c]=r.x.map(p=>a.x(p)),[d,u]=r.y.map(p=>a.y(p));t.drawImage(r.picture,l,u,c-l,d-u)}let n=this.here();n&&os(t,a.x(
-n.x),a.y(n.y),e.ink,e.paper),this.pointed&&Ke(this.body)&&os(t,a.x(this.pointed.x),a.y(this.pointed.y),"#D55E00",e.paper),t.restore(),a.draw(t,o,e)}here(){let e=s=>{
-let[o,a]=s.split(".");return this.film.values[s]??this.film.scenario[o]?.[a]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
-y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${So(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
-this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var wt=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",s=performance.now()){let o=this.now;if(this.now=e,o===
-null||as(o,e))return"same";let a=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],a?"again":(this.past.push(
+kind=o,this.redraw();try{for(let[n,a]of $o){M(this.state,`computing ${n*a} motions …`);let r={x:this.axes.asked("x",n),y:this.axes.asked("y",a)},l={scenario:t,
+changes:s,...r,what:this.what},c=await Lo(()=>this.backend.call("map",l,e),m=>{M(this.state,m)},e),d=jo(c);this.layers=Bo(this.layers,d),this.keys.replaceChildren(
+...Oo(d));let u=Do(t,Object.values(this.axes.paths)),p=k(s.length?"{count} motions, with rigid contact":"{count} motions",{count:n*a});M(this.state,u?`${p}; ${k(
+u)}`:p),this.redraw()}this.level=$o.length}catch(n){let{name:a,message:r}=n;if(a==="AbortError")return;M(this.state,r)}this.computing=!1}redraw(){if(!this.film)
+return;let{look:e}=this,{context:t,width:s,height:o}=I(this.canvas);this.axes.fit(s,o),t.clearRect(0,0,s,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
+let{axes:n}=this;for(let r of this.layers){let[l,c]=r.x.map(p=>n.x(p)),[d,u]=r.y.map(p=>n.y(p));t.drawImage(r.picture,l,u,c-l,d-u)}let a=this.here();a&&ps(t,n.x(
+a.x),n.y(a.y),e.ink,e.paper),this.pointed&&et(this.body)&&ps(t,n.x(this.pointed.x),n.y(this.pointed.y),"#D55E00",e.paper),t.restore(),n.draw(t,o,e)}here(){let e=s=>{
+let[o,n]=s.split(".");return this.film.values[s]??this.film.scenario[o]?.[n]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
+y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Ho(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
+this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Mt=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",s=performance.now()){let o=this.now;if(this.now=e,o===
+null||fs(o,e))return"same";let n=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],n?"again":(this.past.push(
 o),this.past.length>500&&this.past.shift(),"step")}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,
-this.past],o=t.pop();!o||!this.now||(s.push(this.now),this.now=o,this.what="")}arrive(e){if(!(this.now&&as(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:
-this.future,o=s.length-s.findLastIndex(a=>as(a,e));if(!(o>s.length)){for(let a=0;a<o;a++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
-as=(i,e)=>JSON.stringify(i)===JSON.stringify(e);var bt=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new wt,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+this.past],o=t.pop();!o||!this.now||(s.push(this.now),this.now=o,this.what="")}arrive(e){if(!(this.now&&fs(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:
+this.future,o=s.length-s.findLastIndex(n=>fs(n,e));if(!(o>s.length)){for(let n=0;n<o;n++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
+fs=(i,e)=>JSON.stringify(i)===JSON.stringify(e);var Et=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Mt,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new ne(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new he(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.since??=performance.now(),s.pending=[...(s.pending??[]).filter(([
-o])=>!e.some(([a])=>a===o)),...e],s.commit||=t,s.what=e.map(([o])=>o).join(),this.pump(s)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
-e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new ne(await this.backend.call("film",{scenario:e.film.
+o])=>!e.some(([n])=>n===o)),...e],s.commit||=t,s.what=e.map(([o])=>o).join(),this.pump(s)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
+e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new he(await this.backend.call("film",{scenario:e.film.
 scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(o){this.lanes.includes(e)&&this.listener.failed(o,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){
-for(let s of this.lanes){let{film:o}=s,a=s.refining||s.coarse===o?null:o.wanted(e,t);a&&(s.refining=!0,this.backend.call("samples",{scenario:o.scenario,window:a}).
-then(({arrays:n})=>{o.refine(n),this.listener.refined()}).catch(()=>{s.coarse=o}).finally(()=>{s.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
-settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new ne(
+for(let s of this.lanes){let{film:o}=s,n=s.refining||s.coarse===o?null:o.wanted(e,t);n&&(s.refining=!0,this.backend.call("samples",{scenario:o.scenario,window:n}).
+then(({arrays:a})=>{o.refine(a),this.listener.refined()}).catch(()=>{s.coarse=o}).finally(()=>{s.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
+settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new he(
 e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.
 travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(e),this.listener.
 shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.
 lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
 this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
-Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var xa=6e3,yt=class{constructor(){this.message=h("p",{class:"message",role:"alert",hidden:!0}),this.toast=h("div",{class:"toast",role:"status",hidden:!0}),this.
-timer=0}fail(e){S(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
+Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var Xn=6e3,At=class{constructor(){this.message=h("p",{class:"message",role:"alert",hidden:!0}),this.toast=h("div",{class:"toast",role:"status",hidden:!0}),this.
+timer=0}fail(e){M(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
 message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),S(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},xa)}};var H=52,ns=10,D=8,Ta=30,zo={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},ve=class{films;active;look;box;range;heights;picked;named;values;constructor({
-key:e,title:t,unit:s,curves:o,limits:a,symmetric:n=!1},r){this.key=e,this.title=t,this.unit=s,this.curves=o,this.limits=a,this.symmetric=n,this.shared=r,this.canvas=
+ole",t?"presentation":"status"),M(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Xn)}};var $=52,gs=10,q=8,Qn=30,Uo={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},Te=class{films;active;look;box;range;heights;picked;named;values;constructor({
+key:e,title:t,unit:s,curves:o,limits:n,symmetric:a=!1},r){this.key=e,this.title=t,this.unit=s,this.curves=o,this.limits=n,this.symmetric=a,this.shared=r,this.canvas=
 h("canvas",{class:"plot-canvas"}),this.over=h("canvas",{class:"plot-canvas plot-over"}),this.keys=h("div",{class:"plot-keys"}),this.body=h("div",{class:"plot-bo\
 dy",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=h("section",{class:"plot","data-plot":e},h("header",{},h("h3",{},t),this.keys),this.
-body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=_(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),
-1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return q[this.shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,
+body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=H(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),
+1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return W[this.shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,
 Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let o of this.abscissa(s))o<e&&(e=o),o>t&&(t=o);return t>e?[e,t]:
-[e-1,t+1]}draw(e,t,s,o){this.films=e,this.active=t,this.look=s;let{context:a,width:n,height:r}=L(this.canvas);this.box={width:n-H-ns,height:r-D-Ta},a.clearRect(
-0,0,n,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((c,d)=>this.shades(c,d).map((u,p)=>({...u,film:c,lane:d,number:p})));this.heights=this.limits??
-this.findHeights(l),this.shared.axis==="time"&&this.bands(a,e[t],o),this.grid(a,s,n,r),a.save(),a.beginPath(),a.rect(H,D,this.box.width,this.box.height),a.clip();
-for(let c of l)this.curve(a,c);if(e.length>1)for(let c of l)c.number===0&&this.letter(a,c);a.restore(),this.legend(this.shades(e[t],t),s.dark),this.describe(l)}shades(e,t){
-let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(a=>({...a,color:a.color&&Me(a.color,s)}));let o=Object.keys(zo);return this.curves(e).map(
-(a,n)=>({...a,color:U(t,s),dash:o[n%o.length]}))}x(e){return H+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return D+(1-(e-this.heights[0])/
+[e-1,t+1]}draw(e,t,s,o){this.films=e,this.active=t,this.look=s;let{context:n,width:a,height:r}=I(this.canvas);this.box={width:a-$-gs,height:r-q-Qn},n.clearRect(
+0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((c,d)=>this.shades(c,d).map((u,p)=>({...u,film:c,lane:d,number:p})));this.heights=this.limits??
+this.findHeights(l),this.shared.axis==="time"&&this.bands(n,e[t],o),this.grid(n,s,a,r),n.save(),n.beginPath(),n.rect($,q,this.box.width,this.box.height),n.clip();
+for(let c of l)this.curve(n,c);if(e.length>1)for(let c of l)c.number===0&&this.letter(n,c);n.restore(),this.legend(this.shades(e[t],t),s.dark),this.describe(l)}shades(e,t){
+let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(n=>({...n,color:n.color&&Le(n.color,s)}));let o=Object.keys(Uo);return this.curves(e).map(
+(n,a)=>({...n,color:G(t,s),dash:o[a%o.length]}))}x(e){return $+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return q+(1-(e-this.heights[0])/
 (this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:d,values:u}of e){let p=this.abscissa(d);for(let m=0;m<u.length;m++)p[m]>=
-this.range[0]&&p[m]<=this.range[1]&&Number.isFinite(u[m])&&t.push(u[m])}if(!t.length)return[0,1];let s=Float64Array.from(t).sort(),[o,a]=[s[0],s[s.length-1]],[n,
-r]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],l=Math.max(r-n,1e-12);a>r+4*l&&(a=r+.6*l),o<n-4*l&&(o=n-.6*l),o=Math.min(o,0),a=Math.max(a,0),this.
-symmetric&&([o,a]=[-Math.max(-o,a),Math.max(-o,a)]);let c=.06*(a-o)||1;return[o<0?o-c:o,a+c]}bands(e,t,s){for(let o of t.phases){let a=y(this.x(o.from),H,H+this.
-box.width),n=y(this.x(o.to),H,H+this.box.width);n<=a||(e.fillStyle=Se(s.modes[o.mode],.14),e.fillRect(a,D,n-a,this.box.height))}}grid(e,t,s,o){e.font=`11px ${t.
-font}`,e.strokeStyle=t.line,e.fillStyle=t.soft,e.lineWidth=1;let a=Math.max(this.box.height/28,4);for(;O(this.heights[0],this.heights[1],a).length<3&&a<12;)a+=1;
-let n=N(this.heights[1]-this.heights[0],a);e.textAlign="right",e.textBaseline="middle";for(let p of O(this.heights[0],this.heights[1],a)){let m=Math.round(this.
-y(p))+.5;e.globalAlpha=Math.abs(p)<1e-9*n?1:.55,e.beginPath(),e.moveTo(H,m),e.lineTo(s-ns,m),e.stroke(),e.globalAlpha=1,e.fillText(j(p,n),H-6,m)}let r=this.box.
-width/70,l=N(this.range[1]-this.range[0],r);e.textAlign="center",e.textBaseline="alphabetic";let{name:c,unit:d}=q[this.shared.axis],u=d?`${v(c)} [${d}]`:v(c);for(let p of O(
-this.range[0],this.range[1],r)){let m=this.x(p);e.beginPath(),e.moveTo(m,D+this.box.height),e.lineTo(m,D+this.box.height+4),e.stroke(),e.fillText(j(p,l),m,D+this.
-box.height+15)}e.textAlign="right",e.fillText(u,s-ns,o-3),e.save(),e.translate(11,D+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(v(this.
-unit),0,0),e.restore()}curve(e,{film:t,color:s,dash:o,number:a}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(zo[o??"solid"]),e.beginPath();let n=!1;
-for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[a];for(let d=r.from;d<r.to;d++){if(!Number.isFinite(c[d])||!Number.isFinite(
-l[d])){n=!1;continue}let u=this.x(l[d]),p=y(this.y(c[d]),-1e4,1e4);n?e.lineTo(u,p):e.moveTo(u,p),n=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,lane:s,values:o,
-color:a}){let n=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=n.findIndex(u=>u>=r);if(l<0||!Number.isFinite(o[l]))return;let[c,d]=[
-this.x(n[l]),y(this.y(o[l])-8,D+10,D+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.look.panel,e.
-strokeText("AB"[s],c,d),e.fillStyle=a??this.look.ink,e.fillText("AB"[s],c,d)}legend(e,t){let s=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==s&&(this.named=
-s,this.values=e.map(()=>h("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,a)=>h("span",{class:"plot-key"},rs(o.color,o.dash),o.name," ",this.values[a]))))}describe(e){
-let t=e.slice(0,6).map(({name:o,values:a,lane:n})=>{let[r,l]=[1/0,-1/0];for(let u of a)u<r&&(r=u),u>l&&(l=u);let c=this.films.length>1?`${"AB"[n]}: `:"",d={name:v(
-o),low:x(r,3),high:x(l,3)};return l>=r?`${c}${v("{name} from {low} to {high}",d)}`:""}),s=v("Diagram: {title} in {unit}.",{title:v(this.title),unit:v(this.unit)});
-this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,width:s,height:o}=L(this.over);if(t.clearRect(
-0,0,s,o),this.films.forEach((a,n)=>{let r=a.holding(e),l=r.at(e),c=r.index(l.t),d=Math.min(c+1,r.length-1),u=r.t[d]>r.t[c]?(l.t-r.t[c])/(r.t[d]-r.t[c]):0,p=this.
-abscissa(r),m=this.x(p[c]+u*(p[d]-p[c])),g=m>=H-1&&m<=H+this.box.width+1;g&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(m,D),t.lineTo(m,D+
-this.box.height),t.stroke()),this.shades(r,n).forEach((b,w)=>{let f=b.values[d],k=Number.isFinite(f)?b.values[c]+u*(f-b.values[c]):b.values[c];n===this.active&&
-this.values?.[w]&&(this.values[w].textContent=x(k,3));let T=this.y(k);!g||!(T>=D-1&&T<=D+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
-arc(m,T,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[a,n]=this.picked;t.fillStyle=Se("#0072B2",.2),t.fillRect(Math.min(a,n),D,Math.abs(n-a),this.box.height)}}valueAt(e){
-let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-H)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
-return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,o=this.valueAt(e),a=this.pinched(),n=r=>{if(a||=this.pinched(),a)return;let l=r.clientX-t.left;
+this.range[0]&&p[m]<=this.range[1]&&Number.isFinite(u[m])&&t.push(u[m])}if(!t.length)return[0,1];let s=Float64Array.from(t).sort(),[o,n]=[s[0],s[s.length-1]],[a,
+r]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],l=Math.max(r-a,1e-12);n>r+4*l&&(n=r+.6*l),o<a-4*l&&(o=a-.6*l),o=Math.min(o,0),n=Math.max(n,0),this.
+symmetric&&([o,n]=[-Math.max(-o,n),Math.max(-o,n)]);let c=.06*(n-o)||1;return[o<0?o-c:o,n+c]}bands(e,t,s){for(let o of t.phases){let n=y(this.x(o.from),$,$+this.
+box.width),a=y(this.x(o.to),$,$+this.box.width);a<=n||(e.fillStyle=Pe(s.modes[o.mode],.14),e.fillRect(n,q,a-n,this.box.height))}}grid(e,t,s,o){e.font=`11px ${t.
+font}`,e.strokeStyle=t.line,e.fillStyle=t.soft,e.lineWidth=1;let n=Math.max(this.box.height/28,4);for(;U(this.heights[0],this.heights[1],n).length<3&&n<12;)n+=1;
+let a=F(this.heights[1]-this.heights[0],n);e.textAlign="right",e.textBaseline="middle";for(let p of U(this.heights[0],this.heights[1],n)){let m=Math.round(this.
+y(p))+.5;e.globalAlpha=Math.abs(p)<1e-9*a?1:.55,e.beginPath(),e.moveTo($,m),e.lineTo(s-gs,m),e.stroke(),e.globalAlpha=1,e.fillText(O(p,a),$-6,m)}let r=this.box.
+width/70,l=F(this.range[1]-this.range[0],r);e.textAlign="center",e.textBaseline="alphabetic";let{name:c,unit:d}=W[this.shared.axis],u=d?`${k(c)} [${d}]`:k(c);for(let p of U(
+this.range[0],this.range[1],r)){let m=this.x(p);e.beginPath(),e.moveTo(m,q+this.box.height),e.lineTo(m,q+this.box.height+4),e.stroke(),e.fillText(O(p,l),m,q+this.
+box.height+15)}e.textAlign="right",e.fillText(u,s-gs,o-3),e.save(),e.translate(11,q+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(k(this.
+unit),0,0),e.restore()}curve(e,{film:t,color:s,dash:o,number:n}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Uo[o??"solid"]),e.beginPath();let a=!1;
+for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[n];for(let d=r.from;d<r.to;d++){if(!Number.isFinite(c[d])||!Number.isFinite(
+l[d])){a=!1;continue}let u=this.x(l[d]),p=y(this.y(c[d]),-1e4,1e4);a?e.lineTo(u,p):e.moveTo(u,p),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,lane:s,values:o,
+color:n}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(u=>u>=r);if(l<0||!Number.isFinite(o[l]))return;let[c,d]=[
+this.x(a[l]),y(this.y(o[l])-8,q+10,q+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.look.panel,e.
+strokeText("AB"[s],c,d),e.fillStyle=n??this.look.ink,e.fillText("AB"[s],c,d)}legend(e,t){let s=e.map(o=>o.name+o.color+o.dash).join()+t;this.named!==s&&(this.named=
+s,this.values=e.map(()=>h("span",{class:"value"})),this.keys.replaceChildren(...e.map((o,n)=>h("span",{class:"plot-key"},ws(o.color,o.dash),o.name," ",this.values[n]))))}describe(e){
+let t=e.slice(0,6).map(({name:o,values:n,lane:a})=>{let[r,l]=[1/0,-1/0];for(let u of n)u<r&&(r=u),u>l&&(l=u);let c=this.films.length>1?`${"AB"[a]}: `:"",d={name:k(
+o),low:T(r,3),high:T(l,3)};return l>=r?`${c}${k("{name} from {low} to {high}",d)}`:""}),s=k("Diagram: {title} in {unit}.",{title:k(this.title),unit:k(this.unit)});
+this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,width:s,height:o}=I(this.over);if(t.clearRect(
+0,0,s,o),this.films.forEach((n,a)=>{let r=n.holding(e),l=r.at(e),c=r.index(l.t),d=Math.min(c+1,r.length-1),u=r.t[d]>r.t[c]?(l.t-r.t[c])/(r.t[d]-r.t[c]):0,p=this.
+abscissa(r),m=this.x(p[c]+u*(p[d]-p[c])),w=m>=$-1&&m<=$+this.box.width+1;w&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(m,q),t.lineTo(m,q+
+this.box.height),t.stroke()),this.shades(r,a).forEach((b,g)=>{let f=b.values[d],x=Number.isFinite(f)?b.values[c]+u*(f-b.values[c]):b.values[c];a===this.active&&
+this.values?.[g]&&(this.values[g].textContent=T(x,3));let S=this.y(x);!w||!(S>=q-1&&S<=q+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
+arc(m,S,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[n,a]=this.picked;t.fillStyle=Pe("#0072B2",.2),t.fillRect(Math.min(n,a),q,Math.abs(a-n),this.box.height)}}valueAt(e){
+let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-$)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
+return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,o=this.valueAt(e),n=this.pinched(),a=r=>{if(n||=this.pinched(),n)return;let l=r.clientX-t.left;
 this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};C(this.
-body,e,n,(r,l)=>{let c=this.valueAt(r),{picked:d}=this;this.picked=null,d&&l?this.zoomTo(o<c?[o,c]:[c,o]):d?this.cursor(this.shared.clock.time):l&&!a&&this.seek(
-e.pointerType==="mouse"?o:c)})}seek(e){if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),o=0;for(let a=0;a<s.length;a++)
-Math.abs(s[a]-e)<Math.abs(s[o]-e)&&(o=a);return this.onseek(t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),o=Math.
-max(e-(e-this.range[0])*t,s[0]),a=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(o<=s[0]&&a>=s[1]?null:[o,a])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:
-null,this.shared.changed()}};function rs(i,e="solid"){let t=h("i",{class:"swatch","aria-hidden":"true"});return t.style.borderTopColor=i??"var(--ink)",t.style.borderTopStyle=
-{solid:"solid",dash:"dashed",dot:"dotted",long:"double",mixed:"groove"}[e],t}var re=52,Eo=10,R=8,Sa=30,Ma="RSKHM?",vt=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
+body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:d}=this;this.picked=null,d&&l?this.zoomTo(o<c?[o,c]:[c,o]):d?this.cursor(this.shared.clock.time):l&&!n&&this.seek(
+e.pointerType==="mouse"?o:c)})}seek(e){if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),o=0;for(let n=0;n<s.length;n++)
+Math.abs(s[n]-e)<Math.abs(s[o]-e)&&(o=n);return this.onseek(t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),o=Math.
+max(e-(e-this.range[0])*t,s[0]),n=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(o<=s[0]&&n>=s[1]?null:[o,n])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:
+null,this.shared.changed()}};function ws(i,e="solid"){let t=h("i",{class:"swatch","aria-hidden":"true"});return t.style.borderTopColor=i??"var(--ink)",t.style.borderTopStyle=
+{solid:"solid",dash:"dashed",dot:"dotted",long:"double",mixed:"groove"}[e],t}var ce=52,Ko=10,L=8,ea=30,ta="RSKHM?",zt=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
 e,this.clock=t,this.colors=s,this.canvas=h("canvas",{class:"plot-canvas"}),this.over=h("canvas",{class:"plot-canvas plot-over"}),this.keys=h("div",{class:"plot-\
 keys"}),this.body=h("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
 ght"},this.canvas,this.over),this.element=h("section",{class:"phase"},h("header",{},h("h3",{},"Plane of θ and θ̇"),this.keys),this.body,h("p",{class:"hint"},
-"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${ye("")}.`)),this.body.addEventListener(
-"pointerdown",o=>this.seek(o)),this.pinched=_(this.body,{zoom:(o,a)=>this.box&&this.zoomAbout(a?this.point(a):this.middle(),1/o),home:()=>this.zoomTo(null),keys:!0}),
-this.range=[0,2*Math.PI],this.asked="",this.soon=V(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),o=JSON.stringify([e.hoop,e.plane,s]);if(o!==this.
-asked){let a=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=o,this.pictures=[a],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
+"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${xe("")}.`)),this.body.addEventListener(
+"pointerdown",o=>this.seek(o)),this.pinched=H(this.body,{zoom:(o,n)=>this.box&&this.zoomAbout(n?this.point(n):this.middle(),1/o),home:()=>this.zoomTo(null),keys:!0}),
+this.range=[0,2*Math.PI],this.asked="",this.soon=J(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),o=JSON.stringify([e.hoop,e.plane,s]);if(o!==this.
+asked){let n=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=o,this.pictures=[n],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
 pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,
 ...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:o,
-arrays:a}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:o.window,paradox:a.paradox,picture:this.paint(a.modes,o.arrays[0].shape)}}reach(){
+arrays:n}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:o.window,paradox:n.paradox,picture:this.paint(n.modes,o.arrays[0].shape)}}reach(){
 return this.reached}findReach(){let e=0;for(let s of this.films??[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
-e,o[Math.floor(.99*(o.length-1))]??0)}let t=N(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
-this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-re)/this.box.width,o=1-(e.clientY-t.top-R)/this.box.
+e,o[Math.floor(.99*(o.length-1))]??0)}let t=F(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
+this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-ce)/this.box.width,o=1-(e.clientY-t.top-L)/this.box.
 height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
-bottom()+this.top())]}zoomAbout([e,t],s){let o=Math.max(e-(e-this.range[0])*s,0),a=Math.min(e+(this.range[1]-e)*s,2*Math.PI),n=this.reach(),r=Math.max(t-(t-this.
-bottom())*s,-n),l=Math.min(t+(this.top()-t)*s,n);this.range=[o,a],this.window=a-o<2*Math.PI-1e-9||l-r<2*n-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
+bottom()+this.top())]}zoomAbout([e,t],s){let o=Math.max(e-(e-this.range[0])*s,0),n=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.
+bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[o,n],this.window=n-o<2*Math.PI-1e-9||l-r<2*a-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
 window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
-e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(o=>o.columns.omega.some(a=>a>.3)),this.backwards=e.some(o=>o.columns.omega.some(a=>a<
--.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return re+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return R+
-(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:o}=this.colors,a=h("canvas",{width:s,height:t}),n=new ImageData(s,t);for(let r=0;r<
-t;r++)for(let l=0;l<s;l++){let c=Ma[e[r*s+l]],d=X(o[c]??"#6E6E6E"),u=4*((t-1-r)*s+l);n.data.set([...d,255],u)}return te(a).putImageData(n,0,0),a}redraw(){if(!this.
-films)return;let{colors:e,look:t}=this,{context:s,width:o,height:a}=L(this.canvas);if(this.box={width:o-re-Eo,height:a-R-Sa},s.clearRect(0,0,o,a),s.save(),s.beginPath(),
-s.rect(re,R,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:n,window:r}of this.pictures){let[l,c,d,u]=r,p=[this.
-x(l),this.y(u),this.x(c)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(p[0],p[1],p[2],p[3]),s.globalAlpha=.35,s.drawImage(n,p[0],p[1],p[2],p[3]),
-s.globalAlpha=1}this.hatch(s)}for(let[n,r]of this.films.entries())this.way(s,r,n);if(s.restore(),this.axes(s,o,a),this.keyed!==t.dark){this.keyed=t.dark;let n=Object.
-entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...n.map(([r,l])=>h("span",{class:"plot-key"},rs(e.modes[r]),l)))}this.cursor(
-this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=Se(this.look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let o=0;o<s;o++){
-if(!t[o])continue;let a=o;for(;a<s&&t[a]===t[o];)a++;let n=this.x(o*2*Math.PI/s),r=this.x(a*2*Math.PI/s);e.save(),e.beginPath(),e.rect(n,R,r-n,this.box.height),
-e.clip(),e.beginPath();let l=t[o];for(let c=-this.box.height;c<r-n+this.box.height;c+=7)e.moveTo(n+c,l>0?R+this.box.height:R),e.lineTo(n+c+this.box.height,l>0?R:
-R+this.box.height);e.stroke(),e.restore(),o=a}}way(e,t,s){let{angle:o,omega:a,mode:n}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=
-this.films.length>1?U(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.isFinite(a[c])){l=null;continue}let d=Math.
-floor(o[c]/r),u=o[c]-d*r;if(l===null)e.moveTo(this.x(u),this.y(a[c]));else if(d!==l.lap){let p=d>l.lap?r:0;e.lineTo(this.x(p),this.y(a[c])),e.moveTo(this.x(r-p),
-this.y(a[c])),e.lineTo(this.x(u),this.y(a[c]))}else e.lineTo(this.x(u),this.y(a[c]));l={lap:d,mode:n[c]}}e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:o}=this;
-e.font=`11px ${o.font}`,e.strokeStyle=o.soft,e.fillStyle=o.soft,e.lineWidth=1,e.strokeRect(re+.5,R+.5,this.box.width-1,this.box.height-1),e.textAlign="center";let a=this.
-range[0]*180/Math.PI,n=this.range[1]*180/Math.PI,r=n-a>200?45:N(n-a,6);for(let c=Math.ceil(a/r-1e-9);c*r<=n+1e-9;c++){let d=this.x(c*r*Math.PI/180);e.beginPath(),
-e.moveTo(d,R+this.box.height),e.lineTo(d,R+this.box.height+4),e.stroke(),e.fillText(j(c*r,r),d,R+this.box.height+15)}e.textAlign="right",e.fillText(v("angle θ w\
-ithin a turn [°]"),t-Eo,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let c of O(this.bottom(),this.top(),5))e.fillText(j(c,N(l,5)),re-6,this.
-y(c));e.textBaseline="alphabetic",e.save(),e.translate(11,R+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){
-if(!this.films||!this.box)return;let{context:t,width:s,height:o}=L(this.over);t.clearRect(0,0,s,o),this.films.forEach((a,n)=>{let r=a.at(e),l=2*Math.PI,c=r.angle-
-Math.floor(r.angle/l)*l,d=this.x(c),u=this.y(r.omega);d>=re&&d<=re+this.box.width&&u>=R&&u<=R+this.box.height&&(t.beginPath(),t.arc(d,u,n?4:5.5,0,2*Math.PI),t.fillStyle=
-this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?U(n,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=
-`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[n],d+8,u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,o]=[
-e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let a=this.films[this.active],{angle:n,omega:r}=a.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let d=0;d<
-a.length;d++){let u=n[d]-Math.floor(n[d]/l)*l,p=Math.hypot(this.x(u)-s,this.y(r[d])-o);p<c.distance&&(c={distance:p,t:a.t[d]})}c.distance<40&&this.clock.seek(y(
-c.t,0,a.duration))}};var ls=i=>Object.entries(q).map(([e,t])=>h("option",{value:e},i(t)));function Ao(i){let e="height",t=new ve({key:"own",title:"Your choice",unit:"",curves:a=>[{name:v(
-q[e].name),values:q[e].values(a)}]},i),s=()=>{let{symbol:a,unit:n}=q[e];t.unit=n?`${a} [${n}]`:a},o=h("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=o.value,s(),i.changed()}},ls(so));return o.value=e,s(),t.element.querySelector("h3")?.after(o),t}function za(i){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:i.center_speed,values:e.columns.vx},{name:"\
+e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(o=>o.columns.omega.some(n=>n>.3)),this.backwards=e.some(o=>o.columns.omega.some(n=>n<
+-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return ce+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return L+
+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:o}=this.colors,n=h("canvas",{width:s,height:t}),a=new ImageData(s,t);for(let r=0;r<
+t;r++)for(let l=0;l<s;l++){let c=ta[e[r*s+l]],d=ee(o[c]??"#6E6E6E"),u=4*((t-1-r)*s+l);a.data.set([...d,255],u)}return oe(n).putImageData(a,0,0),n}redraw(){if(!this.
+films)return;let{colors:e,look:t}=this,{context:s,width:o,height:n}=I(this.canvas);if(this.box={width:o-ce-Ko,height:n-L-ea},s.clearRect(0,0,o,n),s.save(),s.beginPath(),
+s.rect(ce,L,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,d,u]=r,p=[this.
+x(l),this.y(u),this.x(c)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(p[0],p[1],p[2],p[3]),s.globalAlpha=.35,s.drawImage(a,p[0],p[1],p[2],p[3]),
+s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,o,n),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.
+entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>h("span",{class:"plot-key"},ws(e.modes[r]),l)))}this.cursor(
+this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=Pe(this.look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let o=0;o<s;o++){
+if(!t[o])continue;let n=o;for(;n<s&&t[n]===t[o];)n++;let a=this.x(o*2*Math.PI/s),r=this.x(n*2*Math.PI/s);e.save(),e.beginPath(),e.rect(a,L,r-a,this.box.height),
+e.clip(),e.beginPath();let l=t[o];for(let c=-this.box.height;c<r-a+this.box.height;c+=7)e.moveTo(a+c,l>0?L+this.box.height:L),e.lineTo(a+c+this.box.height,l>0?L:
+L+this.box.height);e.stroke(),e.restore(),o=n}}way(e,t,s){let{angle:o,omega:n,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=
+this.films.length>1?G(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.isFinite(n[c])){l=null;continue}let d=Math.
+floor(o[c]/r),u=o[c]-d*r;if(l===null)e.moveTo(this.x(u),this.y(n[c]));else if(d!==l.lap){let p=d>l.lap?r:0;e.lineTo(this.x(p),this.y(n[c])),e.moveTo(this.x(r-p),
+this.y(n[c])),e.lineTo(this.x(u),this.y(n[c]))}else e.lineTo(this.x(u),this.y(n[c]));l={lap:d,mode:a[c]}}e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:o}=this;
+e.font=`11px ${o.font}`,e.strokeStyle=o.soft,e.fillStyle=o.soft,e.lineWidth=1,e.strokeRect(ce+.5,L+.5,this.box.width-1,this.box.height-1),e.textAlign="center";let n=this.
+range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-n>200?45:F(a-n,6);for(let c=Math.ceil(n/r-1e-9);c*r<=a+1e-9;c++){let d=this.x(c*r*Math.PI/180);e.beginPath(),
+e.moveTo(d,L+this.box.height),e.lineTo(d,L+this.box.height+4),e.stroke(),e.fillText(O(c*r,r),d,L+this.box.height+15)}e.textAlign="right",e.fillText(k("angle θ w\
+ithin a turn [°]"),t-Ko,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let c of U(this.bottom(),this.top(),5))e.fillText(O(c,F(l,5)),ce-6,this.
+y(c));e.textBaseline="alphabetic",e.save(),e.translate(11,L+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){
+if(!this.films||!this.box)return;let{context:t,width:s,height:o}=I(this.over);t.clearRect(0,0,s,o),this.films.forEach((n,a)=>{let r=n.at(e),l=2*Math.PI,c=r.angle-
+Math.floor(r.angle/l)*l,d=this.x(c),u=this.y(r.omega);d>=ce&&d<=ce+this.box.width&&u>=L&&u<=L+this.box.height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=
+this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?G(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=
+`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,o]=[
+e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let n=this.films[this.active],{angle:a,omega:r}=n.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let d=0;d<
+n.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,p=Math.hypot(this.x(u)-s,this.y(r[d])-o);p<c.distance&&(c={distance:p,t:n.t[d]})}c.distance<40&&this.clock.seek(y(
+c.t,0,n.duration))}};var bs=i=>Object.entries(W).map(([e,t])=>h("option",{value:e},i(t)));function Go(i){let e="height",t=new Te({key:"own",title:"Your choice",unit:"",curves:n=>[{name:k(
+W[e].name),values:W[e].values(n)}]},i),s=()=>{let{symbol:n,unit:a}=W[e];t.unit=a?`${n} [${a}]`:n},o=h("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=o.value,s(),i.changed()}},bs(ko));return o.value=e,s(),t.element.querySelector("h3")?.after(o),t}function sa(i){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:i.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:i.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:i.kinetic,values:e.columns.kinetic},{name:"potential",color:i.potential,values:e.columns.potential},{name:"\
-total",values:e.derived("total",({t,kinetic:s,potential:o})=>Float64Array.from(t,(a,n)=>s[n]+o[n])),dash:"dash"},{name:"lost to friction",color:i.friction_loss,
+total",values:e.derived("total",({t,kinetic:s,potential:o})=>Float64Array.from(t,(n,a)=>s[a]+o[a])),dash:"dash"},{name:"lost to friction",color:i.friction_loss,
 values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:i.impact_loss,values:e.columns.
 normal_loss,dash:"dot"}]},{key:"forces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:i.normal_force,values:e.columns.normal_force},
 {name:"friction F",color:i.friction_force,dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],
-curves:e=>[{name:"|F| / μN",color:i.friction_force,values:e.columns.utilization}]}]}var kt=class{films;active;look;constructor(e,t){this.colors=t,this.shared={
-axis:"time",range:null,clock:e,changed:()=>this.redraw()},this.plots=[...za(t).map(o=>new ve(o,this.shared)),Ao(this.shared)];for(let o of this.plots)o.onseek=a=>e.
-seek(a);this.seen=new Map(this.plots.map(o=>[o.element,!0]));let s=new IntersectionObserver(o=>{for(let{target:a,isIntersecting:n}of o)this.seen.set(a,n);this.redraw()},
+curves:e=>[{name:"|F| / μN",color:i.friction_force,values:e.columns.utilization}]}]}var Rt=class{films;active;look;constructor(e,t){this.colors=t,this.shared={
+axis:"time",range:null,clock:e,changed:()=>this.redraw()},this.plots=[...sa(t).map(o=>new Te(o,this.shared)),Go(this.shared)];for(let o of this.plots)o.onseek=n=>e.
+seek(n);this.seen=new Map(this.plots.map(o=>[o.element,!0]));let s=new IntersectionObserver(o=>{for(let{target:n,isIntersecting:a}of o)this.seen.set(n,a);this.redraw()},
 {rootMargin:"400px"});for(let o of this.plots)s.observe(o.element);this.axis=h("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.
-axis=this.axis.value,this.shared.range=null,this.redraw()}},ls(({name:o})=>`over ${o}`)),this.back=h("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].
+axis=this.axis.value,this.shared.range=null,this.redraw()}},bs(({name:o})=>`over ${o}`)),this.back=h("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].
 zoomTo(null)},"Whole motion"),this.hint=h("span",{class:"hint"}),this.element=h("div",{class:"plots"},h("div",{class:"plots-head"},this.axis,this.back,this.hint),
 this.plots.map(o=>o.element))}draw(e,t,s){this.films=e,this.active=t,this.look=s;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":
-`click to go there, drag to zoom; ${ye("")}`,a=e.length>1;S(this.hint,a?`A violet, B green; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.
-redraw()}redraw(){if(this.films?.length){this.back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.
-cursor(this.shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Ea=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],xt=class{constructor(e){this.lab=e,this.menu=h("details",{class:"menu"},h("summary",{class:"button"},"Keep"),h("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),Ea.map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
+`click to go there, drag to zoom; ${xe("")}`,n=e.length>1;M(this.hint,n?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){
+if(this.films?.length){this.back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.
+clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var oa=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+)"]],Pt=class{constructor(e){this.lab=e,this.menu=h("details",{class:"menu"},h("summary",{class:"button"},"Keep"),h("div",{class:"menu-body"},e.backend.shares&&
+this.item("Copy the link",()=>this.copyLink()),oa.map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
 d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=h("dialog",{class:"code-dialog","aria-label":"The same mo\
 tion in Python"}),e.root.addEventListener("pointerdown",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return h("button",{type:"button",onclick:async()=>{
 this.menu.open=!1;try{await t()}catch(s){this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link()??"";try{await navigator.clipboard.writeText(e),this.
 lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith("mp4")?
-"The film is being made; this takes a while …":`Fetching ${e} …`),ge(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
+"The film is being made; this takes a while …":`Fetching ${e} …`),ye(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
 re.`)}picture(){this.lab.drawStage();let e=this.lab.stage.canvas(),t=h("canvas",{width:e.width,height:e.height});return this.copyInto(t),new Promise(s=>{t.toBlob(
-o=>{o&&ge(o,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),o=te(e);o.fillStyle=t.theme.look.paper,o.fillRect(0,0,e.width,e.height),
-o.drawImage(s,0,0,e.width,e.height);let a=e.width/Math.max(s.getBoundingClientRect().width,1);o.textBaseline="top",o.textAlign="left";let n=t.films();for(let[r,
-l]of n.entries()){let c=l.at(t.clock.time),d=[n.length>1?`${"AB"[r]}: `:"",`${v(t.theme.colors.mode_names[c.mode])}, t = ${c.t.toFixed(3)} s, θ = ${P(c.angle)}\
-, v = ${x(c.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/n.length;o.fillStyle=t.theme.colors.modes[c.mode],o.fillRect(
-12*a,(u+2)*a,11*a,11*a),o.fillStyle=t.theme.look.ink,o.font=`${13*a}px ${t.theme.look.font}`,o.fillText(d,30*a,u*a)}}async record(){let{lab:e}=this,t=e.stage.canvas();
+o=>{o&&ye(o,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),o=oe(e);o.fillStyle=t.theme.look.paper,o.fillRect(0,0,e.width,e.height),
+o.drawImage(s,0,0,e.width,e.height);let n=e.width/Math.max(s.getBoundingClientRect().width,1);o.textBaseline="top",o.textAlign="left";let a=t.films();for(let[r,
+l]of a.entries()){let c=l.at(t.clock.time),d=[a.length>1?`${"AB"[r]}: `:"",`${k(t.theme.colors.mode_names[c.mode])}, t = ${c.t.toFixed(3)} s, θ = ${P(c.angle)}\
+, v = ${T(c.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/a.length;o.fillStyle=t.theme.colors.modes[c.mode],o.fillRect(
+12*n,(u+2)*n,11*n,11*n),o.fillStyle=t.theme.look.ink,o.font=`${13*n}px ${t.theme.look.font}`,o.fillText(d,30*n,u*n)}}async record(){let{lab:e}=this,t=e.stage.canvas();
 if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 instead.");let s=h("canvas",{width:2*Math.ceil(
-t.width/2),height:2*Math.ceil(t.height/2)}),o=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),a=[];o.ondataavailable=l=>a.push(l.data);let n=new Promise(
+t.width/2),height:2*Math.ceil(t.height/2)}),o=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),n=[];o.ondataavailable=l=>n.push(l.data);let a=new Promise(
 l=>o.onstop=l),r=e.clock.loop;e.clock.loop=!1,e.clock.seek(0),e.notice.say("Recording one run …"),e.afterFrame=()=>{this.copyInto(s),!e.clock.playing&&o.state===
-"recording"&&o.stop()},o.start(),e.clock.play(!0),await n,e.afterFrame=null,e.clock.loop=r,ge(new Blob(a,{type:o.mimeType}),"hophoop.webm"),e.notice.say("The fi\
+"recording"&&o.stop()},o.start(),e.clock.play(!0),await a,e.afterFrame=null,e.clock.loop=r,ye(new Blob(n,{type:o.mimeType}),"hophoop.webm"),e.notice.say("The fi\
 lm is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,
-"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let o=e[s+1],a=h("button",{type:"button"},"Copy");a.onclick=async()=>{await navigator.
-clipboard?.writeText(o).catch(()=>{}),S(a,"Copied")},t.push(h("header",{},h("h2",{},e[s]),a),h("pre",{tabindex:"0"},h("code",{},document.createTextNode(o))))}this.
-dialog.replaceChildren(...t,h("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};function Po(i,e){let t=h("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([o])=>{let a=!o.isIntersecting&&o.boundingClientRect.top<0;if(a===
-i.classList.contains("stuck"))return;let n=i.offsetHeight;i.style.marginBottom="",i.classList.toggle("stuck",a),a&&(i.style.marginBottom=`${n-i.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=a?`${i.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var Ro=120,Tt=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=_(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
+"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let o=e[s+1],n=h("button",{type:"button"},"Copy");n.onclick=async()=>{await navigator.
+clipboard?.writeText(o).catch(()=>{}),M(n,"Copied")},t.push(h("header",{},h("h2",{},e[s]),n),h("pre",{tabindex:"0"},h("code",{},document.createTextNode(o))))}this.
+dialog.replaceChildren(...t,h("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};function Vo(i,e){let t=h("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([o])=>{let n=!o.isIntersecting&&o.boundingClientRect.top<0;if(n===
+i.classList.contains("stuck"))return;let a=i.offsetHeight;i.style.marginBottom="",i.classList.toggle("stuck",n),n&&(i.style.marginBottom=`${a-i.offsetHeight}px`),
+document.documentElement.style.scrollPaddingTop=n?`${i.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var Yo=120,Lt=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=H(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}zoomBy(e){this.zoom=y(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;let t=[e.clientX,e.clientY],s=this.shift;C(this.canvas,e,o=>{
-this.pinched()||(this.shift=[s[0]+o.clientX-t[0],s[1]+o.clientY-t[1]],this.onview())})}draw(e,t,s,o,a){let{context:n,width:r,height:l}=L(this.canvas);if(n.clearRect(
+this.pinched()||(this.shift=[s[0]+o.clientX-t[0],s[1]+o.clientY-t[1]],this.onview())})}draw(e,t,s,o,n){let{context:a,width:r,height:l}=I(this.canvas);if(a.clearRect(
 0,0,r,l),r<40||l<40)return;let c=l/e.length,d={top:Math.max(...e.map(u=>u.extent.top)),radius:Math.max(...e.map(u=>u.radius)),speed:Math.max(...e.map(u=>u.extent.
-speed))};e.forEach((u,p)=>{n.save(),n.beginPath(),n.rect(0,p*c,r,c),n.clip(),n.translate(0,p*c);let m=new hs(n,r,c,u,t,s,o,a,this.zoom,this.shift,d);m.top=p*c,m.
-scale=this.fixed??m.scale,m.draw(),this.views[p]=m,e.length>1&&(m.mark("AB"[p],U(p,o.dark)),n.fillStyle=U(p,o.dark),n.font=`700 17px ${o.font}`,n.textAlign="lef\
-t",n.fillText("AB"[p],12,c-12)),n.restore(),p>0&&(n.fillStyle=o.line,n.fillRect(0,p*c-.5,r,1))})}},hs=class{top=0;constructor(e,t,s,o,a,n,r,l,c,d,u){this.context=
-e,this.width=t,this.height=s,this.film=o,this.options=n,this.look=r,this.colors=l,this.common=u,this.pose=o.at(a);let p=o.radius,{left:m,right:g}=o.extent,{top:b}=u;
-this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let w=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/w,.36*t/u.radius);if(n.whole){let k=(g-m)*this.
-cosine+2.6*p,T=(g-m)*Math.abs(this.sine)+2.6*p+b;this.scale=Math.min(t/k,.86*s/T,f)*c,this.focus=[.5*(m+g),0],this.place=[.5*t+d[0],(o.slope?.62:.8)*s+d[1]]}else
+speed))};e.forEach((u,p)=>{a.save(),a.beginPath(),a.rect(0,p*c,r,c),a.clip(),a.translate(0,p*c);let m=new ys(a,r,c,u,t,s,o,n,this.zoom,this.shift,d);m.top=p*c,m.
+scale=this.fixed??m.scale,m.draw(),this.views[p]=m,e.length>1&&(m.mark("AB"[p],G(p,o.dark)),a.fillStyle=G(p,o.dark),a.font=`700 17px ${o.font}`,a.textAlign="lef\
+t",a.fillText("AB"[p],12,c-12)),a.restore(),p>0&&(a.fillStyle=o.line,a.fillRect(0,p*c-.5,r,1))})}},ys=class{top=0;constructor(e,t,s,o,n,a,r,l,c,d,u){this.context=
+e,this.width=t,this.height=s,this.film=o,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=o.at(n);let p=o.radius,{left:m,right:w}=o.extent,{top:b}=u;
+this.cosine=Math.cos(o.slope),this.sine=Math.sin(o.slope);let g=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/g,.36*t/u.radius);if(a.whole){let x=(w-m)*this.
+cosine+2.6*p,S=(w-m)*Math.abs(this.sine)+2.6*p+b;this.scale=Math.min(t/x,.86*s/S,f)*c,this.focus=[.5*(m+w),0],this.place=[.5*t+d[0],(o.slope?.62:.8)*s+d[1]]}else
 this.scale=f*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=[(t<520?.6:.46)*t+d[0],.82*s+d[1]]}point(e,t){let s=e-this.focus[0],o=t-this.
 focus[1];return[this.place[0]+this.scale*(s*this.cosine+o*this.sine),this.place[1]-this.scale*(o*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/
 this.scale,o=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-o*this.sine,this.focus[1]+s*this.sine+o*this.cosine]}draw(){this.ground(),(this.options.
-traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.forces()}ground(){let{context:e,look:t,width:s,height:o}=this,a=(Math.hypot(s,o)*
-1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[n,r]=this.point(this.focus[0]-a,0),[l,c]=this.point(this.focus[0]+a,0),d=[-this.sine*4e3,this.cosine*
-4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(n,r),e.lineTo(l,c),e.lineTo(l+d[0],c+d[1]),e.lineTo(n+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,
-e.beginPath(),e.moveTo(n,r),e.lineTo(l,c),e.stroke();let u=N(s/this.scale,s/90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let p=Math.
-ceil((this.focus[0]-a)/u),m=Math.min(Math.floor((this.focus[0]+a)/u),p+400);for(let g=p;g<=m;g++){let[b,w]=this.point(g*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
-b,w),e.lineTo(b-6*this.sine,w+6*this.cosine),e.stroke(),e.fillText(`${j(g*u,u)} m`,b-18*this.sine,w+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:o}=this,
-a=e.radius,n=this.options.ahead?e.duration:this.pose.t,r=(l,c,d,u)=>{t.strokeStyle=c,t.lineWidth=d,t.lineJoin="round",t.beginPath();let p=!1,m=(g,b,w)=>{let[f,k]=this.
-point(g+l*Math.sin(w),a+b+l*Math.cos(w));p?t.lineTo(f,k):t.moveTo(f,k),p=!0};for(let g of e.pieces()){let{x:b,height:w,angle:f,mode:k}=g.film.columns;for(let T=g.
-from;T<g.to&&g.film.t[T]<=n;T++)u===void 0||k[T]===3===u?m(b[T],w[T],f[T]):p=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&m(this.pose.x,this.
-pose.height,this.pose.angle),t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(a,s.ink,1.3),r(e.eccentricity*a,o.gravity_center,1.8,!1),r(e.eccentricity*a,o.
-airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,film:o,pose:a,scale:n}=this,[r,l]=this.point(a.x,o.radius+a.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),
-s.arc(r,l,Math.max(o.radius*n-y(.07*o.radius*n,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(
-e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:o,colors:a,scale:n}=this,r=e.radius,l=y(.07*r*n,2,14),c=r-.5*l/n,d=[t.x,r+t.height],u=(w,f=c)=>this.point(d[0]+
-f*Math.sin(w),d[1]+f*Math.cos(w));if(s.lineCap="butt",o.dark&&(s.strokeStyle=o.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*n,0,2*Math.PI),
-s.stroke()),this.options.speed){let w=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Ro;for(let k=0;k<Ro;k++){let T=t.angle+k*f,M=Math.hypot(t.vx+r*t.omega*Math.
-cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=Oe[y(Math.round(255*M/w)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
-stroke()}}else s.strokeStyle=a.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*n,0,2*Math.PI),s.stroke();s.strokeStyle=o.soft,s.lineWidth=
-1,s.beginPath(),s.moveTo(...this.point(d[0],d[1])),s.lineTo(...u(t.angle)),s.stroke();let p=(w,f,k,T)=>{s.beginPath(),s.arc(...w,f,0,2*Math.PI),s.fillStyle=k,s.
-fill(),s.lineWidth=1.5,s.strokeStyle=T,s.stroke()};p(this.point(d[0],d[1]),2.5,o.soft,o.soft);let m=e.scenario.hoop.parts;m?this.parts(m,d):p(u(t.angle),y(.1*r*
-n,4,16),o.ink,o.paper);let g=e.eccentricity*r,b=this.point(d[0]+g*Math.sin(t.angle),d[1]+g*Math.cos(t.angle));p(b,y(.05*r*n,3.5,7),t.mode==="H"?a.airborne:a.gravity_center,
-o.paper)}parts(e,t){let{film:s,pose:o,context:a,look:n,scale:r}=this,c=e.reduce((d,u)=>d+u.mass*(u.at??0),0)<0?-1:1;a.strokeStyle=n.ink;for(let d of e){let u=c*
-(d.at??0),p=this.point(t[0]+u*Math.sin(o.angle),t[1]+u*Math.cos(o.angle));if(a.fillStyle=n.ink,a.lineWidth=1,a.beginPath(),d.shape==="ring")a.globalAlpha=.22,a.
-arc(...p,d.outer_radius*r,0,2*Math.PI),a.arc(...p,d.inner_radius*r,0,2*Math.PI,!0),a.fill(),a.globalAlpha=1;else if(d.shape==="rod"){let m=.5*d.length,g=b=>this.
-point(t[0]+b*Math.sin(o.angle),t[1]+b*Math.cos(o.angle));a.lineWidth=4,a.moveTo(...g(u-m)),a.lineTo(...g(u+m)),a.stroke()}else{let m=d.shape==="disk"?d.radius*r:
-y(.08*s.radius*r,3,12);a.globalAlpha=d.shape==="disk"?.55:1,a.arc(...p,m,0,2*Math.PI),a.fill(),a.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,o=e.radius,
-a=e.mass*(e.gravity||9.81),n=l=>.55*o*l/a;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,n(t.normal_force)],s.normal_force,`N \
-= ${x(t.normal_force,3)} N`,!1),this.arrow(r,[n(t.friction_force),0],s.friction_force,`F = ${x(t.friction_force,3)} N`,!0)}arrow([e,t],[s,o],a,n,r){let{context:l,
-look:c,width:d}=this,u=2.2*this.film.radius,p=Math.abs(s)>u||Math.abs(o)>u;[s,o]=[y(s,-u,u),y(o,-u,u)];let m=this.point(e,t),g=this.point(e+s,t+o),b=Math.hypot(
-g[0]-m[0],g[1]-m[1]);if(b<2)return;let w=(g[0]-m[0])/b,f=(g[1]-m[1])/b,k=Math.min(11,b);for(let[A,E]of[[c.paper,6],[a,3]])l.strokeStyle=A,l.fillStyle=A,l.lineWidth=
-E,l.beginPath(),l.moveTo(...m),l.lineTo(g[0]-w*k,g[1]-f*k),l.stroke();if(l.beginPath(),l.moveTo(...g),l.lineTo(g[0]-w*k-f*k*.5,g[1]-f*k+w*k*.5),l.lineTo(g[0]-w*
-k+f*k*.5,g[1]-f*k-w*k*.5),l.fill(),p){let[A,E]=[m[0]+.55*w*b,m[1]+.55*f*b];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(A+w*(z-
-3)-f*7,E+f*(z-3)+w*7),l.lineTo(A+w*(z+3)+f*7,E+f*(z+3)-w*7);l.stroke()}l.font=`600 12px ${c.font}`;let T=l.measureText(n).width;l.lineWidth=3,l.strokeStyle=r?c.
-ground:c.paper,l.textAlign="left";let M=r?[m[0]-.5*T-32*this.sine,m[1]+32*this.cosine]:[g[0]+12,y(g[1]+4,16,m[1]-.36*this.film.radius*this.scale)];M[0]=y(M[0],4,
-d-T-4),l.strokeText(n,M[0],M[1]),l.fillText(n,M[0],M[1])}};function ds(i,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let o=0;o<4;o++){let a=0;for(let n=0;n<4;n++)a+=i[4*n+o]*e[4*s+n];t[4*s+o]=a}return t}function Lo(i,e,t,s){
-let o=1/Math.tan(i/2),a=1/(t-s);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(s+t)*a,-1,0,0,2*s*t*a,0])}function Io(i,e){let t=pe(us(i,e)),s=pe(St([0,1,0],t)),
-o=St(t,s);return new Float32Array([s[0],o[0],t[0],0,s[1],o[1],t[1],0,s[2],o[2],t[2],0,-cs(s,i),-cs(o,i),-cs(t,i),1])}var us=(i,e)=>[i[0]-e[0],i[1]-e[1],i[2]-e[2]],
-cs=(i,e)=>i[0]*e[0]+i[1]*e[1]+i[2]*e[2],St=(i,e)=>[i[1]*e[2]-i[2]*e[1],i[2]*e[0]-i[0]*e[2],i[0]*e[1]-i[1]*e[0]];function pe(i){let e=Math.hypot(...i)||1;return[
-i[0]/e,i[1]/e,i[2]/e]}function Mt(i,e,t,s){let o=pe(e),a=pe(St(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),n=St(a,o);return new Float32Array([...a.map(r=>r*s),0,...o.
-map(r=>r*t),0,...n.map(r=>r*s),0,...i,1])}function ps(i){let[e,t]=[Math.cos(i),Math.sin(i)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function $(i){let e=Number.parseInt(i.slice(1,7),16);
-return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ke(i,e,t){let s=i.createProgram(),o=[[i.VERTEX_SHADER,e],[i.FRAGMENT_SHADER,t]];for(let[n,r]of o){let l=i.createShader(n);if(i.shaderSource(l,r),i.compileShader(
+traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.forces()}ground(){let{context:e,look:t,width:s,height:o}=this,n=(Math.hypot(s,o)*
+1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(this.focus[0]-n,0),[l,c]=this.point(this.focus[0]+n,0),d=[-this.sine*4e3,this.cosine*
+4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.lineTo(l+d[0],c+d[1]),e.lineTo(a+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,
+e.beginPath(),e.moveTo(a,r),e.lineTo(l,c),e.stroke();let u=F(s/this.scale,s/90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let p=Math.
+ceil((this.focus[0]-n)/u),m=Math.min(Math.floor((this.focus[0]+n)/u),p+400);for(let w=p;w<=m;w++){let[b,g]=this.point(w*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
+b,g),e.lineTo(b-6*this.sine,g+6*this.cosine),e.stroke(),e.fillText(`${O(w*u,u)} m`,b-18*this.sine,g+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:o}=this,
+n=e.radius,a=this.options.ahead?e.duration:this.pose.t,r=(l,c,d,u)=>{t.strokeStyle=c,t.lineWidth=d,t.lineJoin="round",t.beginPath();let p=!1,m=(w,b,g)=>{let[f,x]=this.
+point(w+l*Math.sin(g),n+b+l*Math.cos(g));p?t.lineTo(f,x):t.moveTo(f,x),p=!0};for(let w of e.pieces()){let{x:b,height:g,angle:f,mode:x}=w.film.columns;for(let S=w.
+from;S<w.to&&w.film.t[S]<=a;S++)u===void 0||x[S]===3===u?m(b[S],g[S],f[S]):p=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&m(this.pose.x,this.
+pose.height,this.pose.angle),t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(n,s.ink,1.3),r(e.eccentricity*n,o.gravity_center,1.8,!1),r(e.eccentricity*n,o.
+airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,film:o,pose:n,scale:a}=this,[r,l]=this.point(n.x,o.radius+n.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),
+s.arc(r,l,Math.max(o.radius*a-y(.07*o.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(
+e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:o,colors:n,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),c=r-.5*l/a,d=[t.x,r+t.height],u=(g,f=c)=>this.point(d[0]+
+f*Math.sin(g),d[1]+f*Math.cos(g));if(s.lineCap="butt",o.dark&&(s.strokeStyle=o.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*a,0,2*Math.PI),
+s.stroke()),this.options.speed){let g=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Yo;for(let x=0;x<Yo;x++){let S=t.angle+x*f,E=Math.hypot(t.vx+r*t.omega*Math.
+cos(S+.5*f),t.vy-r*t.omega*Math.sin(S+.5*f));s.strokeStyle=Ze[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(S-.04*f)),s.lineTo(...u(S+1.04*f)),s.
+stroke()}}else s.strokeStyle=n.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*a,0,2*Math.PI),s.stroke();s.strokeStyle=o.soft,s.lineWidth=
+1,s.beginPath(),s.moveTo(...this.point(d[0],d[1])),s.lineTo(...u(t.angle)),s.stroke();let p=(g,f,x,S)=>{s.beginPath(),s.arc(...g,f,0,2*Math.PI),s.fillStyle=x,s.
+fill(),s.lineWidth=1.5,s.strokeStyle=S,s.stroke()};p(this.point(d[0],d[1]),2.5,o.soft,o.soft);let m=e.scenario.hoop.parts;m?this.parts(m,d):p(u(t.angle),y(.1*r*
+a,4,16),o.ink,o.paper);let w=e.eccentricity*r,b=this.point(d[0]+w*Math.sin(t.angle),d[1]+w*Math.cos(t.angle));p(b,y(.05*r*a,3.5,7),t.mode==="H"?n.airborne:n.gravity_center,
+o.paper)}parts(e,t){let{film:s,pose:o,context:n,look:a,scale:r}=this,c=e.reduce((d,u)=>d+u.mass*(u.at??0),0)<0?-1:1;n.strokeStyle=a.ink;for(let d of e){let u=c*
+(d.at??0),p=this.point(t[0]+u*Math.sin(o.angle),t[1]+u*Math.cos(o.angle));if(n.fillStyle=a.ink,n.lineWidth=1,n.beginPath(),d.shape==="ring")n.globalAlpha=.22,n.
+arc(...p,d.outer_radius*r,0,2*Math.PI),n.arc(...p,d.inner_radius*r,0,2*Math.PI,!0),n.fill(),n.globalAlpha=1;else if(d.shape==="rod"){let m=.5*d.length,w=b=>this.
+point(t[0]+b*Math.sin(o.angle),t[1]+b*Math.cos(o.angle));n.lineWidth=4,n.moveTo(...w(u-m)),n.lineTo(...w(u+m)),n.stroke()}else{let m=d.shape==="disk"?d.radius*r:
+y(.08*s.radius*r,3,12);n.globalAlpha=d.shape==="disk"?.55:1,n.arc(...p,m,0,2*Math.PI),n.fill(),n.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,o=e.radius,
+n=e.mass*(e.gravity||9.81),a=l=>.55*o*l/n;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N \
+= ${T(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${T(t.friction_force,3)} N`,!0)}arrow([e,t],[s,o],n,a,r){let{context:l,
+look:c,width:d}=this,u=2.2*this.film.radius,p=Math.abs(s)>u||Math.abs(o)>u;[s,o]=[y(s,-u,u),y(o,-u,u)];let m=this.point(e,t),w=this.point(e+s,t+o),b=Math.hypot(
+w[0]-m[0],w[1]-m[1]);if(b<2)return;let g=(w[0]-m[0])/b,f=(w[1]-m[1])/b,x=Math.min(11,b);for(let[R,z]of[[c.paper,6],[n,3]])l.strokeStyle=R,l.fillStyle=R,l.lineWidth=
+z,l.beginPath(),l.moveTo(...m),l.lineTo(w[0]-g*x,w[1]-f*x),l.stroke();if(l.beginPath(),l.moveTo(...w),l.lineTo(w[0]-g*x-f*x*.5,w[1]-f*x+g*x*.5),l.lineTo(w[0]-g*
+x+f*x*.5,w[1]-f*x-g*x*.5),l.fill(),p){let[R,z]=[m[0]+.55*g*b,m[1]+.55*f*b];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let A of[-3,3])l.moveTo(R+g*(A-
+3)-f*7,z+f*(A-3)+g*7),l.lineTo(R+g*(A+3)+f*7,z+f*(A+3)-g*7);l.stroke()}l.font=`600 12px ${c.font}`;let S=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.
+ground:c.paper,l.textAlign="left";let E=r?[m[0]-.5*S-32*this.sine,m[1]+32*this.cosine]:[w[0]+12,y(w[1]+4,16,m[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
+d-S-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function ks(i,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let o=0;o<4;o++){let n=0;for(let a=0;a<4;a++)n+=i[4*a+o]*e[4*s+a];t[4*s+o]=n}return t}function Jo(i,e,t,s){
+let o=1/Math.tan(i/2),n=1/(t-s);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(s+t)*n,-1,0,0,2*s*t*n,0])}function Zo(i,e){let t=ge(xs(i,e)),s=ge(It([0,1,0],t)),
+o=It(t,s);return new Float32Array([s[0],o[0],t[0],0,s[1],o[1],t[1],0,s[2],o[2],t[2],0,-vs(s,i),-vs(o,i),-vs(t,i),1])}var xs=(i,e)=>[i[0]-e[0],i[1]-e[1],i[2]-e[2]],
+vs=(i,e)=>i[0]*e[0]+i[1]*e[1]+i[2]*e[2],It=(i,e)=>[i[1]*e[2]-i[2]*e[1],i[2]*e[0]-i[0]*e[2],i[0]*e[1]-i[1]*e[0]];function ge(i){let e=Math.hypot(...i)||1;return[
+i[0]/e,i[1]/e,i[2]/e]}function _t(i,e,t,s){let o=ge(e),n=ge(It(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),a=It(n,o);return new Float32Array([...n.map(r=>r*s),0,...o.
+map(r=>r*t),0,...a.map(r=>r*s),0,...i,1])}function Ts(i){let[e,t]=[Math.cos(i),Math.sin(i)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function K(i){let e=Number.parseInt(i.slice(1,7),16);
+return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function Se(i,e,t){let s=i.createProgram(),o=[[i.VERTEX_SHADER,e],[i.FRAGMENT_SHADER,t]];for(let[a,r]of o){let l=i.createShader(a);if(i.shaderSource(l,r),i.compileShader(
 l),!i.getShaderParameter(l,i.COMPILE_STATUS))throw new Error(String(i.getShaderInfoLog(l)));i.attachShader(s,l)}if(i.linkProgram(s),!i.getProgramParameter(s,i.LINK_STATUS))
-throw new Error(String(i.getProgramInfoLog(s)));let a={program:s,uniforms:{},attributes:{}};for(let n=0;n<i.getProgramParameter(s,i.ACTIVE_UNIFORMS);n++){let{name:r}=i.
-getActiveUniform(s,n);a.uniforms[r]=i.getUniformLocation(s,r)}for(let n=0;n<i.getProgramParameter(s,i.ACTIVE_ATTRIBUTES);n++){let{name:r}=i.getActiveAttrib(s,n);
-a.attributes[r]=i.getAttribLocation(s,r)}return a}function me(i,e,t,s){let o=i.createBuffer();i.bindBuffer(i.ARRAY_BUFFER,o),i.bufferData(i.ARRAY_BUFFER,new Float32Array(
-e),i.STATIC_DRAW);let a=s?i.createBuffer():null;s&&(i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,a),i.bufferData(i.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),i.STATIC_DRAW));
-let n=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:a,parts:t,stride:n,count:s?s.length:4*e.length/n}}function xe(i,e,t){i.bindBuffer(i.ARRAY_BUFFER,
-t.vertices);let s=0;for(let[o,a]of Object.entries(t.parts)){let n=e.attributes[o];n!==void 0&&(i.enableVertexAttribArray(n),i.vertexAttribPointer(n,a,i.FLOAT,!1,
-t.stride,s)),s+=4*a}t.elements&&i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,t.elements)}function ms(i,e){let t=[];for(let s=0;s<i;s++)for(let o=0;o<e;o++){let a=s*(e+1)+
-o,n=a+e+1;t.push(a,n,a+1,n,n+1,a+1)}return t}function Co(i,e=120,t=14){let s=[];for(let o=0;o<=e;o++)for(let a=0;a<=t;a++)s.push(2*Math.PI*o/e,2*Math.PI*a/t);return me(
-i,s,{bend:2},ms(e,t))}function Wo(i,e=28,t=18){let s=[];for(let o=0;o<=e;o++)for(let a=0;a<=t;a++){let[n,r]=[2*Math.PI*o/e,Math.PI*a/t],l=[Math.sin(r)*Math.cos(
-n),Math.cos(r),Math.sin(r)*Math.sin(n)];s.push(...l,...l)}return me(i,s,{position:3,normal:3},ms(e,t))}function fs(i,e,t=20){let s=[];for(let o=0;o<=t;o++){let a=2*
-Math.PI*o/t,n=[Math.cos(a),1-e,Math.sin(a)];s.push(Math.cos(a),0,Math.sin(a),...n,e*Math.cos(a),1,e*Math.sin(a),...n)}return me(i,s,{position:3,normal:3},ms(t,1))}var Fo=`
+throw new Error(String(i.getProgramInfoLog(s)));let n={program:s,uniforms:{},attributes:{}};for(let a=0;a<i.getProgramParameter(s,i.ACTIVE_UNIFORMS);a++){let{name:r}=i.
+getActiveUniform(s,a);n.uniforms[r]=i.getUniformLocation(s,r)}for(let a=0;a<i.getProgramParameter(s,i.ACTIVE_ATTRIBUTES);a++){let{name:r}=i.getActiveAttrib(s,a);
+n.attributes[r]=i.getAttribLocation(s,r)}return n}function we(i,e,t,s){let o=i.createBuffer();i.bindBuffer(i.ARRAY_BUFFER,o),i.bufferData(i.ARRAY_BUFFER,new Float32Array(
+e),i.STATIC_DRAW);let n=s?i.createBuffer():null;s&&(i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,n),i.bufferData(i.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),i.STATIC_DRAW));
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:n,parts:t,stride:a,count:s?s.length:4*e.length/a}}function Me(i,e,t){i.bindBuffer(i.ARRAY_BUFFER,
+t.vertices);let s=0;for(let[o,n]of Object.entries(t.parts)){let a=e.attributes[o];a!==void 0&&(i.enableVertexAttribArray(a),i.vertexAttribPointer(a,n,i.FLOAT,!1,
+t.stride,s)),s+=4*n}t.elements&&i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,t.elements)}function Ss(i,e){let t=[];for(let s=0;s<i;s++)for(let o=0;o<e;o++){let n=s*(e+1)+
+o,a=n+e+1;t.push(n,a,n+1,a,a+1,n+1)}return t}function Xo(i,e=120,t=14){let s=[];for(let o=0;o<=e;o++)for(let n=0;n<=t;n++)s.push(2*Math.PI*o/e,2*Math.PI*n/t);return we(
+i,s,{bend:2},Ss(e,t))}function Qo(i,e=28,t=18){let s=[];for(let o=0;o<=e;o++)for(let n=0;n<=t;n++){let[a,r]=[2*Math.PI*o/e,Math.PI*n/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return we(i,s,{position:3,normal:3},Ss(e,t))}function Ms(i,e,t=20){let s=[];for(let o=0;o<=t;o++){let n=2*
+Math.PI*o/t,a=[Math.cos(n),1-e,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...a,e*Math.cos(n),1,e*Math.sin(n),...a)}return we(i,s,{position:3,normal:3},Ss(t,1))}var oi=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,Bo=`
+  }`,ii=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,jo="vec4(0.0, 0.0, 0.0, shadow)",qo=[`attribute vec2 bend;
+  }`,ni="vec4(0.0, 0.0, 0.0, shadow)",ei=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${Bo}
+   ${ii}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -1851,21 +1851,21 @@ Math.PI*o/t,n=[Math.cos(a),1-e,Math.sin(a)];s.push(Math.cos(a),0,Math.sin(a),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${Fo}
+   ${oi}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${jo} : vec4(shaded(color, n), 1.0);
-   }`],Do=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${ni} : vec4(shaded(color, n), 1.0);
+   }`],ti=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${Bo}
+   ${ii}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${Fo}
-   void main() { gl_FragColor = shadow > 0.0 ? ${jo} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],No=[`attribute vec3 position, next, tint; attribute \
+   ${oi}
+   void main() { gl_FragColor = shadow > 0.0 ? ${ni} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],si=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -1880,28 +1880,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],zt=class{constructor(e,t,s,o,{keep:a=!1}={}){let n=e.getContext(
-"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:a});if(!n)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=n,this.canvas=
-e,this.sun=pe(s),this.dark=o,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=ke(n,qo[0],qo[1]),this.body=ke(n,Do[0],Do[1]),this.line=ke(n,No[0],No[1]),this.torus=Co(
-n),this.sphere=Wo(n),this.cylinder=fs(n,1),this.cone=fs(n,0),this.colors=n.createTexture(),n.bindTexture(n.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
-l=>[...l,255]));n.pixelStorei(n.UNPACK_ALIGNMENT,1),n.texImage2D(n.TEXTURE_2D,0,n.RGBA,t.length,1,0,n.RGBA,n.UNSIGNED_BYTE,r);for(let l of[n.TEXTURE_WRAP_S,n.TEXTURE_WRAP_T])
-n.texParameteri(n.TEXTURE_2D,l,n.CLAMP_TO_EDGE);for(let l of[n.TEXTURE_MIN_FILTER,n.TEXTURE_MAG_FILTER])n.texParameteri(n.TEXTURE_2D,l,n.LINEAR);this.view=ps(0),
-this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:o,angle:a,near:n,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),l.clearColor(
-e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let d=Lo(a,c.width/c.height,n,r);this.view=ds(ds(d,
-Io(t,s)),ps(o)),this.eye=pe(us(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
-a,n]of Object.entries(o)){let r=e.uniforms[a];r!==void 0&&(typeof n=="number"?s.uniform1f(r,n):n.length===16?s.uniformMatrix4fv(r,!1,n):s[`uniform${n.length}fv`](
-r,n))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Ct=class{constructor(e,t,s,o,{keep:n=!1}={}){let a=e.getContext(
+"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:n});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
+e,this.sun=ge(s),this.dark=o,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Se(a,ei[0],ei[1]),this.body=Se(a,ti[0],ti[1]),this.line=Se(a,si[0],si[1]),this.torus=Xo(
+a),this.sphere=Qo(a),this.cylinder=Ms(a,1),this.cone=Ms(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
+l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
+a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=Ts(0),
+this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:o,angle:n,near:a,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),l.clearColor(
+e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let d=Jo(n,c.width/c.height,a,r);this.view=ks(ks(d,
+Zo(t,s)),Ts(o)),this.eye=ge(xs(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
+n,a]of Object.entries(o)){let r=e.uniforms[n];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.length}fv`](
+r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
 t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
-t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:o=!1,lit:a=!0}={}){let{gl:n}=this;this.use(this.body,{model:t,color:s,shadow:o?
-this.dark:0,lit:Number(a)}),xe(n,this.body,e),n.drawElements(n.TRIANGLES,e.count,n.UNSIGNED_SHORT,0)}ball(e,t,s,o){this.solid(this.sphere,Mt(e,[0,1,0],t,t),s,{shadow:o})}ring({
-center:e,radius:t,tube:s,broad:o,angle:a,velocity:n,omega:r,plain:l=null},c){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,s,o,a],motion:[...n,r],most:this.
-fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),xe(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,d.UNSIGNED_SHORT,0)}rod(e,t,s,o,a,n=!1){
-this.solid(this.cylinder,Mt(e,t,s,o),a,{shadow:n})}arrow(e,t,s,o,a){if(!(s>.02*o))return;let n=Math.min(.18*o,s),r=e.map((l,c)=>l+t[c]*(s-n));s>n&&this.rod(e,t,
-s-n,.029*o,a),this.solid(this.cone,Mt(r,t,n,Math.min(.075*o,.6*n)),a)}trace(e,t,s){let o=[];for(let a=0;a<e;a++){let n=t(a),r=t(Math.min(a+1,e-1));if(Math.hypot(
-r[0]-n[0],r[1]-n[1])<1e-9&&a>0){let l=t(a-1);r=n.map((c,d)=>2*c-l[d])}for(let l of[-1,1])o.push(...n,0,...r,0,...s(a),l)}return me(this.gl,o,{position:3,next:3,
-tint:3,side:1})}drawTrace(e,t,{width:s,distance:o=0,shift:a,depth:n}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:o,
-shift:a,depth:n}),xe(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let o=this.view,[a,n,r]=[0,1,3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*s+o[12+
-l]);return r>0?[(.5+.5*a/r)*this.canvas.width,(.5-.5*n/r)*this.canvas.height]:null}};var Aa=[.35,.85,.4],Pa=.18,_o={azimuth:.5,height:.22,distance:5.2},Ho=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:o=!1,lit:n=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:s,shadow:o?
+this.dark:0,lit:Number(n)}),Me(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,o){this.solid(this.sphere,_t(e,[0,1,0],t,t),s,{shadow:o})}ring({
+center:e,radius:t,tube:s,broad:o,angle:n,velocity:a,omega:r,plain:l=null},c){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,s,o,n],motion:[...a,r],most:this.
+fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),Me(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,d.UNSIGNED_SHORT,0)}rod(e,t,s,o,n,a=!1){
+this.solid(this.cylinder,_t(e,t,s,o),n,{shadow:a})}arrow(e,t,s,o,n){if(!(s>.02*o))return;let a=Math.min(.18*o,s),r=e.map((l,c)=>l+t[c]*(s-a));s>a&&this.rod(e,t,
+s-a,.029*o,n),this.solid(this.cone,_t(r,t,a,Math.min(.075*o,.6*a)),n)}trace(e,t,s){let o=[];for(let n=0;n<e;n++){let a=t(n),r=t(Math.min(n+1,e-1));if(Math.hypot(
+r[0]-a[0],r[1]-a[1])<1e-9&&n>0){let l=t(n-1);r=a.map((c,d)=>2*c-l[d])}for(let l of[-1,1])o.push(...a,0,...r,0,...s(n),l)}return we(this.gl,o,{position:3,next:3,
+tint:3,side:1})}drawTrace(e,t,{width:s,distance:o=0,shift:n,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:o,
+shift:n,depth:a}),Me(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let o=this.view,[n,a,r]=[0,1,3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*s+o[12+
+l]);return r>0?[(.5+.5*n/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var ia=[.35,.85,.4],na=.18,ai={azimuth:.5,height:.22,distance:5.2},ri=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -1909,136 +1909,136 @@ l]);return r>0?[(.5+.5*a/r)*this.canvas.width,(.5-.5*n/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Et=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new zt(e,fe,Aa,Pa,{keep:!0}),this.floor=ke(this.space.gl,Ho[0],Ho[1]),this.corners=me(this.
-space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={..._o},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=_(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
-this.turned.distance/e,1.6,60):this.turned={..._o},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};C(this.canvas,e,s=>{this.pinched()||(this.
+   }`],Nt=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Ct(e,be,ia,na,{keep:!0}),this.floor=Se(this.space.gl,ri[0],ri[1]),this.corners=we(this.
+space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...ai},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=H(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
+this.turned.distance/e,1.6,60):this.turned={...ai},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};C(this.canvas,e,s=>{this.pinched()||(this.
 turned.azimuth=y(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=y(t.height+(s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.
 now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.
-pace=16),this.share}draw(e,t,s,o,a,n){let{canvas:r,space:l}=this,c=Math.min(globalThis.devicePixelRatio||1,2)*(n?this.quality():1),d=r.getBoundingClientRect();r.
-width=Math.max(Math.round(d.width*c),1),r.height=Math.max(Math.round(d.height*c),1);let u=e.map(g=>g.at(t)),p=e[0].radius;l.fastest=Math.max(...e.map(g=>g.extent.
-speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:$(o.paper),...this.camera(e[0],u[0],p,s)}),l.ground(()=>this.drawFloor(p,o));let m=g=>{for(let[
-b,w]of e.entries())g(w,u[b],-2.1*p*b)};l.shadows(()=>m((g,b,w)=>this.drawHoop(g,b,w,s,o,a,!0))),m((g,b,w)=>{this.drawHoop(g,b,w,s,o,a,!1),s.traces&&this.drawTraces(
-g,b,w,o,a,c),s.forces&&this.drawForces(g,b,w,a)})}camera(e,t,s,o){let{azimuth:a,height:n,distance:r}=this.turned,{left:l,right:c}=e.extent,d=o.whole?Math.max(r*
-s,.85*(c-l)+3*s):r*s,[u,p]=[o.whole?.5*(l+c)-this.focus:0,s+.45*(t.height||0)],m=Math.cos(e.slope),g=Math.sin(e.slope),b=[u*m+p*g,-u*g+p*m,0],w=[b[0]+d*Math.sin(
-a)*Math.cos(n),b[1]+d*Math.sin(n),d*Math.cos(a)*Math.cos(n)];return this.reach=12*s+3*d,{eye:w,target:b,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*d}}drawFloor(e,t){
-let{space:s}=this,o=$(t.ground),a=o.map(l=>l*(t.dark?.82:.94)),n=.5*e,r=this.focus%(2*n);s.use(this.floor,{reach:this.reach,light:o,dark:a,far:$(t.paper),tile:n,
-shift:r}),xe(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,s,o,a,n,r){let{space:l}=this,c=e.radius,d=.045*c,u=[t.x-this.focus,
-c+t.height,s];l.ring({center:u,radius:c,tube:d,broad:3.2*d,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,plain:o.speed?null:$(n.modes[t.mode])},r);let p=[Math.
-sin(t.angle),Math.cos(t.angle),0],m=b=>u.map((w,f)=>w+b*p[f]);l.ball(m(c-d),.125*c,a.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(u,p,c-d,.012*c,[.55,.57,.6],r);let g=t.
-mode==="H";l.ball(m(e.eccentricity*c),.07*c,$(g?n.airborne:n.gravity_center),r)}drawForces(e,t,s,o){if(t.mode==="H"||!(t.normal_force>0))return;let a=e.radius,n=e.
-mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*a,s+.2*a],l=d=>y(.55*a*Math.abs(d)/n,0,3.2*a),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.
-normal_force),a,$(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),a,$(o.friction_force))}linesOf(e,t,s){let o=this.lines.get(e);if(o?.dark===t.dark)
-return o;let a=e.radius,{x:n,height:r,angle:l,mode:c}=e.columns,d=(b,w)=>this.space.trace(e.length,f=>[n[f]+b*Math.sin(l[f]),a+r[f]+b*Math.cos(l[f])],w),[u,p,m]=[
-$(s.gravity_center),$(s.airborne),$(t.ink)],g={dark:t.dark,load:d(a,()=>m),center:d(e.eccentricity*a,b=>c[b]===3?p:u)};return this.lines.set(e,g),g}drawTraces(e,t,s,o,a,n){
-let{load:r,center:l}=this.linesOf(e,o,a),c=Math.min(e.index(t.t)+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:n,...d}),this.space.drawTrace(
-l,c,{width:1.6*n,...d})}};var Ra=["hoop","mode","time","angle","v","R θ̇","gap"],At=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=h("canvas",{class:"stage-canvas"}),this.space=h("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Tt(this.plane,t),this.deep=
-null,this.outputs=Ra.map(o=>({name:h("dt",{},o),value:h("dd",{})})),this.outputs[1].value.className="mode",this.fastest=h("span",{}),this.legend=h("div",{class:"\
-legend","aria-hidden":"true"},h("i",{style:`background: linear-gradient(90deg, ${Oe.filter((o,a)=>a%15===0).join(",")})`}),h("span",{},"0"),h("span",{},"rim spe\
-ed"),this.fastest);let s=(o,a)=>h("span",{},h("i",{class:"dot",style:`background:${o}`}),a);this.order=h("span",{hidden:!0},"A in front, B behind"),this.element=
+pace=16),this.share}draw(e,t,s,o,n,a){let{canvas:r,space:l}=this,c=Math.min(globalThis.devicePixelRatio||1,2)*(a?this.quality():1),d=r.getBoundingClientRect();r.
+width=Math.max(Math.round(d.width*c),1),r.height=Math.max(Math.round(d.height*c),1);let u=e.map(w=>w.at(t)),p=e[0].radius;l.fastest=Math.max(...e.map(w=>w.extent.
+speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:K(o.paper),...this.camera(e[0],u[0],p,s)}),l.ground(()=>this.drawFloor(p,o));let m=w=>{for(let[
+b,g]of e.entries())w(g,u[b],-2.1*p*b)};l.shadows(()=>m((w,b,g)=>this.drawHoop(w,b,g,s,o,n,!0))),m((w,b,g)=>{this.drawHoop(w,b,g,s,o,n,!1),s.traces&&this.drawTraces(
+w,b,g,o,n,c),s.forces&&this.drawForces(w,b,g,n)})}camera(e,t,s,o){let{azimuth:n,height:a,distance:r}=this.turned,{left:l,right:c}=e.extent,d=o.whole?Math.max(r*
+s,.85*(c-l)+3*s):r*s,[u,p]=[o.whole?.5*(l+c)-this.focus:0,s+.45*(t.height||0)],m=Math.cos(e.slope),w=Math.sin(e.slope),b=[u*m+p*w,-u*w+p*m,0],g=[b[0]+d*Math.sin(
+n)*Math.cos(a),b[1]+d*Math.sin(a),d*Math.cos(n)*Math.cos(a)];return this.reach=12*s+3*d,{eye:g,target:b,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*d}}drawFloor(e,t){
+let{space:s}=this,o=K(t.ground),n=o.map(l=>l*(t.dark?.82:.94)),a=.5*e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:o,dark:n,far:K(t.paper),tile:a,
+shift:r}),Me(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,s,o,n,a,r){let{space:l}=this,c=e.radius,d=.045*c,u=[t.x-this.focus,
+c+t.height,s];l.ring({center:u,radius:c,tube:d,broad:3.2*d,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,plain:o.speed?null:K(a.modes[t.mode])},r);let p=[Math.
+sin(t.angle),Math.cos(t.angle),0],m=b=>u.map((g,f)=>g+b*p[f]);l.ball(m(c-d),.125*c,n.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(u,p,c-d,.012*c,[.55,.57,.6],r);let w=t.
+mode==="H";l.ball(m(e.eccentricity*c),.07*c,K(w?a.airborne:a.gravity_center),r)}drawForces(e,t,s,o){if(t.mode==="H"||!(t.normal_force>0))return;let n=e.radius,a=e.
+mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*n,s+.2*n],l=d=>y(.55*n*Math.abs(d)/a,0,3.2*n),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.
+normal_force),n,K(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),n,K(o.friction_force))}linesOf(e,t,s){let o=this.lines.get(e);if(o?.dark===t.dark)
+return o;let n=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,d=(b,g)=>this.space.trace(e.length,f=>[a[f]+b*Math.sin(l[f]),n+r[f]+b*Math.cos(l[f])],g),[u,p,m]=[
+K(s.gravity_center),K(s.airborne),K(t.ink)],w={dark:t.dark,load:d(n,()=>m),center:d(e.eccentricity*n,b=>c[b]===3?p:u)};return this.lines.set(e,w),w}drawTraces(e,t,s,o,n,a){
+let{load:r,center:l}=this.linesOf(e,o,n),c=Math.min(e.index(t.t)+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:a,...d}),this.space.drawTrace(
+l,c,{width:1.6*a,...d})}};var aa=["hoop","mode","time","angle","v","R θ̇","gap"],Wt=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1},this.plane=h("canvas",{class:"stage-canvas"}),this.space=h("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Lt(this.plane,t),this.deep=
+null,this.outputs=aa.map(o=>({name:h("dt",{},o),value:h("dd",{})})),this.outputs[1].value.className="mode",this.fastest=h("span",{}),this.legend=h("div",{class:"\
+legend","aria-hidden":"true"},h("i",{style:`background: linear-gradient(90deg, ${Ze.filter((o,n)=>n%15===0).join(",")})`}),h("span",{},"0"),h("span",{},"rim spe\
+ed"),this.fastest);let s=(o,n)=>h("span",{},h("i",{class:"dot",style:`background:${o}`}),n);this.order=h("span",{hidden:!0},"A in front, B behind"),this.element=
 h("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,h("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
-({name:o,value:a})=>[o,a])),this.legend,h("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),s(e.airborne,
-"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:o,inks:a}){let{options:n}=this;this.legend.hidden=!n.
-speed,this.order.hidden=!(n.three&&e.length>1),this.fastest.textContent=`≥ ${x(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,n.three?(this.deep??=new Et(this.
-space,this.onview),this.deep.draw(e,s.time,n,o,a,s.playing)):this.flat.draw(e,s.time,n,o,a),this.read(e,t,s.time)}read(e,t,s){let o=e[t],a=o.at(s),n=[e.length>1?
-"AB"[t]:"",v(this.colors.mode_names[a.mode]),`${a.t.toFixed(3)} s`,P(a.angle),I(x(a.vx,3),"m/s"),I(x(a.omega*o.radius,3),"m/s"),a.height>0?ie(a.height):"0"];for(let[
-c,d]of n.entries()){let{value:u}=this.outputs[c];u.textContent!==d&&(u.textContent=d)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.
-setProperty("--mode",this.colors.modes[a.mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${v("The hoop.")} ${t}`)}turn(e){
+({name:o,value:n})=>[o,n])),this.legend,h("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),s(e.airborne,
+"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:o,inks:n}){let{options:a}=this;this.legend.hidden=!a.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${T(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Nt(this.
+space,this.onview),this.deep.draw(e,s.time,a,o,n,s.playing)):this.flat.draw(e,s.time,a,o,n),this.read(e,t,s.time)}read(e,t,s){let o=e[t],n=o.at(s),a=[e.length>1?
+"AB"[t]:"",k(this.colors.mode_names[n.mode]),`${n.t.toFixed(3)} s`,P(n.angle),_(T(n.vx,3),"m/s"),_(T(n.omega*o.radius,3),"m/s"),n.height>0?re(n.height):"0"];for(let[
+c,d]of a.entries()){let{value:u}=this.outputs[c];u.textContent!==d&&(u.textContent=d)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.
+setProperty("--mode",this.colors.modes[n.mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${k("The hoop.")} ${t}`)}turn(e){
 let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.
-three=!1,t(),s}}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Pt=class{film;items;current;constructor(e){this.clock=e,this.summary=h("p",{class:"summary"}),this.list=h("ol",{class:"story-list"}),this.heading=h("h2",{},
+three=!1,t(),s}}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var qt=class{film;items;current;constructor(e){this.clock=e,this.summary=h("p",{class:"summary"}),this.list=h("ol",{class:"story-list"}),this.heading=h("h2",{},
 "What happens"),this.live=h("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=h("section",{class:"story","aria-label":"The motion in words"},
-this.heading,this.summary,this.list,this.live)}draw(e,t,s){this.film=e[t],S(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.
-replaceChildren(...e.flatMap((o,a)=>[e.length>1?h("b",{},`${"AB"[a]}: `):"",o.summary,o.status==="event_limit"||o.shortened?" (not all events are shown)":"",a+1<
+this.heading,this.summary,this.list,this.live)}draw(e,t,s){this.film=e[t],M(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.
+replaceChildren(...e.flatMap((o,n)=>[e.length>1?h("b",{},`${"AB"[n]}: `):"",o.summary,o.status==="event_limit"||o.shortened?" (not all events are shown)":"",n+1<
 e.length?h("br"):""])),this.items=this.film.story.map(o=>h("li",{},h("button",{type:"button",onclick:()=>this.clock.seek(o.t)},h("i",{class:"dot",style:`backgro\
-und:${s.modes[o.mode]}`,"aria-hidden":"true"}),h("span",{class:"when"},`${x(o.t,4)} s`),h("span",{},o.text)))),this.list.replaceChildren(...this.items),this.current=
--1,this.cursor(this.clock.time)}say(e){S(this.live,e)}announce(e){this.say(ee(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let a=0;a<
-t.length&&t[a].t<=e+1e-9;a++)s=a;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
-current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let o=this.items[s];if(o){let a=o.offsetTop-this.list.
-offsetTop;(a<this.list.scrollTop||a+o.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=a-.4*this.list.clientHeight)}}},Rt=class{constructor(){
-this.list=h("dl",{}),this.heading=h("h2",{},"What theory says"),this.element=h("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){S(this.heading,t?
-`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:o})=>[h("dt",{},s),h("dd",{},o)]))}};var Oo="hophoop-theme",La=["gravity_center","airborne","normal_force","friction_force"],Lt=class{constructor(e,t,s,o){this.root=e,this.colors=t,this.hosted=s,this.
+und:${s.modes[o.mode]}`,"aria-hidden":"true"}),h("span",{class:"when"},`${T(o.t,4)} s`),h("span",{},o.text)))),this.list.replaceChildren(...this.items),this.current=
+-1,this.cursor(this.clock.time)}say(e){M(this.live,e)}announce(e){this.say(se(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let n=0;n<
+t.length&&t[n].t<=e+1e-9;n++)s=n;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
+current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let o=this.items[s];if(o){let n=o.offsetTop-this.list.
+offsetTop;(n<this.list.scrollTop||n+o.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=n-.4*this.list.clientHeight)}}},Dt=class{constructor(){
+this.list=h("dl",{}),this.heading=h("h2",{},"What theory says"),this.element=h("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){M(this.heading,t?
+`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:o})=>[h("dt",{},s),h("dd",{},o)]))}};var li="hophoop-theme",ra=["gravity_center","airborne","normal_force","friction_force"],Ft=class{constructor(e,t,s,o){this.root=e,this.colors=t,this.hosted=s,this.
 changed=o,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=_t(e),this.inks={...t},this.read()}mark(){let e=this.hosted?K(Oo):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=_t(this.root),this.inks={...this.colors};for(let e of La)
-this.inks[e]=Me(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&G(Oo,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var It={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
+this.mark(),this.look=Zt(e),this.inks={...t},this.read()}mark(){let e=this.hosted?V(li):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Zt(this.root),this.inks={...this.colors};for(let e of ra)
+this.inks[e]=Le(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
+k",this.hosted&&Y(li,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var jt={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
-energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},$o=i=>i.kind==="takeoff"||i.to==="H"&&i.from!=="H"&&i.kind!=="impact";var je={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},Ct=Object.keys(je);function Uo(i,e=11){let s=[...i.filter(({kind:a})=>a in je)].sort((a,n)=>Ct.indexOf(a.kind)-Ct.indexOf(n.kind)||a.x-n.x),o=[];
-for(let{kind:a,x:n}of s){let r=Ct.indexOf(a)<Ct.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-n)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.x-(l[0].
-x+e))<e-1e-9)?l[0].mark!==je[a]&&o.push({mark:je[a],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:je[a],x:n,rare:r,hidden:0})}return o.sort((a,n)=>a.
-x-n.x).map(({mark:a,x:n})=>({mark:a,x:n}))}function Ko(i,e,t){let s=[],o=new Map,a=-1,n=(l,c,d)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-c)<1e-6?u.
-wide+=d:s.push({mode:l,from:c,wide:d})},r=()=>{o.size&&n([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],a,1),o=new Map};for(let{mode:l,from:c,to:d}of i){let[u,p]=[Math.
-max(e(c),0),Math.min(e(d),t)];if(p>u)for(let m=u;m<p-1e-9;){if((Math.floor(m+1e-9)!==a||!o.size)&&(r(),a=Math.floor(m+1e-9),p-m>=1&&Math.abs(m-a)<1e-6)){let b=Math.
-floor(p-m+1e-9);n(l,a,b),m=a+b;continue}let g=Math.min(p,a+1);o.set(l,(o.get(l)??0)+g-m),m=g}}return r(),s}var Wt=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=h("canvas",{class:"timeline-canvas"}),this.tip=h("div",{class:"tip",hidden:!0}),
+energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},hi=i=>i.kind==="takeoff"||i.to==="H"&&i.from!=="H"&&i.kind!=="impact";var Ke={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
+↺",apex:"•"},Bt=Object.keys(Ke);function ci(i,e=11){let s=[...i.filter(({kind:n})=>n in Ke)].sort((n,a)=>Bt.indexOf(n.kind)-Bt.indexOf(a.kind)||n.x-a.x),o=[];
+for(let{kind:n,x:a}of s){let r=Bt.indexOf(n)<Bt.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.x-(l[0].
+x+e))<e-1e-9)?l[0].mark!==Ke[n]&&o.push({mark:Ke[n],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:Ke[n],x:a,rare:r,hidden:0})}return o.sort((n,a)=>n.
+x-a.x).map(({mark:n,x:a})=>({mark:n,x:a}))}function di(i,e,t){let s=[],o=new Map,n=-1,a=(l,c,d)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-c)<1e-6?u.
+wide+=d:s.push({mode:l,from:c,wide:d})},r=()=>{o.size&&a([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],n,1),o=new Map};for(let{mode:l,from:c,to:d}of i){let[u,p]=[Math.
+max(e(c),0),Math.min(e(d),t)];if(p>u)for(let m=u;m<p-1e-9;){if((Math.floor(m+1e-9)!==n||!o.size)&&(r(),n=Math.floor(m+1e-9),p-m>=1&&Math.abs(m-n)<1e-6)){let b=Math.
+floor(p-m+1e-9);a(l,n,b),m=n+b;continue}let w=Math.min(p,n+1);o.set(l,(o.get(l)??0)+w-m),m=w}}return r(),s}var Ot=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=h("canvas",{class:"timeline-canvas"}),this.tip=h("div",{class:"tip",hidden:!0}),
 this.element=h("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
-erleave",()=>this.tip.hidden=!0),this.pinched=_(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
-let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:ue(this.window,e)}zoom(e,t){let[s,o]=this.ends(),a=1e-6*this.clock.duration,
-n=Math.max((o-s)*e,a),r=(t-s)/(o-s);this.window=n<this.clock.duration?ue([t-r*n,t+(1-r)*n],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
-return;let[e,t]=this.ends(),{time:s,duration:o}=this.clock;if(s>=e&&s<=t)return;let a=t-e;this.window=ue(s>t?[s-.1*a,s+.9*a]:[s-.5*a,s+.5*a],[0,o])}timeAt(e){let t=this.
+erleave",()=>this.tip.hidden=!0),this.pinched=H(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
+let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:fe(this.window,e)}zoom(e,t){let[s,o]=this.ends(),n=1e-6*this.clock.duration,
+a=Math.max((o-s)*e,n),r=(t-s)/(o-s);this.window=a<this.clock.duration?fe([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
+return;let[e,t]=this.ends(),{time:s,duration:o}=this.clock;if(s>=e&&s<=t)return;let n=t-e;this.window=fe(s>t?[s-.1*n,s+.9*n]:[s-.5*n,s+.5*n],[0,o])}timeAt(e){let t=this.
 canvas.getBoundingClientRect(),[s,o]=this.ends();return s+y((e.clientX-t.left)/t.width,0,1)*(o-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
 let t=this.clock.playing;this.clock.playing=!1;let s=o=>!this.pinched()&&this.clock.seek(this.timeAt(o));s(e),C(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),s=this.nearest(t,8),o=s?`${v(It[s.kind]??s.kind)} · ${x(s.t,5)} s · ${x(s.angle*180/Math.PI,4)}°`:`${x(t,4)} s`;this.tip.textContent=o,this.
-tip.hidden=!1;let a=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-a.left,70,a.width-70)}px`}nearest(e,t){let[s,o]=this.ends(),a=t*(o-s)/
-(this.canvas.getBoundingClientRect().width||1),n=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=a&&
-(!n||c<Math.abs(n.t-e))&&(n=l)}return n}draw(e,t,s){this.films=e;let{context:o,width:a,height:n}=L(this.canvas);this.keep();let[r,l]=this.ends(),c=w=>(w-r)/(l-r)*
-a;o.clearRect(0,0,a,n);let d=15,u=(n-15)/e.length-d;e.forEach((w,f)=>{let k=d+f*(d+u);for(let{mode:T,from:M,wide:A}of Ko(w.phases,c,a)){let E=s.modes[T];o.fillStyle=
-E,o.fillRect(M,k,A,u-2),this.named(o,v(s.mode_names[T]),M,A,k,u-2,E,t)}w.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(w.duration),0),k,a,u-2)),this.marks(
-o,w,c,k,a,t),e.length>1&&(o.fillStyle=U(f,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="left",o.fillText("AB"[f],1,k-4))});let p=N(l-r,a/60);o.fillStyle=t.soft,
-o.font=`10.5px ${t.font}`;let m=O(r,l,a/60);for(let w of m){let f=c(w);o.textAlign=f<14?"left":f>a-14?"right":"center",o.fillText(j(w,p)+(w===m[0]?" s":""),f,n-
-3)}let g=y(c(this.clock.time),6,a-6),b=y(c(this.clock.time),1,a-1);o.fillStyle=t.ink,o.fillRect(b-1,d-4,2,n-d-9),o.beginPath(),o.moveTo(g-6,d-10),o.lineTo(g+6,d-
-10),o.lineTo(b,d-1),o.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:o,playing:a}=this.clock,r=e.map((l,c)=>{let d=v(t.mode_names[l.at(s).mode]);return e.length>
-1?`${"AB"[c]} ${d}`:d}).join(", ");a&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",o.toFixed(3)),this.element.setAttribute("aria-valuen\
-ow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",v("{time} seconds, {what}",{time:x(s,4),what:ee(r)})))}named(e,t,s,o,a,n,r,l){e.font=`11px ${l.font}`,
-!(n<13||e.measureText(t).width+8>o)&&(e.fillStyle=ys(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*o,a+.5*n+1),e.textBaseline="alphabetic")}marks(e,t,s,o,a,n){
-e.font=`11px ${n.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:s(c)})).filter(({x:l})=>l>=
--1&&l<=a+1);if(e.fillStyle=n.panel,r.length<a/6)for(let{x:l}of r)e.fillRect(l-.5,o,1,5);e.fillStyle=n.ink;for(let{mark:l,x:c}of Uo(r))e.fillText(l,y(c,6,a-6),o-
-4)}};var Ia=1/60,Ca=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Wa={three:"In space"},le=(i,e,t)=>h(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},i),Go=(i,e)=>h("span",{},h("span",{"aria-hidden":"true"},`${i} `),e),qt=class{titled="";constructor(e,t,s,o,a){
-this.clock=e,this.films=t,this.say=o,this.tell=a,this.playButton=le(W("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=h("\
-select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},Ie.map(n=>h("option",{value:String(n)},`${n}×`))),this.speeds.value=
-"1",this.switches=new Map(Ca.map(([n,r,l])=>{let c=`${n==="three"?Wa.three:r} (${l})`;return[n,h("button",{type:"button",class:"switch",title:c,onclick:()=>s(n)},
-r)]})),this.element=h("div",{class:"transport"},h("div",{class:"buttons"},le(W("start"),"To the start (Home)",()=>e.seek(0)),le(W("previous"),"Previous event (S\
-hift ←)",()=>this.jump(-1)),le(W("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,le(W("on"),"One frame on (→)",()=>this.nudge(1)),le(W("n\
-ext"),"Next event (Shift →)",()=>this.jump(1))),h("div",{class:"buttons jumps"},le(Go("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),le(
-Go("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,h("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
-clock:t,playButton:s}=this;for(let[a,n]of this.switches)n.setAttribute("aria-pressed",String(e[a]));let o=t.playing?"Pause (space)":"Play (space)";this.titled!==
-o&&(this.titled=o,s.replaceChildren(W(t.playing?"pause":"play")),Re(s,"title",o),Re(s,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
-t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Ia*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
-flatMap((c,d)=>c.events.map(u=>({event:u,lane:d}))).filter(({event:c})=>!t||(t==="impact"?c.kind===t:$o(c))).sort((c,d)=>c.event.t-d.event.t),o=this.clock.time,
-a=e>0?s.find(({event:c})=>c.t>o+1e-9):s.findLast(({event:c})=>c.t<o-1e-9);if(!a&&t&&(a=s[0]),!a){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
-tion has no landing.");return}this.clock.seek(a.event.t);let{event:n,lane:r}=a,l=this.films().length>1?`${v(`Hoop ${"AB"[r]}`)}: `:"";this.tell(`${l}${v("{what}\
- at {angle}, {time} s",{what:v(It[n.kind]??n.kind),angle:P(n.angle),time:x(n.t,4)})}`)}};var _e=class{constructor(e,t,s,{hosted:o=!1,panels:a=null,onmotion:n=()=>{}}={}){this.root=e,this.backend=t,this.hosted=o,this.onmotion=n,this.prepareRoot();let{
-colors:r}=s;this.known=s.presets,this.address=o?new Ge(this):null,this.clock=new Je,this.motions=new bt(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
-story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new yt,this.theme=new Lt(
-e,r,o,()=>this.show()),this.stage=new At(r,()=>{this.request(),this.address?.soon()}),this.transport=new qt(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Wt(this.clock),this.story=new Pt(this.clock),this.theory=new Rt,this.plots=new kt(this.clock,r),this.phase=
-new vt(t,this.clock,r),this.map=new gt(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
-controls=new Qe(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new xt(this),this.singleKeys=new mt(o),this.help=ho(s.version,r,this.singleKeys.element),
-this.hoops=new pt(l=>this.motions.choose(l)),this.header=new ut(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
-compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(a),this.extras=new dt(this),this.requested=!1,this.
-surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=V(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=this.frame.
-bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=uo(this,o),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
+let t=this.timeAt(e),s=this.nearest(t,8),o=s?`${k(jt[s.kind]??s.kind)} · ${T(s.t,5)} s · ${T(s.angle*180/Math.PI,4)}°`:`${T(t,4)} s`;this.tip.textContent=o,this.
+tip.hidden=!1;let n=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-n.left,70,n.width-70)}px`}nearest(e,t){let[s,o]=this.ends(),n=t*(o-s)/
+(this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=n&&
+(!a||c<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:o,width:n,height:a}=I(this.canvas);this.keep();let[r,l]=this.ends(),c=g=>(g-r)/(l-r)*
+n;o.clearRect(0,0,n,a);let d=15,u=(a-15)/e.length-d;e.forEach((g,f)=>{let x=d+f*(d+u);for(let{mode:S,from:E,wide:R}of di(g.phases,c,n)){let z=s.modes[S];o.fillStyle=
+z,o.fillRect(E,x,R,u-2),this.named(o,k(s.mode_names[S]),E,R,x,u-2,z,t)}g.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(g.duration),0),x,n,u-2)),this.marks(
+o,g,c,x,n,t),e.length>1&&(o.fillStyle=G(f,t.dark),o.font=`700 12px ${t.font}`,o.textAlign="right",o.fillText("AB"[f],n-1,x-4))});let p=F(l-r,n/60);o.fillStyle=t.
+soft,o.font=`10.5px ${t.font}`;let m=U(r,l,n/60);for(let g of m){let f=c(g);o.textAlign=f<14?"left":f>n-14?"right":"center",o.fillText(O(g,p)+(g===m[0]?" s":""),
+f,a-3)}let w=y(c(this.clock.time),6,n-6),b=y(c(this.clock.time),1,n-1);o.fillStyle=t.ink,o.fillRect(b-1,d-4,2,a-d-9),o.beginPath(),o.moveTo(w-6,d-10),o.lineTo(w+
+6,d-10),o.lineTo(b,d-1),o.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:o,playing:n}=this.clock,r=e.map((l,c)=>{let d=k(t.mode_names[l.at(s).mode]);return e.
+length>1?`${"AB"[c]} ${d}`:d}).join(", ");n&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",o.toFixed(3)),this.element.setAttribute("aria\
+-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",k("{time} seconds, {what}",{time:T(s,4),what:se(r)})))}named(e,t,s,o,n,a,r,l){e.font=`11px ${l.
+font}`,!(a<13||e.measureText(t).width+8>o)&&(e.fillStyle=Ds(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*o,n+.5*a+1),e.textBaseline="alphab\
+etic")}marks(e,t,s,o,n,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:s(
+c)})).filter(({x:l})=>l>=-1&&l<=n+1);if(e.fillStyle=a.panel,r.length<n/6)for(let{x:l}of r)e.fillRect(l-.5,o,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of ci(r))e.
+fillText(l,y(c,6,n-6),o-4)}};var la=1/60,ha=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],ca={three:"In space"},de=(i,e,t)=>h(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},i),ui=(i,e)=>h("span",{},h("span",{"aria-hidden":"true"},`${i} `),e),Ht=class{titled="";constructor(e,t,s,o,n){
+this.clock=e,this.films=t,this.say=o,this.tell=n,this.playButton=de(N("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=h("\
+select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},qe.map(a=>h("option",{value:String(a)},`${a}×`))),this.speeds.value=
+"1",this.switches=new Map(ha.map(([a,r,l])=>{let c=`${a==="three"?ca.three:r} (${l})`;return[a,h("button",{type:"button",class:"switch",title:c,onclick:()=>s(a)},
+r)]})),this.element=h("div",{class:"transport"},h("div",{class:"buttons"},de(N("start"),"To the start (Home)",()=>e.seek(0)),de(N("previous"),"Previous event (S\
+hift ←)",()=>this.jump(-1)),de(N("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,de(N("on"),"One frame on (→)",()=>this.nudge(1)),de(N("n\
+ext"),"Next event (Shift →)",()=>this.jump(1))),h("div",{class:"buttons jumps"},de(ui("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),de(
+ui("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,h("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
+clock:t,playButton:s}=this;for(let[n,a]of this.switches)a.setAttribute("aria-pressed",String(e[n]));let o=t.playing?"Pause (space)":"Play (space)";this.titled!==
+o&&(this.titled=o,s.replaceChildren(N(t.playing?"pause":"play")),We(s,"title",o),We(s,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
+t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*la*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
+flatMap((c,d)=>c.events.map(u=>({event:u,lane:d}))).filter(({event:c})=>!t||(t==="impact"?c.kind===t:hi(c))).sort((c,d)=>c.event.t-d.event.t),o=this.clock.time,
+n=e>0?s.find(({event:c})=>c.t>o+1e-9):s.findLast(({event:c})=>c.t<o-1e-9);if(!n&&t&&(n=s[0]),!n){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
+tion has no landing.");return}this.clock.seek(n.event.t);let{event:a,lane:r}=n,l=this.films().length>1?`${k(`Hoop ${"AB"[r]}`)}: `:"";this.tell(`${l}${k("{what}\
+ at {angle}, {time} s",{what:k(jt[a.kind]??a.kind),angle:P(a.angle),time:T(a.t,4)})}`)}};var Ee=class{constructor(e,t,s,{hosted:o=!1,panels:n=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=o,this.onmotion=a,this.prepareRoot();let{
+colors:r}=s;this.known=s.presets,this.address=o?new tt(this):null,this.clock=new st,this.motions=new Et(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
+story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new At,this.theme=new Ft(
+e,r,o,()=>this.show()),this.stage=new Wt(r,()=>{this.request(),this.address?.soon()}),this.transport=new Ht(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Ot(this.clock),this.story=new qt(this.clock),this.theory=new Dt,this.plots=new Rt(this.clock,r),this.phase=
+new zt(t,this.clock,r),this.map=new St(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new nt(s.controls,(l,c)=>this.motions.change(l,c)),this.share=new Pt(this),this.singleKeys=new vt(o),this.help=zo(s.version,r,this.singleKeys.element),
+this.hoops=new yt(l=>this.motions.choose(l)),this.header=new bt(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(n),this.extras=new wt(this),this.requested=!1,this.
+surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=J(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=this.frame.
+bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=Po(this,o),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
 this.root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
-"true")}layOut(e){let{root:t,notice:s}=this,o=d=>!e||e.includes(d),a=h("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
-element),n=h("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?Po(n,()=>this.request()):null;let r=h(
+"true")}layOut(e){let{root:t,notice:s}=this,o=d=>!e||e.includes(d),n=h("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
+element),a=h("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?Vo(a,()=>this.request()):null;let r=h(
 "a",{class:"skip button",href:"#hh-player"},"Skip to the player");r.onclick=d=>{d.preventDefault(),this.timeline.element.focus()};let l=h("div",{class:"middle"},
-this.sticky?.edge,n,h("div",{class:"words"},this.story.element,o("theory")&&this.theory.element),o("map")&&this.map.element),c=h("div",{class:"why"},o("plots")&&
+this.sticky?.edge,a,h("div",{class:"words"},this.story.element,o("theory")&&this.theory.element),o("map")&&this.map.element),c=h("div",{class:"why"},o("plots")&&
 this.plots.element,o("plots")&&this.phase.element);t.replaceChildren(h("div",{class:"page"},this.hosted&&r,this.header.element,h("div",{class:"columns"},o("cont\
-rols")&&a,l,c)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!o("controls"))}async open(e,t={}){await this.motions.load(e),this.clock.duration=
+rols")&&n,l,c)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!o("controls"))}async open(e,t={}){await this.motions.load(e),this.clock.duration=
 Math.max(...this.films().map(s=>s.duration)),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.
 dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.
 close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){this.notice.
 clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(
 this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(){let{clock:e,stage:t,map:s}=this;return this.motions.
-link(Ns({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:o}){if(t){let{three:a,...n}=t;Object.assign(this.stage.
-options,n),a&&this.toggle("three")}s&&(this.stage.flat.zoom=s),o&&this.map.restore(o),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(
-s=>s.query===e);this.header.presets.value=t?.key??"",S(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.
+link(so({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:o}){if(t){let{three:n,...a}=t;Object.assign(this.stage.
+options,a),n&&this.toggle("three")}s&&(this.stage.flat.zoom=s),o&&this.map.restore(o),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(
+s=>s.query===e);this.header.presets.value=t?.key??"",M(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.
 query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){return this.motions.
-travel(e)}show(e=null){let{motions:t,clock:s}=this,o=this.films();if(!o.length)return;let a=o.length>1;this.theme.read(),s.duration=Math.max(...o.map(n=>n.duration)),
-s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",a),this.header.show(t.history,a),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.
+travel(e)}show(e=null){let{motions:t,clock:s}=this,o=this.films();if(!o.length)return;let n=o.length>1;this.theme.read(),s.duration=Math.max(...o.map(a=>a.duration)),
+s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",n),this.header.show(t.history,n),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.
 show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.
 surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),
 {active:t}=this.motions,{look:s,colors:o}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,o),this.drawTime(),this.map.mark(this.film(),
@@ -2048,10 +2048,107 @@ e),this.transport.show(this.stage.options))}request(){this.requested||(this.requ
 lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),
 this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;
 let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(
-e,t)}catch(s){let{name:o,message:a}=s;o!=="AbortError"&&this.theory.draw([{label:"–",text:a}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else
-try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};async function qa(i){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=new Ve(e),s;try{s=(await t.call("setup",{})).header}catch(r){i.textContent=r.message;
-return}let o=new _e(i,t,s,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),n=Fs(location.hash);
-try{await o.open([location.search.slice(1),...a===null?[]:[a]],n)}catch(r){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(r)}}function Da({model:i,
-el:e}){let t=document.createElement("div");e.append(t);let s=new Ye(i),o=new _e(t,s,i.get("setup"),{panels:i.get("panels"),onmotion:n=>{i.get("query")!==n&&(i.set(
-"query",n),i.save_changes())}});o.motions.set([we(i.get("film"))]),o.begin();let a=()=>o.motions.replace(we(i.get("film")));return i.on("change:film",a),()=>{i.
-off("change:film",a),s.close(),o.close()}}var Vo=document.getElementById("hophoop-lab");Vo&&qa(Vo);var uc={render:Da};export{uc as default};
+e,t)}catch(s){let{name:o,message:n}=s;o!=="AbortError"&&this.theory.draw([{label:"–",text:n}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else
+try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var Es=class extends Error{},As=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:o}=this.waiting;this.waiting=null,t.error?o(new Error(
+t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
+reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let o=new Promise((n,a)=>{this.waiting=
+{resolve:n,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),o}},Ge=class{constructor(e,t,s,o){this.start=e,this.compiled=t,this.
+size=s,this.limit=o,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
+resolve(new As(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,o=[]){
+s?.throwIfAborted();let n=await this.hand(),a=()=>n.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>n.stop(new Es(`This takes longer than ${this.
+limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await n.ask(e,t,o)}finally{clearTimeout(r),s?.removeEventListener(
+"abort",a),this.release(n)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"3139167f05f885e0d904e890c18e0282",module:"ea38310512919946",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
+events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
+"damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
+"omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","friction","impact_normal","impact_tangential","gain",
+"collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","friction_force","normal_force","friction","impact_norm\
+al","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],compliant:["law","friction_law","stiffness","damping","rest\
+itution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh","linear","bristle"],chosen:["stiffness","tangen\
+tial_stiffness","slip_speed","depth","steps","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_fric\
+tion","needed_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","m\
+assless_loss_by_friction"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","t\
+akeoff_time","takeoff_angle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","\
+hop","painleve"],keys:4,letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{
+angle:6.283185307179586,stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,
+status:0,ending:0,first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,
+takeoff_time:1,takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undet\
+ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stic\
+k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
+"no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
+"slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ae=i=>Object.fromEntries(i.map((e,t)=>[e,t])),rd=Ae(v.cell),ne=Ae(v.heads),D=Ae(v.events),zs=Ae(v.samples),pi=Ae(v.numbers),Rs=Ae(v.words),ua={newton:0,poisson:1,
+stronge:2};function ze(i){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(i).filter(([,s])=>typeof s=="number")),law:ua[i.impact_law],
+strike:+(i.painleve==="impact"),ideal:Number(i.ideal),allowed:1};return v.cell.forEach((s,o)=>{e[o]=t[s]??0}),e}function Ps(i){let e=t=>t??Number.NaN;return Float64Array.
+of(v.laws.indexOf(i.law),v.friction_laws.indexOf(i.friction),e(i.stiffness),e(i.damping),e(i.restitution),e(i.slip_speed),e(i.tangential_stiffness),e(i.rtol))}var $t=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
+rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
+o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var pa=150,ma=240,fa=6e3,[dd,mi,fi]=[0,1,2],ga={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
+al","damping"],utilization:["utilization"]};function Ls(i,e,t){let{rows:s,count:o,duration:n}=e,[a,r]=(t??[0,n]).map(g=>Math.min(Math.max(g,0),n)),l=Math.min(Math.
+max(Math.ceil((r-a)*pa),ma),fa),c=v.events.length,d=new Set;for(let g=0;g<=l&&n>0;g++)d.add(g===l?r:a+g*((r-a)/l));let u=new Set;for(let g=0;g<o;g++){let f=Math.
+min(s[g*c+D.t],n);f>=a&&f<=r&&u.add(f)}for(let g of u)d.add(g);let p=Float64Array.from(d).sort(),m=Float64Array.from(u).filter(g=>g>0).sort(),w=i.states(e,p,!1),
+b=i.states(e,m,!0);return wa(p,w,m,b)}function wa(i,e,t,s){let o=i.length+t.length,n=v.samples.length,a=new Float64Array(o),r=new Float64Array(o*n),l=0,c=0;for(let u=0;u<
+i.length;u++)c<t.length&&t[c]<=i[u]&&(a[l]=t[c],r.set(s.subarray(c*n,(c+1)*n),l*n),l++,c++),a[l]=i[u],r.set(e.subarray(u*n,(u+1)*n),l*n),l++;let d={t:a};for(let[
+u,p]of Object.entries(ga)){let m=new Float64Array(o);for(let w of p)for(let b=0;b<o;b++)m[b]+=r[b*n+zs[w]];d[u]=m}return d.mode=ba(r,o,d.omega),d}function ba(i,e,t){
+let s=v.samples.length,o=new Float64Array(e),n=0;for(let a=e-1;a>=0&&!n;a--)n=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){n=Math.sign(t[a])||n;let r=i[a*s+zs.mode],
+l=r===mi?-1:r===fi?1:0;o[a]=l===0?r:l*n<0?mi:fi}return o}function gi(i,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let n=ya(i.subarray(o*v.keys,(o+1)*v.keys));if(n===""){s[o]=Number.NaN;continue}let a=t.
+get(n);a===void 0&&(a=t.size,t.set(n,a)),s[o]=a}return{values:s,sequences:[...t.keys()]}}function ya(i){let e="";for(let t of i){let s=t;for(let o=0;o<v.letters_a_key&&
+s;o++){let n=Number(s&7n);s>>=3n,n&&(e+=n===v.more?"+":v.letters[n-1])}}return e}var va=256,ka=2048,xa=4096,Ta=2e5,Sa=v.statuses.indexOf("buffer"),Ma=new Set(["turn","apex","kane_gain","rest"]),Is=i=>Number.isFinite(i)?i:null,Ut=class{constructor(e){
+this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new $t(this.exports),this.mostEvents=va,this.mostSegments=ka,this.mostRows=
+xa}call(e,...t){let s=this.exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=v.events.length;for(;;){let o=t.
+room("table",8*s*this.mostEvents),n=t.room("heads",8*v.heads.length);e.contact?this.computeCompliant(e,e.contact,o,n):this.computeRigid(e,o,n);let a=t.floats(n,
+v.heads.length).slice(),r=a[ne.events];if(a[ne.status]===Sa)this.makeRoom(e,a[ne.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
+let l=t.floats(o,r*s).slice();return{given:e,head:a,rows:l,count:r,duration:a[ne.duration],segments:a[ne.segments]}}}}computeRigid(e,t,s){let{memory:o}=this,n=o.
+put("cell",ze(e)),a=o.room("events",v.event_bytes*this.mostEvents),r=o.room("segments",v.segment_bytes*this.mostSegments);this.call("motion",n,a,this.mostEvents,
+r,this.mostSegments,t,s)}computeCompliant(e,t,s,o){let{memory:n}=this,a=n.put("cell",ze(e)),r=n.put("contact",Ps(t)),l=n.room("events",v.event_bytes*this.mostEvents),
+c=n.room("rows",v.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Ta,c,this.mostRows,s,o)}makeRoom(e,t){e.contact?this.
+mostRows=t:this.mostSegments*=4}motion(e){return wi(this.compute(e))}film(e){let t=this.compute(e);return{motion:wi(t),columns:Ls(this,t)}}columns(e,t){return Ls(
+this,this.compute(e),t)}samples(e,t){let s=this.states(this.compute(e),t,!1),o=v.samples.length;return Object.fromEntries(v.samples.map((n,a)=>[n,Float64Array.from(
+t,(r,l)=>s[l*o+a])]))}states(e,t,s){let{memory:o}=this,n=t.length*v.samples.length,a=o.put("times",t),r=o.room("states",8*Math.max(n,1)),l=o.room("cell",8),c=[e.
+segments,a,t.length,Number(s),r];return e.given.contact?this.call("compliant_samples",l,o.room("contact",8),o.room("rows",8),...c):this.call("samples",l,o.room(
+"segments",8),...c),o.floats(r,n).slice()}thresholds(e){let{memory:t}=this,s=t.put("cell",ze(e)),o=t.room("answers",8*v.thresholds.length),n=e.rolling&&e.angle===
+0;this.call("thresholds",s,n?e.vx:Number.NaN,o);let a=t.floats(o,v.thresholds.length),r=c=>{let d=a[v.thresholds.indexOf(c)];return Number.isNaN(d)?null:d},l=["\
+jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
+"immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==
+null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,o,
+n],a,r){let{memory:l}=this,c=l.put("cell",ze(e)),d=l.room("modes",a*r),u=l.room("sides",a);this.call("regions",c,t,s,o,n,a,r,d,u);let{buffer:p}=this.exports.memory;
+return{modes:new Uint8Array(p,d,a*r).slice(),paradox:Float32Array.from(new Int8Array(p,u,a))}}map({count:e,rows:t},s,o){let{memory:n}=this,a=n.put("cells",t),r=n.
+room("numbers",8*e*v.numbers.length),l=n.room("words",4*e*v.words.length),c=n.room("keys",8*e*v.keys),{angle:d,stop:u,timed:p}=v.spans[o],m=v.wanted[s];this.call(
+"map_cells",a,e,d??Number.NaN,u,p,m,r,l,c);let{buffer:w}=this.exports.memory;if(s==="sequence")return gi(new BigUint64Array(w,c,e*v.keys),e);let b=new Float64Array(
+e);if(s in Rs){let g=new Int32Array(w,l,e*v.words.length);for(let f=0;f<e;f++)b[f]=g[f*v.words.length+Rs[s]]}else{let g=n.floats(r,e*v.numbers.length);for(let f=0;f<
+e;f++)b[f]=g[f*v.numbers.length+pi[s]]}return{values:b}}ideal(e){let t=this.memory.room("answers",8*v.thresholds.length);return this.call("ideal_hoop",e,t),this.
+memory.floats(t,1)[0]}combine(e,t){let{memory:s}=this,o=s.put("parts",t.flatMap(Ea)),n=s.room("answers",8*v.thresholds.length),a=s.room("reaches",8*t.length);this.
+call("hoop_of_parts",e,o,t.length,n,a);let[r,l,c]=s.floats(n,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...s.floats(a,t.length)]}}compliance(e){let{
+memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let s=t.put("cell",ze(e)),o=t.put("contact",Ps(e.contact)),n=t.room("answers",8*v.thresholds.
+length);this.call("compliance",s,o,n);let a=t.floats(n,v.chosen.length),r=l=>a[v.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tang\
+ential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),steps:r("steps"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Ea(i){
+let e=i.shape==="rod"?`${i.direction}_rod`:i.shape,t=v.shapes.indexOf(e);return i.shape==="ring"?[t,i.mass,i.inner_radius,i.outer_radius,0]:i.shape==="disk"?[t,
+i.mass,i.radius,0,i.at]:i.shape==="rod"?[t,i.mass,i.length,0,i.at]:[t,i.mass,0,0,i.at]}var Aa=["friction","impact_normal","impact_tangential","rolling_resistanc\
+e"],za=["kinetic","potential",...Aa,"residual"],bi=["x","height","angle","vx","vy","omega"];function wi({given:i,head:e,rows:t,count:s,duration:o}){let n=v.events.
+length,a=Array.from({length:s},(c,d)=>Ra(t.subarray(d*n,(d+1)*n))),r=a[s-1],l=Object.fromEntries([...za,...i.contact?["spring","damping"]:[]].map(c=>[c,e[ne[c]]]));
+return{status:v.statuses[e[ne.status]],sequence:Pa(a),duration:o,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(bi.map(c=>[c,r[c]]))},energy:l,doubt:Is(e[ne.
+doubt_from])}}function Ra(i){let e=v.kinds[i[D.kind]],t=i[D.from_mode],s={t:i[D.t],kind:e,from:t<0?null:v.letters[t],to:v.letters[i[D.to_mode]]};for(let o of bi)
+s[o]=Is(i[D[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,Is(i[D[`before_${o}`]])])),s.impulse={normal:i[D.impulse_normal],tangential:i[D.
+impulse_tangential]},i[D.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=i[D.gain]),i[D.stable]>=0&&(s.stable=i[D.stable]===1),s}function Pa(i){let e=i.
+filter(s=>!Ma.has(s.kind));return e.slice(0,-1).map((s,o)=>e[o+1].t>s.t?s.to:"").join("")||(i.at(-1)?.to??"")}var yi=1e4,_s=256;function vi(i){let e=URL.createObjectURL(new Blob([i],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var Ve=class i{constructor(e,t){
+this.mechanics=new Ut(e),this.motions=new Ge(t,e,2,yi);let s=navigator.hardwareConcurrency||2;this.maps=new Ge(t,e,Math.max(1,Math.min(s-1,8)),yi)}static async load(e){
+let t=new URL(`hophoop.wasm?${v.module}`,e),s=await fetch(t);if(!s.ok)throw new Error(`The kernel is not there: ${t.pathname} gives ${s.status}.`);let n=await(s.
+headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(s):WebAssembly.compile(await s.arrayBuffer())),a=new URL(`kernel.js?${v.module}`,e);
+return a.origin===globalThis.location?.origin?new i(n,()=>new Worker(a,{type:"module"})):new i(n,vi(await(await fetch(a)).text()))}static async unpack(e,t){let s=new Blob(
+[e]).stream().pipeThrough(new DecompressionStream("gzip")),o=await WebAssembly.compile(await new Response(s).arrayBuffer());return new i(o,vi(t))}motion(e,t){return this.
+motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.
+motions.ask("samples",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,o,n){return this.motions.ask("regions",[e,t,s,o],n)}async map({
+count:e,rows:t},s,o,n){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],c=async u=>{let p=Math.min(_s,e-u),m=new Float64Array(a*p);for(let g=0;g<
+a;g++)m.set(t.subarray(g*e+u,g*e+u+p),g*p);let w=await this.maps.ask("map",[{count:p,rows:m},s,o],n,[m.buffer]),b=w.sequences?.map(g=>(l.includes(g)||l.push(g),
+l.indexOf(g)));for(let g=0;g<p;g++)r[u+g]=b?b[w.values[g]]??Number.NaN:w.values[g]},d=Array.from({length:Math.ceil(e/_s)},(u,p)=>p*_s);return await Promise.all(
+d.map(c)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close()}};var Ye=class{constructor(){throw new Error("not yet")}};async function Cs(i,e,t){let s=e&&new kt(e);try{let o=await Ve.load(i);return new Ye(o,o.mechanics,{base:t,server:s})}catch(o){if(s)return s;throw o}}function ki(i){
+navigator.serviceWorker?.register(i).catch(()=>{})}async function xi(i){let e=new xt(i);try{let t=await Ve.unpack(i.get("module"),i.get("worker"));return new Ye(
+t,t.mechanics,{server:e})}catch{return e}}var La=new URL("./",import.meta.url);async function Ia(i){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,o;try{s=await Cs(La,t?null:e,e),o=(await s.call("setup",{})).header}catch(l){i.textContent=l.message;return}t&&ki(t.getAttribute("content")??"");let n=new Ee(
+i,s,o,{hosted:!0});Object.assign(globalThis,{hophoopLab:n});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=oo(location.hash);try{await n.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await n.open([""]),n.notice.fail(l)}}async function _d(i,e,t,s){let o=await Cs(
+e,null,new URL("../",e)),{header:n}=await o.call("setup",{}),a=new Ee(i,o,n,{panels:s});return await a.open([t]),a}async function _a({model:i,el:e}){let t=document.
+createElement("div");e.append(t);let s=await xi(i),o=new Ee(t,s,i.get("setup"),{panels:i.get("panels"),onmotion:a=>{i.get("query")!==a&&(i.set("query",a),i.save_changes())}});
+o.motions.set([ke(i.get("film"))]),o.begin();let n=()=>o.motions.replace(ke(i.get("film")));return i.on("change:film",n),()=>{i.off("change:film",n),s.close?.(),
+o.close()}}var Ti=document.getElementById("hophoop-lab");Ti&&Ia(Ti);var Cd={render:_a};export{Cd as default,_d as mount};
