@@ -5,7 +5,6 @@ import { fill, general } from "./text.js";
 import { degrees } from "./words.js";
 
 const { theory: THEORY } = tables.words;
-const LEAST_SPEED = 1e-9; // m/s; below it stands rounding, down to the least that doubles hold
 
 /** @typedef {{ key: string, label: string, value: number | null, unit: string, text: string }} Threshold */
 
@@ -38,7 +37,7 @@ export function thresholds({ hoop, plane }, known) {
     add("first_hop", known.first_hop_speed, "m/s", (speed) => above(speed, would_hop, any_push));
     add("immediate_hop", known.immediate_hop_speed, "m/s", (speed) => above(speed, would_hop_at_once, any_speed));
   } else {
-    // the speed changes from turn to turn: there is no one from which on it happens in the first
+    // uphill the speed changes with every turn: there is no one speed from which on it happens in the first
     found.push({ key: "uphill", label: THEORY.uphill, value: null, unit: "", text: THEORY.no_threshold });
   }
   add("needed_friction", known.needed_friction, "1", (mu) => needed(mu, plane));
@@ -57,7 +56,7 @@ export function thresholds({ hoop, plane }, known) {
  * @param {string} always
  */
 function above(speed, would, always) {
-  if (speed < LEAST_SPEED) return fill(always, { would });
+  if (speed < tables.words.least_speed) return fill(always, { would });
   return Number.isFinite(speed) ? fill(THEORY.above, { would, speed: general(speed, 4) }) : THEORY.no_speed;
 }
 

@@ -15,7 +15,7 @@ from hophoop.vocabulary.words import MODES, STATUSES, coming_rotation, mode_word
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
-    "friction_loss", "normal_loss", "utilization", "mode",
+    "friction_loss", "normal_loss", "rolling_resistance", "utilization", "mode",
 )  # fmt: skip
 
 

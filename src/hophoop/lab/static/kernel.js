@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources bc0562dfa2a6980f8464c44b5afb176d */
-var l={sources:"3139167f05f885e0d904e890c18e0282",module:"ea38310512919946",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 3cc789b79d490afe8d77df87c73c108c */
+var l={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
@@ -26,14 +26,14 @@ l.laws.indexOf(n.law),l.friction_laws.indexOf(n.friction),e(n.stiffness),e(n.dam
 rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
 o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,D=6e3,[fe,R,F]=[0,1,2],P={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],utilization:["utilization"]};function A(n,e,t){let{rows:s,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(p=>Math.min(Math.max(p,0),i)),c=Math.min(Math.max(
-Math.ceil((r-a)*W),B),D),m=l.events.length,f=new Set;for(let p=0;p<=c&&i>0;p++)f.add(p===c?r:a+p*((r-a)/c));let _=new Set;for(let p=0;p<o;p++){let h=Math.min(s[p*
-m+d.t],i);h>=a&&h<=r&&_.add(h)}for(let p of _)f.add(p);let g=Float64Array.from(f).sort(),b=Float64Array.from(_).filter(p=>p>0).sort(),w=n.states(e,g,!1),u=n.states(
-e,b,!0);return V(g,w,b,u)}function V(n,e,t,s){let o=n.length+t.length,i=l.samples.length,a=new Float64Array(o),r=new Float64Array(o*i),c=0,m=0;for(let _=0;_<n.length;_++)
-m<t.length&&t[m]<=n[_]&&(a[c]=t[m],r.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=n[_],r.set(e.subarray(_*i,(_+1)*i),c*i),c++;let f={t:a};for(let[_,g]of Object.
-entries(P)){let b=new Float64Array(o);for(let w of g)for(let u=0;u<o;u++)b[u]+=r[u*i+O[w]];f[_]=b}return f.mode=C(r,o,f.omega),f}function C(n,e,t){let s=l.samples.
-length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(t[a])||i;let r=n[a*s+O.mode],c=r===R?-1:r===
-F?1:0;o[a]=c===0?r:c*i<0?R:F}return o}function T(n,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let i=$(n.subarray(o*l.keys,(o+1)*l.keys));if(i===""){s[o]=Number.NaN;continue}let a=t.
+amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(n,e,t){let{rows:s,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(p=>Math.
+min(Math.max(p,0),i)),c=Math.min(Math.max(Math.ceil((r-a)*W),B),D),m=l.events.length,f=new Set;for(let p=0;p<=c&&i>0;p++)f.add(p===c?r:a+p*((r-a)/c));let _=new Set;
+for(let p=0;p<o;p++){let h=Math.min(s[p*m+d.t],i);h>=a&&h<=r&&_.add(h)}for(let p of _)f.add(p);let g=Float64Array.from(f).sort(),b=Float64Array.from(_).filter(p=>p>
+0).sort(),w=n.states(e,g,!1),u=n.states(e,b,!0);return V(g,w,b,u)}function V(n,e,t,s){let o=n.length+t.length,i=l.samples.length,a=new Float64Array(o),r=new Float64Array(
+o*i),c=0,m=0;for(let _=0;_<n.length;_++)m<t.length&&t[m]<=n[_]&&(a[c]=t[m],r.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=n[_],r.set(e.subarray(_*i,(_+1)*i),c*
+i),c++;let f={t:a};for(let[_,g]of Object.entries(P)){let b=new Float64Array(o);for(let w of g)for(let u=0;u<o;u++)b[u]+=r[u*i+O[w]];f[_]=b}return f.mode=C(r,o,f.
+omega),f}function C(n,e,t){let s=l.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(
+t[a])||i;let r=n[a*s+O.mode],c=r===R?-1:r===F?1:0;o[a]=c===0?r:c*i<0?R:F}return o}function T(n,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let i=$(n.subarray(o*l.keys,(o+1)*l.keys));if(i===""){s[o]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[o]=a}return{values:s,sequences:[...t.keys()]}}function $(n){let e="";for(let t of n){let s=t;for(let o=0;o<l.letters_a_key&&
 s;o++){let i=Number(s&7n);s>>=3n,i&&(e+=i===l.more?"+":l.letters[i-1])}}return e}var G=256,H=2048,K=4096,J=2e5,Q=l.statuses.indexOf("buffer"),X=new Set(["turn","apex","kane_gain","rest"]),j=n=>Number.isFinite(n)?n:null,E=class{constructor(e){
 this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new x(this.exports),this.mostEvents=G,this.mostSegments=H,this.mostRows=
