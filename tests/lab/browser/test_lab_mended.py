@@ -179,6 +179,7 @@ def test_keys_can_be_switched_off_and_escape_leaves(visit):
     page.keyboard.press("h")
     page.keyboard.press("f")
     assert page.evaluate("[hophoopLab.clock.time, hophoopLab.stage.options.forces]") == [0, True]
+    page.locator(".stage").focus()
     page.keyboard.press(" ")
     wait_for(page, "lab.clock.playing")
     again = page.context.new_page()
@@ -193,6 +194,7 @@ def test_keys_can_be_switched_off_and_escape_leaves(visit):
     wait_for(page, "lab.timeline.window !== null")
     page.keyboard.press("0")
     wait_for(page, "lab.timeline.window === null")
+    assert page.evaluate("document.activeElement.className") == "timeline"
     page.keyboard.press("Escape")
     page.mouse.wheel(0, 300)
     page.wait_for_function("() => scrollY > 100")

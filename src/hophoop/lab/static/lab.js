@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 3cc789b79d490afe8d77df87c73c108c */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 4279fbe39d2112f687e2c3a057677139 */
 function ce(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Sn=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ce(o).join(",")}\
 ,${e})`,Xa=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ce(o).map(Xa);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ce(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -1761,7 +1761,7 @@ this.range=[0,2*Math.PI],this.asked="",this.soon=re(()=>this.sharpen(),140)}asyn
 asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=n,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
 pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,
 ...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:n,
-arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,n.arrays[0].shape)}}reach(){
+arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,i.paradox.length)}}reach(){
 return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
 e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
 this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-ve)/this.box.width,n=1-(e.clientY-t.top-C)/this.box.
@@ -1771,32 +1771,32 @@ bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-
 window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
 e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.some(n=>n.columns.omega.some(i=>i<
 -.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return ve+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+
-(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:n}=this.colors,i=c("canvas",{width:s,height:t}),a=new ImageData(s,t);for(let r=0;r<
-t;r++)for(let l=0;l<s;l++){let h=Al[e[r*s+l]],d=ce(n[h]??"#6E6E6E"),u=4*((t-1-r)*s+l);a.data.set([...d,255],u)}return me(i).putImageData(a,0,0),i}redraw(){if(!this.
-films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-ve-Ii,height:i-C-El},s.clearRect(0,0,n,i),s.save(),s.beginPath(),
-s.rect(ve,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,h,d,u]=r,m=[this.
-x(l),this.y(u),this.x(h)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),
-s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.
-entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>c("span",{class:"plot-key"},po(e.modes[r]),l)))}this.cursor(
-this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let n=0;n<s;n++){
-if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),e.rect(a,C,r-a,this.box.height),
-e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?C+this.box.height:C),e.lineTo(a+h+this.box.height,l>0?C:
-C+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=
-this.films.length>1?ne(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(i[h])){l=null;continue}let d=Math.
-floor(n[h]/r),u=n[h]-d*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.x(m),this.y(i[h])),e.moveTo(this.x(r-m),
-this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:d,mode:a[h]}}e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:n}=this;
-e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(ve+.5,C+.5,this.box.width-1,this.box.height-1),e.textAlign="center";let i=this.
-range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){let d=this.x(h*r*Math.PI/180);e.beginPath(),
-e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),d,C+this.box.height+15)}e.textAlign="right",e.fillText(x("angle θ w\
-ithin a turn [°]"),t-Ii,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of ee(this.bottom(),this.top(),5))e.fillText(Y(h,U(l,5)),ve-6,this.
-y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){
-if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-
-Math.floor(r.angle/l)*l,d=this.x(h),u=this.y(r.omega);d>=ve&&d<=ve+this.box.width&&u>=C&&u<=C+this.box.height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=
-this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ne(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=
-`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[
-e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let d=0;d<
-i.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[d])-n);m<h.distance&&(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(
-h.t,0,i.duration))}};var fo=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function Li(o){let e="height",t=new Ke({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,t){let s=e.length/t,{modes:n}=this.colors,i=c("canvas",{width:t,height:s}),a=new ImageData(
+t,s);for(let r=0;r<s;r++)for(let l=0;l<t;l++){let h=Al[e[r*t+l]],d=ce(n[h]??"#6E6E6E"),u=4*((s-1-r)*t+l);a.data.set([...d,255],u)}return me(i).putImageData(a,0,
+0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-ve-Ii,height:i-C-El},s.clearRect(
+0,0,n,i),s.save(),s.beginPath(),s.rect(ve,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.
+pictures){let[l,h,d,u]=r,m=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.
+drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==
+t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>c("span",{class:"plot\
+-key"},po(e.modes[r]),l)))}this.cursor(this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",
+.28),e.lineWidth=1;for(let n=0;n<s;n++){if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),
+e.rect(a,C,r-a,this.box.height),e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?C+this.box.height:C),e.
+lineTo(a+h+this.box.height,l>0?C:C+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,
+e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?ne(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(
+i[h])){l=null;continue}let d=Math.floor(n[h]/r),u=n[h]-d*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.x(m),
+this.y(i[h])),e.moveTo(this.x(r-m),this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:d,mode:a[h]}}e.stroke(),e.setLineDash(
+[])}axes(e,t,s){let{look:n}=this;e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(ve+.5,C+.5,this.box.width-1,this.box.
+height-1),e.textAlign="center";let i=this.range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){
+let d=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),d,C+this.box.height+15)}
+e.textAlign="right",e.fillText(x("angle θ within a turn [°]"),t-Ii,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of ee(this.bottom(),this.
+top(),5))e.fillText(Y(h,U(l,5)),ve-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="cent\
+er",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.
+films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-Math.floor(r.angle/l)*l,d=this.x(h),u=this.y(r.omega);d>=ve&&d<=ve+this.box.width&&u>=C&&u<=C+this.box.
+height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ne(a,this.look.
+dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,
+u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,
+omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let d=0;d<i.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[d])-n);m<h.distance&&
+(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var fo=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function Li(o){let e="height",t=new Ke({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
 B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=c("select",{"aria-label":"What your diagram shows",onchange:()=>{
 e=n.value,s(),o.changed()}},fo(ri));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function zl(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
@@ -2561,9 +2561,10 @@ void 0?"":`·10${oc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var oc=o
 o),status:e,sequence:t,events:s,final:n,energy:i}}function pn(o,e,t,s){let{hoop:n,plane:i,start:a}=o,{height:r,vx:l,vy:h,omega:d}=Xe(a,n.radius),u={events:e.events,
 status:e.status,omega:t};return{...Fs(o,e),events:e.events.slice(0,Va),query:Zo(o),duration:e.duration,values:{"hoop.radius":n.radius,"hoop.mass":n.mass,"hoop.l\
 oad_fraction":n.load_fraction,"hoop.eccentricity":n.eccentricity,"hoop.inertia_ratio":n.inertia_ratio,"plane.mu":mn(i.mu),"plane.mu_static":mn(i.mu_static),"pla\
-ne.mu_kinetic":mn(i.mu_kinetic),"start.speed":a.speed,"start.height":r,"start.vx":l,"start.vy":h,"start.omega":d},automatic:nc(o,s),massless:n.inertia_ratio===0,
-summary:un(u),story:dn(u),ending:S.words.statuses[e.status],shortened:e.events.length>Va}}function nc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};
-let{stiffness:t,slip_speed:s}=e.compliance(J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:ic,variables:fn}=S.table,ac="mode",gn=(o,e)=>JSON.stringify(Fs(o,e),null,1);function wn(o){let e=Math.min(Math.max(Math.floor(o*ic)+1,2),S.limits.samples),
+ne.mu_kinetic":mn(i.mu_kinetic),"plane.rolling_resistance":i.rolling_resistance,"start.speed":a.speed,"start.height":r,"start.vx":l,"start.vy":h,"start.omega":d},
+automatic:nc(o,s),massless:n.inertia_ratio===0,summary:un(u),story:dn(u),ending:S.words.statuses[e.status],shortened:e.events.length>Va}}function nc(o,e){if(o.contact.
+model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.\
+restitution":o.plane.restitution}}var{rate:ic,variables:fn}=S.table,ac="mode",gn=(o,e)=>JSON.stringify(Fs(o,e),null,1);function wn(o){let e=Math.min(Math.max(Math.floor(o*ic)+1,2),S.limits.samples),
 t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function bn(o,e){let t=Object.keys(fn),s=t.map(l=>fn[l]==="1"?l:`${l} [${fn[l]}]`),{kinetic:n,
 potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let d=t.map(u=>u===ac?String(a[u][l]):
 Le(a[u][l]));r.push([Le(h),...d].join(","))}return`${r.join(`\r
