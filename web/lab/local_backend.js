@@ -43,6 +43,10 @@ export class LocalBackend {
     if (name === "setup") return { header: model.tables.setup, arrays: {} };
     const checked = model.asked(body, this.mechanics);
     if (name === "film") return this.film(checked, signal);
+    if (name === "samples") {
+      const given = model.given(model.within(checked));
+      return { header: { window: body.window }, arrays: await this.kernel.columns(given, signal, body.window) };
+    }
     if (name === "code") {
       return { header: { python: model.pythonCode(checked), toml: model.toToml(checked) }, arrays: {} };
     }

@@ -1,10 +1,10 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources ab60a0a90adbc109577b0eee1085a7b4 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 4279fbe39d2112f687e2c3a057677139 */
 function ce(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Sn=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ce(o).join(",")}\
 ,${e})`,Xa=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ce(o).map(Xa);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ce(o).map(n=>Math.round(n+(255-n)*s).toString(
 16).padStart(2,"0")).join("")}`;return t}var Nt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Qa(){let o=[];
 for(let e=0;e<256;e++){let t=e/255*(Nt.length-1),s=Math.min(Math.floor(t),Nt.length-2),n=ce(Nt[s]),i=ce(Nt[s+1]);o.push(n.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
-return o}var De=Qa(),qt=De.map(o=>`rgb(${o.join(",")})`),er=["#6a3d9a","#33702a"],ne=(o,e)=>it(er[o],e);var Mn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
+return o}var Fe=Qa(),qt=Fe.map(o=>`rgb(${o.join(",")})`),er=["#123a8c","#8a6d00"],ne=(o,e)=>it(er[o],e);var Mn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
 spins:"dreht durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {ang\
 le} durch","skids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {\
 angle}":"hüpft bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"glei\
@@ -301,8 +301,8 @@ ritte, im Labor höchstens {most}.","A cell of this map is about {turns} revolut
 ewer cells, lower speeds or a shorter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger \
 Zellen, kleinere Geschwindigkeiten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf fü\
 r einen Film aus dem Labor höchstens {most} s sein.","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips or hops hangs on where it t\
-urns back; the map shows it":"bergauf (β < 0) keine Schwelle: ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","A violet, B green\
-; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violett, B grün; die Strichart nennt die Größe; Zahlen von {hoop}; {hands}"};var En={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
+urns back; the map shows it":"bergauf (β < 0) keine Schwelle: ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","A blue, B ochre; \
+the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hands}"};var En={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
 ueda",spins:"patina",skids:"derrapa",flies:"vuela","skims the plane":"roza el plano","rolls at {angle}":"rueda desde {angle}","spins at {angle}":"patina desde {\
 angle}","skids at {angle}":"derrapa desde {angle}","flies at {angle}":"vuela desde {angle}","skims the plane at {angle}":"roza el plano desde {angle}","hops at \
 {angle}":"salta a {angle}","lands at {angle}":"aterriza a {angle}","bounces at {angle}":"rebota a {angle}","slips the other way at {angle}":"desliza en sentido \
@@ -595,8 +595,8 @@ io como mucho {most}.","A cell of this map is about {turns} revolutions and must
 ls, lower speeds or a shorter duration.":"x e y dan {count} celdas con unas {turns} vueltas en total, y en el laboratorio como mucho {most}; toma menos celdas, \
 velocidades menores o una duración más corta.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} debe ser como mucho \
 {most} s para una película del laboratorio.","Slips, hops":"Desliza, salta","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back\
-; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A violet, B green; the dashe\
-s tell the quantities; numbers of {hoop}; {hands}":"A violeta, B verde; el trazo indica la magnitud; números de {hoop}; {hands}"};var An={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
+; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A blue, B ochre; the dashes \
+tell the quantities; numbers of {hoop}; {hands}":"A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {hands}"};var An={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
 roule",spins:"patine",skids:"dérape",flies:"vole","skims the plane":"effleure le plan","rolls at {angle}":"roule à partir de {angle}","spins at {angle}":"pati\
 ne à partir de {angle}","skids at {angle}":"dérape à partir de {angle}","flies at {angle}":"vole à partir de {angle}","skims the plane at {angle}":"effleure\
  le plan à partir de {angle}","hops at {angle}":"saute à {angle}","lands at {angle}":"retombe à {angle}","bounces at {angle}":"rebondit à {angle}","slips th\
@@ -896,8 +896,8 @@ lus {most} dans le labo.","x and y make {count} cells of about {turns} revolutio
  or a shorter duration.":"x et y font {count} cellules d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plu\
 s faibles ou une durée plus courte.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} doit être au plus {most} s pour\
  un film du labo.","Slips, hops":"Glisse, saute","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"en mon\
-tée (β < 0) pas de seuil : qu'il glisse ou saute dépend de l'endroit où il rebrousse chemin ; la carte le montre","A violet, B green; the dashes tell the qu\
-antities; numbers of {hoop}; {hands}":"A violet, B vert ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}"};var zn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
+tée (β < 0) pas de seuil : qu'il glisse ou saute dépend de l'endroit où il rebrousse chemin ; la carte le montre","A blue, B ochre; the dashes tell the quan\
+tities; numbers of {hoop}; {hands}":"A bleu, B ocre ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}"};var zn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
 转",skids:"拖滑",flies:"腾空","skims the plane":"贴着平面滑过","rolls at {angle}":"在 {angle} 处开始滚动","spins at {angle}":"在 {angle} 处开始空转",
 "skids at {angle}":"在 {angle} 处开始拖滑","flies at {angle}":"在 {angle} 处腾空","skims the plane at {angle}":"在 {angle} 处开始贴着平面滑过",
 "hops at {angle}":"在 {angle} 处跳起","lands at {angle}":"在 {angle} 处落地","bounces at {angle}":"在 {angle} 处弹起","slips the other way at {angle\
@@ -1156,7 +1156,7 @@ ab.":"此分布图的一格约为 {turns} 圈，本实验室中不得超过 {mos
  be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"x 与 y 共 {count} 格，约 {turns} 圈，本实验室中不得超过 {most}；请减少格数、降低速度或缩短时长。",
 "duration = {value} must be at most {most} s for a film from the lab.":"从本实验室制作影片时 duration = {value} 不得超过 {most} s。","Slips, hops":"\
 打滑、跳起","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"上坡（β < 0）没有阈值：是否打滑或跳起取决于在何处折返；见参数图",
-"A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为紫色，B 为绿色；线型表示物理量；数值属于 {hoop}；{hands}"};var $s=new Map;function ie(o){try{return localStorage.getItem(o)??$s.get(o)??null}catch{return $s.get(o)??null}}function ae(o,e){$s.set(o,e);try{localStorage.setItem(
+"A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为蓝色，B 为赭色；线型表示物理量；数值属于 {hoop}；{hands}"};var $s=new Map;function ie(o){try{return localStorage.getItem(o)??$s.get(o)??null}catch{return $s.get(o)??null}}function ae(o,e){$s.set(o,e);try{localStorage.setItem(
 o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Hs={de:Mn,es:En,fr:An,zh:zn},ir=new Set(["de","es","fr"]),In="hophoop-language",Ln=4e3,
 ar=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ct=/\{(\w+)\}/g,de="en",Nn=[],at=new Map,rt=new Set,ht=new Set,jt=()=>de;
 function Ks(o){de=o in lt?o:"en",at=new Map,rt=new Set,ht.clear(),Nn=Object.keys(Hs[de]??{}).filter(e=>e.includes("{")).map(lr).sort((e,t)=>Rn(t.key)-Rn(e.key))}
@@ -1180,7 +1180,7 @@ devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),n=Math.max(Math.rou
 return i.setTransform(t,0,0,t,0,0),{context:i,width:s/t,height:n/t}}function ur(o){if(/^#[0-9a-f]{6}$/i.test(o))return o;let e=me(c("canvas",{width:1,height:1}));
 e.fillStyle=o,e.fillRect(0,0,1,1);let[t,s,n]=e.getImageData(0,0,1,1).data;return`#${[t,s,n].map(i=>i.toString(16).padStart(2,"0")).join("")}`}function Gs(o){let e=getComputedStyle(
 o),t=n=>e.getPropertyValue(n).trim(),s=n=>ur(t(n));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
-und"),font:t("--font"),dark:ot(s("--paper"))<.2}}function Fe(o,e){let t=c("a",{href:URL.createObjectURL(o),download:e});document.body.append(t),t.click(),t.remove(),
+und"),font:t("--font"),dark:ot(s("--paper"))<.2}}function We(o,e){let t=c("a",{href:URL.createObjectURL(o),download:e});document.body.append(t),t.click(),t.remove(),
 setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function re(o,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(o,e)}}var y=(o,e,t)=>Math.min(Math.max(o,e),t);function _(o,e=4){if(o==null)return"–";if(typeof o!="number")return String(o);if(!Number.isFinite(o))return Number.isNaN(
 o)?"–":o>0?"∞":"−∞";if(o===0)return"0";let t=Math.abs(o),s;if(t>=1e6||t<1e-4){let[n,i]=o.toExponential(e-1).split("e");s=`${Wn(n)}·10${mr(Number(i))}`}else
 s=Wn(o.toPrecision(e)),s.includes("e")&&(s=String(Math.round(o)));return ge(s.replace("-","−"))}function Wn(o){return o.includes(".")&&!o.includes("e")?o.replace(
@@ -1188,11 +1188,11 @@ s=Wn(o.toPrecision(e)),s.includes("e")&&(s=String(Math.round(o)));return ge(s.re
 "")}var F=(o,e)=>e?e==="°"?`${o}°`:`${o} ${e}`:o,q=o=>ge(`${(o*180/Math.PI).toFixed(1)}°`.replace("-","−"));function we(o){let e=Math.abs(o),[t,s]=e>=.995?
 [1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return F(_(o*t,3),s)}function U(o,e){let t=o/Math.max(e,1),s=10**Math.floor(Math.log10(t)),n=t/s;return(n>5?10:n>2?5:n>1?
 2:1)*s}function ee(o,e,t){if(!(e>o)||!Number.isFinite(o)||!Number.isFinite(e))return[];let s=U(e-o,t),n=[];for(let i=Math.ceil(o/s-1e-9);i*s<=e+1e-9*s&&n.length<
-200;i++)n.push(i*s);return n}function J(o,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(o),e)>=1e6||t>12?_(o,3):ge((Math.abs(o)<e*1e-6?
+200;i++)n.push(i*s);return n}function Y(o,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(o),e)>=1e6||t>12?_(o,3):ge((Math.abs(o)<e*1e-6?
 0:o).toFixed(t).replace("-","−"))}var $n=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],pr="tfc",fr=400;function Bn({time:o=0,options:e={},zoom:t=1,map:s}){let n=[];o>
 0&&n.push(`t=${Number(o.toFixed(4))}`);let i=$n.filter(([a])=>e[a]).map(([,a])=>a);return i.join("")!==pr&&n.push(`show=${i.join("")}`),t!==1&&n.push(`zoom=${Number(
 t.toPrecision(3))}`),s&&n.push(`map=${[s.what,...s.x,...s.y].join(",")}`),n.join("&")}function Hn(o){let e=new URLSearchParams(o.replace(/^#/,"")),t={},s=Number(
-e.get("t")??Number.NaN);s>=0&&(t.time=s);let n=e.get("show");n!==null&&(t.options=Object.fromEntries($n.map(([g,b])=>[g,n.includes(b)])));let i=Number(e.get("zo\
+e.get("t")??Number.NaN);s>=0&&(t.time=s);let n=e.get("show");n!==null&&(t.options=Object.fromEntries($n.map(([w,b])=>[w,n.includes(b)])));let i=Number(e.get("zo\
 om")??Number.NaN);i>0&&(t.zoom=y(i,.05,60));let[a,r,l,h,d,u,m]=e.get("map")?.split(",")??[],p=[l,h,u,m].map(Number);return m!==void 0&&p.every(Number.isFinite)&&
 p[0]<p[1]&&p[2]<p[3]&&(t.map={what:a,x:[r,p[0],p[1]],y:[d,p[2],p[3]]}),t}var gr=()=>{let o=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
 search.slice(1),...o===null?[]:[o]]},Dt=class{constructor(e){this.lab=e,this.number=0,this.soon=re(()=>this.write("same"),fr),this.listen=()=>this.arrived(),addEventListener(
@@ -1207,7 +1207,7 @@ this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};fun
 (n,i,a)=>`e${i&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
 test(t)?Number(t.replace(",",".")):Number.NaN}function br(o,e,{label:t,unit:s,range:n}){let i=o.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
 uch as 2.5.`;if(!n||e>=n.least&&e<=n.most||n.also.includes(e))return"";let a=n.also.includes(0)?"0 or ":"",r=`from ${_(n.least,4)} to ${F(_(n.most,4),s)}`,l=n.also.
-includes(1/0)?", or inf":"";return`${t} = ${F(_(e,6),s)} must be ${a}${r}${l}.`}var yr=0,We=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
+includes(1/0)?", or inf":"";return`${t} = ${F(_(e,6),s)} must be ${a}${r}${l}.`}var yr=0,$e=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
 typing=!1,this.error=c("p",{class:"error",role:"alert",id:`hh-error-${++yr}`,hidden:!0}),this.input=c("input",{type:"text",inputmode:"decimal",autocomplete:"off",
 spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
 s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
@@ -1225,12 +1225,12 @@ o.toPrecision(6)),$t=class{parts;text;radius;mass;constructor(e){this.onchange=e
 e);if(n===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:n,parts:e,radius:t,mass:s}),this.list.
 replaceChildren(...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:n}=Kn[e.shape];return c("fieldset",{class:"part"},c("legend",{},s,this.parts.length>1&&
 c("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),n.map(i=>this.field(
-e,t,i)))}field(e,t,s){let[n,i]=vr[s],a=new We({label:n,unit:i},r=>this.send(this.parts.map((l,h)=>h===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),c("div",
+e,t,i)))}field(e,t,s){let[n,i]=vr[s],a=new $e({label:n,unit:i},r=>this.send(this.parts.map((l,h)=>h===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),c("div",
 {},c("label",{},`${n} [${i}]`,a.input),a.error)}};var Vs=Math.PI/180;function xr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Vs:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
 var Js=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,n=l=>()=>{this.held=l};this.
 range=c("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:n(!0),onpointerup:n(!1),onpointercancel:n(!1),onblur:n(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new We({label:i,unit:a,name:r,range:xr(e)},l=>this.send(l,!0)),this.element=c("div",{class:"control",title:e.help},c("label",{for:s},c("\
+n ${a}`:""}`;this.entry=new $e({label:i,unit:a,name:r,range:xr(e)},l=>this.send(l,!0)),this.element=c("div",{class:"control",title:e.help},c("label",{for:s},c("\
 span",{},i),c("span",{class:"symbol"},e.symbol)),this.range,c("span",{class:"entry"},this.entry.input,c("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
@@ -1260,15 +1260,15 @@ this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this
 ion"))}refuse(e,t){let s=e.length===1?this.sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){this.film&&this.showChoices(
 this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[n,i]of this.sliders){if(t.has(n))continue;let[a,r]=n.split(".");
 i.show(e.values[n]??(r?s[a]?.[r]:s[a]),e.automatic?.[n])}}showChoices(e,t){let{scenario:s,values:n}=e,i=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
-tion":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",h=(...p)=>p.some(g=>t.has(g));h("hoop.load_fraction","hoop.ecce\
+tion":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",h=(...p)=>p.some(w=>t.has(w));h("hoop.load_fraction","hoop.ecce\
 ntricity","hoop.parts")||(this.way.select.value=i),h("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),h("plane.mu","plane.mu_static")||
 (this.apart.checked=r);let d=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);h("plane.gravity")||(this.gravity.select.value=d?d[0]:"");let u={"hoo\
 p.load_fraction":i==="load_fraction","hoop.eccentricity":i==="eccentricity","hoop.inertia_ratio":i==="eccentricity","hoop.mass":i!=="parts","plane.mu":!r,"plane\
 .mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,
-"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,g]of Object.entries(u))this.
-at(p).hidden=!g;this.parts.element.hidden=i!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,n["hoop.radius"],n["hoop.mass"]),this.derived.textContent=i==="\
+"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,w]of Object.entries(u))this.
+at(p).hidden=!w;this.parts.element.hidden=i!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,n["hoop.radius"],n["hoop.mass"]),this.derived.textContent=i==="\
 eccentricity"?"":`ε = ${_(n["hoop.eccentricity"],5)}, κ = ${_(n["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${_(n["hoop.mass"],5)} kg`:"");let m=s;for(let[
-p,{select:g}]of this.choices){if(t.has(p))continue;let[b,w]=p.split(".");m[b]?.[w]!==void 0&&(g.value=m[b][w])}}};var Ys=Math.PI/180;function Gn(o,e){let{start:t,plane:s,contact:n,hoop:i}=o.scenario;return n.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
+p,{select:w}]of this.choices){if(t.has(p))continue;let[b,g]=p.split(".");m[b]?.[g]!==void 0&&(w.value=m[b][g])}}};var Ys=Math.PI/180;function Gn(o,e){let{start:t,plane:s,contact:n,hoop:i}=o.scenario;return n.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
 be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||i.parts?"The radius must stay 1 m,\
  without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Vn=o=>o.events.filter(
@@ -1327,8 +1327,8 @@ i.preventDefault();s.addEventListener("touchmove",n,{passive:!1}),this.settle=re
 slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:n=>this.key(e,n),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.
 toggle("running",e.clock.playing);let{pose:n,film:i,scale:a}=t,r=i.radius,l=t.point(n.x,r+n.height),h=t.point(n.x+r*Math.sin(n.angle),r+n.height+r*Math.cos(n.angle)),
-d=this.onPlane(t),u=y(1.1*r*a,eo,190),m=[["plane",d,eo],["hoop",l,u],["load",h,eo]];for(let[p,[g,b],w]of m){let f=this.places.get(p);f.style.transform=`translat\
-e(${g-w/2}px, ${t.top+b-w/2}px)`,f.style.width=f.style.height=`${w}px`,f.hidden=g<0||b<0||g>t.width||b>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.
+d=this.onPlane(t),u=y(1.1*r*a,eo,190),m=[["plane",d,eo],["hoop",l,u],["load",h,eo]];for(let[p,[w,b],g]of m){let f=this.places.get(p);f.style.transform=`translat\
+e(${w-g/2}px, ${t.top+b-g/2}px)`,f.style.width=f.style.height=`${g}px`,f.hidden=w<0||b<0||w>t.width||b>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.
 point(e.pose.x,0),n=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+n,0)}tell(e){
 let t=this.pull?.held??this.held??Ut(e,this.lab.clock.time),s={load:q(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:we(t.height),speed:_(t.vx,3)}),plane:q(
 t.slope)},n={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
@@ -1338,10 +1338,10 @@ for(let[s,n]of this.places){let{left:i,top:a,width:r}=n.getBoundingClientRect(),
 if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,n]of this.places)n.classList.toggle("near",s===t);this.lab.stage.plane.style.cursor=
 t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:n,plane:i}=s.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),
 h=f=>({clientX:f.clientX-l.left,clientY:f.clientY-l.top-r.top}),d=new mt(t,s.film(),s.clock.time,r,h(e)),u=[...n.shift],[m,p]=[!1,!1];this.pull=d,a.classList.add(
-"held");let g=()=>{p=!0,b.abort(),a.classList.remove("held"),n.fixed=null,this.pull=null,m&&this.comeBack(u)},b=new AbortController,w=f=>{f.key==="Escape"&&(f.stopPropagation(),
-g(),m&&this.back())};return addEventListener("keydown",w,{capture:!0,signal:b.signal}),W(i,e,f=>{if(!p){if(n.pinched()){g(),m&&this.back();return}!m&&Math.hypot(
+"held");let w=()=>{p=!0,b.abort(),a.classList.remove("held"),n.fixed=null,this.pull=null,m&&this.comeBack(u)},b=new AbortController,g=f=>{f.key==="Escape"&&(f.stopPropagation(),
+w(),m&&this.back())};return addEventListener("keydown",g,{capture:!0,signal:b.signal}),W(i,e,f=>{if(!p){if(n.pinched()){w(),m&&this.back();return}!m&&Math.hypot(
 f.clientX-e.clientX,f.clientY-e.clientY)<3||(m||(n.fixed=r.scale,this.hold(),this.begin()),m=!0,d.move(h(f),f.timeStamp),n.shift=[u[0]+d.moved,u[1]],this.change(
-t,d.held,!1),this.show(t,d.held))}},(f,k)=>{p||(g(),m&&(k?(this.change(t,d.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
+t,d.held,!1),this.show(t,d.held))}},(f,k)=>{p||(w(),m&&(k?(this.change(t,d.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
 t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Ut(s.film(),s.clock.time);let n=ti(
 e,t.key,t.shiftKey,this.held,s.film());if(!n)return;this.before===null&&(this.hold(),this.begin()),this.held=n,this.change(e==="load"?"hoop":e,n,!1),this.show(e,
 n),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
@@ -1405,7 +1405,7 @@ t,s);this.rows=a.map(({time:h,mode:d,values:u})=>({time:h,row:c("tr",{onclick:()
  rows.",{count:so});M(this.caption,r?e.summary:ue(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
 now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(i=>`${B[i].name} [${B[i].unit||"1"}]`),"mode"],n=li(e,t,Number(this.step.value)).map(({mode:i,values:a})=>[
-...a,i].join(","));Fe(new Blob([[s.join(","),...n,""].join(`\r
+...a,i].join(","));We(new Blob([[s.join(","),...n,""].join(`\r
 `)],{type:"text/csv"}),"hophoop-table.csv")}};var hi="hoop.radius=0.4&duration=1.5&start.speed=",jr=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
@@ -1457,10 +1457,10 @@ n="",i=o.map(([a,r])=>{let l=c("input",{type:"radio",name:s,value:a,onchange:()=
 row:h}of i){l.disabled=!0;let d=t||r===a;d&&h.append(c("b",{class:"guess-right"},"✓")),h.classList.toggle("right",d)}return t||n===a?100:0}}}var pe=168,gt=58,
 no=(o,e=gt)=>{let t=o*Math.PI/180;return[pe/2+e*Math.sin(t),pe/2-e*Math.cos(t)]};function ro(o,e){let t=0,s=!1,n=null,i=c("canvas",{class:"dial-canvas"}),a=c("d\
 iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let{context:d}=D(i),u=getComputedStyle(
-a),m=u.getPropertyValue("--ink").trim(),p=u.getPropertyValue("--soft").trim(),g=u.getPropertyValue("--accent").trim();d.clearRect(0,0,pe,pe),d.strokeStyle=p,d.fillStyle=
+a),m=u.getPropertyValue("--ink").trim(),p=u.getPropertyValue("--soft").trim(),w=u.getPropertyValue("--accent").trim();d.clearRect(0,0,pe,pe),d.strokeStyle=p,d.fillStyle=
 p,d.lineWidth=1.5,d.beginPath(),d.moveTo(8,pe/2+gt),d.lineTo(pe-8,pe/2+gt),d.stroke(),d.lineWidth=4,d.beginPath(),d.arc(pe/2,pe/2,gt,0,2*Math.PI),d.stroke(),d.font=
-"11px system-ui, sans-serif",d.textAlign="center";for(let w of[0,90,180,270]){let[f,k]=no(w,gt-17);d.fillText(`${w}°`,f,k+4)}let b=(w,f,k)=>{d.fillStyle=f,d.beginPath(),
-d.arc(...no(w),k,0,2*Math.PI),d.fill()};n!==null&&(d.strokeStyle=m,d.lineWidth=2,d.beginPath(),d.arc(...no(n),12,0,2*Math.PI),d.stroke(),b(n,m,7)),b(t,s?g:p,9)},
+"11px system-ui, sans-serif",d.textAlign="center";for(let g of[0,90,180,270]){let[f,k]=no(g,gt-17);d.fillText(`${g}°`,f,k+4)}let b=(g,f,k)=>{d.fillStyle=f,d.beginPath(),
+d.arc(...no(g),k,0,2*Math.PI),d.fill()};n!==null&&(d.strokeStyle=m,d.lineWidth=2,d.beginPath(),d.arc(...no(n),12,0,2*Math.PI),d.stroke(),b(n,m,7)),b(t,s?w:p,9)},
 l=d=>{n===null&&(t=ao(d),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},h=d=>{let u=i.
 getBoundingClientRect(),[m,p]=[d.clientX-u.left-u.width/2,d.clientY-u.top-u.height/2];l(Math.atan2(m,-p)*180/Math.PI)};return a.addEventListener("pointerdown",d=>{
 d.preventDefault(),a.focus({preventScroll:!0}),h(d),W(a,d,h)}),a.addEventListener("keydown",d=>{let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
@@ -1468,16 +1468,16 @@ PageUp:45}[d.key];u!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shi
 ao(d),r(),Ur(t,n))}}var ft=9,[le,Zt,Me,io]=[34,12,12,26];function ui({label:o,unit:e,most:t},s){let n=Array(ft).fill(t/4),i=!1,a=null,r=c("canvas",{class:"sketc\
 h-canvas"}),l=n.map((f,k)=>c("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${o} with the load at ${45*k}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:T=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[T.key];E&&(T.preventDefault(),T.stopPropagation(),
-g(k,n[k]+E*t/(T.shiftKey?100:20)))}})),h=c("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),
+w(k,n[k]+E*t/(T.shiftKey?100:20)))}})),h=c("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),
 u=f=>le+f/(ft-1)*(d().width-le-Zt),m=f=>Me+(1-f/t)*(d().height-Me-io),p=()=>{let{context:f,width:k,height:T}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
 z).trim();f.clearRect(0,0,k,T),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
 f.fillText(`${45*z}°`,u(z),T-8),f.strokeRect(u(z),Me,0,T-Me-io);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),le-6,m(z)+4),f.strokeRect(le,m(z),
 k-le-Zt,0);f.textAlign="left",f.fillText(e,le+4,Me+10);let I=(z,Q,Ws)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash(Ws),f.beginPath(),z.forEach((Lt,_n)=>{let Tn=le+
 _n/(z.length-1)*(k-le-Zt);_n?f.lineTo(Tn,m(y(Lt,0,t))):f.moveTo(Tn,m(y(Lt,0,t)))}),f.stroke(),f.setLineDash([])};I(n,N("--accent"),[6,4]),a&&I(a,N("--ink"),[]),
-l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},g=(f,k)=>{a||(n[f]=y(k,0,t),i=!0,l[f].setAttribute("aria-valuenow",n[f].toPrecision(
-3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,w=f=>{let k=d(),T=y((f.clientX-k.left-le)/(k.width-le-Zt),0,1),E=Math.round(
-T*(ft-1)),N=t*(1-(f.clientY-k.top-Me)/(k.height-Me-io)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)g(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
-"pointerdown",f=>{f.preventDefault(),b=null,w(f),W(h,f,w)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
+l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},w=(f,k)=>{a||(n[f]=y(k,0,t),i=!0,l[f].setAttribute("aria-valuenow",n[f].toPrecision(
+3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=d(),T=y((f.clientX-k.left-le)/(k.width-le-Zt),0,1),E=Math.round(
+T*(ft-1)),N=t*(1-(f.clientY-k.top-Me)/(k.height-Me-io)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
+"pointerdown",f=>{f.preventDefault(),b=null,g(f),W(h,f,g)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
 p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Gr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Qt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Xt=o=>q(o-Qt*Math.floor(o/Qt));function Jr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
 t;r++){let l=o.columns.angle[0]+Qt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),d=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
 d*(n[h]-n[a]))}return i}var Yr=(o,e)=>o.t[o.columns.angle.findIndex(t=>t>=e)]??o.duration,Zr={R:"roll",S:"spin",K:"skid",H:"bounce"},Ee=[{key:"littlewood",title:"\
@@ -1591,18 +1591,18 @@ ngle keys (letters, digits, signs) do what the table says")}};function nl(o,e){l
 ol(o);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){sl(o,e);return}if(e.altKey||t.matches?.("selec\
 t")&&!(e.key===" "&&o.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button, summary, input[ty\
 pe=checkbox]")||!o.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let n=tl(o,e.shiftKey)[e.key];n&&(e.preventDefault(),n())}function gi(o,e){let t=e?document:
-o.root,s=n=>{nl(o,n),e||n.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var il={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function $e(o){let e=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),t=new Uint8Array(e.buffer,
+o.root,s=n=>{nl(o,n),e||n.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var il={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function Be(o){let e=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),n=JSON.parse(new TextDecoder().decode(t.subarray(
 4,4+s))),i={};for(let{name:a,type:r,shape:l,place:h}of n.arrays){let d=l.reduce((u,m)=>u*m,1);i[a]=new il[r](t.buffer,t.byteOffset+4+s+h,d)}return{header:n,arrays:i}}var yt=class extends Error{},al=500,rl=4,ll="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function wi(o,e,t){
 for(;;)try{return await o()}catch(s){if(!(s instanceof yt))throw s;e(s.message),await new Promise(n=>setTimeout(n,al)),t.throwIfAborted()}}var is=class{constructor(e){
 this.base=e,this.shares=!0}async call(e,t,s){let n={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},i=await this.answered(
-new URL(`lab/${e}`,this.base),n);if(i.status===202)throw new yt((await i.json()).detail);return $e(await i.arrayBuffer())}async answered(e,t){for(let s=rl;;s--){
+new URL(`lab/${e}`,this.base),n);if(i.status===202)throw new yt((await i.json()).detail);return Be(await i.arrayBuffer())}async answered(e,t){for(let s=rl;;s--){
 let n=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(ll)});if(n.ok)return n;let i=Number(n.headers.get("Retry-After"));if(n.status!==503||!(i>
 0)||s<=1){let a=await n.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${n.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),
 t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
 "",this.base)}${t}`}},hl=2e4,cl=3e5,as=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
 slice(2),this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(
-s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new yt(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve($e(t[0])))}call(e,t,s){let n=++this.
+s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new yt(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve(Be(t[0])))}call(e,t,s){let n=++this.
 number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(n),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
 "file"?cl:hl);this.waiting.set(n,{resolve:i,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(n),a(new DOMException("super\
 seded","AbortError"))}),this.model.send({view:this.view,number:n,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("file",{query:t,name:e});return new Blob(
@@ -1621,16 +1621,16 @@ left,Ae,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;re
 this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let n=this.info(s),[i,a]=this.windows[s],
 r=Math.max(Math.abs(i),Math.abs(a)),l=y(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(n.label)} = ${F(_(n.degrees?e[s]/yi:e[s],l),n.unit)}`};return`${t("x")}\
 , ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ae+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
-font}`;for(let n of he){let i=this.info(n),a=i.degrees?1/yi:1,[r,l]=this.windows[n].map(w=>w*a),h=n==="x"?this.box.width/80:this.box.height/40,d=U(l-r,h),u=this.
-deep(n),m=u?Number((.5*(r+l)).toPrecision(12)):0,p=u?ee(r-m,l-m,h).map(w=>w+m):ee(r,l,h);for(let w of p){let f=u?_(w-m,3):J(w,d);n==="x"?(e.textAlign="center",e.
-fillText(f,this.x(w/a),Ae+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(w/a)),e.textBaseline="alphabetic")}let g=u?
-` − ${String(m).replace("-","−")}`:"",b=`${x(i.label)}${g}${i.unit?` [${i.unit}]`:""}`;e.save(),e.textAlign="center",n==="x"?e.translate(this.left+.5*this.box.
+font}`;for(let n of he){let i=this.info(n),a=i.degrees?1/yi:1,[r,l]=this.windows[n].map(g=>g*a),h=n==="x"?this.box.width/80:this.box.height/40,d=U(l-r,h),u=this.
+deep(n),m=u?Number((.5*(r+l)).toPrecision(12)):0,p=u?ee(r-m,l-m,h).map(g=>g+m):ee(r,l,h);for(let g of p){let f=u?_(g-m,3):Y(g,d);n==="x"?(e.textAlign="center",e.
+fillText(f,this.x(g/a),Ae+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(g/a)),e.textBaseline="alphabetic")}let w=u?
+` − ${String(m).replace("-","−")}`:"",b=`${x(i.label)}${w}${i.unit?` [${i.unit}]`:""}`;e.save(),e.textAlign="center",n==="x"?e.translate(this.left+.5*this.box.
 width,t-5):(e.translate(12,Ae+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(b,0,0),e.restore()}}};function ze([o,e],[t,s]){let n=Math.min(e-o,s-t);return o<
 t?[t,t+n]:e>s?[s-n,s]:[o,e]}function ho(o,e,t,s,n){for(let[i,a]of[[n,4],[s,1.8]])o.strokeStyle=i,o.lineWidth=a,o.beginPath(),o.arc(e,t,7,0,2*Math.PI),o.moveTo(e-
-13,t),o.lineTo(e-4,t),o.moveTo(e+4,t),o.lineTo(e+13,t),o.moveTo(e,t-13),o.lineTo(e,t-4),o.moveTo(e,t+4),o.lineTo(e,t+13),o.stroke()}var Be=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,pl=.0018,vi=200,
-[fl,gl]=[1/.6,1/1.7];function Y(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ot(s()))&&(i.preventDefault(),
+13,t),o.lineTo(e-4,t),o.moveTo(e+4,t),o.lineTo(e+13,t),o.moveTo(e,t-13),o.lineTo(e,t-4),o.moveTo(e,t+4),o.lineTo(e,t+13),o.stroke()}var He=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,pl=.0018,vi=200,
+[fl,gl]=[1/.6,1/1.7];function Z(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ot(s()))&&(i.preventDefault(),
 e(Math.exp(-Math.min(Math.max(i.deltaY,-vi),vi)*pl),i))},{passive:!1}),o.addEventListener("dblclick",t),n&&o.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
-"=")e(fl);else if(i.key==="-")e(gl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),si(o,e)}var ki={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},xi=48;function _i(o){let{body:e}=o,t=!1,s=Y(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?co(
+"=")e(fl);else if(i.key==="-")e(gl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),si(o,e)}var ki={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},xi=48;function _i(o){let{body:e}=o,t=!1,s=Z(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?co(
 o,i):o.pointed??void 0),home:()=>o.home(),keys:!0});e.addEventListener("pointerdown",n=>bl(o,n,s,i=>t=i)),e.addEventListener("pointermove",n=>{o.axes.box&&!t&&n.
 pointerType!=="touch"&&wl(o,n)}),e.addEventListener("pointerleave",()=>o.tip.hidden=!0),e.addEventListener("keydown",n=>yl(o,n))}function co(o,e){let t=o.body.getBoundingClientRect();
 return o.axes.place(e.clientX-t.left,e.clientY-t.top)}function wl(o,e){o.tip.textContent=o.said(co(o,e)),o.tip.hidden=!1;let t=o.body.getBoundingClientRect();o.
@@ -1643,11 +1643,11 @@ key==="Enter")o.take(t);else return;e.preventDefault(),e.stopPropagation(),o.red
 ugh this motion starts otherwise":t&&e.some(s=>vl.includes(s))?"of starts in any state, though this motion starts rolling":""}var kl=Math.PI/180,xl=12,_l=["hop_height","flight_time","energy_lost","greatest_utilization"];function Si(o){return o.unit==="rad"?[1/kl,"°"]:[1,o.unit==="1"?"":
 o.unit]}function Tl({classes:o,what:e},t){let[s,n]=[1/0,-1/0];if(o)return[s,n];for(let i of t)i<s&&(s=i),i>n&&(n=i);return[_l.includes(e)?Math.min(s,0):s,n]}function Mi(o){
 let{values:e}=o.arrays,t=o.header,{x:s,y:n,classes:i}=t,a=new ImageData(s.cells,n.cells),[r,l]=Tl(t,e),h=i?.map(({color:u})=>ce(u));for(let u=0;u<n.cells;u++)for(let m=0;m<
-s.cells;m++){let p=e[u*s.cells+m],g=4*((n.cells-1-u)*s.cells+m);if(!Number.isFinite(p))continue;let b=h&&(m+1<s.cells&&e[u*s.cells+m+1]!==p||u+1<n.cells&&e[(u+1)*
-s.cells+m]!==p),w=h?h[p].map(f=>b?.72*f:f):De[y(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...w,255],g)}let d=c("canvas",{width:s.cells,height:n.cells});
+s.cells;m++){let p=e[u*s.cells+m],w=4*((n.cells-1-u)*s.cells+m);if(!Number.isFinite(p))continue;let b=h&&(m+1<s.cells&&e[u*s.cells+m+1]!==p||u+1<n.cells&&e[(u+1)*
+s.cells+m]!==p),g=h?h[p].map(f=>b?.72*f:f):Fe[y(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...g,255],w)}let d=c("canvas",{width:s.cells,height:n.cells});
 return me(d).putImageData(a,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[n.from,n.to],low:r,high:l}}function Ei(o,e){let t=(n,i)=>n[0]>=i[0]-1e-300&&n[1]<=
 i[1]+1e-300;return[...o.filter(n=>!(t(n.x,e.x)&&t(n.y,e.y))),e].slice(-xl)}function Ai({header:o,low:e,high:t,values:s}){let{classes:n}=o;if(!n){let r=c("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${De[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
+{width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${Fe[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
 10);let[h,d]=Si(o);return[c("span",{},o.label,": ",t>=e?_(e*h,3):"none"," "),r,c("span",{},t>=e?F(_(t*h,3),d):""),s.some(u=>!Number.isFinite(u))?c("span",{},c("\
 i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
 0,10).map(([r])=>{let{color:l,text:h}=n[r];return c("span",{},c("i",{style:`background:${l}`,"aria-hidden":"true"}),h)}),a.length>10?c("span",{},`and ${a.length-
@@ -1662,7 +1662,7 @@ let r=l=>{let h=c("select",{"data-axis":l,onchange:()=>this.setAxis(l,h.value)},
 h])=>c("option",{value:l},h))),this.element=c("section",{class:"map","aria-label":"Map of motions"},c("div",{class:"map-head"},c("h2",{},"Map"),c("label",{},"of",
 this.quantity),c("label",{},"Across",this.selects.x),c("label",{},"Up",this.selects.y),c("span",{class:"buttons"},c("button",{type:"button","aria-label":"Zoom i\
 nto the map",onclick:()=>this.zoom(.5)},"+"),c("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),c("button",{type:"but\
-ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,c("p",{class:"hint"},`Click to take that motion into the player; ${Be("drag to move")}\
+ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,c("p",{class:"hint"},`Click to take that motion into the player; ${He("drag to move")}\
 .`)),_i(this),this.soon=re(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
 refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of he)this.selects[e].value=
 this.axes.paths[e]}setAxis(e,t){this.axes.choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);
@@ -1704,29 +1704,29 @@ this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let s
 Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var Sl=6e3,ds=class{constructor(){this.message=c("p",{class:"message",role:"alert",hidden:!0}),this.toast=c("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(e){M(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
 message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),M(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Sl)}};var Z=52,mo=10,H=8,Ml=30,Pi={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},He=class{films;active;look;box;range;heights;picked;named;values;constructor({
+ole",t?"presentation":"status"),M(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Sl)}};var X=52,mo=10,H=8,Ml=30,Pi={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},Ke=class{films;active;look;box;range;heights;picked;named;values;constructor({
 key:e,title:t,unit:s,curves:n,limits:i,symmetric:a=!1},r){this.key=e,this.title=t,this.unit=s,this.curves=n,this.limits=i,this.symmetric=a,this.shared=r,this.canvas=
 c("canvas",{class:"plot-canvas"}),this.over=c("canvas",{class:"plot-canvas plot-over"}),this.keys=c("div",{class:"plot-keys"}),this.body=c("div",{class:"plot-bo\
 dy",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=c("section",{class:"plot","data-plot":e},c("header",{},c("h3",{},t),this.keys),this.
-body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=Y(this.body,{zoom:(l,h)=>this.films&&this.zoomAbout(h?this.valueAt(h):this.middle(),
+body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=Z(this.body,{zoom:(l,h)=>this.films&&this.zoomAbout(h?this.valueAt(h):this.middle(),
 1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return B[this.shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,
 Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let n of this.abscissa(s))n<e&&(e=n),n>t&&(t=n);return t>e?[e,t]:
-[e-1,t+1]}draw(e,t,s,n){this.films=e,this.active=t,this.look=s;let{context:i,width:a,height:r}=D(this.canvas);this.box={width:a-Z-mo,height:r-H-Ml},i.clearRect(
+[e-1,t+1]}draw(e,t,s,n){this.films=e,this.active=t,this.look=s;let{context:i,width:a,height:r}=D(this.canvas);this.box={width:a-X-mo,height:r-H-Ml},i.clearRect(
 0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((h,d)=>this.shades(h,d).map((u,m)=>({...u,film:h,lane:d,number:m})));this.heights=this.limits??
-this.findHeights(l),this.shared.axis==="time"&&this.bands(i,e[t],n),this.grid(i,s,a,r),i.save(),i.beginPath(),i.rect(Z,H,this.box.width,this.box.height),i.clip();
+this.findHeights(l),this.shared.axis==="time"&&this.bands(i,e[t],n),this.grid(i,s,a,r),i.save(),i.beginPath(),i.rect(X,H,this.box.width,this.box.height),i.clip();
 for(let h of l)this.curve(i,h);if(e.length>1)for(let h of l)h.number===0&&this.letter(i,h);i.restore(),this.legend(this.shades(e[t],t),s.dark),this.describe(l)}shades(e,t){
 let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.color&&it(i.color,s)}));let n=Object.keys(Pi);return this.curves(e).map(
-(i,a)=>({...i,color:ne(t,s),dash:n[a%n.length]}))}x(e){return Z+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return H+(1-(e-this.heights[0])/
+(i,a)=>({...i,color:ne(t,s),dash:n[a%n.length]}))}x(e){return X+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return H+(1-(e-this.heights[0])/
 (this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:d,values:u}of e){let m=this.abscissa(d);for(let p=0;p<u.length;p++)m[p]>=
 this.range[0]&&m[p]<=this.range[1]&&Number.isFinite(u[p])&&t.push(u[p])}if(!t.length)return[0,1];let s=Float64Array.from(t).sort(),[n,i]=[s[0],s[s.length-1]],[a,
 r]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],l=Math.max(r-a,1e-12);i>r+4*l&&(i=r+.6*l),n<a-4*l&&(n=a-.6*l),n=Math.min(n,0),i=Math.max(i,0),this.
-symmetric&&([n,i]=[-Math.max(-n,i),Math.max(-n,i)]);let h=.06*(i-n)||1;return[n<0?n-h:n,i+h]}bands(e,t,s){for(let n of t.phases){let i=y(this.x(n.from),Z,Z+this.
-box.width),a=y(this.x(n.to),Z,Z+this.box.width);a<=i||(e.fillStyle=nt(s.modes[n.mode],.14),e.fillRect(i,H,a-i,this.box.height))}}grid(e,t,s,n){e.font=`11px ${t.
+symmetric&&([n,i]=[-Math.max(-n,i),Math.max(-n,i)]);let h=.06*(i-n)||1;return[n<0?n-h:n,i+h]}bands(e,t,s){for(let n of t.phases){let i=y(this.x(n.from),X,X+this.
+box.width),a=y(this.x(n.to),X,X+this.box.width);a<=i||(e.fillStyle=nt(s.modes[n.mode],.14),e.fillRect(i,H,a-i,this.box.height))}}grid(e,t,s,n){e.font=`11px ${t.
 font}`,e.strokeStyle=t.line,e.fillStyle=t.soft,e.lineWidth=1;let i=Math.max(this.box.height/28,4);for(;ee(this.heights[0],this.heights[1],i).length<3&&i<12;)i+=
 1;let a=U(this.heights[1]-this.heights[0],i);e.textAlign="right",e.textBaseline="middle";for(let m of ee(this.heights[0],this.heights[1],i)){let p=Math.round(this.
-y(m))+.5;e.globalAlpha=Math.abs(m)<1e-9*a?1:.55,e.beginPath(),e.moveTo(Z,p),e.lineTo(s-mo,p),e.stroke(),e.globalAlpha=1,e.fillText(J(m,a),Z-6,p)}let r=this.box.
+y(m))+.5;e.globalAlpha=Math.abs(m)<1e-9*a?1:.55,e.beginPath(),e.moveTo(X,p),e.lineTo(s-mo,p),e.stroke(),e.globalAlpha=1,e.fillText(Y(m,a),X-6,p)}let r=this.box.
 width/70,l=U(this.range[1]-this.range[0],r);e.textAlign="center",e.textBaseline="alphabetic";let{name:h,unit:d}=B[this.shared.axis],u=d?`${x(h)} [${d}]`:x(h);for(let m of ee(
-this.range[0],this.range[1],r)){let p=this.x(m);e.beginPath(),e.moveTo(p,H+this.box.height),e.lineTo(p,H+this.box.height+4),e.stroke(),e.fillText(J(m,l),p,H+this.
+this.range[0],this.range[1],r)){let p=this.x(m);e.beginPath(),e.moveTo(p,H+this.box.height),e.lineTo(p,H+this.box.height+4),e.stroke(),e.fillText(Y(m,l),p,H+this.
 box.height+15)}e.textAlign="right",e.fillText(u,s-mo,n-3),e.save(),e.translate(11,H+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(x(this.
 unit),0,0),e.restore()}curve(e,{film:t,color:s,dash:n,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Pi[n??"solid"]),e.beginPath();let a=!1;
 for(let r of t.pieces()){let l=this.abscissa(r.film),{values:h}=this.curves(r.film)[i];for(let d=r.from;d<r.to;d++){if(!Number.isFinite(h[d])||!Number.isFinite(
@@ -1739,11 +1739,11 @@ let t=e.slice(0,6).map(({name:n,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let 
 n),low:_(r,3),high:_(l,3)};return l>=r?`${h}${x("{name} from {low} to {high}",d)}`:""}),s=x("Diagram: {title} in {unit}.",{title:x(this.title),unit:x(this.unit)});
 this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,width:s,height:n}=D(this.over);if(t.clearRect(
 0,0,s,n),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),h=r.index(l.t),d=Math.min(h+1,r.length-1),u=r.t[d]>r.t[h]?(l.t-r.t[h])/(r.t[d]-r.t[h]):0,m=this.
-abscissa(r),p=this.x(m[h]+u*(m[d]-m[h])),g=p>=Z-1&&p<=Z+this.box.width+1;g&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(p,H),t.lineTo(p,H+
-this.box.height),t.stroke()),this.shades(r,a).forEach((b,w)=>{let f=b.values[d],k=Number.isFinite(f)?b.values[h]+u*(f-b.values[h]):b.values[h];a===this.active&&
-this.values?.[w]&&(this.values[w].textContent=_(k,3));let T=this.y(k);!g||!(T>=H-1&&T<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
+abscissa(r),p=this.x(m[h]+u*(m[d]-m[h])),w=p>=X-1&&p<=X+this.box.width+1;w&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(p,H),t.lineTo(p,H+
+this.box.height),t.stroke()),this.shades(r,a).forEach((b,g)=>{let f=b.values[d],k=Number.isFinite(f)?b.values[h]+u*(f-b.values[h]):b.values[h];a===this.active&&
+this.values?.[g]&&(this.values[g].textContent=_(k,3));let T=this.y(k);!w||!(T>=H-1&&T<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
 arc(p,T,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=nt("#0072B2",.2),t.fillRect(Math.min(i,a),H,Math.abs(a-i),this.box.height)}}valueAt(e){
-let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-Z)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
+let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-X)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
 return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,n=this.valueAt(e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=r.clientX-t.left;
 this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};W(this.
 body,e,a,(r,l)=>{let h=this.valueAt(r),{picked:d}=this;this.picked=null,d&&l?this.zoomTo(n<h?[n,h]:[h,n]):d?this.cursor(this.shared.clock.time):l&&!i&&this.seek(
@@ -1755,25 +1755,25 @@ null,this.shared.changed()}};function po(o,e="solid"){let t=c("i",{class:"swatch
 e,this.clock=t,this.colors=s,this.canvas=c("canvas",{class:"plot-canvas"}),this.over=c("canvas",{class:"plot-canvas plot-over"}),this.keys=c("div",{class:"plot-\
 keys"}),this.body=c("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
 ght"},this.canvas,this.over),this.element=c("section",{class:"phase"},c("header",{},c("h3",{},"Plane of θ and θ̇"),this.keys),this.body,c("p",{class:"hint"},
-"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${Be("")}.`)),this.body.addEventListener(
-"pointerdown",n=>this.seek(n)),this.pinched=Y(this.body,{zoom:(n,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/n),home:()=>this.zoomTo(null),keys:!0}),
+"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${He("")}.`)),this.body.addEventListener(
+"pointerdown",n=>this.seek(n)),this.pinched=Z(this.body,{zoom:(n,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/n),home:()=>this.zoomTo(null),keys:!0}),
 this.range=[0,2*Math.PI],this.asked="",this.soon=re(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),n=JSON.stringify([e.hoop,e.plane,s]);if(n!==this.
 asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=n,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
 pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,
 ...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:n,
-arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,[i.modes.length/i.paradox.
-length,i.paradox.length])}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(
-Number.isFinite).sort();e=Math.max(e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=
-e??[0,2*Math.PI],this.window=null,this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-ve)/this.box.width,
-n=1-(e.clientY-t.top-C)/this.box.height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+n*(this.top()-this.bottom())]}middle(){return[.5*(this.
-range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([e,t],s){let n=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.
-reach(),r=Math.max(t-(t-this.bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-n<2*Math.PI-1e-9||l-r<2*a-1e-9?[r,l]:null,this.redraw(),
-this.soon()}bottom(){return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.
-reach()}draw(e,t,s){this.films=e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.
-some(n=>n.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return ve+(e-this.range[0])/(this.range[1]-this.range[0])*
-this.box.width}y(e){return C+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:n}=this.colors,i=c("canvas",{width:s,height:t}),
-a=new ImageData(s,t);for(let r=0;r<t;r++)for(let l=0;l<s;l++){let h=Al[e[r*s+l]],d=ce(n[h]??"#6E6E6E"),u=4*((t-1-r)*s+l);a.data.set([...d,255],u)}return me(i).putImageData(
-a,0,0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-ve-Ii,height:i-C-El},s.clearRect(
+arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,i.paradox.length)}}reach(){
+return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
+e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
+this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-ve)/this.box.width,n=1-(e.clientY-t.top-C)/this.box.
+height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+n*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
+bottom()+this.top())]}zoomAbout([e,t],s){let n=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.
+bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-n<2*Math.PI-1e-9||l-r<2*a-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
+window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
+e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.some(n=>n.columns.omega.some(i=>i<
+-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return ve+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+
+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,t){let s=e.length/t,{modes:n}=this.colors,i=c("canvas",{width:t,height:s}),a=new ImageData(
+t,s);for(let r=0;r<s;r++)for(let l=0;l<t;l++){let h=Al[e[r*t+l]],d=ce(n[h]??"#6E6E6E"),u=4*((s-1-r)*t+l);a.data.set([...d,255],u)}return me(i).putImageData(a,0,
+0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-ve-Ii,height:i-C-El},s.clearRect(
 0,0,n,i),s.save(),s.beginPath(),s.rect(ve,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.
 pictures){let[l,h,d,u]=r,m=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.
 drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==
@@ -1787,16 +1787,16 @@ i[h])){l=null;continue}let d=Math.floor(n[h]/r),u=n[h]-d*r;if(l===null)e.moveTo(
 this.y(i[h])),e.moveTo(this.x(r-m),this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:d,mode:a[h]}}e.stroke(),e.setLineDash(
 [])}axes(e,t,s){let{look:n}=this;e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(ve+.5,C+.5,this.box.width-1,this.box.
 height-1),e.textAlign="center";let i=this.range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){
-let d=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(J(h*r,r),d,C+this.box.height+15)}
+let d=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),d,C+this.box.height+15)}
 e.textAlign="right",e.fillText(x("angle θ within a turn [°]"),t-Ii,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of ee(this.bottom(),this.
-top(),5))e.fillText(J(h,U(l,5)),ve-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="cent\
+top(),5))e.fillText(Y(h,U(l,5)),ve-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="cent\
 er",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.
 films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-Math.floor(r.angle/l)*l,d=this.x(h),u=this.y(r.omega);d>=ve&&d<=ve+this.box.width&&u>=C&&u<=C+this.box.
 height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ne(a,this.look.
 dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,
 u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,
 omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let d=0;d<i.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[d])-n);m<h.distance&&
-(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var fo=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function Li(o){let e="height",t=new He({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var fo=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function Li(o){let e="height",t=new Ke({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
 B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=c("select",{"aria-label":"What your diagram shows",onchange:()=>{
 e=n.value,s(),o.changed()}},fo(ri));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function zl(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
@@ -1807,13 +1807,13 @@ normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to r
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:o.normal_force,values:e.columns.normal_force},{name:"friction F",color:o.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:o.
 friction_force,values:e.columns.utilization}]}]}var ms=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
-redraw()},this.plots=[...zl(t).map(n=>new He(n,this.shared)),Li(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
+redraw()},this.plots=[...zl(t).map(n=>new Ke(n,this.shared)),Li(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
 n.element,!0]));let s=new IntersectionObserver(n=>{for(let{target:i,isIntersecting:a}of n)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let n of this.
 plots)s.observe(n.element);this.axis=c("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
 null,this.redraw()}},fo(({name:n})=>`over ${n}`)),this.back=c("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
 c("span",{class:"hint"}),this.element=c("div",{class:"plots"},c("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(n=>n.element))}draw(e,t,s){
-this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${Be("")}`,
-i=e.length>1;M(this.hint,i?`A violet, B green; the dashes tell the quantities; numbers of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.
+this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${He("")}`,
+i=e.length>1;M(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.
 plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Rl=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
 )"]],ps=class{constructor(e){this.lab=e,this.menu=c("details",{class:"menu"},c("summary",{class:"button"},"Keep"),c("div",{class:"menu-body"},e.backend.shares&&
@@ -1822,9 +1822,9 @@ d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this
 tion in Python"}),e.root.addEventListener("pointerdown",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return c("button",{type:"button",onclick:async()=>{
 this.menu.open=!1;try{await t()}catch(s){this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link()??"";try{await navigator.clipboard.writeText(e),this.
 lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith("mp4")?
-"The film is being made; this takes a while …":`Fetching ${e} …`),Fe(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
+"The film is being made; this takes a while …":`Fetching ${e} …`),We(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
 re.`)}picture(){this.lab.drawStage();let e=this.lab.stage.canvas(),t=c("canvas",{width:e.width,height:e.height});return this.copyInto(t),new Promise(s=>{t.toBlob(
-n=>{n&&Fe(n,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),n=me(e);n.fillStyle=t.theme.look.paper,n.fillRect(0,0,e.width,e.height),
+n=>{n&&We(n,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),n=me(e);n.fillStyle=t.theme.look.paper,n.fillRect(0,0,e.width,e.height),
 n.drawImage(s,0,0,e.width,e.height);let i=e.width/Math.max(s.getBoundingClientRect().width,1);n.textBaseline="top",n.textAlign="left";let a=t.films();for(let[r,
 l]of a.entries()){let h=l.at(t.clock.time),d=[a.length>1?`${"AB"[r]}: `:"",`${x(t.theme.colors.mode_names[h.mode])}, t = ${h.t.toFixed(3)} s, θ = ${q(h.angle)}\
 , v = ${_(h.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/a.length;n.fillStyle=t.theme.colors.modes[h.mode],n.fillRect(
@@ -1832,23 +1832,23 @@ l]of a.entries()){let h=l.at(t.clock.time),d=[a.length>1?`${"AB"[r]}: `:"",`${x(
 if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 instead.");let s=c("canvas",{width:2*Math.ceil(
 t.width/2),height:2*Math.ceil(t.height/2)}),n=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),i=[];n.ondataavailable=l=>i.push(l.data);let a=new Promise(
 l=>n.onstop=l),r=e.clock.loop;e.clock.loop=!1,e.clock.seek(0),e.notice.say("Recording one run …"),e.afterFrame=()=>{this.copyInto(s),!e.clock.playing&&n.state===
-"recording"&&n.stop()},n.start(),e.clock.play(!0),await a,e.afterFrame=null,e.clock.loop=r,Fe(new Blob(i,{type:n.mimeType}),"hophoop.webm"),e.notice.say("The fi\
+"recording"&&n.stop()},n.start(),e.clock.play(!0),await a,e.afterFrame=null,e.clock.loop=r,We(new Blob(i,{type:n.mimeType}),"hophoop.webm"),e.notice.say("The fi\
 lm is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,
 "The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let n=e[s+1],i=c("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.
 clipboard?.writeText(n).catch(()=>{}),M(i,"Copied")},t.push(c("header",{},c("h2",{},e[s]),i),c("pre",{tabindex:"0"},c("code",{},document.createTextNode(n))))}this.
 dialog.replaceChildren(...t,c("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};function Ni(o,e){let t=c("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([n])=>{let i=!n.isIntersecting&&n.boundingClientRect.top<0;if(i===
 o.classList.contains("stuck"))return;let a=o.offsetHeight;o.style.marginBottom="",o.classList.toggle("stuck",i),i&&(o.style.marginBottom=`${a-o.offsetHeight}px`),
 document.documentElement.style.scrollPaddingTop=i?`${o.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var qi=120,fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=Y(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
+"pointerdown",s=>this.drag(s)),this.pinched=Z(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}zoomBy(e){this.zoom=y(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;let t=[e.clientX,e.clientY],s=this.shift;W(this.canvas,e,n=>{
 this.pinched()||(this.shift=[s[0]+n.clientX-t[0],s[1]+n.clientY-t[1]],this.onview())})}draw(e,t,s,n,i){let{context:a,width:r,height:l}=D(this.canvas);if(a.clearRect(
 0,0,r,l),r<40||l<40)return;let h=l/e.length,d={top:Math.max(...e.map(u=>u.extent.top)),radius:Math.max(...e.map(u=>u.radius)),speed:Math.max(...e.map(u=>u.extent.
 speed))};e.forEach((u,m)=>{a.save(),a.beginPath(),a.rect(0,m*h,r,h),a.clip(),a.translate(0,m*h);let p=new go(a,r,h,u,t,s,n,i,this.zoom,this.shift,d);p.top=m*h,p.
 scale=this.fixed??p.scale,p.draw(),this.views[m]=p,e.length>1&&(p.mark("AB"[m],ne(m,n.dark)),a.fillStyle=ne(m,n.dark),a.font=`700 17px ${n.font}`,a.textAlign="l\
 eft",a.fillText("AB"[m],12,h-12)),a.restore(),m>0&&(a.fillStyle=n.line,a.fillRect(0,m*h-.5,r,1))})}},go=class{top=0;constructor(e,t,s,n,i,a,r,l,h,d,u){this.context=
-e,this.width=t,this.height=s,this.film=n,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=n.at(i);let m=n.radius,{left:p,right:g}=n.extent,{top:b}=u;
-this.cosine=Math.cos(n.slope),this.sine=Math.sin(n.slope);let w=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/w,.36*t/u.radius);if(a.whole){let k=(g-p)*this.
-cosine+2.6*m,T=(g-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/T,f)*h,this.focus=[.5*(p+g),0],this.place=[.5*t+d[0],(n.slope?.62:.8)*s+d[1]]}else
+e,this.width=t,this.height=s,this.film=n,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=n.at(i);let m=n.radius,{left:p,right:w}=n.extent,{top:b}=u;
+this.cosine=Math.cos(n.slope),this.sine=Math.sin(n.slope);let g=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/g,.36*t/u.radius);if(a.whole){let k=(w-p)*this.
+cosine+2.6*m,T=(w-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/T,f)*h,this.focus=[.5*(p+w),0],this.place=[.5*t+d[0],(n.slope?.62:.8)*s+d[1]]}else
 this.scale=f*h,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=[(t<520?.6:.46)*t+d[0],.82*s+d[1]]}point(e,t){let s=e-this.focus[0],n=t-this.
 focus[1];return[this.place[0]+this.scale*(s*this.cosine+n*this.sine),this.place[1]-this.scale*(n*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/
 this.scale,n=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-n*this.sine,this.focus[1]+s*this.sine+n*this.cosine]}draw(){this.ground(),(this.options.
@@ -1856,48 +1856,48 @@ traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this
 1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(this.focus[0]-i,0),[l,h]=this.point(this.focus[0]+i,0),d=[-this.sine*4e3,this.cosine*
 4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.lineTo(l+d[0],h+d[1]),e.lineTo(a+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,
 e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.stroke();let u=U(s/this.scale,s/90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let m=Math.
-ceil((this.focus[0]-i)/u),p=Math.min(Math.floor((this.focus[0]+i)/u),m+400);for(let g=m;g<=p;g++){let[b,w]=this.point(g*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
-b,w),e.lineTo(b-6*this.sine,w+6*this.cosine),e.stroke(),e.fillText(`${J(g*u,u)} m`,b-18*this.sine,w+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:n}=this,
-i=e.radius,a=this.options.ahead?e.duration:this.pose.t,r=(l,h,d,u)=>{t.strokeStyle=h,t.lineWidth=d,t.lineJoin="round",t.beginPath();let m=!1,p=(g,b,w)=>{let[f,k]=this.
-point(g+l*Math.sin(w),i+b+l*Math.cos(w));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let g of e.pieces()){let{x:b,height:w,angle:f,mode:k}=g.film.columns;for(let T=g.
-from;T<g.to&&g.film.t[T]<=a;T++)u===void 0||k[T]===3===u?p(b[T],w[T],f[T]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
+ceil((this.focus[0]-i)/u),p=Math.min(Math.floor((this.focus[0]+i)/u),m+400);for(let w=m;w<=p;w++){let[b,g]=this.point(w*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
+b,g),e.lineTo(b-6*this.sine,g+6*this.cosine),e.stroke(),e.fillText(`${Y(w*u,u)} m`,b-18*this.sine,g+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:n}=this,
+i=e.radius,a=this.options.ahead?e.duration:this.pose.t,r=(l,h,d,u)=>{t.strokeStyle=h,t.lineWidth=d,t.lineJoin="round",t.beginPath();let m=!1,p=(w,b,g)=>{let[f,k]=this.
+point(w+l*Math.sin(g),i+b+l*Math.cos(g));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let w of e.pieces()){let{x:b,height:g,angle:f,mode:k}=w.film.columns;for(let T=w.
+from;T<w.to&&w.film.t[T]<=a;T++)u===void 0||k[T]===3===u?p(b[T],g[T],f[T]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
 pose.height,this.pose.angle),t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,s.ink,1.3),r(e.eccentricity*i,n.gravity_center,1.8,!1),r(e.eccentricity*i,n.
 airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,film:n,pose:i,scale:a}=this,[r,l]=this.point(i.x,n.radius+i.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),
 s.arc(r,l,Math.max(n.radius*a-y(.07*n.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(
-e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:n,colors:i,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),h=r-.5*l/a,d=[t.x,r+t.height],u=(w,f=h)=>this.point(d[0]+
-f*Math.sin(w),d[1]+f*Math.cos(w));if(s.lineCap="butt",n.dark&&(s.strokeStyle=n.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),h*a,0,2*Math.PI),
-s.stroke()),this.options.speed){let w=this.common.speed;s.lineWidth=l;let f=2*Math.PI/qi;for(let k=0;k<qi;k++){let T=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
-cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=qt[y(Math.round(255*E/w)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
+e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:n,colors:i,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),h=r-.5*l/a,d=[t.x,r+t.height],u=(g,f=h)=>this.point(d[0]+
+f*Math.sin(g),d[1]+f*Math.cos(g));if(s.lineCap="butt",n.dark&&(s.strokeStyle=n.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),h*a,0,2*Math.PI),
+s.stroke()),this.options.speed){let g=this.common.speed;s.lineWidth=l;let f=2*Math.PI/qi;for(let k=0;k<qi;k++){let T=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
+cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=qt[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
 stroke()}}else s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),h*a,0,2*Math.PI),s.stroke();s.strokeStyle=n.soft,s.lineWidth=
-1,s.beginPath(),s.moveTo(...this.point(d[0],d[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(w,f,k,T)=>{s.beginPath(),s.arc(...w,f,0,2*Math.PI),s.fillStyle=k,s.
+1,s.beginPath(),s.moveTo(...this.point(d[0],d[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(g,f,k,T)=>{s.beginPath(),s.arc(...g,f,0,2*Math.PI),s.fillStyle=k,s.
 fill(),s.lineWidth=1.5,s.strokeStyle=T,s.stroke()};m(this.point(d[0],d[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,d):m(u(t.angle),y(.1*r*
-a,4,16),n.ink,n.paper);let g=e.eccentricity*r,b=this.point(d[0]+g*Math.sin(t.angle),d[1]+g*Math.cos(t.angle));m(b,y(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,
+a,4,16),n.ink,n.paper);let w=e.eccentricity*r,b=this.point(d[0]+w*Math.sin(t.angle),d[1]+w*Math.cos(t.angle));m(b,y(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,
 n.paper)}parts(e,t){let{film:s,pose:n,context:i,look:a,scale:r}=this,h=e.reduce((d,u)=>d+u.mass*(u.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let d of e){let u=h*
 (d.at??0),m=this.point(t[0]+u*Math.sin(n.angle),t[1]+u*Math.cos(n.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),d.shape==="ring")i.globalAlpha=.22,i.
-arc(...m,d.outer_radius*r,0,2*Math.PI),i.arc(...m,d.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(d.shape==="rod"){let p=.5*d.length,g=b=>this.
-point(t[0]+b*Math.sin(n.angle),t[1]+b*Math.cos(n.angle));i.lineWidth=4,i.moveTo(...g(u-p)),i.lineTo(...g(u+p)),i.stroke()}else{let p=d.shape==="disk"?d.radius*r:
+arc(...m,d.outer_radius*r,0,2*Math.PI),i.arc(...m,d.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(d.shape==="rod"){let p=.5*d.length,w=b=>this.
+point(t[0]+b*Math.sin(n.angle),t[1]+b*Math.cos(n.angle));i.lineWidth=4,i.moveTo(...w(u-p)),i.lineTo(...w(u+p)),i.stroke()}else{let p=d.shape==="disk"?d.radius*r:
 y(.08*s.radius*r,3,12);i.globalAlpha=d.shape==="disk"?.55:1,i.arc(...m,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,n=e.radius,
 i=e.mass*(e.gravity||9.81),a=l=>.55*n*l/i;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N \
 = ${_(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${_(t.friction_force,3)} N`,!0)}arrow([e,t],[s,n],i,a,r){let{context:l,
-look:h,width:d}=this,u=2.2*this.film.radius,m=Math.abs(s)>u||Math.abs(n)>u;[s,n]=[y(s,-u,u),y(n,-u,u)];let p=this.point(e,t),g=this.point(e+s,t+n),b=Math.hypot(
-g[0]-p[0],g[1]-p[1]);if(b<2)return;let w=(g[0]-p[0])/b,f=(g[1]-p[1])/b,k=Math.min(11,b);for(let[N,I]of[[h.paper,6],[i,3]])l.strokeStyle=N,l.fillStyle=N,l.lineWidth=
-I,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-w*k,g[1]-f*k),l.stroke();if(l.beginPath(),l.moveTo(...g),l.lineTo(g[0]-w*k-f*k*.5,g[1]-f*k+w*k*.5),l.lineTo(g[0]-w*
-k+f*k*.5,g[1]-f*k-w*k*.5),l.fill(),m){let[N,I]=[p[0]+.55*w*b,p[1]+.55*f*b];l.strokeStyle=h.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(N+w*(z-
-3)-f*7,I+f*(z-3)+w*7),l.lineTo(N+w*(z+3)+f*7,I+f*(z+3)-w*7);l.stroke()}l.font=`600 12px ${h.font}`;let T=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
-ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*T-32*this.sine,p[1]+32*this.cosine]:[g[0]+12,y(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
+look:h,width:d}=this,u=2.2*this.film.radius,m=Math.abs(s)>u||Math.abs(n)>u;[s,n]=[y(s,-u,u),y(n,-u,u)];let p=this.point(e,t),w=this.point(e+s,t+n),b=Math.hypot(
+w[0]-p[0],w[1]-p[1]);if(b<2)return;let g=(w[0]-p[0])/b,f=(w[1]-p[1])/b,k=Math.min(11,b);for(let[N,I]of[[h.paper,6],[i,3]])l.strokeStyle=N,l.fillStyle=N,l.lineWidth=
+I,l.beginPath(),l.moveTo(...p),l.lineTo(w[0]-g*k,w[1]-f*k),l.stroke();if(l.beginPath(),l.moveTo(...w),l.lineTo(w[0]-g*k-f*k*.5,w[1]-f*k+g*k*.5),l.lineTo(w[0]-g*
+k+f*k*.5,w[1]-f*k-g*k*.5),l.fill(),m){let[N,I]=[p[0]+.55*g*b,p[1]+.55*f*b];l.strokeStyle=h.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(N+g*(z-
+3)-f*7,I+f*(z-3)+g*7),l.lineTo(N+g*(z+3)+f*7,I+f*(z+3)-g*7);l.stroke()}l.font=`600 12px ${h.font}`;let T=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
+ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*T-32*this.sine,p[1]+32*this.cosine]:[w[0]+12,y(w[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
 d-T-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function bo(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Ci(o,e,t,s){
 let n=1/Math.tan(o/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function ji(o,e){let t=Re(yo(o,e)),s=Re(gs([0,1,0],t)),
 n=gs(t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-wo(s,o),-wo(n,o),-wo(t,o),1])}var yo=(o,e)=>[o[0]-e[0],o[1]-e[1],o[2]-e[2]],
 wo=(o,e)=>o[0]*e[0]+o[1]*e[1]+o[2]*e[2],gs=(o,e)=>[o[1]*e[2]-o[2]*e[1],o[2]*e[0]-o[0]*e[2],o[0]*e[1]-o[1]*e[0]];function Re(o){let e=Math.hypot(...o)||1;return[
 o[0]/e,o[1]/e,o[2]/e]}function ws(o,e,t,s){let n=Re(e),i=Re(gs(n,Math.abs(n[2])>.9?[1,0,0]:[0,0,1])),a=gs(i,n);return new Float32Array([...i.map(r=>r*s),0,...n.
 map(r=>r*t),0,...a.map(r=>r*s),0,...o,1])}function vo(o){let[e,t]=[Math.cos(o),Math.sin(o)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function te(o){let e=Number.parseInt(o.slice(1,7),
-16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function Ke(o,e,t){let s=o.createProgram(),n=[[o.VERTEX_SHADER,e],[o.FRAGMENT_SHADER,t]];for(let[a,r]of n){let l=o.createShader(a);if(o.shaderSource(l,r),o.compileShader(
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function Ue(o,e,t){let s=o.createProgram(),n=[[o.VERTEX_SHADER,e],[o.FRAGMENT_SHADER,t]];for(let[a,r]of n){let l=o.createShader(a);if(o.shaderSource(l,r),o.compileShader(
 l),!o.getShaderParameter(l,o.COMPILE_STATUS))throw new Error(String(o.getShaderInfoLog(l)));o.attachShader(s,l)}if(o.linkProgram(s),!o.getProgramParameter(s,o.LINK_STATUS))
 throw new Error(String(o.getProgramInfoLog(s)));let i={program:s,uniforms:{},attributes:{}};for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_UNIFORMS);a++){let{name:r}=o.
 getActiveUniform(s,a);i.uniforms[r]=o.getUniformLocation(s,r)}for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_ATTRIBUTES);a++){let{name:r}=o.getActiveAttrib(s,a);
 i.attributes[r]=o.getAttribLocation(s,r)}return i}function Pe(o,e,t,s){let n=o.createBuffer();o.bindBuffer(o.ARRAY_BUFFER,n),o.bufferData(o.ARRAY_BUFFER,new Float32Array(
 e),o.STATIC_DRAW);let i=s?o.createBuffer():null;s&&(o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,i),o.bufferData(o.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),o.STATIC_DRAW));
-let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:n,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function Ue(o,e,t){o.bindBuffer(o.ARRAY_BUFFER,
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:n,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function Ge(o,e,t){o.bindBuffer(o.ARRAY_BUFFER,
 t.vertices);let s=0;for(let[n,i]of Object.entries(t.parts)){let a=e.attributes[n];a!==void 0&&(o.enableVertexAttribArray(a),o.vertexAttribPointer(a,i,o.FLOAT,!1,
 t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function ko(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
 n,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Oi(o,e=120,t=14){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++)s.push(2*Math.PI*n/e,2*Math.PI*i/t);return Pe(
@@ -1960,7 +1960,7 @@ float side;
      color = tint;
    }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],bs=class{constructor(e,t,s,n,{keep:i=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
-e,this.sun=Re(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Ke(a,Fi[0],Fi[1]),this.body=Ke(a,Wi[0],Wi[1]),this.line=Ke(a,$i[0],$i[1]),this.torus=Oi(
+e,this.sun=Re(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Ue(a,Fi[0],Fi[1]),this.body=Ue(a,Wi[0],Wi[1]),this.line=Ue(a,$i[0],$i[1]),this.torus=Oi(
 a),this.sphere=Di(a),this.cylinder=xo(a,1),this.cone=xo(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
 l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
 a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=vo(0),
@@ -1971,14 +1971,14 @@ i,a]of Object.entries(n)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?s.
 r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
 t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
 t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:n=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:s,shadow:n?
-this.dark:0,lit:Number(i)}),Ue(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,n){this.solid(this.sphere,ws(e,[0,1,0],t,t),s,{shadow:n})}ring({
+this.dark:0,lit:Number(i)}),Ge(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,n){this.solid(this.sphere,ws(e,[0,1,0],t,t),s,{shadow:n})}ring({
 center:e,radius:t,tube:s,broad:n,angle:i,velocity:a,omega:r,plain:l=null},h){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,s,n,i],motion:[...a,r],most:this.
-fastest,shadow:h?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),Ue(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,d.UNSIGNED_SHORT,0)}rod(e,t,s,n,i,a=!1){
+fastest,shadow:h?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),Ge(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,d.UNSIGNED_SHORT,0)}rod(e,t,s,n,i,a=!1){
 this.solid(this.cylinder,ws(e,t,s,n),i,{shadow:a})}arrow(e,t,s,n,i){if(!(s>.02*n))return;let a=Math.min(.18*n,s),r=e.map((l,h)=>l+t[h]*(s-a));s>a&&this.rod(e,t,
 s-a,.029*n,i),this.solid(this.cone,ws(r,t,a,Math.min(.075*n,.6*a)),i)}trace(e,t,s){let n=[];for(let i=0;i<e;i++){let a=t(i),r=t(Math.min(i+1,e-1));if(Math.hypot(
 r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((h,d)=>2*h-l[d])}for(let l of[-1,1])n.push(...a,0,...r,0,...s(i),l)}return Pe(this.gl,n,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:s,distance:n=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:n,
-shift:i,depth:a}),Ue(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let n=this.view,[i,a,r]=[0,1,3].map(l=>n[l]*e+n[4+l]*t+n[8+l]*s+n[12+
+shift:i,depth:a}),Ge(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let n=this.view,[i,a,r]=[0,1,3].map(l=>n[l]*e+n[4+l]*t+n[8+l]*s+n[12+
 l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Pl=[.35,.85,.4],Il=.18,Ui={azimuth:.5,height:.22,distance:5.2},Gi=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
@@ -1987,29 +1987,29 @@ l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],ys=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new bs(e,De,Pl,Il,{keep:!0}),this.floor=Ke(this.space.gl,Gi[0],Gi[1]),this.corners=Pe(this.
+   }`],ys=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new bs(e,Fe,Pl,Il,{keep:!0}),this.floor=Ue(this.space.gl,Gi[0],Gi[1]),this.corners=Pe(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Ui},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=Y(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
+"pointerdown",s=>this.drag(s)),this.pinched=Z(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
 this.turned.distance/e,1.6,60):this.turned={...Ui},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};W(this.canvas,e,s=>{this.pinched()||(this.
 turned.azimuth=y(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=y(t.height+(s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.
 now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.
 pace=16),this.share}draw(e,t,s,n,i,a){let{canvas:r,space:l}=this,h=Math.min(globalThis.devicePixelRatio||1,2)*(a?this.quality():1),d=r.getBoundingClientRect();r.
-width=Math.max(Math.round(d.width*h),1),r.height=Math.max(Math.round(d.height*h),1);let u=e.map(g=>g.at(t)),m=e[0].radius;l.fastest=Math.max(...e.map(g=>g.extent.
-speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:te(n.paper),...this.camera(e[0],u[0],m,s)}),l.ground(()=>this.drawFloor(m,n));let p=g=>{
-for(let[b,w]of e.entries())g(w,u[b],-2.1*m*b)};l.shadows(()=>p((g,b,w)=>this.drawHoop(g,b,w,s,n,i,!0))),p((g,b,w)=>{this.drawHoop(g,b,w,s,n,i,!1),s.traces&&this.
-drawTraces(g,b,w,n,i,h),s.forces&&this.drawForces(g,b,w,i)})}camera(e,t,s,n){let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:h}=e.extent,d=n.whole?
-Math.max(r*s,.85*(h-l)+3*s):r*s,[u,m]=[n.whole?.5*(l+h)-this.focus:0,s+.45*(t.height||0)],p=Math.cos(e.slope),g=Math.sin(e.slope),b=[u*p+m*g,-u*g+m*p,0],w=[b[0]+
-d*Math.sin(i)*Math.cos(a),b[1]+d*Math.sin(a),d*Math.cos(i)*Math.cos(a)];return this.reach=12*s+3*d,{eye:w,target:b,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*
+width=Math.max(Math.round(d.width*h),1),r.height=Math.max(Math.round(d.height*h),1);let u=e.map(w=>w.at(t)),m=e[0].radius;l.fastest=Math.max(...e.map(w=>w.extent.
+speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:te(n.paper),...this.camera(e[0],u[0],m,s)}),l.ground(()=>this.drawFloor(m,n));let p=w=>{
+for(let[b,g]of e.entries())w(g,u[b],-2.1*m*b)};l.shadows(()=>p((w,b,g)=>this.drawHoop(w,b,g,s,n,i,!0))),p((w,b,g)=>{this.drawHoop(w,b,g,s,n,i,!1),s.traces&&this.
+drawTraces(w,b,g,n,i,h),s.forces&&this.drawForces(w,b,g,i)})}camera(e,t,s,n){let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:h}=e.extent,d=n.whole?
+Math.max(r*s,.85*(h-l)+3*s):r*s,[u,m]=[n.whole?.5*(l+h)-this.focus:0,s+.45*(t.height||0)],p=Math.cos(e.slope),w=Math.sin(e.slope),b=[u*p+m*w,-u*w+m*p,0],g=[b[0]+
+d*Math.sin(i)*Math.cos(a),b[1]+d*Math.sin(a),d*Math.cos(i)*Math.cos(a)];return this.reach=12*s+3*d,{eye:g,target:b,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*
 d}}drawFloor(e,t){let{space:s}=this,n=te(t.ground),i=n.map(l=>l*(t.dark?.82:.94)),a=.5*e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:n,dark:i,far:te(
-t.paper),tile:a,shift:r}),Ue(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,s,n,i,a,r){let{space:l}=this,h=e.radius,d=.045*
+t.paper),tile:a,shift:r}),Ge(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,s,n,i,a,r){let{space:l}=this,h=e.radius,d=.045*
 h,u=[t.x-this.focus,h+t.height,s];l.ring({center:u,radius:h,tube:d,broad:3.2*d,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,plain:n.speed?null:te(a.modes[t.
-mode])},r);let m=[Math.sin(t.angle),Math.cos(t.angle),0],p=b=>u.map((w,f)=>w+b*m[f]);l.ball(p(h-d),.125*h,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(u,m,h-d,.012*
-h,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*h),.07*h,te(g?a.airborne:a.gravity_center),r)}drawForces(e,t,s,n){if(t.mode==="H"||!(t.normal_force>
+mode])},r);let m=[Math.sin(t.angle),Math.cos(t.angle),0],p=b=>u.map((g,f)=>g+b*m[f]);l.ball(p(h-d),.125*h,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(u,m,h-d,.012*
+h,[.55,.57,.6],r);let w=t.mode==="H";l.ball(p(e.eccentricity*h),.07*h,te(w?a.airborne:a.gravity_center),r)}drawForces(e,t,s,n){if(t.mode==="H"||!(t.normal_force>
 0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,s+.2*i],l=d=>y(.55*i*Math.abs(d)/a,0,3.2*i),h=Math.sign(t.friction_force);this.
 space.arrow(r,[0,1,0],l(t.normal_force),i,te(n.normal_force)),this.space.arrow(r,[h,0,0],l(t.friction_force),i,te(n.friction_force))}linesOf(e,t,s){let n=this.lines.
-get(e);if(n?.dark===t.dark)return n;let i=e.radius,{x:a,height:r,angle:l,mode:h}=e.columns,d=(b,w)=>this.space.trace(e.length,f=>[a[f]+b*Math.sin(l[f]),i+r[f]+b*
-Math.cos(l[f])],w),[u,m,p]=[te(s.gravity_center),te(s.airborne),te(t.ink)],g={dark:t.dark,load:d(i,()=>p),center:d(e.eccentricity*i,b=>h[b]===3?m:u)};return this.
-lines.set(e,g),g}drawTraces(e,t,s,n,i,a){let{load:r,center:l}=this.linesOf(e,n,i),h=Math.min(e.index(t.t)+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(
+get(e);if(n?.dark===t.dark)return n;let i=e.radius,{x:a,height:r,angle:l,mode:h}=e.columns,d=(b,g)=>this.space.trace(e.length,f=>[a[f]+b*Math.sin(l[f]),i+r[f]+b*
+Math.cos(l[f])],g),[u,m,p]=[te(s.gravity_center),te(s.airborne),te(t.ink)],w={dark:t.dark,load:d(i,()=>p),center:d(e.eccentricity*i,b=>h[b]===3?m:u)};return this.
+lines.set(e,w),w}drawTraces(e,t,s,n,i,a){let{load:r,center:l}=this.linesOf(e,n,i),h=Math.min(e.index(t.t)+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(
 r,h,{width:a,...d}),this.space.drawTrace(l,h,{width:1.6*a,...d})}};var Ll=["hoop","mode","time","angle","v","R θ̇","gap"],vs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
 three:!1,ahead:!1},this.plane=c("canvas",{class:"stage-canvas"}),this.space=c("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new fs(this.plane,t),this.deep=
 null,this.outputs=Ll.map(n=>({name:c("dt",{},n),value:c("dd",{})})),this.outputs[1].value.className="mode",this.fastest=c("span",{}),this.legend=c("div",{class:"\
@@ -2049,10 +2049,10 @@ x+e))<e-1e-9)?l[0].mark!==vt[i]&&n.push({mark:vt[i],x:l[0].x+e,rare:!1,hidden:0}
 x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Zi(o,e,t){let s=[],n=new Map,i=-1,a=(l,h,d)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-h)<1e-6?u.
 wide+=d:s.push({mode:l,from:h,wide:d})},r=()=>{n.size&&a([...n].reduce((l,h)=>h[1]>l[1]?h:l)[0],i,1),n=new Map};for(let{mode:l,from:h,to:d}of o){let[u,m]=[Math.
 max(e(h),0),Math.min(e(d),t)];if(m>u)for(let p=u;p<m-1e-9;){if((Math.floor(p+1e-9)!==i||!n.size)&&(r(),i=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-i)<1e-6)){let b=Math.
-floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let g=Math.min(m,i+1);n.set(l,(n.get(l)??0)+g-p),p=g}}return r(),s}var Ms=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=c("canvas",{class:"timeline-canvas"}),this.tip=c("div",{class:"tip",hidden:!0}),
+floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let w=Math.min(m,i+1);n.set(l,(n.get(l)??0)+w-p),p=w}}return r(),s}var Ms=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=c("canvas",{class:"timeline-canvas"}),this.tip=c("div",{class:"tip",hidden:!0}),
 this.element=c("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
-erleave",()=>this.tip.hidden=!0),this.pinched=Y(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
+erleave",()=>this.tip.hidden=!0),this.pinched=Z(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
 let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:ze(this.window,e)}zoom(e,t){let[s,n]=this.ends(),i=1e-6*this.clock.duration,
 a=Math.max((n-s)*e,i),r=(t-s)/(n-s);this.window=a<this.clock.duration?ze([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
 return;let[e,t]=this.ends(),{time:s,duration:n}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=ze(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,n])}timeAt(e){let t=this.
@@ -2061,19 +2061,19 @@ let t=this.clock.playing;this.clock.playing=!1;let s=n=>!this.pinched()&&this.cl
 let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(Ts[s.kind]??s.kind)} · ${_(s.t,5)} s · ${_(s.angle*180/Math.PI,4)}°`:`${_(t,4)} s`;this.tip.textContent=n,this.
 tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,n]=this.ends(),i=t*(n-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let h=Math.abs(l.t-e);h<=i&&
-(!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=w=>(w-r)/(l-r)*
-i;n.clearRect(0,0,i,a);let d=15,u=(a-15)/e.length-d;e.forEach((w,f)=>{let k=d+f*(d+u);for(let{mode:T,from:E,wide:N}of Zi(w.phases,h,i)){let I=s.modes[T];n.fillStyle=
-I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[T]),E,N,k,u-2,I,t)}w.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(w.duration),0),k,i,u-2)),this.marks(
-n,w,h,k,i,t),e.length>1&&(n.fillStyle=ne(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="left",n.fillText("AB"[f],1,k-4))});let m=U(l-r,i/60);n.fillStyle=t.soft,
-n.font=`10.5px ${t.font}`;let p=ee(r,l,i/60);for(let w of p){let f=h(w);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(J(w,m)+(w===p[0]?" s":""),f,a-
-3)}let g=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,d-4,2,a-d-9),n.beginPath(),n.moveTo(g-6,d-10),n.lineTo(g+6,d-
-10),n.lineTo(b,d-1),n.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:n,playing:i}=this.clock,r=e.map((l,h)=>{let d=x(t.mode_names[l.at(s).mode]);return e.length>
-1?`${"AB"[h]} ${d}`:d}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",n.toFixed(3)),this.element.setAttribute("aria-valuen\
-ow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:_(s,4),what:ue(r)})))}named(e,t,s,n,i,a,r,l){e.font=`11px ${l.font}`,
-!(a<13||e.measureText(t).width+8>n)&&(e.fillStyle=Sn(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*n,i+.5*a+1),e.textBaseline="alphabetic")}marks(e,t,s,n,i,a){
-e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,x:s(h)})).filter(({x:l})=>l>=
--1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,n,1,5);e.fillStyle=a.ink;for(let{mark:l,x:h}of Yi(r))e.fillText(l,y(h,6,i-6),n-
-4)}};var ql=1/60,Cl=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],jl={three:"In space"},ke=(o,e,t)=>c(
+(!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=g=>(g-r)/(l-r)*
+i;n.clearRect(0,0,i,a);let d=15,u=(a-15)/e.length-d;e.forEach((g,f)=>{let k=d+f*(d+u);for(let{mode:T,from:E,wide:N}of Zi(g.phases,h,i)){let I=s.modes[T];n.fillStyle=
+I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[T]),E,N,k,u-2,I,t)}g.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(g.duration),0),k,i,u-2)),this.marks(
+n,g,h,k,i,t),e.length>1&&(n.fillStyle=ne(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="right",n.fillText("AB"[f],i-1,k-4))});let m=U(l-r,i/60);n.fillStyle=
+t.soft,n.font=`10.5px ${t.font}`;let p=ee(r,l,i/60);for(let g of p){let f=h(g);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(Y(g,m)+(g===p[0]?" s":
+""),f,a-3)}let w=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,d-4,2,a-d-9),n.beginPath(),n.moveTo(w-6,d-10),n.lineTo(
+w+6,d-10),n.lineTo(b,d-1),n.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:n,playing:i}=this.clock,r=e.map((l,h)=>{let d=x(t.mode_names[l.at(s).mode]);return e.
+length>1?`${"AB"[h]} ${d}`:d}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",n.toFixed(3)),this.element.setAttribute("aria\
+-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:_(s,4),what:ue(r)})))}named(e,t,s,n,i,a,r,l){e.font=`11px ${l.
+font}`,!(a<13||e.measureText(t).width+8>n)&&(e.fillStyle=Sn(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*n,i+.5*a+1),e.textBaseline="alphab\
+etic")}marks(e,t,s,n,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,x:s(
+h)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,n,1,5);e.fillStyle=a.ink;for(let{mark:l,x:h}of Yi(r))e.
+fillText(l,y(h,6,i-6),n-4)}};var ql=1/60,Cl=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],jl={three:"In space"},ke=(o,e,t)=>c(
 "button",{type:"button",title:e,"aria-label":e,onclick:t},o),Xi=(o,e)=>c("span",{},c("span",{"aria-hidden":"true"},`${o} `),e),Es=class{titled="";constructor(e,t,s,n,i){
 this.clock=e,this.films=t,this.say=n,this.tell=i,this.playButton=ke($("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=c("\
 select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},dt.map(a=>c("option",{value:String(a)},`${a}×`))),this.speeds.value=
@@ -2088,7 +2088,7 @@ t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*ql*Ma
 flatMap((h,d)=>h.events.map(u=>({event:u,lane:d}))).filter(({event:h})=>!t||(t==="impact"?h.kind===t:Ji(h))).sort((h,d)=>h.event.t-d.event.t),n=this.clock.time,
 i=e>0?s.find(({event:h})=>h.t>n+1e-9):s.findLast(({event:h})=>h.t<n-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"";this.tell(`${l}${x("{what}\
- at {angle}, {time} s",{what:x(Ts[a.kind]??a.kind),angle:q(a.angle),time:_(a.t,4)})}`)}};var Ge=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
+ at {angle}, {time} s",{what:x(Ts[a.kind]??a.kind),angle:q(a.angle),time:_(a.t,4)})}`)}};var Ve=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
 colors:r}=s;this.known=s.presets,this.address=n?new Dt(this):null,this.clock=new Ft,this.motions=new cs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
 story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new ds,this.theme=new _s(
 e,r,n,()=>this.show()),this.stage=new vs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Es(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
@@ -2156,21 +2156,21 @@ ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","r
 k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
 "no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
 "slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
-rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ve=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Hp=Ve(v.cell),fe=Ve(v.heads),K=Ve(v.events),So=Ve(v.samples),Qi=Ve(v.numbers),Mo=Ve(v.words),Dl={newton:0,poisson:1,
-stronge:2};function Je(o){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:Dl[o.impact_law],
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Je=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Hp=Je(v.cell),fe=Je(v.heads),K=Je(v.events),So=Je(v.samples),Qi=Je(v.numbers),Mo=Je(v.words),Dl={newton:0,poisson:1,
+stronge:2};function Ye(o){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:Dl[o.impact_law],
 strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return v.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function Eo(o){let e=t=>t??Number.NaN;return Float64Array.
 of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var As=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
 n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Fl=150,Wl=240,$l=6e3,[Vp,ea,ta]=[0,1,2],Bl={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ao(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.
-ceil(n*Fl),Wl),$l),a=v.events.length,r=new Set;for(let p=0;p<=i&&n>0;p++)r.add(p===i?n:p*(n/i));let l=new Set;for(let p=0;p<s;p++)l.add(Math.min(t[p*a+K.t],n));
-for(let p of l)r.add(p);let h=Float64Array.from(r).sort(),d=Float64Array.from(l).filter(p=>p>0).sort(),u=o.states(e,h,!1),m=o.states(e,d,!0);return Hl(h,u,d,m)}
-function Hl(o,e,t,s){let n=o.length+t.length,i=v.samples.length,a=new Float64Array(n),r=new Float64Array(n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=
-o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*i),l++;let d={t:a};for(let[u,m]of Object.entries(Bl)){let p=new Float64Array(
-n);for(let g of m)for(let b=0;b<n;b++)p[b]+=r[b*i+So[g]];d[u]=p}return d.mode=Kl(r,n,d.omega),d}function Kl(o,e,t){let s=v.samples.length,n=new Float64Array(e),
-i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(t[a])||i;let r=o[a*s+So.mode],l=r===ea?-1:r===ta?1:0;n[a]=l===0?r:l*i<0?
-ea:ta}return n}function sa(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Ul(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ao(o,e,t){let{rows:s,count:n,duration:i}=e,[a,r]=(t??[0,i]).map(g=>Math.
+min(Math.max(g,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Fl),Wl),$l),h=v.events.length,d=new Set;for(let g=0;g<=l&&i>0;g++)d.add(g===l?r:a+g*((r-a)/l));let u=new Set;
+for(let g=0;g<n;g++){let f=Math.min(s[g*h+K.t],i);f>=a&&f<=r&&u.add(f)}for(let g of u)d.add(g);let m=Float64Array.from(d).sort(),p=Float64Array.from(u).filter(g=>g>
+0).sort(),w=o.states(e,m,!1),b=o.states(e,p,!0);return Hl(m,w,p,b)}function Hl(o,e,t,s){let n=o.length+t.length,i=v.samples.length,a=new Float64Array(n),r=new Float64Array(
+n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*
+i),l++;let d={t:a};for(let[u,m]of Object.entries(Bl)){let p=new Float64Array(n);for(let w of m)for(let b=0;b<n;b++)p[b]+=r[b*i+So[w]];d[u]=p}return d.mode=Kl(r,
+n,d.omega),d}function Kl(o,e,t){let s=v.samples.length,n=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.
+sign(t[a])||i;let r=o[a*s+So.mode],l=r===ea?-1:r===ta?1:0;n[a]=l===0?r:l*i<0?ea:ta}return n}function sa(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Ul(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[n]=a}return{values:s,sequences:[...t.keys()]}}function Ul(o){let e="";for(let t of o){let s=t;for(let n=0;n<v.letters_a_key&&
 s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===v.more?"+":v.letters[i-1])}}return e}var Gl=256,Vl=2048,Jl=4096,Yl=2e5,Zl=v.statuses.indexOf("buffer"),Xl=new Set(["turn","apex","kane_gain","rest"]),zo=o=>Number.isFinite(o)?o:null,zs=class{constructor(e){
 this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new As(this.exports),this.mostEvents=Gl,this.mostSegments=Vl,this.mostRows=
@@ -2178,27 +2178,27 @@ Jl}call(e,...t){let s=this.exports[e](...t);if(s)throw new Error(`The kernel end
 room("table",8*s*this.mostEvents),i=t.room("heads",8*v.heads.length);e.contact?this.computeCompliant(e,e.contact,n,i):this.computeRigid(e,n,i);let a=t.floats(i,
 v.heads.length).slice(),r=a[fe.events];if(a[fe.status]===Zl)this.makeRoom(e,a[fe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
 let l=t.floats(n,r*s).slice();return{given:e,head:a,rows:l,count:r,duration:a[fe.duration],segments:a[fe.segments]}}}}computeRigid(e,t,s){let{memory:n}=this,i=n.
-put("cell",Je(e)),a=n.room("events",v.event_bytes*this.mostEvents),r=n.room("segments",v.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,
-r,this.mostSegments,t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",Je(e)),r=i.put("contact",Eo(t)),l=i.room("events",v.event_bytes*this.mostEvents),
+put("cell",Ye(e)),a=n.room("events",v.event_bytes*this.mostEvents),r=n.room("segments",v.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,
+r,this.mostSegments,t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",Ye(e)),r=i.put("contact",Eo(t)),l=i.room("events",v.event_bytes*this.mostEvents),
 h=i.room("rows",v.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Yl,h,this.mostRows,s,n)}makeRoom(e,t){e.contact?this.
-mostRows=t:this.mostSegments*=4}motion(e){return oa(this.compute(e))}film(e){let t=this.compute(e);return{motion:oa(t),columns:Ao(this,t)}}columns(e){return Ao(
-this,this.compute(e))}samples(e,t){let s=this.states(this.compute(e),t,!1),n=v.samples.length;return Object.fromEntries(v.samples.map((i,a)=>[i,Float64Array.from(
+mostRows=t:this.mostSegments*=4}motion(e){return oa(this.compute(e))}film(e){let t=this.compute(e);return{motion:oa(t),columns:Ao(this,t)}}columns(e,t){return Ao(
+this,this.compute(e),t)}samples(e,t){let s=this.states(this.compute(e),t,!1),n=v.samples.length;return Object.fromEntries(v.samples.map((i,a)=>[i,Float64Array.from(
 t,(r,l)=>s[l*n+a])]))}states(e,t,s){let{memory:n}=this,i=t.length*v.samples.length,a=n.put("times",t),r=n.room("states",8*Math.max(i,1)),l=n.room("cell",8),h=[e.
 segments,a,t.length,Number(s),r];return e.given.contact?this.call("compliant_samples",l,n.room("contact",8),n.room("rows",8),...h):this.call("samples",l,n.room(
-"segments",8),...h),n.floats(r,i).slice()}thresholds(e){let{memory:t}=this,s=t.put("cell",Je(e)),n=t.room("answers",8*v.thresholds.length),i=e.rolling&&e.angle===
+"segments",8),...h),n.floats(r,i).slice()}thresholds(e){let{memory:t}=this,s=t.put("cell",Ye(e)),n=t.room("answers",8*v.thresholds.length),i=e.rolling&&e.angle===
 0;this.call("thresholds",s,i?e.vx:Number.NaN,n);let a=t.floats(n,v.thresholds.length),r=h=>{let d=a[v.thresholds.indexOf(h)];return Number.isNaN(d)?null:d},l=["\
 jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
 "immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(h=>h!==
 null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,n,
-i],a,r){let{memory:l}=this,h=l.put("cell",Je(e)),d=l.room("modes",a*r),u=l.room("sides",a);this.call("regions",h,t,s,n,i,a,r,d,u);let{buffer:m}=this.exports.memory;
+i],a,r){let{memory:l}=this,h=l.put("cell",Ye(e)),d=l.room("modes",a*r),u=l.room("sides",a);this.call("regions",h,t,s,n,i,a,r,d,u);let{buffer:m}=this.exports.memory;
 return{modes:new Uint8Array(m,d,a*r).slice(),paradox:Float32Array.from(new Int8Array(m,u,a))}}map({count:e,rows:t},s,n){let{memory:i}=this,a=i.put("cells",t),r=i.
 room("numbers",8*e*v.numbers.length),l=i.room("words",4*e*v.words.length),h=i.room("keys",8*e*v.keys),{angle:d,stop:u,timed:m}=v.spans[n],p=v.wanted[s];this.call(
-"map_cells",a,e,d??Number.NaN,u,m,p,r,l,h);let{buffer:g}=this.exports.memory;if(s==="sequence")return sa(new BigUint64Array(g,h,e*v.keys),e);let b=new Float64Array(
-e);if(s in Mo){let w=new Int32Array(g,l,e*v.words.length);for(let f=0;f<e;f++)b[f]=w[f*v.words.length+Mo[s]]}else{let w=i.floats(r,e*v.numbers.length);for(let f=0;f<
-e;f++)b[f]=w[f*v.numbers.length+Qi[s]]}return{values:b}}ideal(e){let t=this.memory.room("answers",8*v.thresholds.length);return this.call("ideal_hoop",e,t),this.
+"map_cells",a,e,d??Number.NaN,u,m,p,r,l,h);let{buffer:w}=this.exports.memory;if(s==="sequence")return sa(new BigUint64Array(w,h,e*v.keys),e);let b=new Float64Array(
+e);if(s in Mo){let g=new Int32Array(w,l,e*v.words.length);for(let f=0;f<e;f++)b[f]=g[f*v.words.length+Mo[s]]}else{let g=i.floats(r,e*v.numbers.length);for(let f=0;f<
+e;f++)b[f]=g[f*v.numbers.length+Qi[s]]}return{values:b}}ideal(e){let t=this.memory.room("answers",8*v.thresholds.length);return this.call("ideal_hoop",e,t),this.
 memory.floats(t,1)[0]}combine(e,t){let{memory:s}=this,n=s.put("parts",t.flatMap(Ql)),i=s.room("answers",8*v.thresholds.length),a=s.room("reaches",8*t.length);this.
 call("hoop_of_parts",e,n,t.length,i,a);let[r,l,h]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:h,reaches:[...s.floats(a,t.length)]}}compliance(e){let{
-memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let s=t.put("cell",Je(e)),n=t.put("contact",Eo(e.contact)),i=t.room("answers",8*v.thresholds.
+memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let s=t.put("cell",Ye(e)),n=t.put("contact",Eo(e.contact)),i=t.room("answers",8*v.thresholds.
 length);this.call("compliance",s,n,i);let a=t.floats(i,v.chosen.length),r=l=>a[v.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tang\
 ential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),steps:r("steps"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Ql(o){
 let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=v.shapes.indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,
@@ -2215,11 +2215,11 @@ let t=new URL(`hophoop.wasm?${v.module}`,e),s=await fetch(t);if(!s.ok)throw new 
 headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(s):WebAssembly.compile(await s.arrayBuffer())),a=new URL(`kernel.js?${v.module}`,e);
 return a.origin===globalThis.location?.origin?new o(i,()=>new Worker(a,{type:"module"})):new o(i,aa(await(await fetch(a)).text()))}static async unpack(e,t){let s=new Blob(
 [e]).stream().pipeThrough(new DecompressionStream("gzip")),n=await WebAssembly.compile(await new Response(s).arrayBuffer());return new o(n,aa(t))}motion(e,t){return this.
-motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t){return this.motions.ask("columns",[e],t)}samples(e,t,s){return this.motions.
-ask("samples",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,n,i){return this.motions.ask("regions",[e,t,s,n],i)}async map({
-count:e,rows:t},s,n,i){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],h=async u=>{let m=Math.min(Ro,e-u),p=new Float64Array(a*m);for(let w=0;w<
-a;w++)p.set(t.subarray(w*e+u,w*e+u+m),w*m);let g=await this.maps.ask("map",[{count:m,rows:p},s,n],i,[p.buffer]),b=g.sequences?.map(w=>(l.includes(w)||l.push(w),
-l.indexOf(w)));for(let w=0;w<m;w++)r[u+w]=b?b[g.values[w]]??Number.NaN:g.values[w]},d=Array.from({length:Math.ceil(e/Ro)},(u,m)=>m*Ro);return await Promise.all(
+motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.
+motions.ask("samples",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,n,i){return this.motions.ask("regions",[e,t,s,n],i)}async map({
+count:e,rows:t},s,n,i){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],h=async u=>{let m=Math.min(Ro,e-u),p=new Float64Array(a*m);for(let g=0;g<
+a;g++)p.set(t.subarray(g*e+u,g*e+u+m),g*m);let w=await this.maps.ask("map",[{count:m,rows:p},s,n],i,[p.buffer]),b=w.sequences?.map(g=>(l.includes(g)||l.push(g),
+l.indexOf(g)));for(let g=0;g<m;g++)r[u+g]=b?b[w.values[g]]??Number.NaN:w.values[g]},d=Array.from({length:Math.ceil(e/Ro)},(u,m)=>m*Ro);return await Promise.all(
 d.map(h)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close()}};function Po(o,e){let[t,s,n]=[0,0,0];for(let i=0;i<o.length;i++)for(let a=0;a<e.length;a++){let r=0;for(;i+r<o.length&&a+r<e.length&&o[i+r]===e[a+r];)r++;r>t&&([
 t,s,n]=[r,i,a])}return t?t+Po(o.slice(0,s),e.slice(0,n))+Po(o.slice(s+t),e.slice(n+t)):0}function ra(o,e){let t=[...o],s,n=0;for(let i of e){let a=[...i],r=a.length+
 t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*Po(a,t)/r;l>=.6&&(l>n||l===n&&s!==void 0&&i>s)&&([s,n]=[i,l])}return s}var la={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
@@ -2431,8 +2431,8 @@ r[l]=_t(h.default));return s.said.length===a?{values:r,given:new Set(Object.keys
 nown_are",{known:t.join(", ")});return R("unknown_key",{path:`${o}${Ps(e)}`,hint:n})}function jo(o,e,t,s){if(e===null&&o.nullable)return null;if(o.kind==="parts")
 return hh(e,t,s);if(o.kind==="word")return o.options.includes(e)||j(s,t,e,"literal_error",o),e;let n=o.kind==="friction",i=n&&e==="inf"?1/0:e;if(typeof i!="numb\
 er")return j(s,t,e,"number");if(n&&!(i>=0))return j(s,t,e,"friction");if(o.kind==="whole"&&!Number.isInteger(i))return j(s,t,e,"whole");if(!n&&!Number.isFinite(
-i))return j(s,t,e,"finite_number");for(let[a,r]of o.limits??[])if(!lh(a,i,r))return j(s,t,o.kind==="whole"?BigInt(i):e,a,{limit:r});return o.range&&!Ye(o.range,
-i)?j(s,t,e,"range",o.range):i+0}function lh(o,e,t){return o==="greater_than"?e>t:o==="greater_than_equal"?e>=t:o==="less_than"?e<t:e<=t}var Ye=({least:o,most:e,
+i))return j(s,t,e,"finite_number");for(let[a,r]of o.limits??[])if(!lh(a,i,r))return j(s,t,o.kind==="whole"?BigInt(i):e,a,{limit:r});return o.range&&!Ze(o.range,
+i)?j(s,t,e,"range",o.range):i+0}function lh(o,e,t){return o==="greater_than"?e>t:o==="greater_than_equal"?e>=t:o==="less_than"?e<t:e<=t}var Ze=({least:o,most:e,
 also:t=[]},s)=>o<=s&&s<=e||t.some(n=>_t(n)===s);function hh(o,e,t){return Array.isArray(o)?o.map((s,n)=>ch(s,`${e}.${n}`,t)):j(t,e,o,"list")}function ch(o,e,t){
 let s=Oo(o,"shape",ya.parts,e,t),n=s&&qo(s,o,e,t);if(!n)return null;let{inner_radius:i,outer_radius:a}=n.values;return i>a&&t.said.push(R("ring_radii",{inner:i,
 outer:a})),n.values}function Oo(o,e,t,s,n,i){if(!oe(o))return j(n,s,o,"table"),null;let a=Object.hasOwn(o,e)?o[e]:i;if(a===void 0||a===null&&i)return n.said.push(
@@ -2443,10 +2443,10 @@ o[0]}var{codes:dh,families:uh,hops:mh,rolls:ph,other:fh}=S.classes,{sequence:gh}
 8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function ka(o,e){if(e!==va)return dh[e]?.[o]??fh;let t=[...o].find(u=>"SKM".includes(u))??"R",s=o.endsWith("H")?mh:
 uh[t+o.slice(-1)]??ph,n=[1,3,5].map(u=>Number.parseInt(s.slice(u,u+2),16)/255),i=(n[0]+n[1]+n[2])/3,a=Math.min(o.length-1,9)/9,r=wh(o)%1e3/1e3,l=.62-.62*Math.min(
 2*a,1),h=Math.max(2*a-1,0)*.5;return`#${n.map(u=>{let m=(1-.2*r)*u+.2*r*i,p=Math.min(Math.max((m+(1-m)*l)*(1-h),0),1);return Math.round(255*p).toString(16).padStart(
-2,"0")}).join("")}`}function xa(o,e){return e!==va?o.replaceAll("_"," "):[...o].map(t=>gh[t]).join(" → ")}function X({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:d,rolling_resistance:u,mu_static:m,
-mu_kinetic:p,restitution:g,impact_law:b,painleve:w}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Ze(s,i),{max_events:Q,model:Ws,...Lt}=n;return{radius:i,mass:a,
-eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:d,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:g,impact_law:b,painleve:w,
-x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:Ws==="rigid"?null:Lt}}function Ze({x:o,height:e,angle:t,speed:s,
+2,"0")}).join("")}`}function xa(o,e){return e!==va?o.replaceAll("_"," "):[...o].map(t=>gh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:d,rolling_resistance:u,mu_static:m,
+mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Xe(s,i),{max_events:Q,model:Ws,...Lt}=n;return{radius:i,mass:a,
+eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:d,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:w,impact_law:b,painleve:g,
+x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:Ws==="rigid"?null:Lt}}function Xe({x:o,height:e,angle:t,speed:s,
 vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var _a=S.scenario.ends,Do=o=>Object.hasOwn(_a,o)?_a[o]:[];function Wo(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
 let[t]=Wo(e),s=Do(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ta=new Set(S.scenario.paths);function $o(o){
 if(!(Ta.has(o)||/^hoop\.parts\.\d+\.\w+$/.test(o)))throw new A(R("no_parameter",{path:o,known:[...Ta].join(", ")}))}function Sa(o){let[e,t]=Wo(o);return(e==="st\
@@ -2454,11 +2454,11 @@ art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Bo=o=>e=>!o.
 ...t.keys()],i=Et(n);if(i){let[l,h]=i,[d,u]=i.map(m=>new Ie(se(t.get(m),!1)));throw new A(R("two_ways",{one:l,other:h,one_value:d,other_value:u}))}let a=new Set,
 r=Bo(n);for(let l of n.sort((h,d)=>Sa(h)-Sa(d))){let h=structuredClone(t.get(l)),[d,u]=Wo(l);if(u==="")Fo(e,d,h);else if(l==="contact.model")e.contact={model:h};else{
 Object.hasOwn(e,d)||Fo(e,d,{});let m=e[d];if(!oe(m))throw new A(R("no_section_parts",{path:l,section:d}));if(!a.has(d)&&Do(l).some(p=>Object.hasOwn(m,p))){a.add(
-d);let p=bh(o,l,()=>s(e.hoop,r));for(let[g,b]of Object.entries(p))t.has(`${d}.${g}`)||(m[g]=b)}for(let p of Do(l))delete m[p];yh(m,u.split("."),h,l)}}return e}function Fo(o,e,t){
+d);let p=bh(o,l,()=>s(e.hoop,r));for(let[w,b]of Object.entries(p))t.has(`${d}.${w}`)||(m[w]=b)}for(let p of Do(l))delete m[p];yh(m,u.split("."),h,l)}}return e}function Fo(o,e,t){
 Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function bh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
 if(s==="hoop.eccentricity"||s==="hoop.inertia_ratio")return{mass:i,eccentricity:a,inertia_ratio:r};if(s==="hoop.load_fraction")return{mass:i};if(s==="plane.mu_s\
 tatic"||s==="plane.mu_kinetic"){let l=h=>h===1/0?"inf":h;return{mu_static:l(e.mu_static),mu_kinetic:l(e.mu_kinetic)}}if(s.startsWith("start.")&&s!=="start.speed"){
-let{height:l,vx:h,vy:d,omega:u}=Ze(t,n().radius);return{height:l,vx:h,vy:d,omega:u}}return{}}function yh(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
+let{height:l,vx:h,vy:d,omega:u}=Xe(t,n().radius);return{height:l,vx:h,vy:d,omega:u}}return{}}function yh(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
 step:l})),r=l=>Array.isArray(n)&&/^\d+$/.test(l)&&Number(l)<n.length;for(let l of e)if(r(l))n=n[Number(l)];else if(oe(n)&&Object.hasOwn(n,l))n=n[l];else throw a(
 l);if(oe(n))Fo(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var vh=1e3;function Ea(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>vh)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),h=t;for(let d of r)if(h.has(d)||h.set(d,new Map),h=h.get(d),!(h instanceof
@@ -2468,30 +2468,30 @@ n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_
 o)?o.map(Ho):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Ho(t)])):o}function Aa(o){return za(o,"").map(([e,t])=>`${e}=${xh(e,t)}`).join("&")}function za(o,e){
 return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>za(s,e?`${e}.${t}`:t))}function xh(o,e){return Is(o,e).replace("e+","e").replace(
 /\.0$/,"")}function Is(o,e){return typeof e=="string"?e:_h.has(o.slice(o.lastIndexOf(".")+1))?String(e):Le(e)}var _h=new Set(Object.values(S.scenario.models).flatMap(
-({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:Xe}=S,Th=["load_fraction","eccentricity","inertia_ratio"],Ra=["mu_static","mu_kinetic"],Sh=["height","vx","vy","omega"],At=class extends Error{};function L(o,e){
+({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:Qe}=S,Th=["load_fraction","eccentricity","inertia_ratio"],Ra=["mu_static","mu_kinetic"],Sh=["height","vx","vy","omega"],At=class extends Error{};function L(o,e){
 throw new At(R(o,e))}function Ls(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Ko({values:o,given:e},t){let s={...o},n=Th.filter(
 d=>e.has(d)&&o[d]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Ls("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,Mh(s.radius,s.parts,
-t))):s.load_fraction!==null||!n.length?(Ls("hoop","load_fraction",n),s.load_fraction??=Xe.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
+t))):s.load_fraction!==null||!n.length?(Ls("hoop","load_fraction",n),s.load_fraction??=Qe.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
 s.inertia_ratio=t.ideal(s.load_fraction)):n.length===1&&L("half_a_hoop",{missing:n[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:n[0]});let{mass:i,inertia_ratio:a,
-load_fraction:r,eccentricity:l}=s,h=Xe.ranges;if(Ye(h["hoop.mass"],i)||L("hoop_mass",{mass:i,words:h["hoop.mass"].words}),!Ye(h["hoop.inertia_ratio"],a)){let{words:d}=h["\
+load_fraction:r,eccentricity:l}=s,h=Qe.ranges;if(Ze(h["hoop.mass"],i)||L("hoop_mass",{mass:i,words:h["hoop.mass"].words}),!Ze(h["hoop.inertia_ratio"],a)){let{words:d}=h["\
 hoop.inertia_ratio"];L(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:d})}return a===0&&l!==1&&L("massless_eccentricity",{eccentricity:l}),
-s}function Mh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+Xe.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
+s}function Mh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+Qe.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
 radius:o}),n}function Pa({values:o,given:e}){let t={...o};t.apart=Ra.some(r=>e.has(r)),t.mu!==null?(Ls("plane","mu",Ra.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:n,slope:i}=t;n>s&&L("kinetic_above_static",{mu_kinetic:n,mu_static:s}),Math.abs(
-i)<.5*Math.PI||L("vertical",{slope:i});let a=Xe.ranges["plane.slope"];return Ye(a,i)||L("slope",{slope:i,words:a.words}),t}function Ia({values:o,given:e}){let t={
+i)<.5*Math.PI||L("vertical",{slope:i});let a=Qe.ranges["plane.slope"];return Ze(a,i)||L("slope",{slope:i,words:a.words}),t}function Ia({values:o,given:e}){let t={
 ...o};return t.speed!==null?(Ls("start","speed",Sh.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function La({values:o}){let e=o;
 return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&L("together",{section:"contact",other:"restitution",way:"damping"}),e}function Na(o,e,t){let{
 hoop:s,plane:n,contact:i}=o,a=s.inertia_ratio===0,r=i.model==="compliant";a&&n.slope!==0&&L("massless_slope",{slope:n.slope});let l=n.rolling_resistance;l!==0&&
 a&&L("massless_resistance",{given:l});let h=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);h!==void 0&&!(l<h)&&L("resistance",{given:l,most:h}),a&&
 r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Eh(i,e.compliance(t(o)))}function Eh(o,e){for(let[n,{of:i,...a}]of Object.
-entries(Xe.relative)){let r=o[n];if(r===null)continue;let l=e[n];Ye(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
-s=_t(Xe.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:_e}=S,Ah={rigid:"Rigid",compliant:"Compliant"};function Uo(o,e,t=qe()){let s=Go(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Go(o,e,t){let{
-fields:s,place:n}=_e.models.Scenario;if(!oe(o))return j(t,"",o,"table"),null;let i=Object.keys(o).find(g=>!Object.hasOwn(s,g));if(i!==void 0)return t.said.push(
-Co(n,i,Object.keys(s))),null;let a=g=>Object.hasOwn(o,g)?o[g]:_e.default[g],r=jo(s.duration,a("duration"),"duration",t),l=zt("Hoop",a("hoop"),"hoop",t,g=>Ko(g,e)),
+entries(Qe.relative)){let r=o[n];if(r===null)continue;let l=e[n];Ze(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
+s=_t(Qe.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:_e}=S,Ah={rigid:"Rigid",compliant:"Compliant"};function Uo(o,e,t=qe()){let s=Go(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Go(o,e,t){let{
+fields:s,place:n}=_e.models.Scenario;if(!oe(o))return j(t,"",o,"table"),null;let i=Object.keys(o).find(w=>!Object.hasOwn(s,w));if(i!==void 0)return t.said.push(
+Co(n,i,Object.keys(s))),null;let a=w=>Object.hasOwn(o,w)?o[w]:_e.default[w],r=jo(s.duration,a("duration"),"duration",t),l=zt("Hoop",a("hoop"),"hoop",t,w=>Ko(w,e)),
 h=zt("Plane",a("plane"),"plane",t,Pa),d=zt("Start",a("start"),"start",t,Ia),u=Oo(a("contact"),"model",Ah,"contact",t,"rigid"),m=u&&zt(u,a("contact"),"contact",t,
-La);if(t.said.length||!l||!h||!d||!m)return null;let p={duration:r,hoop:l,plane:h,start:d,contact:m};return Ca(t,()=>(Na(p,e,X),p))}function zt(o,e,t,s,n){let i=qo(
+La);if(t.said.length||!l||!h||!d||!m)return null;let p={duration:r,hoop:l,plane:h,start:d,contact:m};return Ca(t,()=>(Na(p,e,J),p))}function zt(o,e,t,s,n){let i=qo(
 o,e,t,s);return i&&Ca(s,()=>n(i))}function Ca(o,e){try{return e()}catch(t){if(!(t instanceof At))throw t;return o.said.push(t.message),null}}function Vo(o,e){return Uo(
-Ea(o),e,qe(()=>!0))}function Qe(o,e,t){let s=Ma(o,Te(o),e,(n,i)=>zh(n,t,i));return Uo(s,t,qe(Bo([...e.keys()])))}function zh(o,e,t){let s=qe(t),n=zt("Hoop",o,"h\
+Ea(o),e,qe(()=>!0))}function et(o,e,t){let s=Ma(o,Te(o),e,(n,i)=>zh(n,t,i));return Uo(s,t,qe(Bo([...e.keys()])))}function zh(o,e,t){let s=qe(t),n=zt("Hoop",o,"h\
 oop",s,i=>Ko(i,e));if(!n)throw new A(Mt(s.said));return n}var Rh=o=>o===1/0?"inf":o,Rt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Rh(o[t])])),
 Jo=o=>Object.keys(_e.models[o].fields);function Te({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Ph(e),plane:Ih(t),start:Lh(s),contact:Rt(
 n,Jo(n.model==="rigid"?"Rigid":"Compliant"))}}function Ph(o){if(o.parts){let t=o.parts.map(s=>Rt(s,Jo(_e.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.
@@ -2502,17 +2502,17 @@ fields;return{radius:n.default,mass:i.default,load_fraction:a.default}}return o=
 "compliant"?"Compliant":"Rigid"])}var qa=({fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function Zo(o){let e={};for(let[
 t,s]of Object.entries(Te(o))){let n=_e.default[t];if(Pt(s,n))continue;if(!oe(s)){e[t]=s;continue}let i=Yo(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="mo\
 del"||!Pt(i[r],l));e[t]=a.length?Object.fromEntries(a):s}return Aa(e)}function Pt(o,e){if(o===e)return!0;if(o===null||e===null||typeof o!="object"||typeof e!="o\
-bject")return!1;let t=Object.keys(o);return t.length===Object.keys(e).length&&t.every(s=>Pt(o[s],e[s]))}var{lab:Nh,limits:et}=S,Se=(o,e={})=>P(Nh[o],e);function Ns({scenario:o,query:e=null,changes:t=[]},s){let n=qe(),i=null;if(o!==void 0&&!oe(o)?j(n,"scenario",o,"\
+bject")return!1;let t=Object.keys(o);return t.length===Object.keys(e).length&&t.every(s=>Pt(o[s],e[s]))}var{lab:Nh,limits:tt}=S,Se=(o,e={})=>P(Nh[o],e);function Ns({scenario:o,query:e=null,changes:t=[]},s){let n=qe(),i=null;if(o!==void 0&&!oe(o)?j(n,"scenario",o,"\
 table"):o!==void 0&&(i=Go(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&j(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!qh(r)).
-map(Ch)):j(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Vo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Qe(
-i,a,s),a=new Map),a.set(r,l);return a.size?Qe(i,a,s):i}var qh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Ch=o=>Se("not_a_pair",{change:new Ie(St(o).
-slice(0,60))});function tt(o){let{duration:e,hoop:t,contact:s}=o;if(e>et.duration)throw new xe(Se("too_long",{duration:e,most:et.duration}));let n=t.parts?.length??
-0;if(n>et.parts)throw new xe(Se("too_many_parts",{parts:n,most:et.parts}));return s.max_events<=et.events?o:{...o,contact:{...s,max_events:et.events}}}var{cell:Xo,laws:jh,events:Oh,quantities:qs}=S.map,ja=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function Qo(o,{x:e,y:t}){if($o(e.
+map(Ch)):j(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Vo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=et(
+i,a,s),a=new Map),a.set(r,l);return a.size?et(i,a,s):i}var qh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Ch=o=>Se("not_a_pair",{change:new Ie(St(o).
+slice(0,60))});function Ce(o){let{duration:e,hoop:t,contact:s}=o;if(e>tt.duration)throw new xe(Se("too_long",{duration:e,most:tt.duration}));let n=t.parts?.length??
+0;if(n>tt.parts)throw new xe(Se("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var{cell:Xo,laws:jh,events:Oh,quantities:qs}=S.map,ja=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function Qo(o,{x:e,y:t}){if($o(e.
 path),$o(t.path),e.path===t.path)throw new A(Se("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new xe(Se("too_many_cells",{cells:s,
 most:S.limits.cells}));if(o.contact.model!=="rigid")throw new A(Se("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Se("two_axes",{one:n[0],other:n[1]}));
-let{contact:i,...a}=tt(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,Oh)}}}function en(o,{x:e,y:t},s){let n=ja(e),i=ja(t),a=n.length*i.length,r=new Float64Array(
+let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,Oh)}}}function en(o,{x:e,y:t},s){let n=ja(e),i=ja(t),a=n.length*i.length,r=new Float64Array(
 Xo.length*a),l=0;for(let h of i)for(let d of n){let u=Dh(o,e.path,d,t.path,h,s);if(u)for(let m=0;m<Xo.length;m++)r[m*a+l]=u[Xo[m]];l++}return{count:a,rows:r}}function Dh(o,e,t,s,n,i){
-let a=new Map([[s,n],[e,t]]);try{let r=X(Qe(o,a,i));return{...r,law:jh[r.impact_law],strike:r.painleve==="impact"?1:0,ideal:r.ideal?1:0,allowed:1}}catch(r){if(!(r instanceof
+let a=new Map([[s,n],[e,t]]);try{let r=J(et(o,a,i));return{...r,law:jh[r.impact_law],strike:r.painleve==="impact"?1:0,ideal:r.ideal?1:0,allowed:1}}catch(r){if(!(r instanceof
 A))throw r;return null}}function tn(o){if(Object.hasOwn(qs,o))return qs[o].span;throw new A(`what = ${o} must be one of ${Object.keys(qs).join(", ")}.`)}function sn({
 x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=qs[t],{values:r,names:l}=Fh(s,i===""?a:null),h=i===""?l.map(d=>({name:d,text:xa(d,t),color:ka(d,t)})):null;return{
 header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Fh({values:o,sequences:e},t){if(!t)return{values:o,names:[]};let s=e?[...e].sort((a,r)=>a.
@@ -2538,32 +2538,32 @@ isArray(r))s.push(Da(a,r,Oa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h
 `].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":$h[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:Yo(
 o,t.model),a=Object.entries(t).filter(([r,l])=>Bh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${nn(r,l)}`);return e&&a.push(`parts=[${e.map(Hh).join(", ")}]`),`hh\
 .${n}(${a.join(", ")})`}function Hh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${nn(s,n)}`);return`hh.${js.parts[o]}(${t.join(", ")})`}function nn(o,e){
-return e==="inf"?'float("inf")':typeof e=="string"?se(e):Is(o,e)}var{letters:$a,modes:rn,verbs:ln,events:Kh,statuses:Uh,story:Ce,summary:st}=S.words,Gh=["turn","apex","end"],Vh=400,[,an,Wa,Jh,Yh]=rn,Zh="⁰¹²³⁴⁵⁶⁷⁸⁹";
+return e==="inf"?'float("inf")':typeof e=="string"?se(e):Is(o,e)}var{letters:$a,modes:rn,verbs:ln,events:Kh,statuses:Uh,story:je,summary:st}=S.words,Gh=["turn","apex","end"],Vh=400,[,an,Wa,Jh,Yh]=rn,Zh="⁰¹²³⁴⁵⁶⁷⁸⁹";
 function Ba(o,e){let{omega:t,to:s}=o[e];return t===0&&(s==="S"||s==="K")&&e+1<o.length}var hn=o=>[...o.keys()].filter(e=>Ba(o,e)),cn=(o,e)=>.5*(o[e].t+o[e+1].t);
-function dn(o,e=Vh){let t=[],s=0,n=Ka(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?Qh(o,i,a):P(Ce.more_bounces,
-{count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:$a[rn.indexOf(Ds(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Ce.left_out,
+function dn(o,e=Vh){let t=[],s=0,n=Ka(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?Qh(o,i,a):P(je.more_bounces,
+{count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:$a[rn.indexOf(Ds(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(je.left_out,
 {count:s})}),t}var Ha=o=>o.kind==="impact"&&o.to==="H"&&o.collision!==!1;function Ka(o,e=3,t=6){let s=new Map,n=[];for(let i=0;i<=o.length;i++){let a=o[i];if(a&&
 (Ha(a)||n.length&&a.kind==="apex")){n.push(i);continue}let r=n.filter(l=>o[l].kind==="impact");if(r.length>=t){for(let l of n.slice(n.indexOf(r[e])))s.set(l,0);
 s.set(r[e],r.length-e)}n=[]}return s}function un(o,e=6){let t=[],s=0,n=Ka(o.events,1);for(let[l,h]of o.events.entries()){let d=n.get(l);if(d!==void 0){d&&t.push(
-P(st.more_bounces,{count:d}));continue}if(h.kind==="start"||!t.length){t.push(ln[Ds(o,l)]);continue}let u=Xh(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Oe(
+P(st.more_bounces,{count:d}));continue}if(h.kind==="start"||!t.length){t.push(ln[Ds(o,l)]);continue}let u=Xh(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:De(
 h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Uh[o.
 status]};return P(st.sentence,r).trim()}function Xh(o,e,t){return t.collision===!1?st.without_collision:Ha(t)?st.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||Ua(t)?ln[Ds(o,e)]:Gh.includes(t.kind)?"":Kh[t.kind]}function Qh(o,e,t){let s=Ds(o,e),n={where:Oe(t.angle),verb:ln[s],kind:t.kind.replaceAll("_"," ")},i=ec(
-o.events,e,s,n);return P(Ce[i]??Ce.other,n)}function ec(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=je(n.vx),s.started=P(t===Jh?Ce.started_flight:
-t===Yh?Ce.started_skim:Ce.started,s)),i==="slip_start"&&t===an?"slip_start_spin":i==="takeoff"?tc(o,e,s):i==="impact"?(s.speed=je(n.before.vy===null?null:Math.abs(
+t.kind)||Ua(t)?ln[Ds(o,e)]:Gh.includes(t.kind)?"":Kh[t.kind]}function Qh(o,e,t){let s=Ds(o,e),n={where:De(t.angle),verb:ln[s],kind:t.kind.replaceAll("_"," ")},i=ec(
+o.events,e,s,n);return P(je[i]??je.other,n)}function ec(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=Oe(n.vx),s.started=P(t===Jh?je.started_flight:
+t===Yh?je.started_skim:je.started,s)),i==="slip_start"&&t===an?"slip_start_spin":i==="takeoff"?tc(o,e,s):i==="impact"?(s.speed=Oe(n.before.vy===null?null:Math.abs(
 n.before.vy)),n.collision===!1?"impact_without_collision":n.to==="H"?"impact_bounce":i):i==="turn"&&Ua(n)?"turn_in_slip":(i==="apex"&&(s.gap=Ga(n.height)),i==="\
-kane_gain"&&(s.gain=je(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function tc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
-height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t;a++)n=Math.max(n,o[a].height);if(!n)break;return t.top=Ga(n),t.time=je(o[i].t-s),
+kane_gain"&&(s.gain=Oe(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function tc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
+height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t;a++)n=Math.max(n,o[a].height);if(!n)break;return t.top=Ga(n),t.time=Oe(o[i].t-s),
 "takeoff_and_landing"}return"takeoff"}function Ds(o,e){let t=o.events[e];return sc(t.to,Ba(o.events,e)?o.omega(e):t.omega)}function sc(o,e){return o==="S"?e>0?an:
-Wa:o==="K"?e<0?an:Wa:rn[$a.indexOf(o)]}var Ua=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Oe=o=>`${No(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ga(o){
-return o>=.995?`${je(o)} m`:o>=.00995?`${je(o*100)} cm`:`${je(o*1e3)} mm`}function je(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=Ne(o,3).split("e"),s=t===
+Wa:o==="K"?e<0?an:Wa:rn[$a.indexOf(o)]}var Ua=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),De=o=>`${No(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ga(o){
+return o>=.995?`${Oe(o)} m`:o>=.00995?`${Oe(o*100)} cm`:`${Oe(o*1e3)} mm`}function Oe(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=Ne(o,3).split("e"),s=t===
 void 0?"":`·10${oc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var oc=o=>[...String(o)].map(e=>e==="-"?"⁻":Zh[Number(e)]).join("");var Va=2e3,mn=o=>o===1/0?"inf":o;function Fs(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:Te(
-o),status:e,sequence:t,events:s,final:n,energy:i}}function pn(o,e,t,s){let{hoop:n,plane:i,start:a}=o,{height:r,vx:l,vy:h,omega:d}=Ze(a,n.radius),u={events:e.events,
+o),status:e,sequence:t,events:s,final:n,energy:i}}function pn(o,e,t,s){let{hoop:n,plane:i,start:a}=o,{height:r,vx:l,vy:h,omega:d}=Xe(a,n.radius),u={events:e.events,
 status:e.status,omega:t};return{...Fs(o,e),events:e.events.slice(0,Va),query:Zo(o),duration:e.duration,values:{"hoop.radius":n.radius,"hoop.mass":n.mass,"hoop.l\
 oad_fraction":n.load_fraction,"hoop.eccentricity":n.eccentricity,"hoop.inertia_ratio":n.inertia_ratio,"plane.mu":mn(i.mu),"plane.mu_static":mn(i.mu_static),"pla\
 ne.mu_kinetic":mn(i.mu_kinetic),"plane.rolling_resistance":i.rolling_resistance,"start.speed":a.speed,"start.height":r,"start.vx":l,"start.vy":h,"start.omega":d},
 automatic:nc(o,s),massless:n.inertia_ratio===0,summary:un(u),story:dn(u),ending:S.words.statuses[e.status],shortened:e.events.length>Va}}function nc(o,e){if(o.contact.
-model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(X(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.\
+model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.\
 restitution":o.plane.restitution}}var{rate:ic,variables:fn}=S.table,ac="mode",gn=(o,e)=>JSON.stringify(Fs(o,e),null,1);function wn(o){let e=Math.min(Math.max(Math.floor(o*ic)+1,2),S.limits.samples),
 t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function bn(o,e){let t=Object.keys(fn),s=t.map(l=>fn[l]==="1"?l:`${l} [${fn[l]}]`),{kinetic:n,
 potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let d=t.map(u=>u===ac?String(a[u][l]):
@@ -2571,31 +2571,31 @@ Le(a[u][l]));r.push([Le(h),...d].join(","))}return`${r.join(`\r
 `)}\r
 `}var{theory:O}=S.words;function vn({hoop:o,plane:e},t){let s=[],n=(r,l,h,d)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:d(l)})},
 i=()=>n("painleve",t.painleve_friction,"1",r=>lc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
-O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:Oe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:d,
+O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:De(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:d,
 any_speed:u}=O;n("first_slip",t.first_slip_speed,"m/s",m=>yn(m,r,d)),n("first_hop",t.first_hop_speed,"m/s",m=>yn(m,l,d)),n("immediate_hop",t.immediate_hop_speed,
 "m/s",m=>yn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>rc(r,e)),i();
-let a=t.jam_angles.map(Oe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
-O.rest_at,{where:Oe(r)})),s}function yn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:Ne(o,4)}):O.no_speed}function rc(o,{
+let a=t.jam_angles.map(De).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
+O.rest_at,{where:De(r)})),s}function yn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:Ne(o,4)}):O.no_speed}function rc(o,{
 mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:Ne(o,3)}):O.no_friction}function lc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:Ne(o,3),where:Oe(e)})}var cc=360,dc=240,uc=[0,2*Math.PI,-12,12],kn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},mc=["mot\
+null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:Ne(o,3),where:De(e)})}var cc=360,dc=240,uc=[0,2*Math.PI,-12,12],kn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},mc=["mot\
 ion.nc","motion.mp4","motion.gif"],It=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
 s!==null,this.files=[...Object.keys(kn),...n?mc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=Ns(t,this.mechanics);
-if(e==="film")return this.film(n,s);if(e==="code")return{header:{python:on(n),toml:Os(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(X(n),s);
-return{header:{thresholds:vn(n,i)},arrays:{}}}if(e==="regions"){let i=t.window??uc,a=X(n),r=await this.kernel.regions(a,i,cc,dc,s);return{header:{window:i},arrays:r}}
-if(e==="map")return this.map(n,t,s);throw new A(`call = '${e}' is not one that the page answers.`)}async film(e,t){let s=X(tt(e)),{motion:n,columns:i}=this.kernel.
-film?await this.kernel.film(s,t):{motion:await this.kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:pn(e,n,
-a,this.mechanics),arrays:i}}async turning(e,{events:t},s){let n=hn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>cn(t,r)),{omega:a}=await this.kernel.
-samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,y:s,what:n="sequence"},i){let a=tn(n),r=Qo(e,{x:t,y:s,what:n}),l=en(r,{x:t,y:s},this.mechanics);return sn(
-{x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){if(!(e in kn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run \
-hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:kn[e]})}async fileText(e,t){let s=Ns({query:t},this.mechanics);if(e==="motion.toml")return Os(s);
-let n=tt(s),i=X(n),a=await this.kernel.motion(i);if(e==="motion.json")return gn(n,a);let r=wn(a.duration);return bn(r,await this.kernel.samples(i,r))}link(e,t){
-return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function xn(o,e,t){let s=e&&new is(e);try{let n=await xt.load(o);return new It(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Ja(o){
+if(e==="film")return this.film(n,s);if(e==="samples"){let i=J(Ce(n));return{header:{window:t.window},arrays:await this.kernel.columns(i,s,t.window)}}if(e==="cod\
+e")return{header:{python:on(n),toml:Os(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:vn(n,i)},arrays:{}}}
+if(e==="regions"){let i=t.window??uc,a=J(n),r=await this.kernel.regions(a,i,cc,dc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
+`call = '${e}' is not one that the page answers.`)}async film(e,t){let s=J(Ce(e)),{motion:n,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.
+kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:pn(e,n,a,this.mechanics),arrays:i}}async turning(e,{events:t},s){
+let n=hn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>cn(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,
+y:s,what:n="sequence"},i){let a=tn(n),r=Qo(e,{x:t,y:s,what:n}),l=en(r,{x:t,y:s},this.mechanics);return sn({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){
+if(!(e in kn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:kn[e]})}async fileText(e,t){
+let s=Ns({query:t},this.mechanics);if(e==="motion.toml")return Os(s);let n=Ce(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return gn(n,a);let r=wn(
+a.duration);return bn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function xn(o,e,t){let s=e&&new is(e);try{let n=await xt.load(o);return new It(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Ja(o){
 navigator.serviceWorker?.register(o).catch(()=>{})}async function Ya(o){let e=new as(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new It(
 t,t.mechanics,{server:e})}catch{return e}}var pc=new URL("./",import.meta.url);async function fc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s,n;try{s=await xn(pc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Ja(t.getAttribute("content")??"");let i=new Ge(
+]"),s,n;try{s=await xn(pc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Ja(t.getAttribute("content")??"");let i=new Ve(
 o,s,n,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Hn(location.hash);try{await i.open([
 location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Fg(o,e,t,s){let n=await xn(
-e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Ge(o,n,i,{panels:s});return await a.open([t]),a}async function gc({model:o,el:e}){let t=document.
-createElement("div");e.append(t);let s=await Ya(o),n=new Ge(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
-n.motions.set([$e(o.get("film"))]),n.begin();let i=()=>n.motions.replace($e(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
+e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Ve(o,n,i,{panels:s});return await a.open([t]),a}async function gc({model:o,el:e}){let t=document.
+createElement("div");e.append(t);let s=await Ya(o),n=new Ve(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
+n.motions.set([Be(o.get("film"))]),n.begin();let i=()=>n.motions.replace(Be(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
 n.close()}}var Za=document.getElementById("hophoop-lab");Za&&fc(Za);var Wg={render:gc};export{Wg as default,Fg as mount};
