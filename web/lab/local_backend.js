@@ -98,7 +98,7 @@ export class LocalBackend {
   async map(checked, { x, y, what = "sequence" }, signal) {
     const span = model.spanOf(what);
     const base = model.checkMap(checked, { x, y, what });
-    const cells = model.cellsOf(base, { x, y }, this.mechanics);
+    const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
     return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, span, signal));
   }
 
