@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 7fd39bb8c0a11c028e2f9852d140be23 */
-var l={sources:"3139167f05f885e0d904e890c18e0282",module:"ea38310512919946",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 959b031913fd9ce586022e978cb49716 */
+var l={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
@@ -26,13 +26,13 @@ l.laws.indexOf(o.law),l.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.dam
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
 n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,D=6e3,[fe,R,F]=[0,1,2],P={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],utilization:["utilization"]};function A(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.ceil(n*W),B),D),a=l.events.length,r=new Set;for(let p=0;p<=
-i&&n>0;p++)r.add(p===i?n:p*(n/i));let c=new Set;for(let p=0;p<s;p++)c.add(Math.min(t[p*a+d.t],n));for(let p of c)r.add(p);let m=Float64Array.from(r).sort(),f=Float64Array.
-from(c).filter(p=>p>0).sort(),_=o.states(e,m,!1),g=o.states(e,f,!0);return V(m,_,f,g)}function V(o,e,t,s){let n=o.length+t.length,i=l.samples.length,a=new Float64Array(
-n),r=new Float64Array(n*i),c=0,m=0;for(let _=0;_<o.length;_++)m<t.length&&t[m]<=o[_]&&(a[c]=t[m],r.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=o[_],r.set(e.subarray(
-_*i,(_+1)*i),c*i),c++;let f={t:a};for(let[_,g]of Object.entries(P)){let p=new Float64Array(n);for(let v of g)for(let y=0;y<n;y++)p[y]+=r[y*i+O[v]];f[_]=p}return f.
-mode=C(r,n,f.omega),f}function C(o,e,t){let s=l.samples.length,n=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){
-i=Math.sign(t[a])||i;let r=o[a*s+O.mode],c=r===R?-1:r===F?1:0;n[a]=c===0?r:c*i<0?R:F}return n}function T(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=$(o.subarray(n*l.keys,(n+1)*l.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
+amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.ceil(n*
+W),B),D),a=l.events.length,r=new Set;for(let p=0;p<=i&&n>0;p++)r.add(p===i?n:p*(n/i));let c=new Set;for(let p=0;p<s;p++)c.add(Math.min(t[p*a+d.t],n));for(let p of c)
+r.add(p);let m=Float64Array.from(r).sort(),f=Float64Array.from(c).filter(p=>p>0).sort(),_=o.states(e,m,!1),g=o.states(e,f,!0);return V(m,_,f,g)}function V(o,e,t,s){
+let n=o.length+t.length,i=l.samples.length,a=new Float64Array(n),r=new Float64Array(n*i),c=0,m=0;for(let _=0;_<o.length;_++)m<t.length&&t[m]<=o[_]&&(a[c]=t[m],r.
+set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=o[_],r.set(e.subarray(_*i,(_+1)*i),c*i),c++;let f={t:a};for(let[_,g]of Object.entries(P)){let p=new Float64Array(
+n);for(let v of g)for(let y=0;y<n;y++)p[y]+=r[y*i+O[v]];f[_]=p}return f.mode=C(r,n,f.omega),f}function C(o,e,t){let s=l.samples.length,n=new Float64Array(e),i=0;
+for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(t[a])||i;let r=o[a*s+O.mode],c=r===R?-1:r===F?1:0;n[a]=c===0?r:c*i<0?R:F}return n}function T(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=$(o.subarray(n*l.keys,(n+1)*l.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[n]=a}return{values:s,sequences:[...t.keys()]}}function $(o){let e="";for(let t of o){let s=t;for(let n=0;n<l.letters_a_key&&
 s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===l.more?"+":l.letters[i-1])}}return e}var G=256,H=2048,K=4096,J=2e5,Q=l.statuses.indexOf("buffer"),X=new Set(["turn","apex","kane_gain","rest"]),j=o=>Number.isFinite(o)?o:null,x=class{constructor(e){
 this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new k(this.exports),this.mostEvents=G,this.mostSegments=H,this.mostRows=
