@@ -73,6 +73,16 @@ def test_films_are_those_of_python():
             np.testing.assert_allclose(found[sure], column[sure], rtol=1e-7, atol=1e-9, err_msg=f"{body} {name}")
 
 
+def test_a_part_of_a_film_is_finer():
+    bodies = [{"query": "duration=200", "window": window} for window in ([0, 3.5], [100.2, 101.9], [199.5, 250])]
+    for body, answer in zip(bodies, local("samples", bodies), strict=True):
+        header, arrays = of_python("samples", body)
+        assert answer["value"]["header"] == header
+        for name, column in arrays.items():
+            found = np.array([number(value) for value in answer["value"]["arrays"][name]])
+            np.testing.assert_allclose(found, column, rtol=1e-7, atol=1e-9, err_msg=f"{body} {name}")
+
+
 def test_a_compliant_film_is_that_of_python():
     body = {"changes": [["contact.model", "compliant"], ["contact.stiffness", 1e5]], "query": "duration=0.5"}
     (answer,) = local("film", [body])
