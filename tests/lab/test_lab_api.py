@@ -65,6 +65,8 @@ def test_an_empty_body_is_the_reference_case(client):
         ("/api/v1/theory", 3, 422, "the scenario = 3 must be a table of keys."),
         ("/lab/film", 3, 422, "The body must be a JSON object, not 3."),
         ("/lab/film", {"changes": 1}, 422, "changes = 1 must be a list"),
+        ("/lab/film", {"scenario": {"contact": {"model": "soft"}}}, 422, "scenario.contact.model = 'soft' must be 'rigid' or"),
+        ("/lab/film", {"changes": [["hoop.radius", -1], ["start.omega", 2]]}, 422, "hoop.radius = -1 must be greater than 0."),
         ("/lab/nothing", {}, 404, "There is no call 'nothing'."),
     ],
 )
@@ -229,6 +231,7 @@ class Here:
     """Computes in this process."""
 
     running = True
+    compiling = False
 
     def exchange(self, job):
         return worker.outcome(job)

@@ -183,7 +183,8 @@ def _values(problem: Problem, track: Track, scenario: Scenario) -> dict[str, flo
     known = {
         "gamma": hoop.load_fraction, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
         "mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic, "restitution": plane.restitution,
-        "slope": plane.slope, "rolling_resistance": plane.rolling_resistance, "x0": start.x, "angle0": start.angle, "speed": start.vx, "height0": start.height,
+        "slope": plane.slope, "rolling_resistance": plane.rolling_resistance,
+        "x0": start.x, "angle0": start.angle, "speed": start.vx, "height0": start.height,
         "vx0": start.vx, "vy0": start.vy, "omega0": start.omega,
     }  # fmt: skip
     return values | {name: float(value) for name, value in known.items() if name in values and value is not None}

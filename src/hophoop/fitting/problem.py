@@ -289,7 +289,8 @@ def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]
     measured = {channel.name for channel in problem.channels}
     values: dict[str, Any] = {
         "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,
-        "slope": float(track.slope) if np.isfinite(track.slope) else 0.0, "rolling_resistance": problem.plane.rolling_resistance,
+        "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
+        "rolling_resistance": problem.plane.rolling_resistance,
         "x0": 0.0, "angle0": 0.0, "speed": 1.0, "height0": 0.0, "vx0": 1.0, "vy0": 0.0, "omega0": 1.0 / problem.radius,
         "scale": 1.0, "tilt": 0.0, "origin_y": 0.0, "row_delay": 0.0, "marker_angle": 0.0, "marker_ratio": 1.0,
     }  # fmt: skip

@@ -11,6 +11,7 @@ import numpy as np
 
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.scenario.scenario import time_unit
+from hophoop.vocabulary.sentences import LAB
 
 
 class TooMuch(InputError):
@@ -118,19 +119,13 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
         If the motion is longer, stiffer or made of more parts than the limits allow.
     """
     if scenario.duration > limits.duration:
-        raise TooMuch(
-            f"duration = {scenario.duration:g} must be at most {limits.duration:g} s in the lab; "
-            "the library itself has no such limit."
-        )
+        raise TooMuch(LAB["too_long"].format(duration=scenario.duration, most=limits.duration))
     parts = len(scenario.hoop.parts or ())
     if parts > limits.parts:
-        raise TooMuch(f"hoop.parts has {parts} parts and must have at most {limits.parts} in the lab.")
+        raise TooMuch(LAB["too_many_parts"].format(parts=parts, most=limits.parts))
     turns = float(turns_of(scenario))
     if turns > limits.turns:
-        raise TooMuch(
-            f"duration = {scenario.duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at "
-            f"most {limits.turns:.0e} in the lab; the library itself has no such limit."
-        )
+        raise TooMuch(LAB["too_many_turns"].format(duration=scenario.duration, turns=turns, most=limits.turns))
     if isinstance(scenario.contact, Compliant):
         steps = _steps(scenario, scenario.contact)
         if steps > limits.steps:

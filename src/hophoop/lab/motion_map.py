@@ -17,6 +17,7 @@ from hophoop.maps.evaluate import CHUNK_CELLS
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.vocabulary.classes import class_color, class_text
+from hophoop.vocabulary.sentences import LAB
 
 # name, words, span; what a map in the lab can show
 MAP_QUANTITIES: dict[str, tuple[str, str]] = {
@@ -81,7 +82,7 @@ def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) 
     A cell with a value that no scenario may have is nan.
     """
     if isinstance(scenario.contact, Compliant):
-        raise InputError("contact.model = 'compliant' must be 'rigid' for a map.")
+        raise InputError(LAB["rigid_maps"])
     words, span = MAP_QUANTITIES[what]
     inside = {axis.path: _allowed(axis) for axis in (y, x)}
     base = within(scenario, limits)

@@ -67,7 +67,7 @@ class _Trials:
 
 
 def _cases(hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> Columns:
-    cases = Columns(hoop, plane, **numbers)
+    cases = Columns(hoop, plane, resisted=False, **numbers)
     cases.require(lambda kap: kap > 0.0, "kap", "hoop.inertia_ratio = {} must be above 0; see massless_loss.")
     cases.require(lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0 here (level, or downhill along +x).")
     return cases
@@ -179,7 +179,7 @@ def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     >>> round(hh.theory.immediate_hop_speed(hh.Hoop.ideal(0.75)), 9)
     3.616628264
     """
-    cases = Columns(hoop, plane)
+    cases = Columns(hoop, plane, True)  # there is no contact force in it
     speeds = cases.new()
     lift_off_speeds(cases.body, np.zeros_like(speeds), speeds)
     return cases.shaped(speeds * cases.speed)
