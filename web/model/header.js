@@ -45,6 +45,7 @@ export function headerOf(checked, motion, omega, mechanics) {
       "plane.mu": written(plane.mu),
       "plane.mu_static": written(plane.mu_static),
       "plane.mu_kinetic": written(plane.mu_kinetic),
+      "plane.rolling_resistance": plane.rolling_resistance,
       "start.speed": start.speed,
       "start.height": height,
       "start.vx": vx,

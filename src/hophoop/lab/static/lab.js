@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 6f75ad0a52c4137af32e0bed200bda94 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 959b031913fd9ce586022e978cb49716 */
 function ce(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Sn=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ce(o).join(",")}\
 ,${e})`,Xa=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ce(o).map(Xa);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ce(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -2561,9 +2561,10 @@ void 0?"":`·10${oc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var oc=o
 o),status:e,sequence:t,events:s,final:n,energy:i}}function pn(o,e,t,s){let{hoop:n,plane:i,start:a}=o,{height:r,vx:l,vy:h,omega:d}=Ze(a,n.radius),u={events:e.events,
 status:e.status,omega:t};return{...Fs(o,e),events:e.events.slice(0,Va),query:Zo(o),duration:e.duration,values:{"hoop.radius":n.radius,"hoop.mass":n.mass,"hoop.l\
 oad_fraction":n.load_fraction,"hoop.eccentricity":n.eccentricity,"hoop.inertia_ratio":n.inertia_ratio,"plane.mu":mn(i.mu),"plane.mu_static":mn(i.mu_static),"pla\
-ne.mu_kinetic":mn(i.mu_kinetic),"start.speed":a.speed,"start.height":r,"start.vx":l,"start.vy":h,"start.omega":d},automatic:nc(o,s),massless:n.inertia_ratio===0,
-summary:un(u),story:dn(u),ending:S.words.statuses[e.status],shortened:e.events.length>Va}}function nc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};
-let{stiffness:t,slip_speed:s}=e.compliance(X(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:ic,variables:fn}=S.table,ac="mode",gn=(o,e)=>JSON.stringify(Fs(o,e),null,1);function wn(o){let e=Math.min(Math.max(Math.floor(o*ic)+1,2),S.limits.samples),
+ne.mu_kinetic":mn(i.mu_kinetic),"plane.rolling_resistance":i.rolling_resistance,"start.speed":a.speed,"start.height":r,"start.vx":l,"start.vy":h,"start.omega":d},
+automatic:nc(o,s),massless:n.inertia_ratio===0,summary:un(u),story:dn(u),ending:S.words.statuses[e.status],shortened:e.events.length>Va}}function nc(o,e){if(o.contact.
+model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(X(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.\
+restitution":o.plane.restitution}}var{rate:ic,variables:fn}=S.table,ac="mode",gn=(o,e)=>JSON.stringify(Fs(o,e),null,1);function wn(o){let e=Math.min(Math.max(Math.floor(o*ic)+1,2),S.limits.samples),
 t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function bn(o,e){let t=Object.keys(fn),s=t.map(l=>fn[l]==="1"?l:`${l} [${fn[l]}]`),{kinetic:n,
 potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let d=t.map(u=>u===ac?String(a[u][l]):
 Le(a[u][l]));r.push([Le(h),...d].join(","))}return`${r.join(`\r
