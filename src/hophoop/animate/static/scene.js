@@ -1,4 +1,4 @@
-/* Built from web/scene/main.js by esbuild 0.28.2; sources 5c154041486e338312336eefbbce928c */
+/* Built from web/scene/main.js by esbuild 0.28.2; sources 9a4d4bb0b07a0c045e287e5cd1307514 */
 "use strict";(()=>{var k=r=>{if(Array.isArray(r))return r.map(k);if(r===null||typeof r!="object")return r;if(r.f32!==void 0){let e=Uint8Array.from(atob(r.f32),t=>t.charCodeAt(0));
 return new Float32Array(e.buffer)}return Object.fromEntries(Object.entries(r).map(([e,t])=>[e,k(t)]))};function z(r,e){let[t,s]=[Math.cos(e),Math.sin(e)],n=new Float32Array(
 r.length);for(let i=0;i<r.length;i+=2)n[i]=r[i]*t-r[i+1]*s,n[i+1]=r[i]*s+r[i+1]*t;return n}function H(r){let e=k(JSON.parse(r));for(let t of e.hoops){for(let s of[

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 5c154041486e338312336eefbbce928c */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 9a4d4bb0b07a0c045e287e5cd1307514 */
 var ms={};var gs={};var ws={};var ys={};var _e=new Map;function lt(o){try{return localStorage.getItem(o)??_e.get(o)??null}catch{return _e.get(o)??null}}function ct(o,t){_e.set(o,t);try{localStorage.setItem(
 o,t)}catch{}}var xt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},xs={de:ms,es:gs,fr:ws,zh:ys},Gi=new Set(["de","es","fr"]),ks="hophoop-language",Ki=4e3,
 Re=/\{(\w+)\}/g,pt="en",Ms=[],vt=new Map,Ie=new Set,zt=()=>pt;function Le(o){pt=o in xt?o:"en",vt=new Map,Ie.clear(),Ms=Object.keys(xs[pt]??{}).filter(t=>t.includes(
