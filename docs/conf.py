@@ -37,7 +37,9 @@ extensions = [
     "sphinx.ext.autosummary",
     "typeset",
     "accessible",
+    "matplotlib.sphinxext.plot_directive",
     "generated",
+    "slides",
     "gallery",
     "sphinx_gallery.gen_gallery",
     "numpydoc",
@@ -81,8 +83,13 @@ sphinx_gallery_conf = {
     "abort_on_example_error": True,
 }
 
+# Pictures of tutorials, drawn by the code above them.
+plot_html_show_formats = plot_html_show_source_link = False
+plot_formats = [("png", 110)]
+
 html_theme = "furo"
 html_title = f"hophoop {version}"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = [("print.js", {"defer": ""})]
 html_logo = html_favicon = "_static/logo.svg"

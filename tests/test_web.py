@@ -18,14 +18,16 @@ BUILT = {
     "service_worker.js": ROOT / "src/hophoop/lab/static/service_worker.js",
     "scene.js": ROOT / "src/hophoop/animate/static/scene.js",
 }
+# What Python writes for the page.
+WRITTEN = ("../src/hophoop/lab/static/tables.json", "../src/hophoop/module/layout.json")
 
 
 def stamp():
     """As web/build.mjs computes it."""
-    folders = ("kernel", "lab", "scene", "site", "space", "words")
+    folders = ("kernel", "lab", "model", "scene", "site", "space", "words")
     sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js*")]
     digest = hashlib.sha256()
-    for name in ["build.mjs", "../src/hophoop/module/layout.json", *sorted(sources)]:
+    for name in ["build.mjs", *WRITTEN, *sorted(sources)]:
         digest.update(f"{name}\n".encode())
         digest.update((WEB / name).read_bytes())
     return digest.hexdigest()[:32]

@@ -8,8 +8,9 @@ import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const SOURCES = ["kernel", "lab", "scene", "site", "space", "words"];
-const LAYOUT = "../src/hophoop/module/layout.json"; // of the WebAssembly module, which the bundles are for
+const SOURCES = ["kernel", "lab", "model", "scene", "site", "space", "words"];
+// What Python writes for the page: the layout of the WebAssembly module, and the tables of models, sentences and presets.
+const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/module/layout.json"];
 const TARGETS = [
   { entry: "lab/main.js", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
   { entry: "kernel/worker.js", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
@@ -23,7 +24,7 @@ const TARGETS = [
 function stamp() {
   const names = SOURCES.flatMap((folder) => readdirSync(join(here, folder)).map((name) => `${folder}/${name}`));
   const hash = createHash("sha256");
-  for (const name of ["build.mjs", LAYOUT, ...names.filter((name) => /\.js(on)?$/.test(name)).sort()]) {
+  for (const name of ["build.mjs", ...WRITTEN, ...names.filter((name) => /\.js(on)?$/.test(name)).sort()]) {
     hash.update(`${name}\n`).update(readFileSync(join(here, name)));
   }
   return hash.digest("hex").slice(0, 32);

@@ -155,6 +155,7 @@ interface Backend {
   call(name: string, body: object, signal?: AbortSignal): Promise<Reply>;
   file(name: string, query: string): Promise<Blob>;
   link(query: string, hash: string): string | null;
+  files?: string[]; // which files it makes; all where it does not say
 }
 
 // What is drawn of the hoop.
@@ -214,7 +215,7 @@ interface MapLayer {
 interface Curve {
   name: string;
   color?: string;
-  dash?: "solid" | "dash" | "dot";
+  dash?: "solid" | "dash" | "dot" | "long" | "mixed";
   values: Column;
 }
 
@@ -309,6 +310,8 @@ interface SceneHoop {
   normalForce: Float32Array;
   frictionForce: Float32Array;
   traces: SceneTraces | null;
+  tag: string;
+  marks: [number, number, string, string][]; // when, how far along the plane, which kind, in a word
 }
 
 interface SceneTraces {
@@ -327,11 +330,13 @@ interface SceneData {
   height: number;
   grid: number;
   topSpeed: number;
-  newton: number;
+  newton: Float32Array | null; // length of a newton's arrow at each frame
+  flies: boolean;
   map: number[][];
   theme: { background: string; ground: string; ink: string; muted: string; load: string; dark: boolean };
   colors: { center: string; airborne: string; normal: string; friction: string };
   flight: number;
+  rate: Float32Array;
   modes: [string, string][];
   hoops: SceneHoop[];
 }
@@ -368,10 +373,10 @@ interface Given {
   ideal: boolean; // given by its load fraction: κ = 1 − ε²
   gravity: number;
   slope: number;
+  rolling_resistance: number;
   mu_static: number; // may be Infinity, as μk
   mu_kinetic: number;
   restitution: number;
-  rolling_resistance: number;
   impact_law: "stronge" | "newton" | "poisson";
   painleve: "flight" | "impact";
   x: number;
@@ -396,8 +401,10 @@ interface Mechanics {
     radius: number,
     parts: WholePart[],
   ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
-  /** A compliant contact beside its hoop, with the defaults filled in. */
-  compliance(given: Given): Compliance;
+  /** Python's `most_resistance`; missing where the kernel knows none. */
+  resistance?(eccentricity: number, inertia_ratio: number): number;
+  /** A compliant contact beside its hoop, with the defaults filled in; missing where the kernel knows rigid contact only. */
+  compliance?(given: Given): Compliance;
 }
 
 interface Compliance {
@@ -452,6 +459,8 @@ interface MapValues {
 
 // The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
 interface Kernel {
+  /** A motion and its columns at once. */
+  film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
   columns(given: Given, signal?: AbortSignal): MaybeLater<Record<string, Column>>;
@@ -478,4 +487,52 @@ interface Computed {
   count: number;
   duration: number; // [s]
   segments: number;
+}
+
+// --- A scenario that has been checked: web/model ---------------------------------------------------------------------
+
+interface CheckedHoop {
+  radius: number;
+  mass: number;
+  load_fraction: number | null; // how it was given: by this, by parts, or by the two numbers that follow from them
+  eccentricity: number;
+  inertia_ratio: number;
+  parts: WholePart[] | null;
+}
+
+interface CheckedPlane {
+  gravity: number;
+  slope: number;
+  rolling_resistance: number;
+  mu: number | null; // where both are one
+  mu_static: number;
+  mu_kinetic: number;
+  apart: boolean; // given as two
+  restitution: number;
+  impact_law: "stronge" | "newton" | "poisson";
+  painleve: "flight" | "impact";
+}
+
+interface CheckedStart {
+  x: number;
+  height: number;
+  angle: number;
+  speed: number | null; // of a rolling start
+  vx: number;
+  vy: number;
+  omega: number | null;
+}
+
+interface CheckedContact {
+  model: "rigid" | "compliant";
+  max_events: number;
+  [key: string]: any;
+}
+
+interface Checked {
+  duration: number;
+  hoop: CheckedHoop;
+  plane: CheckedPlane;
+  start: CheckedStart;
+  contact: CheckedContact;
 }

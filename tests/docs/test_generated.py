@@ -1,5 +1,7 @@
 """What pages make from the code: nothing of it is left out, and numbers are said as they are."""
 
+import dataclasses
+import inspect
 import math
 import re
 import sys
@@ -7,8 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from hophoop.results import EventErrors, EventRecord, Ledger, Sample, Velocity
 from hophoop.scenario import paths
 from hophoop.scenario.ranges import RANGES, Range
+from hophoop.vocabulary import words
 from page_tools import options
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "docs" / "_ext"))
@@ -39,15 +43,15 @@ def test_the_scenario_file_has_every_key_with_what_it_may_be():
 
 
 @pytest.mark.parametrize(
-    ("allowed", "words"),
+    ("allowed", "said"),
     [
         (Range(1e-6, 1e6, (0.0,)), "0 or 10⁻⁶ to 10⁶"),
         (Range(0.0, 2.5e-7, (math.inf,)), '0 to 2.5·10⁻⁷ or `"inf"`'),
         (Range(-1e9, 1.57), "−10⁹ to 1.57"),
     ],
 )
-def test_a_range_in_words(allowed, words):
-    assert generated.spoken(allowed) == words
+def test_a_range_in_words(allowed, said):
+    assert generated.spoken(allowed) == said
 
 
 def test_ranges_are_those_that_are_checked():
@@ -61,3 +65,19 @@ def test_a_mark_that_nobody_makes_is_an_error():
     generated.put_in(None, "page", page)
     assert "`hop_height`" in page[0]
     assert "% generated" not in page[0]
+
+
+def test_the_reference_has_every_kind_of_event_and_every_status():
+    text = (Path(__file__).parents[2] / "docs" / "api.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \|", text, re.MULTILINE)
+    assert rows == [*words.EVENTS, *words.STATUSES]
+
+
+@pytest.mark.parametrize("record", [EventRecord, Velocity, Sample, Ledger, EventErrors])
+def test_every_field_of_a_result_has_a_line_with_its_unit(record):
+    lines = inspect.getdoc(record).splitlines()
+    for field in dataclasses.fields(record):
+        place = [k for k, line in enumerate(lines) if line.startswith(f"{field.name} : ")]
+        assert len(place) == 1, field.name
+        if re.search(r"float|ndarray, shape", lines[place[0]]):
+            assert re.search(r"\[[^]]+\]", lines[place[0] + 1]), field.name

@@ -10,10 +10,10 @@ import pytest
 from page_tools import faults, toctree_pages
 
 DOCS = Path(__file__).parents[2] / "docs"
-# they make films, or compile more kernels
-LONG = {"article.md", "films.md", "derivatives.md", "compliant.md", "proofs.md", "maps.md"}
+# They make films, or compile more kernels.
+LONG = [DOCS / f"{name}.md" for name in ("article", "films", "derivatives", "compliant", "proofs", "maps")]
 PAGES = [
-    pytest.param(page, id=page.relative_to(DOCS.parent).as_posix(), marks=[pytest.mark.slow] if page.name in LONG else [])
+    pytest.param(page, id=page.relative_to(DOCS.parent).as_posix(), marks=[pytest.mark.slow] if page in LONG else [])
     for page in [DOCS.parent / "README.md", DOCS.parent / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]
     if page.parent.name not in ("tables", "generated") and "gallery" not in page.parts
 ]

@@ -74,18 +74,6 @@ def test_the_truth_is_found_within_its_uncertainties(found):
     assert found.scenario.plane.mu_static == pytest.approx(0.55, abs=0.04)
 
 
-@pytest.mark.slow
-def test_pulls_over_two_hundred_films(hop):
-    fits = [hh.fit(filmed(hop, seed=seed)) for seed in range(200)]
-    assert sum(one.reduced < 1.2 for one in fits) >= 198
-    for name, value in TRUTH.items():
-        pulls = np.array([(one.values[name] - value) / one.error(name) for one in fits if name in one.free])
-        assert len(pulls) >= 195, name
-        # the mean of 200 has a standard error of 0.07, their spread one of 0.05
-        assert abs(np.mean(pulls)) < 0.25, name
-        assert 0.85 < np.std(pulls) < 1.15, name
-
-
 def test_the_centre_alone_tells_as_well(hop):
     fit = hh.fit(filmed(hop, angle=False))
     assert fit.good
@@ -256,13 +244,35 @@ def test_a_hoop_that_never_slips_gives_a_lower_limit(hop):
     theta = np.linspace(0.0, motion.at(motion.duration).angle, 4000)
     forces = hh.theory.rolling_forces(theta, motion.scenario.hoop, 1.0)
     expected = np.max(np.abs(forces.friction / forces.normal))
-    assert least == pytest.approx(expected, rel=0.02)
-    assert least < 0.9
+    # a slip that is too short is not seen
+    assert 0.85 * expected < least < 1.001 * expected
     assert fit.free == ("gamma", "x0", "angle0", "speed")
     assert any("never slips: static friction is at least" in note for note in fit.sentences())
     assert any("no impact" in note for note in fit.sentences())
     assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not seen"
-    assert least_static_friction(motion) == pytest.approx(least, rel=0.02)
+    assert least_static_friction(motion) == pytest.approx(expected, rel=1e-4)
+    assert least_static_friction(fit.motion) == pytest.approx(expected, rel=0.02)
+
+
+def test_the_least_friction_is_where_the_sum_of_squares_has_risen(hop):
+    """By 2.71 when friction is held there, and not when it is held a little higher."""
+    motion = hopping(plane=hh.Plane(mu=0.9, restitution=0.2), start=hh.Start.rolling(1.0), duration=0.9)
+    track = filmed(motion)
+    known = {"mu_excess": 0.0, "restitution": 0.0}
+    fit = hh.fit(track, fixed=known, soft=False)
+    least = fit.limits["mu_static"][1]
+    rise = [hh.fit(track, fixed={**known, "mu_kinetic": least * part}, soft=False).chi_square for part in (0.99, 1.01)]
+    assert rise[0] - fit.chi_square > 2.6
+    assert rise[1] - fit.chi_square < 2.8
+
+
+def test_slip_must_be_seen_to_be_believed():
+    """Noise is explained a little better by a short slip than by none, which does not make it one."""
+    for seed in range(4):
+        motion = hopping(plane=hh.Plane(mu=0.9), start=hh.Start.rolling(1.2, angle=0.1), duration=0.9)
+        fit = hh.fit(filmed(motion, seed=seed, rate=44.0, sigma=2e-3, sigma_angle=2e-3))
+        assert fit.limits["mu_static"][0] == "≥"
+        assert "mu_kinetic" not in fit.free
 
 
 def test_at_an_end_of_its_range_a_parameter_has_a_limit():

@@ -31,6 +31,7 @@ def given_of(scenario: hh.Scenario) -> dict[str, Any]:
     return {
         "radius": hoop.radius, "mass": hoop.mass, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
         "ideal": hoop.load_fraction is not None, "gravity": plane.gravity, "slope": plane.slope,
+        "rolling_resistance": plane.rolling_resistance,
         "mu_static": plane.mu_static if math.isfinite(plane.mu_static) else "inf",
         "mu_kinetic": plane.mu_kinetic if math.isfinite(plane.mu_kinetic) else "inf",
         "restitution": plane.restitution, "impact_law": plane.impact_law, "painleve": plane.painleve,
@@ -64,7 +65,13 @@ def compliant() -> list[hh.Scenario]:
 
 
 def scenarios() -> list[hh.Scenario]:
-    return [hh.Scenario(), hh.Scenario().replace("plane.restitution", 0.9), hh.Scenario(duration=600.0), *drawn(60, 900)]
+    return [
+        hh.Scenario(),
+        hh.Scenario().replace("plane.restitution", 0.9),
+        hh.Scenario(duration=600.0),
+        hh.Scenario().replace("plane.rolling_resistance", 0.02),
+        *drawn(60, 900),
+    ]
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,15 @@ import { HoopModule } from "./module.js";
 const LIMIT = 10_000; // milliseconds
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
+/**
+ * @param {string} script
+ * @returns {() => Worker}
+ */
+function ofText(script) {
+  const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  return () => new Worker(address, { type: "module" });
+}
+
 /** @implements {Kernel} */
 export class WorkerKernel {
   /**
@@ -33,7 +42,22 @@ export class WorkerKernel {
       ? WebAssembly.compileStreaming(response)
       : WebAssembly.compile(await response.arrayBuffer()));
     const script = new URL(`kernel.js?${layout.module}`, base);
-    return new WorkerKernel(compiled, () => new Worker(script, { type: "module" }));
+    if (script.origin === globalThis.location?.origin) {
+      return new WorkerKernel(compiled, () => new Worker(script, { type: "module" }));
+    }
+    // a page elsewhere embeds this one: a worker's script must be its own
+    return new WorkerKernel(compiled, ofText(await (await fetch(script)).text()));
+  }
+
+  /**
+   * From what travels with a notebook.
+   * @param {ArrayBufferView<ArrayBuffer>} packed the module, compressed by gzip
+   * @param {string} script of the worker
+   */
+  static async unpack(packed, script) {
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    const compiled = await WebAssembly.compile(await new Response(stream).arrayBuffer());
+    return new WorkerKernel(compiled, ofText(script));
   }
 
   /**

@@ -305,15 +305,8 @@ function rowOf(part) {
 
 // --- a motion as it is told -----------------------------------------------------------------------
 
-const ENERGIES = [
-  "kinetic",
-  "potential",
-  "friction",
-  "impact_normal",
-  "impact_tangential",
-  "rolling_resistance",
-  "residual",
-];
+const LOSSES = ["friction", "impact_normal", "impact_tangential", "rolling_resistance"];
+const ENERGIES = ["kinetic", "potential", ...LOSSES, "residual"];
 const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
 
 /**

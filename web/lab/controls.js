@@ -4,6 +4,7 @@ import { h } from "./dom.js";
 import { Entry } from "./entry.js";
 import { clamp, show, withUnit } from "./numbers.js";
 import { Parts, partsLike } from "./parts.js";
+import { t } from "./words.js";
 
 const DEGREE = Math.PI / 180;
 
@@ -110,7 +111,7 @@ class Slider {
     }
     const shown = found === "inf" ? Infinity : Number(found) / (this.info.degrees ? DEGREE : 1);
     this.entry.show(!own ? "" : Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "∞");
-    this.entry.input.placeholder = own ? "" : `auto ${show(shown, 2)}`;
+    this.entry.input.placeholder = own ? "" : t("auto {value}", { value: show(shown, 2) });
     this.entry.input.title = own ? withUnit(String(shown), this.info.unit) : "";
     const place = clamp(this.info.logarithmic ? Math.log10(shown) : shown, this.low(), this.high());
     if (Math.abs(Number(this.range.value) - place) > 1e-6) this.range.value = String(place);

@@ -1,10 +1,9 @@
 // Elements of the page. Words go through `t` on their way there, see words.js.
 
+import { luminance } from "./colors.js";
 import { name as called, spokenText } from "./words.js";
 
 const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
-
-import { luminance } from "./colors.js";
 
 /**
  * An element with attributes, listeners (`onclick`) and children; what is null or false is left out.

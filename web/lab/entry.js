@@ -1,7 +1,8 @@
 // A field for a number: what may be typed, and what is said where it is none or not allowed.
 
-import { h } from "./dom.js";
+import { h, say } from "./dom.js";
 import { show, withUnit } from "./numbers.js";
+import { local } from "./words.js";
 
 /**
  * A number as people type it: a decimal comma or point, a real minus sign, powers of ten, ∞. NaN where it is none.
@@ -102,7 +103,7 @@ export class Entry {
   refuse(sentence) {
     this.input.setAttribute("aria-invalid", "true");
     this.input.setAttribute("aria-describedby", this.error.id);
-    this.error.textContent = sentence;
+    say(this.error, sentence);
     this.error.hidden = false;
   }
 
@@ -120,7 +121,7 @@ export class Entry {
 
   /** @param {string} text what is so now; what a hand is typing stays */
   show(text) {
-    this.shown = text;
+    this.shown = local(text);
     if (!this.typing) this.restore();
   }
 }

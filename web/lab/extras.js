@@ -10,9 +10,12 @@ import { Sound } from "./sound.js";
 import { Table } from "./table.js";
 import { teachDialog } from "./teach.js";
 import { Visit } from "./visit.js";
-import { current, keep, LANGUAGES, repeat, speak } from "./words.js";
+import { current, keep, LANGUAGES, repeat, speak, t, untranslated } from "./words.js";
 
 export class Extras {
+  // what the page says, for tests and for those who look in from outside
+  words = { t, untranslated };
+
   /** @param {import("./lab.js").Lab} lab */
   constructor(lab) {
     this.lab = lab;
@@ -91,7 +94,7 @@ export class Extras {
       );
     const menu = h(
       "details",
-      { class: "menu learn" },
+      { class: "learn" },
       h("summary", { class: "button" }, "Learn"),
       h(
         "div",
@@ -129,7 +132,9 @@ export class Extras {
           this.lab.show();
         },
       },
-      Object.entries(LANGUAGES).map(([code, name]) => h("option", { value: code, lang: code }, name)),
+      Object.entries(LANGUAGES).map(([code, name]) =>
+        h("option", { value: code, lang: code }, document.createTextNode(name)),
+      ),
     );
     select.value = current();
     return select;

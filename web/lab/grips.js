@@ -42,6 +42,13 @@ export class Grips {
       this.tip,
     );
     lab.stage.element.before(this.element);
+    const { flat, plane } = lab.stage;
+    // fingers and wheel belong to the picture below, which zooms; what is taken of it is decided here
+    flat.grab = (event) => this.take(event);
+    plane.addEventListener("pointermove", (event) => this.hover(event));
+    plane.addEventListener("pointerleave", () => this.hover(null));
+    const still = (/** @type {TouchEvent} */ event) => this.pull && event.cancelable && event.preventDefault();
+    plane.addEventListener("touchmove", still, { passive: false });
     this.settle = once(() => this.chosen(false), REST);
   }
 
@@ -58,7 +65,6 @@ export class Grips {
       "aria-label": label,
       "aria-valuenow": "0",
       title,
-      onpointerdown: (/** @type {PointerEvent} */ event) => this.take(grip, event),
       onkeydown: (/** @type {KeyboardEvent} */ event) => this.key(grip, event),
       onblur: () => this.held && this.chosen(false),
     });
@@ -129,54 +135,101 @@ export class Grips {
   }
 
   /**
-   * @param {Grip} grip
-   * @param {PointerEvent} event
+   * Which part of the hoop is under the pointer.
+   * @param {Point} event
+   * @returns {Grip | null}
    */
-  take(grip, event) {
-    if (event.button > 0 || this.pull) return;
-    event.preventDefault();
+  under(event) {
+    if (this.element.hidden) return null;
+    /** @type {Grip | null} */
+    let found = null;
+    // the last of those that lie over each other is on top
+    for (const [grip, place] of this.places) {
+      const { left, top, width } = place.getBoundingClientRect();
+      const away = Math.hypot(event.clientX - left - width / 2, event.clientY - top - width / 2);
+      if (!place.hidden && away <= width / 2) found = grip;
+    }
+    return found;
+  }
+
+  /** @param {PointerEvent | null} event */
+  hover(event) {
+    if (this.pull) return;
+    const grip = event && event.pointerType !== "touch" ? this.under(event) : null;
+    for (const [name, place] of this.places) place.classList.toggle("near", name === grip);
+    this.lab.stage.plane.style.cursor = grip ? "grab" : "";
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @returns {boolean} whether the hoop is taken, not the picture
+   */
+  take(event) {
+    const grip = this.under(event);
+    if (!grip || event.button > 0 || this.pull) return false;
     const { lab } = this;
+    const { flat, plane } = lab.stage;
     const place = /** @type {HTMLElement} */ (this.places.get(grip));
-    place.focus({ preventScroll: true });
-    this.hold();
     const view = this.view();
-    const box = lab.stage.element.getBoundingClientRect();
+    const box = plane.getBoundingClientRect();
     /** @type {(other: PointerEvent) => Point} */
     const inside = (other) => ({ clientX: other.clientX - box.left, clientY: other.clientY - box.top - view.top });
     const pull = new Pull(grip, lab.film(), lab.clock.time, view, inside(event));
-    let moved = false;
-    const shift = [...lab.stage.flat.shift];
+    const shift = [...flat.shift];
+    let [moved, left] = [false, false];
     this.pull = pull;
-    lab.stage.flat.fixed = view.scale;
     place.classList.add("held");
+    const leave = () => {
+      left = true;
+      watching.abort();
+      place.classList.remove("held");
+      flat.fixed = null;
+      this.pull = null;
+      if (moved) this.comeBack(shift);
+    };
+    const watching = new AbortController();
+    const press = (/** @type {KeyboardEvent} */ key) => {
+      if (key.key !== "Escape") return;
+      key.stopPropagation();
+      leave();
+      if (moved) this.back();
+    };
+    addEventListener("keydown", press, { capture: true, signal: watching.signal });
     follow(
-      place,
+      plane,
       event,
       (other) => {
+        if (left) return;
+        if (flat.pinched()) {
+          // a second finger zooms instead
+          leave();
+          if (moved) this.back();
+          return;
+        }
         if (!moved && Math.hypot(other.clientX - event.clientX, other.clientY - event.clientY) < 3) return;
-        if (!moved) this.begin();
+        if (!moved) {
+          flat.fixed = view.scale;
+          this.hold();
+          this.begin();
+        }
         moved = true;
         pull.move(inside(other), other.timeStamp);
-        lab.stage.flat.shift = [shift[0] + pull.moved, shift[1]];
+        flat.shift = [shift[0] + pull.moved, shift[1]];
         this.change(grip, pull.held, false);
         this.show(grip, pull.held);
       },
       (last, lifted) => {
-        place.classList.remove("held");
-        this.pull = null;
-        lab.stage.flat.fixed = null;
-        if (!moved) {
-          this.before = null;
-          return;
-        }
+        if (left) return;
+        leave();
+        if (!moved) return;
         if (!lifted) this.back();
         else {
           this.change(grip, pull.release(last.timeStamp), true);
           this.end(true);
         }
-        this.comeBack(shift);
       },
     );
+    return true;
   }
 
   /**
@@ -186,7 +239,7 @@ export class Grips {
   key(grip, event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { lab } = this;
-    if (event.key === "Escape" && (this.held || this.pull)) this.back();
+    if (event.key === "Escape" && this.held) this.back();
     else if (event.key === "Enter") this.chosen(true);
     else {
       this.held ??= taken(lab.film(), lab.clock.time);

@@ -1,7 +1,7 @@
 // The keyboard of the player.
 
 import { h } from "./dom.js";
-import { store, stored } from "./theme.js";
+import { recall, remember } from "./memory.js";
 
 const KEPT = "hophoop-single-keys";
 
@@ -64,13 +64,13 @@ function leave(lab) {
 export class SingleKeys {
   /** @param {boolean} hosted whether the choice may be kept */
   constructor(hosted) {
-    this.on = !hosted || stored(KEPT) !== "off";
+    this.on = !hosted || recall(KEPT) !== "off";
     const box = h("input", {
       type: "checkbox",
       checked: this.on,
       onchange: () => {
         this.on = box.checked;
-        if (hosted) store(KEPT, this.on ? "on" : "off");
+        if (hosted) remember(KEPT, this.on ? "on" : "off");
       },
     });
     this.element = h("label", { class: "check" }, box, "Single keys (letters, digits, signs) do what the table says");

@@ -3,7 +3,7 @@
 import { Address, written } from "./address.js";
 import { Clock } from "./clock.js";
 import { Controls } from "./controls.js";
-import { h, once } from "./dom.js";
+import { h, once, say } from "./dom.js";
 import { Extras } from "./extras.js";
 import { Header } from "./header.js";
 import { helpDialog } from "./help.js";
@@ -48,6 +48,7 @@ export class Lab {
     this.clock = new Clock();
     this.motions = new Motions(backend, {
       shown: (since) => this.changed(since),
+      refined: () => this.request(),
       settled: () => this.story.announce(this.films()),
       noted: (step) => this.noted(step),
       travelled: async (way) => this.address?.travel(way),
@@ -263,7 +264,7 @@ export class Lab {
     const { query } = this.film();
     const preset = this.known.find((one) => one.query === query);
     this.header.presets.value = preset?.key ?? "";
-    this.hoops.text.textContent = preset?.text ?? "";
+    say(this.hoops.text, preset?.text ?? "");
   }
 
   /** @param {Preset} preset */
@@ -355,6 +356,7 @@ export class Lab {
     this.requested = false;
     if (!this.motions.lanes.length) return;
     this.clock.tick(now);
+    this.motions.refine(this.clock.time, this.clock.playing ? 2 * this.clock.speed : 0);
     this.drawStage();
     this.drawTime();
     this.extras.frame();

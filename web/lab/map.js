@@ -1,12 +1,13 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
 import { patiently } from "./backend.js";
-import { fitted, focused, h, once } from "./dom.js";
+import { fitted, focused, h, once, say } from "./dom.js";
 import { AXES, cross, MapAxes } from "./map_axes.js";
 import { takeHands } from "./map_hands.js";
 import { otherStart } from "./map_words.js";
 import { zoomHint } from "./zoom.js";
 import { layerOf, legendOf, stacked, textAt } from "./map_layers.js";
+import { t } from "./words.js";
 
 const LEVELS = [
   [24, 16],
@@ -215,13 +216,13 @@ export class MotionMap {
     this.redraw();
     try {
       for (const [x, y] of LEVELS) {
-        this.state.textContent = `computing ${x * y} motions …`;
+        say(this.state, `computing ${x * y} motions …`);
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
         const reply = await patiently(
           () => this.backend.call("map", body, signal),
           (said) => {
-            this.state.textContent = said;
+            say(this.state, said);
           },
           signal,
         );
@@ -229,14 +230,15 @@ export class MotionMap {
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
         const other = otherStart(base, Object.values(this.axes.paths));
-        this.state.textContent = `${x * y} motions${changes.length ? ", with rigid contact" : ""}${other && `; ${other}`}`;
+        const done = t(changes.length ? "{count} motions, with rigid contact" : "{count} motions", { count: x * y });
+        say(this.state, other ? `${done}; ${t(other)}` : done);
         this.redraw();
       }
       this.level = LEVELS.length;
     } catch (error) {
       const { name, message } = /** @type {Error} */ (error);
       if (name === "AbortError") return;
-      this.state.textContent = message;
+      say(this.state, message);
     }
     this.computing = false;
   }

@@ -1,6 +1,7 @@
 // The two axes of a map: which parameters, from where to where, and where that is on the canvas.
 
 import { niceStep, show, tickText, ticks, withUnit, clamp } from "./numbers.js";
+import { t } from "./words.js";
 
 const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
 const RIGHT = 12;
@@ -197,7 +198,7 @@ export class MapAxes {
       const [low, high] = this.windows[name];
       const size = Math.max(Math.abs(low), Math.abs(high));
       const digits = clamp(Math.ceil(Math.log10(size / (high - low))) + 4, 4, 16);
-      return `${info.label} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
+      return `${t(info.label)} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
     };
     return `${part("x")}, ${part("y")}`;
   }
@@ -237,7 +238,7 @@ export class MapAxes {
         }
       }
       const offset = deep ? ` − ${String(origin).replace("-", "−")}` : "";
-      const label = `${info.label}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
+      const label = `${t(info.label)}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
       context.save();
       context.textAlign = "center";
       if (name === "x") context.translate(this.left + 0.5 * this.box.width, height - 5);

@@ -1,6 +1,6 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
-import { h } from "./dom.js";
+import { h, say } from "./dom.js";
 
 const TOAST_TIME = 6000; // milliseconds
 
@@ -13,7 +13,7 @@ export class Notice {
 
   /** @param {Error} error */
   fail(error) {
-    this.message.textContent = error.message;
+    say(this.message, error.message);
     this.message.hidden = false;
     if (!this.seen()) this.say(error.message, this.message.isConnected);
   }
@@ -34,7 +34,7 @@ export class Notice {
    */
   say(text, heard = false) {
     this.toast.setAttribute("role", heard ? "presentation" : "status");
-    this.toast.textContent = text;
+    say(this.toast, text);
     this.toast.hidden = false;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {

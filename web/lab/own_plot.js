@@ -7,7 +7,7 @@ import { t } from "./words.js";
 
 /**
  * Options of a list of quantities.
- * @param {(quantity: import("./quantities.js").Quantity) => string} words
+ * @param {(quantity: import("./quantities.js").Quantity) => string | string[]} words
  */
 export const optionsOf = (words) =>
   Object.entries(QUANTITIES).map(([key, quantity]) => h("option", { value: key }, words(quantity)));

@@ -1,6 +1,6 @@
 // Which diagrams there are: velocities, energies and losses, forces, friction utilization.
 
-import { h } from "./dom.js";
+import { h, say } from "./dom.js";
 import { optionsOf, ownPlot } from "./own_plot.js";
 import { Plot } from "./plot.js";
 import { zoomHint } from "./zoom.js";
@@ -145,8 +145,11 @@ export class Plots {
     const hands = matchMedia("(hover: none)").matches
       ? "slide to go there, two fingers zoom"
       : `click to go there, drag to zoom; ${zoomHint("")}`;
-    this.hint.textContent =
-      films.length > 1 ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands;
+    const two = films.length > 1;
+    say(
+      this.hint,
+      two ? `A violet, B green; the dashes tell the quantities; numbers of ${"AB"[active]}; ${hands}` : hands,
+    );
     this.redraw();
   }
 

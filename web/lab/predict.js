@@ -3,7 +3,6 @@
 import { fitted, h } from "./dom.js";
 import { clamp } from "./numbers.js";
 import { follow } from "./pointer.js";
-import { t } from "./words.js";
 
 /**
  * A guess: what stands on the page, whether it has been made, and how good it was (from 0 to 100).
@@ -215,7 +214,7 @@ export function sketch({ label, unit, most }, onguess) {
       class: "sketch-point",
       role: "slider",
       tabindex: "0",
-      "aria-label": t("{what} with the load at {angle}", { what: t(label), angle: `${45 * i}°` }),
+      "aria-label": `${label} with the load at ${45 * i}°`,
       "aria-orientation": "vertical",
       "aria-valuemin": "0",
       "aria-valuemax": String(most),

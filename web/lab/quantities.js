@@ -78,4 +78,4 @@ export const QUANTITIES = {
 };
 
 /** @param {Quantity} quantity */
-export const withSymbol = ({ name, symbol }) => `${name} ${symbol}`;
+export const withSymbol = ({ name, symbol }) => [name, " ", symbol];

@@ -5,6 +5,7 @@ import { h } from "./dom.js";
 import { degrees, length, show, withUnit } from "./numbers.js";
 import { Stage2D } from "./stage2d.js";
 import { Stage3D } from "./stage3d.js";
+import { t } from "./words.js";
 
 const OUTPUTS = ["hoop", "mode", "time", "angle", "v", "R θ̇", "gap"];
 
@@ -92,7 +93,7 @@ export class Stage {
     const pose = film.at(time);
     const values = [
       films.length > 1 ? "AB"[active] : "",
-      this.colors.mode_names[pose.mode],
+      t(this.colors.mode_names[pose.mode]),
       `${pose.t.toFixed(3)} s`,
       degrees(pose.angle),
       withUnit(show(pose.vx, 3), "m/s"),
@@ -110,7 +111,8 @@ export class Stage {
 
   /** @param {Film[]} films */
   describe(films) {
-    this.element.setAttribute("aria-label", `The hoop. ${films.map((film) => film.summary).join(" ")}`);
+    const said = films.map((film) => film.summary).join(" ");
+    this.element.setAttribute("aria-label", `${t("The hoop.")} ${said}`);
   }
 
   /**

@@ -3,7 +3,7 @@
 import { h, saveBlob, say } from "./dom.js";
 import { show } from "./numbers.js";
 import { QUANTITIES } from "./quantities.js";
-import { t } from "./words.js";
+import { t, utter } from "./words.js";
 
 const FIRST = ["time", "angle", "x", "vx", "spin", "normal_force", "friction_force"];
 const STEPS = [1, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01];
@@ -155,7 +155,8 @@ export class Table {
     }));
     this.body.replaceChildren(...this.rows.map(({ row }) => row));
     const whole = film.duration / step + 1 <= MOST + 1e-6;
-    say(this.caption, whole ? film.summary : `${film.summary} ${t("The first {count} rows.", { count: MOST })}`);
+    const more = t("The first {count} rows.", { count: MOST });
+    say(this.caption, whole ? film.summary : utter(`${film.summary} ${more}`));
     this.cursor(this.lab.clock.time);
   }
 

@@ -1,6 +1,6 @@
 // The bar of time: modes as coloured stretches, events as marks, the hand that scrubs; it zooms as all pictures do.
 
-import { writing } from "./colors.js";
+import { hoopInk, writing } from "./colors.js";
 import { fitted, h } from "./dom.js";
 import { EVENT_WORDS } from "./events.js";
 import { within } from "./map_axes.js";
@@ -8,6 +8,7 @@ import { placed, stretches } from "./marks.js";
 import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
 import { follow } from "./pointer.js";
 import { zoomable } from "./zoom.js";
+import { t, utter } from "./words.js";
 
 export class Timeline {
   /** @type {Film[]} */
@@ -104,7 +105,7 @@ export class Timeline {
     const time = this.timeAt(event);
     const near = this.nearest(time, 8);
     const said = near
-      ? `${EVENT_WORDS[near.kind] ?? near.kind} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
+      ? `${t(EVENT_WORDS[near.kind] ?? near.kind)} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
       : `${show(time, 4)} s`;
     this.tip.textContent = said;
     this.tip.hidden = false;
@@ -150,7 +151,7 @@ export class Timeline {
         const color = colors.modes[mode];
         context.fillStyle = color;
         context.fillRect(from, y, wide, band - 2);
-        this.named(context, colors.mode_names[mode], from, wide, y, band - 2, color, look);
+        this.named(context, t(colors.mode_names[mode]), from, wide, y, band - 2, color, look);
       }
       if (film.duration < end) {
         context.fillStyle = look.line;
@@ -158,8 +159,8 @@ export class Timeline {
       }
       this.marks(context, film, place, y, width, look);
       if (films.length > 1) {
-        context.fillStyle = look.soft;
-        context.font = `600 11px ${look.font}`;
+        context.fillStyle = hoopInk(i, look.dark);
+        context.font = `700 12px ${look.font}`;
         context.textAlign = "left";
         context.fillText("AB"[i], 1, y - 4);
       }
@@ -193,7 +194,7 @@ export class Timeline {
   tell(films, colors) {
     const { time, duration, playing } = this.clock;
     const modes = films.map((film, i) => {
-      const word = colors.mode_names[film.at(time).mode];
+      const word = t(colors.mode_names[film.at(time).mode]);
       return films.length > 1 ? `${"AB"[i]} ${word}` : word;
     });
     const said = modes.join(", ");
@@ -201,7 +202,10 @@ export class Timeline {
     this.said = said;
     this.element.setAttribute("aria-valuemax", duration.toFixed(3));
     this.element.setAttribute("aria-valuenow", time.toFixed(3));
-    this.element.setAttribute("aria-valuetext", `${show(time, 4)} seconds, ${said}`);
+    this.element.setAttribute(
+      "aria-valuetext",
+      t("{time} seconds, {what}", { time: show(time, 4), what: utter(said) }),
+    );
   }
 
   /**

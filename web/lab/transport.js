@@ -5,6 +5,7 @@ import { h } from "./dom.js";
 import { icon } from "./icons.js";
 import { degrees, show } from "./numbers.js";
 import { EVENT_WORDS, leaves } from "./events.js";
+import { name, t } from "./words.js";
 
 const STEP = 1 / 60; // seconds
 
@@ -33,6 +34,8 @@ const button = (label, title, action) =>
 const marked = (mark, word) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
 
 export class Transport {
+  titled = "";
+
   /**
    * @param {Clock} clock
    * @param {() => Film[]} films
@@ -93,10 +96,11 @@ export class Transport {
     const { clock, playButton } = this;
     for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
     const title = clock.playing ? "Pause (space)" : "Play (space)";
-    if (playButton.title !== title || !playButton.firstChild) {
+    if (this.titled !== title) {
+      this.titled = title;
       playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
-      playButton.title = title;
-      playButton.setAttribute("aria-label", title);
+      name(playButton, "title", title);
+      name(playButton, "aria-label", title);
     }
     if (this.speeds.value !== String(clock.speed)) this.speeds.value = String(clock.speed);
   }
@@ -128,7 +132,9 @@ export class Transport {
     }
     this.clock.seek(next.event.t);
     const { event, lane } = next;
-    const hoop = this.films().length > 1 ? `Hoop ${"AB"[lane]}: ` : "";
-    this.tell(`${hoop}${EVENT_WORDS[event.kind] ?? event.kind} at ${degrees(event.angle)}, ${show(event.t, 4)} s`);
+    const hoop = this.films().length > 1 ? `${t(`Hoop ${"AB"[lane]}`)}: ` : "";
+    this.tell(
+      `${hoop}${t("{what} at {angle}, {time} s", { what: t(EVENT_WORDS[event.kind] ?? event.kind), angle: degrees(event.angle), time: show(event.t, 4) })}`,
+    );
   }
 }

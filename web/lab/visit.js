@@ -4,7 +4,7 @@ import { h, say } from "./dom.js";
 import { Film } from "./film.js";
 import { recall, remember } from "./memory.js";
 import { STEPS } from "./visit_steps.js";
-import { t } from "./words.js";
+import { english, t } from "./words.js";
 
 const KEY = "hophoop-visit";
 
@@ -211,7 +211,7 @@ export class Visit {
     const points = guess.judge(truth);
     this.points.set(step.key, points);
     this.said.replaceChildren(
-      h("p", {}, h("b", {}, t("{points} of 100 points.", { points })), " ", t(text, values)),
+      h("p", {}, h("b", {}, `${points} of 100 points.`), " ", english(text, values)),
       h("p", {}, step.why ?? ""),
     );
     this.veil();
@@ -222,7 +222,7 @@ export class Visit {
 
   total() {
     const sum = [...this.points.values()].reduce((one, other) => one + other, 0);
-    this.said.replaceChildren(h("p", {}, t("You have {sum} of {most} points.", { sum, most: 100 * this.points.size })));
+    this.said.replaceChildren(h("p", {}, `You have ${sum} of ${100 * this.points.size} points.`));
   }
 
   challenge() {

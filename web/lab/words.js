@@ -17,6 +17,7 @@ const TABLES = { de, es, fr, zh };
 const COMMAS = new Set(["de", "es", "fr"]); // where decimals follow a comma
 const KEY = "hophoop-language";
 const MOST = 4000; // sentences that are remembered
+const NAMES = /^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u;
 const PLACE = /\{(\w+)\}/g;
 
 /** @typedef {{ key: string, pattern: RegExp, names: string[] }} Sentence */
@@ -26,6 +27,8 @@ let language = "en";
 let sentences = [];
 /** @type {Map<string, string>} */
 let known = new Map();
+/** What has been said already is not translated again. @type {Set<string>} */
+let uttered = new Set();
 /** Words that were shown without a translation, for the tests. @type {Set<string>} */
 export const untranslated = new Set();
 
@@ -35,6 +38,7 @@ export const current = () => language;
 export function speak(code) {
   language = code in LANGUAGES ? code : "en";
   known = new Map();
+  uttered = new Set();
   untranslated.clear();
   sentences = Object.keys(TABLES[language] ?? {})
     .filter((key) => key.includes("{"))
@@ -46,7 +50,8 @@ export function speak(code) {
 export function preferred() {
   const kept = recall(KEY);
   if (kept && kept in LANGUAGES) return kept;
-  const wanted = (navigator.languages ?? [navigator.language]).map((tag) => tag.slice(0, 2).toLowerCase());
+  const tags = globalThis.navigator?.languages ?? [];
+  const wanted = tags.map((tag) => tag.slice(0, 2).toLowerCase());
   return wanted.find((code) => code in LANGUAGES) ?? "en";
 }
 
@@ -82,8 +87,9 @@ export const local = (text) => (COMMAS.has(language) ? text.replace(/(\d)\.(\d)/
  */
 export function t(text, values) {
   const table = TABLES[language];
-  if (values) return filled(table?.[text] ?? missing(text), values);
+  if (values) return utter(filled(table?.[text] ?? missing(text), values));
   if (!table || !/\p{L}/u.test(text)) return local(text);
+  if (uttered.has(text)) return text;
   const found = known.get(text);
   if (found !== undefined) return found;
   const trimmed = text.trim();
@@ -91,14 +97,33 @@ export function t(text, values) {
   const whole = text.replace(trimmed, () => translated);
   if (known.size > MOST) known.clear();
   known.set(text, whole);
-  return whole;
+  return utter(whole);
 }
 
 /**
+ * Marks what has been put together from translated pieces.
+ * @param {string} text
+ */
+export function utter(text) {
+  if (uttered.size > MOST) uttered.clear();
+  uttered.add(text);
+  return text;
+}
+
+/**
+ * A sentence with its values, still in English: what stands on the page so follows the language.
+ * @param {string} text
+ * @param {Record<string, string | number>} values
+ */
+export const english = (text, values) => text.replace(PLACE, (_, name) => String(values[name]));
+
+/**
+ * Words of the scenario's own, such as 'flight', stay as they are.
  * @param {string} template
  * @param {Record<string, string | number>} values
  */
-const filled = (template, values) => template.replace(PLACE, (_, name) => t(String(values[name])));
+const filled = (template, values) =>
+  template.replace(PLACE, (_, name) => (name.startsWith("word") ? String(values[name]) : t(String(values[name]))));
 
 /**
  * @param {string} text
@@ -134,13 +159,13 @@ export function told(summary) {
   const { comma, stop } = language === "zh" ? { comma: "，", stop: "。" } : { comma: ", ", stop: "." };
   const phrases = `${first[0]?.toLowerCase() ?? ""}${first.slice(1)}`.split(/, (?!\d)/).map((phrase) => t(phrase));
   const said = phrases.join(comma);
-  return `${said[0]?.toLocaleUpperCase(language) ?? ""}${said.slice(1)}${stop}${rest ? ` ${t(rest)}` : ""}`;
+  return utter(`${said[0]?.toLocaleUpperCase(language) ?? ""}${said.slice(1)}${stop}${rest ? ` ${t(rest)}` : ""}`);
 }
 
 /** @param {string} text */
 function missing(text) {
-  // symbols, units, paths and names of files are the same everywhere
-  const words = /\p{L}{3,}/u.test(text) && !/^[\w.[\]]+\.\w+$/.test(text);
+  // symbols, units, and names of the scenario's keys and of its words are the same everywhere
+  const words = /\p{L}{3,}/u.test(text) && !NAMES.test(text);
   if (language !== "en" && words && untranslated.size < 200) untranslated.add(text);
   return local(text);
 }

@@ -85,7 +85,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     for m in range(SIZE):
         work.state[m] = start[m]
     set_tolerances(body, comp, work)
-    log = Log(events, no_segments, np.zeros(3, np.int64))
+    log = Log(events, no_segments, np.array([0, 0, 0, max_steps + 1]))
     phase = begin(comp, touching, log, work)
     while phase.status == GOING and phase.t < t_end and has_room(log):
         count_panel(log)  # also of a step that failed

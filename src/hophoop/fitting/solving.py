@@ -24,8 +24,8 @@ FIRST_CALLS, MOST_CALLS = 12, 100  # of the motion: in the first approach, and i
 BLIND = 1e-3  # rise of the sum of squares over the whole range of a parameter that the data do not see
 WALK = 15  # steps along a parameter
 WORTH_TRYING, MOST_WALKS = 4.0, 4  # how much worse a step may be, and how many are tried
-AT_END = 0.02  # so near to an end of its range, in standard deviations or the range, a parameter is at it
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
+ENOUGH = 1.0  # friction with which most motions never slip
 
 
 @dataclass(frozen=True)
@@ -164,6 +164,30 @@ def _parameters(lmfit: Any, problem: Problem, choice: Choice, away: float = 1e-4
     return parameters
 
 
+def complete(problem: Problem, choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
+    """All values, those that are tied following from the free ones.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+    free : mapping of str to float
+
+    Returns
+    -------
+    values : dict
+        [SI units]
+
+    Raises
+    ------
+    ValueError
+        If an expression makes no sense.
+    """
+    if not choice.tied:
+        return {**choice.values, **free}
+    return dict(_parameters(need("lmfit", "fit"), problem, choice.at(free), 0.0).valuesdict())
+
+
 def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
     """Derivatives of the residuals by parameters, those that are tied to them going along.
 
@@ -277,6 +301,9 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
         other = _approach(problem, choice.at(values), soft)
         if other[0].cost < best.cost - 1e-6:
             best, blind = other
+    plain = _without_slip(problem, choice, best, soft)
+    if plain is not None:
+        best, blind = plain
     seeing = _blinded(choice.at(best.values), blind)
     last = solve(problem, seeing, soft)
     again = unseen(problem, seeing.at(last.values))
@@ -284,6 +311,29 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
         blind = [*blind, *again]
         last = solve(problem, _blinded(choice.at(last.values), blind), soft)
     return last, blind
+
+
+def _without_slip(problem: Problem, choice: Choice, best: Solution, soft: bool) -> tuple[Solution, list[str]] | None:
+    """A motion that never slips, if the data do not tell it from the best one: slip must be seen to be believed."""
+    if "mu_kinetic" not in choice.free or choice.tied or not _slips(problem, best.values):
+        return None
+    low, high = choice.limits("mu_kinetic")
+    for friction in (float(np.clip(ENOUGH, low, high)), high):
+        values = {**best.values, "mu_kinetic": friction}
+        cost = float((soften(problem.residuals(values), soft) ** 2).sum())
+        if cost < WORTH_TRYING * best.cost and not _slips(problem, values):
+            other, blind = _approach(problem, choice.at(values), soft)
+            scale = max(1.0, best.cost / max(problem.count - len(choice.free), 1))
+            alike = other.cost < best.cost + CONFIDENT * scale
+            return (other, blind) if alike and not _slips(problem, other.values) else None
+    return None
+
+
+def _slips(problem: Problem, values: dict[str, float]) -> bool:
+    try:
+        return bool({"S", "K"} & set(problem.motion(values).sequence))
+    except ValueError:
+        return True
 
 
 def _walks(problem: Problem, choice: Choice, best: Solution, soft: bool) -> list[dict[str, float]]:
@@ -316,48 +366,3 @@ def _blinded(choice: Choice, blind: list[str]) -> Choice:
     for name in blind:
         choice = choice.without(name, choice.values[name])
     return choice
-
-
-def at_end(choice: Choice, solution: Solution, name: str) -> int:
-    """Whether a free parameter has come to an end of its range: −1 the lower, 1 the upper, 0 neither."""
-    low, high = choice.limits(name)
-    value = solution.values[name]
-    error = float(np.sqrt(max(solution.covariance[solution.free.index(name), solution.free.index(name)], 0.0)))
-    if not np.isfinite(error):
-        error = 0.0
-    near = max(AT_END * error, 1e-4 * (high - low) if np.isfinite(high - low) else 0.0)
-    return -1 if value - low < near else 1 if high - value < near else 0
-
-
-def one_sided(problem: Problem, choice: Choice, solution: Solution, name: str, side: int, soft: bool) -> float:
-    """How far a parameter that is at the end of its range may be from it, at 95 %, the others adapting.
-
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-    solution : Solution
-        With the parameter at the end of its range.
-    name : str
-    side : {-1, 1}
-        At which end it is.
-    soft : bool
-
-    Returns
-    -------
-    limit : float
-        In the parameter's own unit [1].
-    """
-    low, high = choice.limits(name)
-    end = low if side < 0 else high
-    near, far, step = end, None, 0.01 * min(high - low, 1.0)
-    for _ in range(12):
-        value = float(np.clip(near - side * step, low, high))
-        cost = solve(problem, choice.at(solution.values).without(name, value), soft, FIRST_CALLS).cost
-        if cost - solution.cost > CONFIDENT:
-            far, step = value, 0.5 * abs(value - near)
-        else:
-            near, step = value, (2.0 * step if far is None else 0.5 * abs(far - value))
-        if value in (low, high) and value != end and far is None:
-            break
-    return near

@@ -34,6 +34,7 @@ class Cluster:
     places: tuple[float, ...]
     kinds: tuple[str, ...]
     words: str
+    letter: float  # width of a letter [points]
 
     @property
     def middle(self) -> float:
@@ -43,7 +44,7 @@ class Cluster:
     @property
     def width(self) -> float:
         """Of the label."""
-        return LETTER * FONT * len(self.words)
+        return self.letter * len(self.words)
 
     @property
     def dense(self) -> bool:
@@ -51,7 +52,7 @@ class Cluster:
         return len(self.places) > 2 and self.places[-1] - self.places[0] < 1.5 * MARKER * (len(self.places) - 1)
 
 
-def clusters(places: Sequence[float], kinds: Sequence[str], width: float) -> list[Cluster]:
+def clusters(places: Sequence[float], kinds: Sequence[str], width: float, letter: float = LETTER * FONT) -> list[Cluster]:
     """Events gathered until no two labels collide.
 
     Parameters
@@ -62,6 +63,8 @@ def clusters(places: Sequence[float], kinds: Sequence[str], width: float) -> lis
         One for each place.
     width : float
         Of the axes, within which every label stays as far as it fits [points].
+    letter : float
+        Width of a letter; with another unit than points, all are in that [points].
 
     Returns
     -------
@@ -69,11 +72,11 @@ def clusters(places: Sequence[float], kinds: Sequence[str], width: float) -> lis
     """
     found: list[Cluster] = []
     for place, kind in zip(places, kinds, strict=True):
-        found.append(_cluster((place,), (kind,)))
+        found.append(_cluster((place,), (kind,), letter))
         while len(found) > 1 and _collide(found[-2], found[-1], width):
             last = found.pop()
             before = found.pop()
-            found.append(_cluster(before.places + last.places, before.kinds + last.kinds))
+            found.append(_cluster(before.places + last.places, before.kinds + last.kinds, letter))
     return found
 
 
@@ -88,12 +91,12 @@ def _collide(left: Cluster, right: Cluster, width: float) -> bool:
     return room < 0.5 * (left.width + right.width) + APART
 
 
-def _cluster(places: tuple[float, ...], kinds: tuple[str, ...]) -> Cluster:
+def _cluster(places: tuple[float, ...], kinds: tuple[str, ...], letter: float) -> Cluster:
     order = [kind for kind in MARKED if kind in kinds] if len(kinds) > 3 else list(dict.fromkeys(kinds))
     counts = {kind: kinds.count(kind) for kind in order}
     if counts.get("impact", 0) > 1:
         counts = {kind: count for kind, count in counts.items() if kind not in FOLLOW}
-    return Cluster(places, kinds, ", ".join(_words(kind, count) for kind, count in counts.items()))
+    return Cluster(places, kinds, ", ".join(_words(kind, count) for kind, count in counts.items()), letter)
 
 
 def _words(kind: str, count: int) -> str:

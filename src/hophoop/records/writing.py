@@ -11,9 +11,6 @@ from hophoop.panels.anchor import NONE
 from hophoop.panels.panel import Panel
 from hophoop.records.state import State, whole_angle
 
-# Panels solved for one motion, those given up for narrower ones included: a few seconds, and 70 MB where all are kept.
-MOST_PANELS = 500_000
-
 
 class Log(NamedTuple):
     """Where the events and segments of a motion are written."""
@@ -35,7 +32,7 @@ def new_log(events, segments, scratch):
 @inline_jit
 def has_room(log):
     """Whether the arrays have been long enough so far, and the panels are not used up."""
-    return log.written[0] >= 0 and log.written[1] >= 0 and log.written[2] < MOST_PANELS
+    return log.written[0] >= 0 and log.written[1] >= 0 and log.written[2] < log.written[3]
 
 
 @inline_jit

@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 from pydantic import AfterValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from hophoop.scenario.texts import TEXTS
+
 
 class Range(NamedTuple):
     """What a number may be.
@@ -100,6 +102,32 @@ RELATIVE_SLIP_SPEED = Range(1e-12, 1e6)
 MOST_DEPTH = 100.0
 
 
+class Inside(NamedTuple):
+    """Keeps a number to its range.
+
+    Attributes
+    ----------
+    allowed : Range
+    unit : str
+        Of the number, for the sentence.
+    """
+
+    allowed: Range
+    unit: str
+
+    def kept(self, value: float) -> float:
+        """The number itself.
+
+        Raises
+        ------
+        PydanticCustomError
+            If it is not in the range.
+        """
+        if not self.allowed.holds(value):
+            raise PydanticCustomError("value", TEXTS["range"], {"words": self.allowed.words(self.unit)})
+        return value
+
+
 def inside(name: str, unit: str = "") -> Any:
     """An annotation that keeps a field to its range, in the schema too.
 
@@ -114,14 +142,7 @@ def inside(name: str, unit: str = "") -> Any:
     -------
     annotation : pydantic.AfterValidator
     """
-    allowed = RANGES[name]
-
-    def check(value: float) -> float:
-        if not allowed.holds(value):
-            raise PydanticCustomError("value", "must be {words}", {"words": allowed.words(unit)})
-        return value
-
-    return AfterValidator(check)
+    return AfterValidator(Inside(RANGES[name], unit).kept)
 
 
 def schema_of(name: str) -> Any:

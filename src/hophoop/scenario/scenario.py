@@ -18,6 +18,7 @@ from hophoop.scenario.formats import query_text, read_file, read_query, read_sta
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
 from hophoop.scenario.paths import parameter, paths, with_replaced
 from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
+from hophoop.scenario.texts import say
 
 
 class Scenario(Frozen):
@@ -61,12 +62,12 @@ class Scenario(Frozen):
     def _fitting(self) -> Scenario:
         compliant = isinstance(self.contact, Compliant)
         if self.hoop.massless and self.plane.slope != 0.0:
-            raise refuse(f"plane.slope = {self.plane.slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).")
+            raise refuse(say("massless_slope", slope=self.plane.slope))
         _check_resistance(self.hoop, self.plane)
         if self.hoop.massless and compliant:
-            raise refuse("contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).")
+            raise refuse(say("massless_compliant"))
         if compliant and self.plane.mu_static == math.inf:
-            raise refuse("plane.mu_static = inf must be finite with contact.model = 'compliant'.")
+            raise refuse(say("compliant_friction"))
         if isinstance(self.contact, Compliant):
             _check_compliance(self, self.contact)
         return self
@@ -290,13 +291,10 @@ def _check_resistance(hoop: Hoop, plane: Plane) -> None:
     if given == 0.0:
         return
     if hoop.massless:
-        raise refuse(f"plane.rolling_resistance = {given!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).")
+        raise refuse(say("massless_resistance", given=given))
     most = most_resistance(hoop.eccentricity, hoop.inertia_ratio)
     if not given < most:
-        raise refuse(
-            f"plane.rolling_resistance = {given!r} must be below {most:.6g} for this hoop, whose inertia about the contact "
-            f"it would cancel at some angle."
-        )
+        raise refuse(say("resistance", given=given, most=most))
 
 
 def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
@@ -311,19 +309,15 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     ):
         value = getattr(contact, name)
         if value is not None and not allowed.holds(value / unit):
-            raise refuse(
-                f"contact.{name} = {value!r} is {value / unit:.3g} {what} of this hoop and must be {allowed.words()} of it."
-            )
+            ratio = value / unit
+            raise refuse(say("relative_contact", name=name, value=value, relative=ratio, unit=what, words=allowed.words()))
     k = 1e6 if contact.stiffness is None else contact.stiffness * second**2 / hoop.mass
     given = start.state(hoop)
     fall = math.sqrt(2.0 * given.height / hoop.radius) if plane.gravity > 0.0 else 0.0
     speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius + fall
     depth = speed / math.sqrt(k) + 1.0 / k
     if depth > MOST_DEPTH:
-        raise refuse(
-            f"contact.stiffness = {contact.stiffness!r} lets the rim sink some {depth:.0e} radii into the plane, at the speed "
-            f"of the start, and must be high enough for at most {MOST_DEPTH:g}."
-        )
+        raise refuse(say("too_soft", stiffness=contact.stiffness, depth=depth, most=MOST_DEPTH))
 
 
 def to_body(hoop: Hoop, plane: Plane) -> Body:

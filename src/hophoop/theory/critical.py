@@ -67,7 +67,7 @@ class _Trials:
 
 
 def _cases(hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> Columns:
-    cases = Columns(hoop, plane, **numbers)
+    cases = Columns(hoop, plane, resisted=False, **numbers)
     cases.require(lambda kap: kap > 0.0, "kap", "hoop.inertia_ratio = {} must be above 0; see massless_loss.")
     cases.require(lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0 here (level, or downhill along +x).")
     return cases

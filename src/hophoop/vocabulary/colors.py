@@ -62,6 +62,23 @@ LEAST_LIGHTNESS: Final = 0.48
 """Of a colour on a dark background, from 0 to 1."""
 
 
+def lightness(color: str) -> float:
+    """How light a colour looks.
+
+    Parameters
+    ----------
+    color : str
+        As ``#RRGGBB``.
+
+    Returns
+    -------
+    lightness : float
+        From 0 to 1 [1].
+    """
+    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
+    return (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]) / 255.0
+
+
 def on_dark(color: str) -> str:
     """A colour light enough for a dark background: the same hue, with more white.
 
@@ -81,8 +98,8 @@ def on_dark(color: str) -> str:
     ('#677CA5', '#F0E442')
     """
     parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-    lightness = (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]) / 255.0
-    share = max(0.0, LEAST_LIGHTNESS - lightness) / max(1.0 - lightness, 1e-9)
+    light = lightness(color)
+    share = max(0.0, LEAST_LIGHTNESS - light) / max(1.0 - light, 1e-9)
     return "#" + "".join(f"{round(part + share * (255 - part)):02X}" for part in parts)
 
 

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 9a4d4bb0b07a0c045e287e5cd1307514 */
-var l={sources:"784126181cd9f314e10d9495e95de36f",module:"61788326ed5e5021",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 959b031913fd9ce586022e978cb49716 */
+var l={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
@@ -19,12 +19,12 @@ ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","r
 k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
 "no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
 "slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
-rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var b=o=>Object.fromEntries(o.map((e,t)=>[e,t])),re=b(l.cell),u=b(l.heads),d=b(l.events),O=b(l.samples),M=b(l.numbers),N=b(l.words),U={newton:0,poisson:1,stronge:2};
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var b=o=>Object.fromEntries(o.map((e,t)=>[e,t])),le=b(l.cell),u=b(l.heads),d=b(l.events),O=b(l.samples),M=b(l.numbers),S=b(l.words),U={newton:0,poisson:1,stronge:2};
 function w(o){let e=new Float64Array(l.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:U[o.impact_law],strike:+(o.
-painleve==="impact"),ideal:Number(o.ideal),allowed:1};return l.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function S(o){let e=t=>t??Number.NaN;return Float64Array.of(
+painleve==="impact"),ideal:Number(o.ideal),allowed:1};return l.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function N(o){let e=t=>t??Number.NaN;return Float64Array.of(
 l.laws.indexOf(o.law),l.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var k=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
-n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,D=6e3,[me,R,F]=[0,1,2],P={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
+n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,D=6e3,[fe,R,F]=[0,1,2],P={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
 amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.ceil(n*
 W),B),D),a=l.events.length,r=new Set;for(let p=0;p<=i&&n>0;p++)r.add(p===i?n:p*(n/i));let c=new Set;for(let p=0;p<s;p++)c.add(Math.min(t[p*a+d.t],n));for(let p of c)
@@ -41,7 +41,7 @@ room("table",8*s*this.mostEvents),i=t.room("heads",8*l.heads.length);e.contact?t
 l.heads.length).slice(),r=a[u.events];if(a[u.status]===Q)this.makeRoom(e,a[u.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{let c=t.
 floats(n,r*s).slice();return{given:e,head:a,rows:c,count:r,duration:a[u.duration],segments:a[u.segments]}}}}computeRigid(e,t,s){let{memory:n}=this,i=n.put("cell",
 w(e)),a=n.room("events",l.event_bytes*this.mostEvents),r=n.room("segments",l.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,r,this.mostSegments,
-t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",w(e)),r=i.put("contact",S(t)),c=i.room("events",l.event_bytes*this.mostEvents),m=i.room("rows",
+t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",w(e)),r=i.put("contact",N(t)),c=i.room("events",l.event_bytes*this.mostEvents),m=i.room("rows",
 l.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,c,this.mostEvents,J,m,this.mostRows,s,n)}makeRoom(e,t){e.contact?this.mostRows=t:this.
 mostSegments*=4}motion(e){return I(this.compute(e))}film(e){let t=this.compute(e);return{motion:I(t),columns:A(this,t)}}columns(e){return A(this,this.compute(e))}samples(e,t){
 let s=this.states(this.compute(e),t,!1),n=l.samples.length;return Object.fromEntries(l.samples.map((i,a)=>[i,Float64Array.from(t,(r,c)=>s[c*n+a])]))}states(e,t,s){
@@ -55,21 +55,22 @@ ction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angl
 modes",a*r),_=c.room("sides",a);this.call("regions",m,t,s,n,i,a,r,f,_);let{buffer:g}=this.exports.memory;return{modes:new Uint8Array(g,f,a*r).slice(),paradox:Float32Array.
 from(new Int8Array(g,_,a))}}map({count:e,rows:t},s,n){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*l.numbers.length),c=i.room("words",4*e*l.words.
 length),m=i.room("keys",8*e*l.keys),{angle:f,stop:_,timed:g}=l.spans[n],p=l.wanted[s];this.call("map_cells",a,e,f??Number.NaN,_,g,p,r,c,m);let{buffer:v}=this.exports.
-memory;if(s==="sequence")return T(new BigUint64Array(v,m,e*l.keys),e);let y=new Float64Array(e);if(s in N){let E=new Int32Array(v,c,e*l.words.length);for(let h=0;h<
-e;h++)y[h]=E[h*l.words.length+N[s]]}else{let E=i.floats(r,e*l.numbers.length);for(let h=0;h<e;h++)y[h]=E[h*l.numbers.length+M[s]]}return{values:y}}ideal(e){let t=this.
+memory;if(s==="sequence")return T(new BigUint64Array(v,m,e*l.keys),e);let y=new Float64Array(e);if(s in S){let E=new Int32Array(v,c,e*l.words.length);for(let h=0;h<
+e;h++)y[h]=E[h*l.words.length+S[s]]}else{let E=i.floats(r,e*l.numbers.length);for(let h=0;h<e;h++)y[h]=E[h*l.numbers.length+M[s]]}return{values:y}}ideal(e){let t=this.
 memory.room("answers",8*l.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}combine(e,t){let{memory:s}=this,n=s.put("parts",t.flatMap(
 Y)),i=s.room("answers",8*l.thresholds.length),a=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,n,t.length,i,a);let[r,c,m]=s.floats(i,3);return{mass:r,
 eccentricity:c,inertia_ratio:m,reaches:[...s.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let s=t.
-put("cell",w(e)),n=t.put("contact",S(e.contact)),i=t.room("answers",8*l.thresholds.length);this.call("compliance",s,n,i);let a=t.floats(i,l.chosen.length),r=c=>a[l.
+put("cell",w(e)),n=t.put("contact",N(e.contact)),i=t.room("answers",8*l.thresholds.length);this.call("compliance",s,n,i);let a=t.floats(i,l.chosen.length),r=c=>a[l.
 chosen.indexOf(c)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),steps:r("steps"),automatic:{
 stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Y(o){let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=l.shapes.indexOf(e);return o.shape===
 "ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,o.mass,o.radius,0,o.at]:o.shape==="rod"?[t,o.mass,o.length,0,o.at]:[t,o.mass,0,0,o.at]}var Z=[
-"kinetic","potential","friction","impact_normal","impact_tangential","rolling_resistance","residual"],L=["x","height","angle","vx","vy","omega"];function I({given:o,
-head:e,rows:t,count:s,duration:n}){let i=l.events.length,a=Array.from({length:s},(m,f)=>ee(t.subarray(f*i,(f+1)*i))),r=a[s-1],c=Object.fromEntries([...Z,...o.contact?
-["spring","damping"]:[]].map(m=>[m,e[u[m]]]));return{status:l.statuses[e[u.status]],sequence:te(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(
-L.map(m=>[m,r[m]]))},energy:c,doubt:j(e[u.doubt_from])}}function ee(o){let e=l.kinds[o[d.kind]],t=o[d.from_mode],s={t:o[d.t],kind:e,from:t<0?null:l.letters[t],to:l.
-letters[o[d.to_mode]]};for(let n of L)s[n]=j(o[d[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,j(o[d[`before_${n}`]])])),s.impulse={normal:o[d.
-impulse_normal],tangential:o[d.impulse_tangential]},o[d.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[d.gain]),o[d.stable]>=0&&(s.stable=o[d.stable]===
-1),s}function te(o){let e=o.filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var z;function se(o){let e=new Set,t=s=>{ArrayBuffer.isView(s)?e.add(s.buffer):s&&typeof s=="object"&&!Array.isArray(s)&&Object.values(s).forEach(t)};return t(o),
-[...e]}function ne({data:{number:o,compiled:e,call:t,values:s}}){try{if(e){z=new x(e);return}let n=z[t](...s);self.postMessage({number:o,answer:n},{transfer:se(
-n)})}catch(n){self.postMessage({number:o,error:n.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",ne);export{x as HoopModule};
+"friction","impact_normal","impact_tangential","rolling_resistance"],ee=["kinetic","potential",...Z,"residual"],L=["x","height","angle","vx","vy","omega"];function I({
+given:o,head:e,rows:t,count:s,duration:n}){let i=l.events.length,a=Array.from({length:s},(m,f)=>te(t.subarray(f*i,(f+1)*i))),r=a[s-1],c=Object.fromEntries([...ee,
+...o.contact?["spring","damping"]:[]].map(m=>[m,e[u[m]]]));return{status:l.statuses[e[u.status]],sequence:se(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.
+fromEntries(L.map(m=>[m,r[m]]))},energy:c,doubt:j(e[u.doubt_from])}}function te(o){let e=l.kinds[o[d.kind]],t=o[d.from_mode],s={t:o[d.t],kind:e,from:t<0?null:l.
+letters[t],to:l.letters[o[d.to_mode]]};for(let n of L)s[n]=j(o[d[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,j(o[d[`before_${n}`]])])),
+s.impulse={normal:o[d.impulse_normal],tangential:o[d.impulse_tangential]},o[d.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[d.gain]),o[d.stable]>=
+0&&(s.stable=o[d.stable]===1),s}function se(o){let e=o.filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??
+"")}var z;function ne(o){let e=new Set,t=s=>{ArrayBuffer.isView(s)?e.add(s.buffer):s&&typeof s=="object"&&!Array.isArray(s)&&Object.values(s).forEach(t)};return t(o),
+[...e]}function oe({data:{number:o,compiled:e,call:t,values:s}}){try{if(e){z=new x(e);return}let n=z[t](...s);self.postMessage({number:o,answer:n},{transfer:ne(
+n)})}catch(n){self.postMessage({number:o,error:n.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",oe);export{x as HoopModule};

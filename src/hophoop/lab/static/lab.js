@@ -1,750 +1,1923 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 9a4d4bb0b07a0c045e287e5cd1307514 */
-var ms={};var gs={};var ws={};var ys={};var _e=new Map;function lt(o){try{return localStorage.getItem(o)??_e.get(o)??null}catch{return _e.get(o)??null}}function ct(o,t){_e.set(o,t);try{localStorage.setItem(
-o,t)}catch{}}var xt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},xs={de:ms,es:gs,fr:ws,zh:ys},Gi=new Set(["de","es","fr"]),ks="hophoop-language",Ki=4e3,
-Re=/\{(\w+)\}/g,pt="en",Ms=[],vt=new Map,Ie=new Set,zt=()=>pt;function Le(o){pt=o in xt?o:"en",vt=new Map,Ie.clear(),Ms=Object.keys(xs[pt]??{}).filter(t=>t.includes(
-"{")).map(Vi).sort((t,e)=>bs(e.key)-bs(t.key))}function Xi(){let o=lt(ks);return o&&o in xt?o:(navigator.languages??[navigator.language]).map(e=>e.slice(0,2).toLowerCase()).
-find(e=>e in xt)??"en"}function Ts(o){ct(ks,o)}var bs=o=>o.replace(Re,"").length;function Vi(o){let t=[...o.matchAll(Re)].map(([,s])=>s),e=o.split(/\{\w+\}/).map(
-s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:o,names:t,pattern:new RegExp(`^${e.join("(.+?)")}$`,"su")}}var Ss=o=>Gi.has(pt)?o.replace(/(\d)\.(\d)/g,"\
-$1,$2"):o;function T(o,t){let e=xs[pt];if(t)return Es(e?.[o]??vs(o),t);if(!e||!/\p{L}/u.test(o))return Ss(o);let s=vt.get(o);if(s!==void 0)return s;let i=o.trim(),
-n=e[i]??Ji(i,e)??vs(i),a=o.replace(i,()=>n);return vt.size>Ki&&vt.clear(),vt.set(o,a),a}var Es=(o,t)=>o.replace(Re,(e,s)=>T(String(t[s])));function Ji(o,t){for(let{
-key:e,pattern:s,names:i}of Ms){let n=o.match(s);if(n)return Es(t[e],Object.fromEntries(i.map((a,h)=>[a,n[h+1]])))}return Zi(o)}function Zi(o){if(o.includes(" → "))
-return o.split(" → ").map(t=>T(t)).join(" → ")}function vs(o){let t=/\p{L}{3,}/u.test(o)&&!/^[\w.[\]]+\.\w+$/.test(o);return pt!=="en"&&t&&Ie.size<200&&Ie.add(o),Ss(o)}var As=new WeakMap,$e=new WeakMap;function Ne(o){
-let t=document.createTextNode(T(o));return As.set(t,o),t}function Ps(o,t,e){let s=$e.get(o)??{};s[t]=e,$e.set(o,s),o.setAttribute(t,T(e))}function _s(o){let t=document.
-createTreeWalker(o,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let e=t.nextNode();e;e=t.nextNode()){let s=As.get(e);s!==void 0&&(e.nodeValue=T(s));let i=$e.
-get(e);for(let[n,a]of Object.entries(i??{}))e.setAttribute(n,T(a))}}Le(Xi());function X(o){let t=Number.parseInt(o.slice(1,7),16);return[t>>16&255,t>>8&255,t&255]}var Is=o=>kt(o)>.2?"#111111":"#ffffff",Mt=(o,t)=>`rgba(${X(o).join(",")},${t}\
-)`,Qi=o=>{let t=o/255;return t<=.04045?t/12.92:((t+.055)/1.055)**2.4};function kt(o){let[t,e,s]=X(o).map(Qi);return .2126*t+.7152*e+.0722*s}function Ot(o,t){if(!t||
-!/^#[0-9a-f]{6}$/i.test(o))return o;if(kt(o)<.002)return"#eceef2";let e=o;for(let s=0;kt(e)<.2&&s<1;s+=.05)e=`#${X(o).map(i=>Math.round(i+(255-i)*s).toString(16).
-padStart(2,"0")).join("")}`;return e}var Ct=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function to(){let o=[];for(let t=0;t<
-256;t++){let e=t/255*(Ct.length-1),s=Math.min(Math.floor(e),Ct.length-2),i=X(Ct[s]),n=X(Ct[s+1]);o.push(i.map((a,h)=>Math.round(a+(n[h]-a)*(e-s))))}return o}var dt=to(),
-Ft=dt.map(o=>`rgb(${o.join(",")})`);var eo=new Set(["aria-label","title","placeholder","label"]);function l(o,t={},...e){let s=document.createElement(o),i=s;for(let[n,a]of Object.entries(t))a==null||
-a===!1||(n.startsWith("on")?s.addEventListener(n.slice(2),a):n==="class"?s.className=a:n in s&&n!=="list"&&typeof a!="string"?i[n]=a:eo.has(n)?Ps(s,n,String(a)):
-s.setAttribute(n,a===!0?"":a));for(let n of e.flat())n==null||n===!1||s.append(n.nodeType?n:Ne(String(n)));return s}function j(o,t){t?o.replaceChildren(Ne(t)):o.
-replaceChildren()}var Bt=o=>o!==null&&o.getRootNode().activeElement===o,V=o=>o.getContext("2d");function I(o){let t=o.getBoundingClientRect(),e=Math.min(globalThis.
-devicePixelRatio||1,2.5),s=Math.max(Math.round(t.width*e),1),i=Math.max(Math.round(t.height*e),1);(o.width!==s||o.height!==i)&&(o.width=s,o.height=i);let n=V(o);
-return n.setTransform(e,0,0,e,0,0),{context:n,width:s/e,height:i/e}}function so(o){if(/^#[0-9a-f]{6}$/i.test(o))return o;let t=V(l("canvas",{width:1,height:1}));
-t.fillStyle=o,t.fillRect(0,0,1,1);let[e,s,i]=t.getImageData(0,0,1,1).data;return`#${[e,s,i].map(n=>n.toString(16).padStart(2,"0")).join("")}`}function ze(o){let t=getComputedStyle(
-o),e=i=>t.getPropertyValue(i).trim(),s=i=>so(e(i));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
-und"),font:e("--font"),dark:kt(s("--paper"))<.2}}function ut(o,t){let e=l("a",{href:URL.createObjectURL(o),download:t});document.body.append(e),e.click(),e.remove(),
-setTimeout(()=>URL.revokeObjectURL(e.href),1e4)}function U(o,t){let e=0;return()=>{clearTimeout(e),e=setTimeout(o,t)}}var b=(o,t,e)=>Math.min(Math.max(o,t),e);function x(o,t=4){if(o==null)return"–";if(typeof o!="number")return String(o);if(!Number.isFinite(o))return Number.isNaN(
-o)?"–":o>0?"∞":"−∞";if(o===0)return"0";let e=Math.abs(o),s;if(e>=1e6||e<1e-4){let[i,n]=o.toExponential(t-1).split("e");s=`${$s(i)}·10${io(Number(n))}`}else
-s=$s(o.toPrecision(t)),s.includes("e")&&(s=String(Math.round(o)));return s.replace("-","−")}function $s(o){return o.includes(".")&&!o.includes("e")?o.replace(
-/\.?0+$/,""):o}function io(o){let t={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(o)].map(e=>t[e]).join(
-"")}var $=(o,t)=>t?t==="°"?`${o}°`:`${o} ${t}`:o,P=o=>`${(o*180/Math.PI).toFixed(1)}°`.replace("-","−");function Z(o){let t=Math.abs(o),[e,s]=t>=.995?[1,"m"]:
-t>=.00995?[100,"cm"]:[1e3,"mm"];return $(x(o*e,3),s)}function z(o,t){let e=o/Math.max(t,1),s=10**Math.floor(Math.log10(e)),i=e/s;return(i>5?10:i>2?5:i>1?2:1)*s}
-function q(o,t,e){if(!(t>o)||!Number.isFinite(o)||!Number.isFinite(t))return[];let s=z(t-o,e),i=[];for(let n=Math.ceil(o/s-1e-9);n*s<=t+1e-9*s&&i.length<200;n++)
-i.push(n*s);return i}function B(o,t){let e=b(-Math.floor(Math.log10(t)+1e-9),0,15);return Math.max(Math.abs(o),t)>=1e6||e>12?x(o,3):(Math.abs(o)<t*1e-6?0:o).toFixed(
-e).replace("-","−")}var Rs=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],oo="tfc",no=400;function Ls({time:o=0,options:t={},zoom:e=1,map:s}){let i=[];o>
-0&&i.push(`t=${Number(o.toFixed(4))}`);let n=Rs.filter(([a])=>t[a]).map(([,a])=>a);return n.join("")!==oo&&i.push(`show=${n.join("")}`),e!==1&&i.push(`zoom=${Number(
-e.toPrecision(3))}`),s&&i.push(`map=${[s.what,...s.x,...s.y].join(",")}`),i.join("&")}function Ns(o){let t=new URLSearchParams(o.replace(/^#/,"")),e={},s=Number(
-t.get("t")??Number.NaN);s>=0&&(e.time=s);let i=t.get("show");i!==null&&(e.options=Object.fromEntries(Rs.map(([g,y])=>[g,i.includes(y)])));let n=Number(t.get("zo\
-om")??Number.NaN);n>0&&(e.zoom=b(n,.05,60));let[a,h,r,c,p,d,u]=t.get("map")?.split(",")??[],f=[r,c,d,u].map(Number);return u!==void 0&&f.every(Number.isFinite)&&
-f[0]<f[1]&&f[2]<f[3]&&(e.map={what:a,x:[h,f[0],f[1]],y:[p,f[2],f[3]]}),e}var ao=()=>{let o=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
-search.slice(1),...o===null?[]:[o]]},Dt=class{constructor(t){this.lab=t,this.number=0,this.soon=U(()=>this.write("same"),no),this.listen=()=>this.arrived(),addEventListener(
-"popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(t){let{lab:e}=this;if(!e.motions.lanes.length)return;let s=e.link();t==="step"?
-history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(t){return new Promise(e=>{let s=()=>e();addEventListener("\
-popstate",s,{once:!0}),setTimeout(s,300),history.go(t)})}async arrived(){let t=history.state?.number??0,e=ao();JSON.stringify(e)===JSON.stringify(this.lab.motions.
-queries())?this.number=t:await this.lab.motions.arrive(e)?this.number=t:t!==this.number&&history.go(this.number-t)}};var ro={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function ft(o){let t=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),e=new Uint8Array(t.buffer,
-t.byteOffset,t.byteLength);e.byteOffset%8&&(e=e.slice());let s=new DataView(e.buffer,e.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(e.subarray(
-4,4+s))),n={};for(let{name:a,type:h,shape:r,place:c}of i.arrays){let p=r.reduce((d,u)=>d*u,1);n[a]=new ro[h](e.buffer,e.byteOffset+4+s+c,p)}return{header:i,arrays:n}}var Tt=class extends Error{},ho=500,lo=4,co="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function zs(o,t,e){
-for(;;)try{return await o()}catch(s){if(!(s instanceof Tt))throw s;t(s.message),await new Promise(i=>setTimeout(i,ho)),e.throwIfAborted()}}var Ht=class{constructor(t){
-this.base=t,this.shares=!0}async call(t,e,s){let i={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(e),signal:s},n=await this.answered(
-new URL(`lab/${t}`,this.base),i);if(n.status===202)throw new Tt((await n.json()).detail);return ft(await n.arrayBuffer())}async answered(t,e){for(let s=lo;;s--){
-let i=await fetch(t,e).catch(a=>{throw a.name==="AbortError"?a:new Error(co)});if(i.ok)return i;let n=Number(i.headers.get("Retry-After"));if(i.status!==503||!(n>
-0)||s<=1){let a=await i.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${i.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(n,10))),
-e?.signal?.throwIfAborted()}}async file(t,e){return(await this.answered(new URL(`api/v1/files/${t}?${e}`,this.base))).blob()}link(t,e){return`${new URL(t?`?${t}`:
-"",this.base)}${e}`}},po=2e4,uo=3e5,qt=class{constructor(t){this.model=t,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
-slice(2),this.listen=(e,s)=>this.answered(e,s),t.on("msg:custom",this.listen)}answered(t,e){let s=t?.view===this.view&&this.waiting.get(t.number);s&&(clearTimeout(
-s.timer),this.waiting.delete(t.number),t.compiling?s.reject(new Tt(t.compiling)):t.error?s.reject(new Error(t.error)):s.resolve(ft(e[0])))}call(t,e,s){let i=++this.
-number;return new Promise((n,a)=>{let h=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answer; run the cell again."))},t===
-"file"?uo:po);this.waiting.set(i,{resolve:n,reject:a,timer:h}),s?.addEventListener("abort",()=>{clearTimeout(h),this.waiting.delete(i),a(new DOMException("super\
-seded","AbortError"))}),this.model.send({view:this.view,number:i,call:t,body:e})})}async file(t,e){let{arrays:s}=await this.call("file",{query:e,name:t});return new Blob(
-[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var St=[.05,.1,.25,.5,1,2,4],Wt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
-for(let t of this.listeners)t(this)}seek(t){this.time=b(t,0,this.duration),this.changed()}play(t=!this.playing){this.playing=t,this.last=null,t&&this.time>=this.
-duration&&(this.time=0),this.changed()}faster(t){let e=St.indexOf(this.speed);this.speed=St[b(e+t,0,St.length-1)],this.changed()}tick(t){if(!this.playing)return!1;
-let e=this.last===null?0:Math.min(t-this.last,100)/1e3;return this.last=t,this.time+=e*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
-this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function fo(o,t=""){let e=o.trim();t&&e.endsWith(t)&&(e=e.slice(0,-t.length)),e=e.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
-(i,n,a)=>`e${n&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(e);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(e)?Number(e.replace(",",".")):Number.NaN}function mo(o,t,{label:e,unit:s,range:i}){let n=o.trim();if(Number.isNaN(t))return`${e} = ${n} must be a number, s\
-uch as 2.5.`;if(!i||t>=i.least&&t<=i.most||i.also.includes(t))return"";let a=i.also.includes(0)?"0 or ":"",h=`from ${x(i.least,4)} to ${$(x(i.most,4),s)}`,r=i.also.
-includes(1/0)?", or inf":"";return`${e} = ${$(x(t,6),s)} must be ${a}${h}${r}.`}var go=0,mt=class{constructor(t,e){this.info=t,this.onvalue=e,this.shown="",this.
-typing=!1,this.error=l("p",{class:"error",role:"alert",id:`hh-error-${++go}`,hidden:!0}),this.input=l("input",{type:"text",inputmode:"decimal",autocomplete:"off",
-spellcheck:"false",class:"exact","aria-label":t.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 959b031913fd9ce586022e978cb49716 */
+function ce(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Sn=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ce(o).join(",")}\
+,${e})`,Xa=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ce(o).map(Xa);return .2126*e+.7152*t+.0722*s}function it(o,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ce(o).map(n=>Math.round(n+(255-n)*s).toString(
+16).padStart(2,"0")).join("")}`;return t}var Nt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Qa(){let o=[];
+for(let e=0;e<256;e++){let t=e/255*(Nt.length-1),s=Math.min(Math.floor(t),Nt.length-2),n=ce(Nt[s]),i=ce(Nt[s+1]);o.push(n.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
+return o}var De=Qa(),qt=De.map(o=>`rgb(${o.join(",")})`),er=["#6a3d9a","#33702a"],ne=(o,e)=>it(er[o],e);var Mn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
+spins:"dreht durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {ang\
+le} durch","skids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {\
+angle}":"hüpft bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"glei\
+tet ab {angle} in der anderen Richtung","stops its slip at once at {angle}":"hört bei {angle} schlagartig auf zu gleiten","turns back at {angle}":"kehrt bei {a\
+ngle} um","has bounced out at {angle}":"ist bei {angle} ausgesprungen","meets Painlevé's paradox at {angle}":"trifft bei {angle} auf das Painlevé-Paradoxon","\
+meets Painlevé's indeterminacy at {angle}":"trifft bei {angle} auf die Unbestimmtheit nach Painlevé","jams at {angle}":"verklemmt sich bei {angle}","gains ene\
+rgy (Kane) at {angle}":"gewinnt bei {angle} Energie (Kane)","skims at {angle}":"streift ab {angle}","rests at {angle}":"ruht bei {angle}","starts at {angle}":"b\
+eginnt bei {angle}","slips at {angle}":"gleitet ab {angle}","{what} and {count} more times":"{what} und noch {count}-mal","… ({count} more)":"… (noch {count})",
+"It has come to rest.":"Er ist zur Ruhe gekommen.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"Die Normalk\
+raft wächst über alle Grenzen (dynamisches Verklemmen): Die Mechanik starrer Körper kennt keine Bewegung darüber hinaus.","The model does not determine the \
+motion beyond.":"Das Modell legt die weitere Bewegung nicht fest.","The limit of events (contact.max_events), or of work for one motion, was reached before the \
+end.":"Die Grenze der Ereignisse (contact.max_events) oder des Aufwands für eine Bewegung wurde vor dem Ende erreicht.","It starts and {verb} with the load at \
+{angle} and the centre at {speed} m/s.":"Er startet und {verb}, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts in the air with the load at {\
+angle} and the centre at {speed} m/s.":"Er startet in der Luft, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts skimming with the load at {an\
+gle} and the centre at {speed} m/s.":"Er streift zu Beginn die Ebene, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It {verb} at {angle}; friction is\
+ used up: the rim turns too fast for the way it goes.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand dreht sich zu schnell für seinen Weg.","I\
+t {verb} at {angle}; friction is used up: the rim slides ahead.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand gleitet voraus.","It rolls again\
+ at {angle}; the slip has stopped.":"Ab {angle} rollt er wieder; der Schlupf hat aufgehört.","The slip turns round at {angle}; it {verb}.":"Bei {angle} kehrt s\
+ich der Schlupf um; er {verb}.","It hops at {angle}.":"Er hüpft bei {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Er hüpft bei \
+{angle}. Er steigt {height} hoch und bleibt {time} s in der Luft.","An impact without collision at {angle} stops the slip; then it {verb}.":"Ein Stoß ohne Aufpr\
+all beendet bei {angle} den Schlupf; dann {verb} er.","It lands at {angle} with {speed} m/s downwards and bounces.":"Er landet bei {angle} mit {speed} m/s abwär\
+ts und springt wieder ab.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Er landet bei {angle} mit {speed} m/s abwärts und {verb}.","It turns b\
+ack at {angle}.":"Er kehrt bei {angle} um.","It turns back at {angle}, and {verb} now.":"Er kehrt bei {angle} um und {verb} jetzt.","The centre is highest at {a\
+ngle}: the gap is {height}.":"Bei {angle} ist der Mittelpunkt am höchsten: Der Spalt beträgt {height}.","Bounces without number end here, at {angle}.":"Hier, \
+bei {angle}, enden unzählige Sprünge.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Painlevé-Paradoxon bei {angle}: Keine Kontak\
+tkraft passt zu diesem Schlupf.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Painlevé-Paradoxon bei {angle}: Mehrere Kontaktkräfte \
+passen dazu.","Dynamic jam at {angle}: the contact force grows without bound.":"Dynamisches Verklemmen bei {angle}: Die Kontaktkraft wächst über alle Grenzen.",
+"Newton's law of impact has created {energy} J (Kane's example).":"Newtons Stoßgesetz hat {energy} J erzeugt (Beispiel von Kane).","No contact force is left at\
+ {angle}: the load falls freely and the rim skims the plane.":"Bei {angle} ist keine Kontaktkraft mehr da: Die Last fällt frei, der Rand streift die Ebene.","I\
+t rests at {angle}.":"Er ruht bei {angle}.","It rests at {angle}, which is not stable.":"Er ruht bei {angle}, aber nicht stabil.","It bounces {count} more times\
+.":"Er springt noch {count}-mal.","… and {count} more.":"… und noch {count}.",Slips:"Gleitet",Hops:"Hüpft","Hops at once":"Hüpft sofort","Friction for pur\
+e rolling":"Reibung für reines Rollen","Painlevé’s paradox":"Painlevé-Paradoxon","Dynamic jam":"Dynamisches Verklemmen","Rests stably":"Ruht stabil","End o\
+f rolling":"Ende des Rollens","would slip above {speed} m/s":"würde über {speed} m/s gleiten","would slip: any push is enough":"würde gleiten: jeder Stoß genü\
+gt","would hop in its first turn above {speed} m/s":"würde über {speed} m/s in der ersten Umdrehung hüpfen","would hop in its first turn: any push is enough":"\
+würde in der ersten Umdrehung hüpfen: jeder Stoß genügt","would hop at once above {speed} m/s":"würde über {speed} m/s sofort hüpfen","would hop at once:\
+ at any speed":"würde sofort hüpfen: bei jeder Geschwindigkeit","never, at any speed":"nie, bei keiner Geschwindigkeit","no friction keeps it rolling":"keine \
+Reibung hält ihn am Rollen","μ = {mu} would keep it rolling (enough here)":"μ = {mu} hielte ihn am Rollen (hier genug)","μ = {mu} would keep it rolling (more\
+ than there is)":"μ = {mu} hielte ihn am Rollen (mehr als hier)",never:"nie","from μ = {mu} on, at {angle}: possible here":"ab μ = {mu}, bei {angle}: hier mög\
+lich","from μ = {mu} on, at {angle}: not here":"ab μ = {mu}, bei {angle}: hier nicht","can end a slip at {angles}":"kann einen Schlupf bei {angles} beenden","\
+with the load at {angle}":"mit der Last bei {angle}","at {angle} friction is used up":"bei {angle} ist die Reibung ausgeschöpft","at {angle} the contact force \
+is gone":"bei {angle} ist die Kontaktkraft weg","Load fraction":"Massenanteil der Last","Share of the mass in the load of an ideal hoop":"Anteil der Last an der\
+ Masse eines idealen Reifens",Eccentricity:"Exzentrizität","Distance of the centre of gravity from the centre, over the radius":"Abstand des Schwerpunkts vom M\
+ittelpunkt, geteilt durch den Radius","Inertia ratio":"Bezogenes Trägheitsmoment","Moment of inertia about the centre of gravity over m R²":"Trägheitsmoment u\
+m den Schwerpunkt, geteilt durch m R²",Radius:"Radius","Rim radius":"Radius des Randes",Mass:"Masse","Total mass":"Gesamtmasse",Friction:"Reibungszahl","Fricti\
+on, static and kinetic":"Reibungszahl, Haft- und Gleitreibung","Static friction":"Haftreibungszahl","Kinetic friction":"Gleitreibungszahl",Slope:"Neigung","Slop\
+e of the plane, downhill along +x":"Neigung der Ebene, bergab in Richtung +x",Gravity:"Fallbeschleunigung",Restitution:"Stoßzahl","Restitution of an impact":"S\
+toßzahl eines Stoßes",Speed:"Geschwindigkeit","Velocity of the centre in a rolling start":"Geschwindigkeit des Mittelpunkts bei rollendem Start","Load angle":"\
+Winkel der Last","Angle from the plane's normal to the centre of gravity":"Winkel von der Normalen der Ebene zum Schwerpunkt","Height of the gap":"Höhe des Spal\
+ts","Gap between rim and plane":"Spalt zwischen Rand und Ebene","Speed along":"Geschwindigkeit längs","Velocity of the centre along the plane":"Geschwindigkeit\
+ des Mittelpunkts längs der Ebene","Speed upwards":"Geschwindigkeit nach oben","Velocity of the centre away from the plane":"Geschwindigkeit des Mittelpunkts w\
+eg von der Ebene","Angular velocity":"Winkelgeschwindigkeit",Stiffness:"Steifigkeit","Stiffness of the contact":"Steifigkeit des Kontakts","Slip speed":"Schlupf\
+geschwindigkeit","Slip velocity over which friction builds up":"Schlupfgeschwindigkeit, bei der sich die Reibung aufbaut","Restitution that the damping is chose\
+n for":"Stoßzahl, für die die Dämpfung gewählt ist",Duration:"Dauer","Duration of the motion":"Dauer der Bewegung","Law of impact":"Stoßgesetz","Law of res\
+titution":"Gesetz der Restitution","Stronge (energy)":"Stronge (Energie)","Poisson (impulse)":"Poisson (Impuls)","Newton (velocity)":"Newton (Geschwindigkeit)",
+"Painlevé: two solutions":"Painlevé: zwei Lösungen","What follows an indeterminate contact":"Was auf einen unbestimmten Kontakt folgt",impact:"Stoß","Contac\
+t model":"Kontaktmodell",rigid:"starr",compliant:"nachgiebig","Normal force":"Normalkraft","Friction law":"Reibungsgesetz","Regularised friction":"Geglättete Re\
+ibung","smooth (tanh)":"glatt (tanh)",linear:"linear","bristle (can hold)":"Borsten (kann halten)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Cro\
+ssley","Speed v₀":"Geschwindigkeit v₀","Angle of the load θ₀":"Winkel der Last θ₀","Speed along ẋ₀":"Geschwindigkeit längs ẋ₀","Angular veloc\
+ity θ̇₀":"Winkelgeschwindigkeit θ̇₀","Height of the gap y₀":"Höhe des Spalts y₀","Load fraction γ":"Massenanteil der Last γ","Eccentricity ε":"E\
+xzentrizität ε","Inertia ratio κ":"Bezogenes Trägheitsmoment κ","Radius R":"Radius R","Friction μ":"Reibungszahl μ","Slope β":"Neigung β","Gravity g":"\
+Fallbeschleunigung g","Restitution e":"Stoßzahl e",Earth:"Erde",Moon:"Mond",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Schwerelos","what happens in the first tu\
+rn":"was in der ersten Umdrehung geschieht","height of the first hop":"Höhe des ersten Hüpfers","angle of take-off":"Winkel beim Abheben","duration of the fir\
+st hop":"Dauer des ersten Hüpfers","greatest friction utilization":"größte Ausnutzung der Reibung","energy lost":"verlorene Energie","angle at the end":"Wink\
+el am Ende","Painlevé’s paradox or jam met":"Painlevé-Paradoxon oder Verklemmen getroffen","how it ends":"wie es endet",duration:"Dauer",revolutions:"Umdreh\
+ungen",reversal:"Umkehr",takeoff:"Abheben",rest:"Ruhe",jam:"Verklemmen",undetermined:"unbestimmt","event limit":"Grenze der Ereignisse",no:"nein",yes:"ja",none:"\
+keine","not allowed":"nicht erlaubt","and {count} more":"und {count} weitere","The article":"Der Artikel","Littlewood's hoop":"Littlewoods Reifen",Paradoxes:"Pa\
+radoxa",More:"Mehr","It hops: 3.1 m/s":"Er hüpft: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Gleitet zweimal,\
+ verlässt dann kurz vor einer vollen Umdrehung die Ebene und fliegt 0,76 s lang.","It slips: 2.8 m/s":"Er gleitet: 2,8 m/s","Friction is used up twice a turn; \
+each slip is weaker than the one before, and none is the last.":"Zweimal je Umdrehung ist die Reibung ausgeschöpft; jeder Schlupf ist schwächer als der davor, u\
+nd keiner ist der letzte.","It rolls: 2 m/s":"Er rollt: 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"\
+Reines Rollen, schneller und gleichmäßiger als nach langsamem Start und nahe an der Grenze der Reibung.","The smallest push: 0.1 m/s":"Der kleinste Stoß: 0,1 \
+m/s","Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.":"Fast in Ruhe mit der Last oben, schnell mit der Last unten; 38 %\
+ der Reibung werden genutzt.","Low friction: 0.1 m/s, μ = 0.3":"Wenig Reibung: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop r\
+ocks to and fro.":"Das Gleiten kostet die Energie, die eine volle Umdrehung braucht: Der Reifen schaukelt hin und her.","All mass in the load":"Alle Masse in de\
+r Last","A massless ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Ein masseloser Ring: Bei 90° ist keine Kontaktkraft mehr \
+da; die Last fällt, der Rand streift die Ebene.","All mass in the load, pushed":"Alle Masse in der Last, angestoßen","With a push the contact force is gone ea\
+rlier, at cos θ = v₀²/(gR).":"Mit einem Stoß verschwindet die Kontaktkraft früher, bei cos θ = v₀²/(gR).","Nearly all mass in the load":"Fast alle Mas\
+se in der Last","γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: was ein wirklicher Ring anstelle von Littlewoods Hüpfer tut.","Pain\
+levé: no solution":"Painlevé: keine Lösung","No contact force agrees with this slip. An impact without collision stops it at once.":"Keine Kontaktkraft passt\
+ zu diesem Schlupf. Ein Stoß ohne Aufprall beendet ihn sofort.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Flug u\
+nd Stoß passen beide zu den Gesetzen. Wähle mit dem Schalter unter „Ebene“.","A fast slide after a hop: the contact force grows without bound in finite ti\
+me, and no law says what follows.":"Ein schnelles Gleiten nach einem Hüpfer: Die Kontaktkraft wächst in endlicher Zeit über alle Grenzen, und kein Gesetz sagt, \
+was folgt.","Kane: energy out of nothing":"Kane: Energie aus dem Nichts","Newton's law of impact with friction creates two joules. Stronge's law does not.":"New\
+tons Stoßgesetz mit Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht.",Downhill:"Bergab","On a slope of 10° the hoop gains speed from turn to turn, un\
+til it hops.":"Auf 10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped wit\
+h spin and restitution 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","\
+On the Moon":"Auf dem Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: All\
+es ist um den Faktor 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rü\
+ckgängig (z)","Redo (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys\
+ and help (?)":"Tasten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","\
+Which hoop the controls change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Eb\
+ene",Start:"Start",Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"\
+Wo",elsewhere:"anderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem \
+Zustand","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",
+Disk:"Scheibe","Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centr\
+e":"Abstand vom Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"\
+Teil {number} entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{nam\
+e} = {value} muss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} \
+bis {most}","from {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {l\
+east} to {most}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.iner\
+tia_ratio = 0)":"für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rig\
+id“ (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht\
+. Was hier ist, läuft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The n\
+otebook’s kernel does not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",
+time:"Zeit",angle:"Winkel",gap:"Spalt","rim speed":"Geschwindigkeit des Randes",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im \
+Flug","A in front, B behind":"A vorn, B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}",
+"Traces (t)":"Spuren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"\
+Spuren",Forces:"Kräfte","Rim speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of \
+the film":"Tempo des Films","To the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"N\
+ächstes Ereignis (Umschalt →)","One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next fl\
+ight (h)":"Zum nächsten Flug (h)","To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This mo\
+tion has no landing.":"Diese Bewegung hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip begins":"Schlupf begi\
+nnt","slip ends":"Schlupf endet","slip turns round":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","boun\
+ces end":"Sprünge enden","Painlevé: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming begins":"Streifen \
+beginnt","at rest":"in Ruhe",end:"Ende","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Di\
+e Bewegung in Worten","(not all events are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {h\
+oop}":"Was die Theorie zu Reifen {hoop} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies a\
+nd losses":"Energien und Verluste","energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verlor\
+en","lost in the damper":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"\
+Kraft [N]","normal N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram sh\
+ows":"Was dein Diagramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze B\
+ewegung","slide to go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with\
+ Ctrl, the wheel zooms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","\
+{name} from {low} to {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc",
+"{name} [{unit}]":"{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"S\
+palt unter dem Rand","height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Um\
+fangsgeschwindigkeit","speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwi\
+ndigkeit","normal force":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potent\
+ial energy":"potenzielle Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the re\
+gions of rolling, slip and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Win\
+kel θ innerhalb einer Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase\
+, die auf Kontakt ohne Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin geh\
+en; zwei Finger vergrößern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick\
+ oder mit Strg zoomt das Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of mo\
+tions":"Karte der Bewegungen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewege\
+n die Marke, Eingabe übernimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herau\
+szoomen","Whole map":"Ganze Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger v\
+ergrößern.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt\
+ die Bewegung in den Abspieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} B\
+ewegungen werden berechnet …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolli\
+ng starts, though this motion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts roll\
+ing":"aus beliebigem Zustand, obwohl diese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Ka\
+rten wird einmalig übersetzt: {done} von {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"\
+Zustände (CSV)","Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film\
+ here (WebM)":"Hier einen Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The li\
+nk is copied.":"Der Link ist kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird g\
+emacht; das dauert eine Weile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take\
+ the MP4 instead.":"Dieser Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …",
+"The film is there.":"Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a loa\
+d on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechani\
+cs cannot decide. Move a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Als\
+o gleitet er, hüpft, landet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Mark\
+s on the bar of time":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"U\
+mschalt ← →","previous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, sch\
+neller","Home End":"Pos1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"\
+im Raum","zoom, zoom back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt",
+"z y  Ctrl Z":"z y  Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nic\
+ht","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf \
+−, wenn der Reifen vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der\
+ Reifen vorwärts rollt)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein massel\
+oser Rand, der ohne Kraft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehr\
+ere","bounces without number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the\
+ table says":"Einzelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"N\
+eigung der Ebene","Tilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigke\
+it","Lift, roll or throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn \
+the load: drag, or arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wi\
+ederholen","Slow motion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"\
+Vorführung auf dem ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der \
+Bewegung, Zeilen",Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten",
+"The first {count} rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"We\
+lche Herausforderung",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points}\
+ Punkte. {what}","Your best: {points} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 \
+m/s: you choose the load, where it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst di\
+e Last, wo sie beginnt, und die Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very\
+ top. Everything is allowed; the first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erst\
+e Hüpfer muss mindestens 5 cm hoch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, \
+at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen \
+zu rollen, die Last unten, mit höchstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","\
+Rigid contact only.":"Nur starrer Kontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Re\
+stitution must be 0.":"Die Stoßzahl muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the ma\
+ss may be in the load.":"Höchstens 90 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenan\
+teil der Last gegeben sein.","It must start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.",
+"At most 6 s.":"Höchstens 6 s.","It does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste H\
+üpfer ist zu niedrig.","It lands {off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss un\
+ten beginnen.","Friction must be at most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"\
+Neu hier?","Eight short questions: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nich\
+t","The hoop, before it is let go.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"\
+Schritt {number} von {all}","Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your gues\
+s":"Dein Tipp","{points} of 100 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the loa\
+d at {angle}":"{what} mit der Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s ques\
+tion":"Littlewoods Frage","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked i\
+n 1953 what happens when the weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten S\
+toß und rollt. J. E. Littlewood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rol\
+ls on.":"Er rollt weiter.","It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the p\
+lane below it.":"Das Gewicht fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es kein\
+e Kontaktkraft mehr.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows i\
+t along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: D\
+as Gewicht fällt frei, und ein Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring m\
+it Masse","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im \
+Ring. Wieder ist die Last oben, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schne\
+ll der Mittelpunkt in der ersten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/\
+s.":"Mit der Last unten hat der Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ri\
+ng has all that the heavy load has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat d\
+ie Last keine kinetische Energie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fäll\
+t.","Why it slips":"Warum er gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigere\
+r Stoß: 2,8 m/s oben. Rollen braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first t\
+ime? Turn the mark.":"Wo ist die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, \
+wo er zu gleiten beginnt","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die\
+ Ebene nur {share} des Gewichts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: tha\
+t takes friction. Watch the diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, \
+während der Ring schneller werden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little\
+ faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor d\
+ie erste Umdrehung vorbei ist.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of\
+ the load where it takes off":"Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein\
+ Rand mit {slip} m/s gleitet.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes\
+ on turning fast, and the load pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Daf\
+ür ist die Reibung zu schwach: Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"\
+Die Landung","The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf e\
+iner Parabel, und er dreht sich gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt \
+sofort.","It skids: the rim slides ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu sc\
+hnell.","It bounces.":"Er springt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in d\
+er Luft und stieg um {height} cm; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to\
+ stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung \
+ist so stark wie sein Druck: Hier genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es n\
+achher aus.","More friction, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Dr\
+ei Reifen bekommen denselben Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?",
+"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A \
+und B.)","On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, an\
+d not so much that it is braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Rei\
+bung, um den Reifen auf dem Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was st\
+arre Körper nicht entscheiden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens\
+ next.":"Ein Reifen wird so geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächs\
+tes geschieht.","What do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofor\
+t.","Both agree with the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginne\
+n gleich, und beide Bewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real\
+ bodies yield a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetz\
+e hier zwei Antworten, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your\
+ turn":"Du bist dran","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are\
+ computed from the motion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung\
+ an, und sieh, wie deine Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?\
+”":"Den Reifen einmal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-\
+off. Count the votes by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the wa\
+y down, in pairs: who has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top\
+: at which speed is the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and\
+ with forces; stop at take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.",
+"Each group takes one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? \
+What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie st\
+ark kann es sein, und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“",
+"The load pulls the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops ho\
+p before the top, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom,\
+ where it is fastest.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden \
+am stärksten: Die Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","T\
+he ring can: it gets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction alwa\
+ys brakes.":"Reibung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt si\
+e nach vorn.","More friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A h\
+eavier hoop behaves otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the\
+ film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt\
+? Markiere die Stelle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at t\
+he bottom?":"Der Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel roll\
+s, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welc\
+her Teil des Reifens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the\
+ hoop be faster?":"Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top \
+for 1.0 m/s, and the speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the \
+lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei we\
+lchem Winkel hüpft er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der\
+ Reifen hüpft, auf 1 cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reife\
+n den Boden, während sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"\
+Arbeitsblatt",Solutions:"Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","Wha\
+t students often think":"Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfen\
+de Reifen","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top\
+ and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last \
+von 0,75 kg befestigt. Der Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen",
+"does it hop?":"hüpft er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the tabl\
+e gives numbers to every student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater \
+than {least}":"größer als {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most\
+ {most}":"höchstens {most}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“",
+"'{word}', '{word2}' or '{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against th\
+e rotation over R N":"Rollwiderstand: Moment gegen die Drehung, geteilt durch R N","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between \
+-pi/2 and pi/2 (radians).":"{name} = {value} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein be\
+kannter Schlüssel; bekannt sind {word2}.","{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {valu\
+e} must not exceed {other} = {limit}.":"{one} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = '\
+compliant'.":"plane.mu_static = inf muss bei contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This\
+ takes longer than {time} s; ask for a shorter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","\
+The lab is busy; try again in {time} seconds.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"\
+Das Labor ist beschäftigt; in 1 Sekunde noch einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has e\
+nded.":"Der Prozess, der dies berechnet hat, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"dura\
+tion = {value} darf im Labor höchstens {most} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {\
+turns} revolutions and must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diese\
+m Radius etwa {turns} Umdrehungen, im Labor höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at mo\
+st {most} in the lab.":"hoop.parts hat {count} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about \
+{steps} steps of integration and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationssch\
+ritte, im Labor höchstens {most}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa \
+{turns} Umdrehungen, im Labor höchstens {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take f\
+ewer cells, lower speeds or a shorter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger \
+Zellen, kleinere Geschwindigkeiten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf fü\
+r einen Film aus dem Labor höchstens {most} s sein.","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips or hops hangs on where it t\
+urns back; the map shows it":"bergauf (β < 0) keine Schwelle: ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","A violet, B green\
+; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violett, B grün; die Strichart nennt die Größe; Zahlen von {hoop}; {hands}"};var En={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
+ueda",spins:"patina",skids:"derrapa",flies:"vuela","skims the plane":"roza el plano","rolls at {angle}":"rueda desde {angle}","spins at {angle}":"patina desde {\
+angle}","skids at {angle}":"derrapa desde {angle}","flies at {angle}":"vuela desde {angle}","skims the plane at {angle}":"roza el plano desde {angle}","hops at \
+{angle}":"salta a {angle}","lands at {angle}":"aterriza a {angle}","bounces at {angle}":"rebota a {angle}","slips the other way at {angle}":"desliza en sentido \
+contrario desde {angle}","stops its slip at once at {angle}":"deja de deslizar de golpe a {angle}","turns back at {angle}":"da la vuelta a {angle}","has bounced\
+ out at {angle}":"termina de rebotar a {angle}","meets Painlevé's paradox at {angle}":"encuentra la paradoja de Painlevé a {angle}","meets Painlevé's indeterm\
+inacy at {angle}":"encuentra la indeterminación de Painlevé a {angle}","jams at {angle}":"se bloquea a {angle}","gains energy (Kane) at {angle}":"gana energía\
+ (Kane) a {angle}","skims at {angle}":"roza desde {angle}","rests at {angle}":"reposa a {angle}","starts at {angle}":"empieza a {angle}","slips at {angle}":"des\
+liza desde {angle}","{what} and {count} more times":"{what} y {count} veces más","… ({count} more)":"… ({count} más)","It has come to rest.":"Ha quedado e\
+n reposo.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"La fuerza normal crece sin límite (bloqueo dinámico\
+): la mecánica del sólido rígido no da ningún movimiento más allá.","The model does not determine the motion beyond.":"El modelo no determina el movimient\
+o posterior.","The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Se alcanzó el límite de sucesos (contact.max_e\
+vents), o de cálculo para un movimiento, antes del final.","It starts and {verb} with the load at {angle} and the centre at {speed} m/s.":"Empieza y {verb}, co\
+n la carga a {angle} y el centro a {speed} m/s.","It starts in the air with the load at {angle} and the centre at {speed} m/s.":"Empieza en el aire, con la carg\
+a a {angle} y el centro a {speed} m/s.","It starts skimming with the load at {angle} and the centre at {speed} m/s.":"Empieza rozando el plano, con la carga a {\
+angle} y el centro a {speed} m/s.","It {verb} at {angle}; friction is used up: the rim turns too fast for the way it goes.":"A {angle} {verb}: el rozamiento est\
+á agotado y la llanta gira demasiado deprisa para lo que avanza.","It {verb} at {angle}; friction is used up: the rim slides ahead.":"A {angle} {verb}: el roza\
+miento está agotado y la llanta desliza hacia delante.","It rolls again at {angle}; the slip has stopped.":"A {angle} vuelve a rodar; el deslizamiento ha cesad\
+o.","The slip turns round at {angle}; it {verb}.":"A {angle} se invierte el deslizamiento; {verb}.","It hops at {angle}.":"Salta a {angle}.","It hops at {angle}\
+. It rises {height} and stays up for {time} s.":"Salta a {angle}. Sube {height} y permanece {time} s en el aire.","An impact without collision at {angle} stops \
+the slip; then it {verb}.":"Un impacto sin choque a {angle} detiene el deslizamiento; luego {verb}.","It lands at {angle} with {speed} m/s downwards and bounces\
+.":"Aterriza a {angle} con {speed} m/s hacia abajo y rebota.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Aterriza a {angle} con {speed} m/s h\
+acia abajo y {verb}.","It turns back at {angle}.":"Da la vuelta a {angle}.","It turns back at {angle}, and {verb} now.":"Da la vuelta a {angle}, y ahora {verb}.",
+"The centre is highest at {angle}: the gap is {height}.":"El centro está más alto a {angle}: la separación es de {height}.","Bounces without number end here,\
+ at {angle}.":"Aquí, a {angle}, terminan infinitos rebotes.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Paradoja de Painlevé a \
+{angle}: ninguna fuerza de contacto es compatible con este deslizamiento.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Paradoja de \
+Painlevé a {angle}: varias fuerzas de contacto son compatibles.","Dynamic jam at {angle}: the contact force grows without bound.":"Bloqueo dinámico a {angle}: \
+la fuerza de contacto crece sin límite.","Newton's law of impact has created {energy} J (Kane's example).":"La ley de impacto de Newton ha creado {energy} J (e\
+jemplo de Kane).","No contact force is left at {angle}: the load falls freely and the rim skims the plane.":"A {angle} ya no hay fuerza de contacto: la carga ca\
+e libremente y la llanta roza el plano.","It rests at {angle}.":"Reposa a {angle}.","It rests at {angle}, which is not stable.":"Reposa a {angle}, pero no de fo\
+rma estable.","It bounces {count} more times.":"Rebota {count} veces más.","… and {count} more.":"… y {count} más.",Slips:"Desliza",Hops:"Salta","Hops at \
+once":"Salta de inmediato","Friction for pure rolling":"Rozamiento para rodadura pura","Painlevé’s paradox":"Paradoja de Painlevé","Dynamic jam":"Bloqueo di\
+námico","Rests stably":"Reposo estable","End of rolling":"Fin de la rodadura","would slip above {speed} m/s":"deslizaría por encima de {speed} m/s","would sli\
+p: any push is enough":"deslizaría: basta cualquier empujón","would hop in its first turn above {speed} m/s":"saltaría en la primera vuelta por encima de {spe\
+ed} m/s","would hop in its first turn: any push is enough":"saltaría en la primera vuelta: basta cualquier empujón","would hop at once above {speed} m/s":"sal\
+taría de inmediato por encima de {speed} m/s","would hop at once: at any speed":"saltaría de inmediato: a cualquier velocidad","never, at any speed":"nunca, a\
+ ninguna velocidad","no friction keeps it rolling":"ningún rozamiento lo mantiene rodando","μ = {mu} would keep it rolling (enough here)":"μ = {mu} lo mantend\
+ría rodando (aquí basta)","μ = {mu} would keep it rolling (more than there is)":"μ = {mu} lo mantendría rodando (más de lo que hay)",never:"nunca","from μ\
+ = {mu} on, at {angle}: possible here":"desde μ = {mu}, a {angle}: aquí es posible","from μ = {mu} on, at {angle}: not here":"desde μ = {mu}, a {angle}: aquí\
+ no","can end a slip at {angles}":"puede acabar un deslizamiento a {angles}","with the load at {angle}":"con la carga a {angle}","at {angle} friction is used up":"\
+a {angle} se agota el rozamiento","at {angle} the contact force is gone":"a {angle} desaparece la fuerza de contacto","Load fraction":"Fracción de la carga","S\
+hare of the mass in the load of an ideal hoop":"Parte de la masa que está en la carga de un aro ideal",Eccentricity:"Excentricidad","Distance of the centre of \
+gravity from the centre, over the radius":"Distancia del centro de gravedad al centro, dividida por el radio","Inertia ratio":"Momento de inercia relativo","Mom\
+ent of inertia about the centre of gravity over m R²":"Momento de inercia respecto al centro de gravedad, dividido por m R²",Radius:"Radio","Rim radius":"Radi\
+o de la llanta",Mass:"Masa","Total mass":"Masa total",Friction:"Coeficiente de rozamiento","Friction, static and kinetic":"Coeficiente de rozamiento, estático y\
+ cinético","Static friction":"Rozamiento estático","Kinetic friction":"Rozamiento cinético",Slope:"Inclinación","Slope of the plane, downhill along +x":"Inc\
+linación del plano, cuesta abajo hacia +x",Gravity:"Gravedad",Restitution:"Restitución","Restitution of an impact":"Coeficiente de restitución de un impacto",
+Speed:"Velocidad","Velocity of the centre in a rolling start":"Velocidad del centro en una salida rodando","Load angle":"Ángulo de la carga","Angle from the pl\
+ane's normal to the centre of gravity":"Ángulo desde la normal del plano hasta el centro de gravedad","Height of the gap":"Altura de la separación","Gap betwe\
+en rim and plane":"Separación entre la llanta y el plano","Speed along":"Velocidad a lo largo","Velocity of the centre along the plane":"Velocidad del centro a\
+ lo largo del plano","Speed upwards":"Velocidad hacia arriba","Velocity of the centre away from the plane":"Velocidad del centro alejándose del plano","Angular\
+ velocity":"Velocidad angular",Stiffness:"Rigidez","Stiffness of the contact":"Rigidez del contacto","Slip speed":"Velocidad de deslizamiento","Slip velocity ov\
+er which friction builds up":"Velocidad de deslizamiento en la que se establece el rozamiento","Restitution that the damping is chosen for":"Restitución para la\
+ que se elige el amortiguamiento",Duration:"Duración","Duration of the motion":"Duración del movimiento","Law of impact":"Ley de impacto","Law of restitution":"\
+Ley de restitución","Stronge (energy)":"Stronge (energía)","Poisson (impulse)":"Poisson (impulso)","Newton (velocity)":"Newton (velocidad)","Painlevé: two sol\
+utions":"Painlevé: dos soluciones","What follows an indeterminate contact":"Qué sigue a un contacto indeterminado",impact:"impacto","Contact model":"Modelo de\
+ contacto",rigid:"rígido",compliant:"flexible","Normal force":"Fuerza normal","Friction law":"Ley de rozamiento","Regularised friction":"Rozamiento regularizad\
+o","smooth (tanh)":"suave (tanh)",linear:"lineal","bristle (can hold)":"cerdas (puede sujetar)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Crossl\
+ey","Speed v₀":"Velocidad v₀","Angle of the load θ₀":"Ángulo de la carga θ₀","Speed along ẋ₀":"Velocidad a lo largo ẋ₀","Angular velocity θ̇₀":"\
+Velocidad angular θ̇₀","Height of the gap y₀":"Altura de la separación y₀","Load fraction γ":"Fracción de la carga γ","Eccentricity ε":"Excentricid\
+ad ε","Inertia ratio κ":"Momento de inercia relativo κ","Radius R":"Radio R","Friction μ":"Rozamiento μ","Slope β":"Inclinación β","Gravity g":"Gravedad\
+ g","Restitution e":"Restitución e",Earth:"Tierra",Moon:"Luna",Mars:"Marte",Jupiter:"Júpiter",Weightless:"Ingravidez","what happens in the first turn":"lo que\
+ ocurre en la primera vuelta","height of the first hop":"altura del primer salto","angle of take-off":"ángulo de despegue","duration of the first hop":"duració\
+n del primer salto","greatest friction utilization":"mayor uso del rozamiento","energy lost":"energía perdida","angle at the end":"ángulo final","Painlevé’s p\
+aradox or jam met":"paradoja de Painlevé o bloqueo","how it ends":"cómo termina",duration:"duración",revolutions:"vueltas",reversal:"inversión",takeoff:"des\
+pegue",rest:"reposo",jam:"bloqueo",undetermined:"indeterminado","event limit":"límite de sucesos",no:"no",yes:"sí",none:"ninguno","not allowed":"no permitido",
+"and {count} more":"y {count} más","The article":"El artículo","Littlewood's hoop":"El aro de Littlewood",Paradoxes:"Paradojas",More:"Más","It hops: 3.1 m/s":"\
+Salta: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Desliza dos veces, luego deja el plano justo antes de dar un\
+a vuelta y vuela durante 0,76 s.","It slips: 2.8 m/s":"Desliza: 2,8 m/s","Friction is used up twice a turn; each slip is weaker than the one before, and none is\
+ the last.":"El rozamiento se agota dos veces por vuelta; cada deslizamiento es más débil que el anterior, y ninguno es el último.","It rolls: 2 m/s":"Rueda:\
+ 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"Rodadura pura, más rápida y uniforme que tras una sal\
+ida lenta, y cerca del límite del rozamiento.","The smallest push: 0.1 m/s":"El menor empujón: 0,1 m/s","Nearly at rest with the load up, fast with the load d\
+own; 38 % of the friction is used.":"Casi en reposo con la carga arriba, rápido con la carga abajo; se usa el 38 % del rozamiento.","Low friction: 0.1 m/s, μ =\
+ 0.3":"Poco rozamiento: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro.":"Deslizar cuesta la energía que exige \
+una vuelta entera: el aro se balancea.","All mass in the load":"Toda la masa en la carga","A massless ring: at 90° no contact force is left; the load falls, the\
+ rim skims the plane.":"Un anillo sin masa: a 90° ya no hay fuerza de contacto; la carga cae y la llanta roza el plano.","All mass in the load, pushed":"Toda l\
+a masa en la carga, con empujón","With a push the contact force is gone earlier, at cos θ = v₀²/(gR).":"Con un empujón la fuerza de contacto desaparece ant\
+es, a cos θ = v₀²/(gR).","Nearly all mass in the load":"Casi toda la masa en la carga","γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = \
+0,99: lo que hace un anillo real en lugar del salto de Littlewood.","Painlevé: no solution":"Painlevé: ninguna solución","No contact force agrees with this s\
+lip. An impact without collision stops it at once.":"Ninguna fuerza de contacto es compatible con este deslizamiento. Un impacto sin choque lo detiene de golpe.",
+"Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Vuelo e impacto cumplen ambos las leyes. Elige con el selector de «Plan\
+o».","A fast slide after a hop: the contact force grows without bound in finite time, and no law says what follows.":"Un deslizamiento rápido tras un salto: la\
+ fuerza de contacto crece sin límite en un tiempo finito, y ninguna ley dice qué sigue.","Kane: energy out of nothing":"Kane: energía de la nada","Newton's l\
+aw of impact with friction creates two joules. Stronge's law does not.":"La ley de impacto de Newton con rozamiento crea dos julios. La de Stronge, no.",Downhill:"\
+Cuesta abajo","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"En una pendiente de 10° el aro gana velocidad vuelta a vuelta, hasta \
+que salta.","Bounces without number":"Rebotes sin número","Dropped with spin and restitution 0.5: infinitely many bounces in finite time.":"Soltado con giro y \
+restitución 0,5: infinitos rebotes en un tiempo finito.","On the Moon":"En la Luna","The article's hop under lunar gravity: everything is slower by a factor of\
+ 2.46.":"El salto del artículo con gravedad lunar: todo es 2,46 veces más lento.","Motions to start from":"Movimientos para empezar","Motions to start from …":"\
+Movimientos para empezar…","Undo (z)":"Deshacer (z)","Redo (y)":"Rehacer (y)",Compare:"Comparar","Compare two hoops":"Comparar dos aros","Dark or light (d)":"\
+Oscuro o claro (d)","Keys and help (?)":"Teclas y ayuda (?)","Keys and help":"Teclas y ayuda",lab:"laboratorio",Learn:"Aprender",Language:"Idioma","Hoop A":"Aro\
+ A","Hoop B":"Aro B","Which hoop the controls change":"Qué aro cambian los controles",Parameters:"Parámetros","Skip to the player":"Ir al reproductor",Hoop:"A\
+ro",Plane:"Plano",Start:"Inicio",Contact:"Contacto","Given by":"Dado por","load fraction γ":"fracción de carga γ","ε and κ":"ε y κ","real parts":"piezas \
+reales",Where:"Dónde",elsewhere:"otro lugar","static and kinetic friction apart":"rozamiento estático y cinético por separado",Starts:"Empieza",rolling:"roda\
+ndo","in any state":"en cualquier estado","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, valor exacto en {unit}","{name}, exact value":"\
+{name}, valor exacto",Ring:"Anillo",Disk:"Disco","Point mass":"Masa puntual",Rod:"Varilla",mass:"masa","inner radius":"radio interior","outer radius":"radio ext\
+erior",radius:"radio","distance from centre":"distancia al centro",length:"longitud","Add a part":"Añadir una pieza","+ add a part …":"+ añadir una pieza…",
+"Remove part {number}, {what}":"Quitar la pieza {number}, {what}","{name} = {value} must be {rule}.":"{name} = {value} debe ser {rule}.","{name} = {value} must \
+be a number, such as 2.5.":"{name} = {value} debe ser un número, como 2,5.","{name} = {value} must be a number.":"{name} = {value} debe ser un número.","from \
+{least} to {most}":"de {least} a {most}","from {least} to {most}, or inf":"de {least} a {most}, o inf","0 or from {least} to {most}":"0 o de {least} a {most}","\
+0 or from {least} to {most}, or inf":"0, de {least} a {most}, o inf","at most {most} in the lab":"como mucho {most} en el laboratorio","0 for the massless hoop \
+(hoop.inertia_ratio = 0)":"0 para el aro sin masa (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"«rigid» para el aro sin ma\
+sa (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"El servidor no responde. Lo q\
+ue hay aquí sigue funcionando; para cambios hay que volver a ejecutar `hophoop lab`.","The server answered {status}.":"El servidor respondió {status}.","The n\
+otebook’s kernel does not answer; run the cell again.":"El núcleo del cuaderno no responde; vuelva a ejecutar la celda.",hoop:"aro",mode:"fase",time:"tiempo",
+angle:"ángulo",gap:"separación","rim speed":"velocidad de la llanta",load:"carga","centre of gravity":"centro de gravedad","the same in flight":"el mismo en v\
+uelo","A in front, B behind":"A delante, B detrás","The hoop":"El aro","The hoop.":"El aro.",Time:"Tiempo","{time} seconds, {what}":"{time} segundos, {what}","\
+Traces (t)":"Trayectorias (t)","Forces (f)":"Fuerzas (f)","Rim speed (c)":"Velocidad de la llanta (c)","Whole path (w)":"Todo el recorrido (w)","In space (3)":"\
+En el espacio (3)",Traces:"Trayectorias",Forces:"Fuerzas","Rim speed":"Vel. llanta","Whole path":"Recorrido","Play (space)":"Reproducir (espacio)","Pause (space\
+)":"Pausa (espacio)","Speed of the film":"Velocidad de la película","To the start (Home)":"Al principio (Inicio)","Previous event (Shift ←)":"Suceso anterior\
+ (Mayús ←)","Next event (Shift →)":"Suceso siguiente (Mayús →)","One frame back (←)":"Un fotograma atrás (←)","One frame on (→)":"Un fotograma ad\
+elante (→)",landing:"aterrizaje","To the next flight (h)":"Al siguiente vuelo (h)","To the next landing (l)":"Al siguiente aterrizaje (l)","This motion has no\
+ flight.":"Este movimiento no tiene vuelo.","This motion has no landing.":"Este movimiento no tiene aterrizaje.","{what} at {angle}, {time} s":"{what} a {angle}\
+, {time} s",start:"inicio","slip begins":"empieza el deslizamiento","slip ends":"acaba el deslizamiento","slip turns round":"se invierte el deslizamiento","take\
+-off":"despegue","turns back":"da la vuelta","highest point":"punto más alto","bounces end":"acaban los rebotes","Painlevé: several solutions":"Painlevé: vari\
+as soluciones","energy gain (Kane)":"ganancia de energía (Kane)","skimming begins":"empieza el roce","at rest":"en reposo",end:"final","What happens":"Qué ocur\
+re","What happens to hoop {hoop}":"Qué le ocurre al aro {hoop}","The motion in words":"El movimiento en palabras","(not all events are shown)":"(no se muestran\
+ todos los sucesos)","What theory says":"Qué dice la teoría","What theory says of hoop {hoop}":"Qué dice la teoría del aro {hoop}",Velocities:"Velocidades",
+"velocity [m/s]":"velocidad [m/s]","v (centre)":"v (centro)","Energies and losses":"Energías y pérdidas","energy [J]":"energía [J]",kinetic:"cinética",potential:"\
+potencial",total:"total","lost to friction":"perdida por rozamiento","lost in the damper":"perdida en el amortiguador","lost in impacts, normal part":"perdida e\
+n impactos, parte normal","Contact forces":"Fuerzas de contacto","force [N]":"fuerza [N]","normal N":"normal N","friction F":"rozamiento F","Use of friction":"U\
+so del rozamiento","Your choice":"A tu elección","What your diagram shows":"Qué muestra tu diagrama","Horizontal axis of the diagrams":"Eje horizontal de los \
+diagramas","over {quantity}":"en función de: {quantity}","Whole motion":"Todo el movimiento","slide to go there, two fingers zoom":"desliza para ir ahí; dos de\
+dos amplían","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"clic para ir ahí, arrastrar para ampliar; tr\
+as un clic, o con Ctrl, la rueda amplía; doble clic para todo","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagrama\
+: {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place of\
+ the centre":"posición del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed of\
+ the centre":"velocidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip velocity":"\
+velocidad de deslizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"uso\
+ del rozamiento","kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano de \
+θ y θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadura,\
+ deslizamiento y vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: slip\
+ that meets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","C\
+lick to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for \
+all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the map \
+shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"M\
+apa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"\
+Reducir el mapa","Whole map":"Mapa entero","Click to take that motion into the player; two fingers zoom.":"Toca para llevar ese movimiento al reproductor; dos d\
+edos amplían.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic lleva ese\
+ movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","computing {count} motions …":"calculando {\
+count} movimientos…","{count} motions":"{count} movimientos","{count} motions, with rigid contact":"{count} movimientos, con contacto rígido","of rolling sta\
+rts, though this motion starts otherwise":"con salidas rodando, aunque este movimiento empieza de otro modo","of starts in any state, though this motion starts \
+rolling":"desde cualquier estado, aunque este movimiento empieza rodando","compiling the kernel of maps, this once: {done} of {all} functions":"compilando el nú\
+cleo de los mapas, solo esta vez: {done} de {all} funciones",Keep:"Guardar","Copy the link":"Copiar el enlace","Scenario (TOML)":"Escenario (TOML)","States (CSV\
+)":"Estados (CSV)","Motion (netCDF)":"Movimiento (netCDF)","Events (JSON)":"Sucesos (JSON)","Film (MP4)":"Película (MP4)","Picture (PNG)":"Imagen (PNG)","Recor\
+d a film here (WebM)":"Grabar aquí una película (WebM)","Show me the Python":"Ver el código Python","The same motion in Python":"El mismo movimiento en Pytho\
+n","The link is copied.":"El enlace está copiado.","The link to this motion":"El enlace a este movimiento","The film is being made; this takes a while …":"Se\
+ está haciendo la película; tarda un poco…","Fetching {name} …":"Obteniendo {name}…","{name} is there.":"{name} ya está.","This browser cannot record a\
+ canvas; take the MP4 instead.":"Este navegador no puede grabar el lienzo; use el MP4.","Recording one run …":"Grabando una pasada…","The film is there.":"L\
+a película ya está.","The scenario as a file":"El escenario como archivo",Copy:"Copiar",Copied:"Copiado",Close:"Cerrar","A ring with a load on its rim rolls o\
+n a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Mo\
+ve a slider and see.":"Un anillo con una carga en la llanta rueda sobre un plano. El rozamiento aguanta hasta un límite y el plano solo puede empujar: por eso d\
+esliza, salta, aterriza… o hace algo que la mecánica del sólido rígido no puede decidir. Mueve un control y observa.",Modes:"Fases","Marks on the bar of ti\
+me":"Marcas en la barra de tiempo",Keys:"Teclas",space:"espacio","play, pause":"reproducir, pausa","one frame":"un fotograma","Shift ← →":"Mayús ← →","\
+previous, next event":"suceso anterior, siguiente","next flight, landing":"siguiente vuelo, aterrizaje","slower, faster":"más lento, más rápido","Home End":"\
+Inicio Fin","start, end":"principio, final","traces, forces, rim speed, whole path":"trayectorias, fuerzas, velocidad de la llanta, recorrido","in space":"en el\
+ espacio","zoom, zoom back":"ampliar, volver","leave a field, a menu, a picture that the wheel zooms":"salir de un campo, un menú o una imagen que amplía la rue\
+da","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"deshacer, rehacer","dark, light":"oscuro, claro",Python:"Python","the rim does not slide":"la llanta no desliza","\
+slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"deslizamiento: la llanta gira demasiado deprisa para lo que avanza (d\
+eslizamiento −, si el aro rueda hacia delante)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"deslizamiento: la llanta desliza hacia del\
+ante (deslizamiento +, si el aro rueda hacia delante)","the hop: from take-off to landing":"el salto: del despegue al aterrizaje","a massless rim that touches w\
+ithout force":"una llanta sin masa que toca sin fuerza","take-off, landing":"despegue, aterrizaje","Painlevé’s paradox: no solution, several":"Paradoja de Pa\
+inlevé: ninguna solución, varias","bounces without number end":"acaban infinitos rebotes","skimming begins, rest":"empieza el roce, reposo","Single keys (lett\
+ers, digits, signs) do what the table says":"Las teclas sueltas (letras, cifras, signos) hacen lo que dice la tabla","The hoop in your hand":"El aro en tu mano",
+"Slope of the plane":"Inclinación del plano","Tilt the plane: drag, or arrow keys":"Inclinar el plano: arrastrar o flechas","The hoop: height and speed":"El ar\
+o: altura y velocidad","Lift, roll or throw the hoop: drag, or arrow keys":"Levantar, rodar o lanzar el aro: arrastrar o flechas","Angle of the load":"Ángulo de\
+ la carga","Turn the load: drag, or arrow keys":"Girar la carga: arrastrar o flechas","gap {height}, speed {speed} m/s":"separación {height}, velocidad {speed} \
+m/s",Repeat:"Repetir","Slow motion: a tenth of the speed":"Cámara lenta: una décima parte","Sound of the contact":"Sonido del contacto","Presentation on the w\
+hole screen":"Presentación a pantalla completa","Guided visit":"Visita guiada","Table of the motion":"Tabla del movimiento","Table of the motion, rows":"Tabla \
+del movimiento, filas",Presentation:"Presentación","For teachers":"Para docentes",Table:"Tabla",Every:"Cada","Save as CSV":"Guardar como CSV",Columns:"Columnas",
+"The first {count} rows.":"Las primeras {count} filas.",Challenges:"Retos","Leave the challenges":"Salir de los retos","Which challenge":"Qué reto",Score:"Punt\
+uación","Begin again":"Empezar de nuevo","Show a best one":"Ver una de las mejores","{stars} {points} points. {what}":"{stars} {points} puntos. {what}","Your b\
+est: {points} points.":"Tu mejor: {points} puntos.","Hop highest":"El salto más alto","On level ground, rolling, with at most 3.1 m/s: you choose the load, whe\
+re it starts, and friction. How high can the hoop rise within 6 s?":"En suelo horizontal, rodando, con 3,1 m/s como mucho: eliges la carga, dónde empieza y el r\
+ozamiento. ¿Hasta qué altura puede subir el aro en 6 s?","Land upright":"Aterrizar en pie","Let the hoop land with its load at the very top. Everything is all\
+owed; the first hop has to be at least 5 cm high.":"Haz que el aro aterrice con la carga arriba del todo. Todo vale; el primer salto debe tener al menos 5 cm de\
+ altura.","Hop without skidding":"Saltar sin derrapar","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at\
+ most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"En suelo horizontal el aro empieza rodando con la carga abajo, a 10 m/s \
+como mucho, y μ no pasa de 1,5. Antes de saltar no debe derrapar; patinar sí puede. ¿Hasta qué altura salta?","Rigid contact only.":"Solo contacto rígido.",
+"The plane must be level.":"El plano debe ser horizontal.","It must be on Earth.":"Debe ser en la Tierra.","Restitution must be 0.":"La restitución debe ser 0.",
+"The radius must stay 1 m, without parts.":"El radio debe seguir siendo 1 m, sin piezas.","At most 90 % of the mass may be in the load.":"Como mucho el 90 % de \
+la masa puede estar en la carga.","The hoop must be given by its load fraction.":"El aro debe darse por la fracción de carga.","It must start rolling.":"Debe e\
+mpezar rodando.","At most 10 m/s.":"Como mucho 10 m/s.","At most 3.1 m/s.":"Como mucho 3,1 m/s.","At most 6 s.":"Como mucho 6 s.","It does not hop.":"No salta.",
+"It rises by {height}.":"Sube {height}.","The first hop is too low.":"El primer salto es demasiado bajo.","It lands {off} away from the top.":"Aterriza a {off} \
+de lo más alto.","The load must start at the bottom.":"La carga debe empezar abajo.","Friction must be at most 1.5.":"El rozamiento debe ser como mucho 1,5.","\
+It skids before it hops.":"Derrapa antes de saltar.","New here?":"¿Primera vez?","Eight short questions: guess, then play.":"Ocho preguntas cortas: adivina y l\
+uego reproduce.","Start the visit":"Empezar la visita","Not now":"Ahora no","The hoop, before it is let go.":"El aro, antes de soltarlo.",Play:"Reproducir",Next:"\
+Siguiente",Back:"Atrás",Done:"Hecho","Step {number} of {all}":"Paso {number} de {all}","Leave the visit":"Salir de la visita","First say what you expect, then \
+play.":"Di primero qué esperas y luego reproduce.","Your guess":"Tu respuesta","{points} of 100 points.":"{points} de 100 puntos.","You have {sum} of {most} po\
+ints.":"Tienes {sum} de {most} puntos.","{what} with the load at {angle}":"{what} con la carga a {angle}","Draw the curve: pull the points up and down":"Dibuja \
+la curva: mueve los puntos arriba y abajo","Littlewood’s question":"La pregunta de Littlewood","A hoop without mass has a weight on its rim. With the weight a\
+t the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Un aro sin masa lleva un \
+peso en la llanta. Con el peso arriba recibe el menor empujón y rueda. J. E. Littlewood preguntó en 1953 qué ocurre cuando el peso está a la altura del centro.",
+"What do you think?":"¿Qué crees?","It rolls on.":"Sigue rodando.","It hops: the hoop leaves the plane.":"Salta: el aro deja el plano.","The weight falls free\
+ly, and the hoop skims the plane below it.":"El peso cae libremente y el aro roza el plano debajo de él.","At {angle} there is no contact force any more.":"A {\
+angle} ya no hay fuerza de contacto.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim withou\
+t mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood dijo que el aro salta. Pero la fuerza de contacto es nula, no hacia a\
+rriba: el peso cae libremente y una llanta sin masa lo sigue por el plano. Para saltar, un aro necesita algo de masa en la llanta.","A ring with mass":"Un anill\
+o con masa","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Ahora un cuarto de la masa está en e\
+l anillo. De nuevo la carga está arriba y el aro recibe el menor empujón.","Draw how fast the hoop’s centre goes during the first turn.":"Dibuja la velocida\
+d del centro del aro durante la primera vuelta.","Speed of the centre":"Velocidad del centro","With the load at the bottom the centre has {speed} m/s.":"Con la \
+carga abajo el centro va a {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that t\
+he heavy load has lost: it is faster than a stone that falls from the same height.":"El punto más bajo de un aro que rueda está en reposo. Ahí la carga no tiene\
+ energía cinética, y el anillo ligero tiene toda la que ha perdido la carga pesada: va más rápido que una piedra que cae desde la misma altura.","Why it sli\
+ps":"Por qué desliza","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Un empujón más fuerte: 2,8 m/\
+s arriba. Rodar exige rozamiento, y el rozamiento tiene un límite: como mucho μ N.","Where is the load when friction gives way for the first time? Turn the ma\
+rk.":"¿Dónde está la carga cuando el rozamiento cede por primera vez? Gira la marca.","Angle of the load where it begins to slip":"Ángulo de la carga donde e\
+mpieza a deslizar","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Empieza a deslizar a {angle}. Ahí el plano soporta solo \
+el {share} del peso.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes fric\
+tion. Watch the diagram ‘Use of friction’: it comes to 1.":"En su camino hacia abajo la carga apenas aprieta el plano, así que N es pequeña, mientras que el\
+ anillo debe acelerarse: eso exige rozamiento. Mira el diagrama «Uso del rozamiento»: llega a 1.","The hop":"El salto","A little faster, 3.1 m/s. This time th\
+e hoop leaves the plane, before the first turn is over.":"Un poco más rápido, 3,1 m/s. Esta vez el aro deja el plano antes de acabar la primera vuelta.","Wher\
+e is the load when the hoop takes off? Turn the mark.":"¿Dónde está la carga cuando el aro despega? Gira la marca.","Angle of the load where it takes off":"Á\
+ngulo de la carga al despegar","It takes off at {angle}, while its rim slips at {slip} m/s.":"Despega a {angle}, mientras su llanta desliza a {slip} m/s.","A ro\
+lling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls\
+ it off the plane before it is at the top.":"A un aro que rueda el plano lo frenaría mientras sube la carga. El rozamiento es demasiado débil para eso: la llant\
+a patina, el aro sigue girando deprisa y la carga lo arranca del plano antes de llegar arriba.","The landing":"El aterrizaje","The hoop is in the air. Its centr\
+e of gravity goes on a parabola, and it turns evenly.":"El aro está en el aire. Su centro de gravedad sigue una parábola y gira de manera uniforme.","What doe\
+s it do just after it has landed?":"¿Qué hace justo después de aterrizar?","It rolls at once.":"Rueda de inmediato.","It skids: the rim slides ahead.":"Derra\
+pa: la llanta desliza hacia delante.","It spins: the rim turns too fast.":"Patina: la llanta gira demasiado deprisa.","It bounces.":"Rebota.","It was in the air\
+ for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Estuvo {time} s en el aire y subió {height} cm; aterriza con la carga a {angle}.","\
+An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing wou\
+ld be another one. Try it afterwards.":"Un impacto no dura nada, pero su rozamiento es tan fuerte como su empuje: aquí basta para detener todo deslizamiento. Co\
+n menos rozamiento, o más restitución, el aterrizaje sería otro. Pruébalo después.","More friction, more hop?":"¿Más rozamiento, más salto?","Three hoop\
+s get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Tres aros reciben el mismo empujón de 3,1 m/s, en planos con rozamiento 0,05, 0,2 y\
+ 1,0.","Which of them hops highest?":"¿Cuál salta más alto?","They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Suben {low} cm\
+, {middle} cm y {high} cm. (Los dos primeros son A y B.)","On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough f\
+riction to turn the hoop fast on the way down, and not so much that it is braked on the way up.":"Sobre hielo nada impulsa el giro; con rozamiento sin fin nada \
+desliza. El salto necesita ambas cosas: rozamiento bastante para girar deprisa en la bajada, y no tanto que lo frene en la subida.","What rigid bodies cannot de\
+cide":"Lo que los sólidos rígidos no pueden decidir","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction h\
+ave to say what happens next.":"Se lanza un aro de modo que deslice deprisa sobre un plano rugoso. Las leyes del sólido rígido con rozamiento seco deben decir q\
+ué ocurre después.","What do they say?":"¿Qué dicen?","It flies off.":"Sale volando.","An impact stops the slide at once.":"Un impacto detiene el deslizamie\
+nto de golpe.","Both agree with the laws.":"Ambas cosas cumplen las leyes.","Hoop A and hoop B start alike, and both motions obey every law.":"El aro A y el aro\
+ B empiezan igual, y ambos movimientos cumplen todas las leyes.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states \
+none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé lo descubrió en 1895. Para un sólido rígido las\
+ leyes tienen aquí dos respuestas, y en otros estados ninguna. Los cuerpos reales ceden un poco, y eso decide: elige el contacto flexible en «Contacto».","Yo\
+ur turn":"Te toca a ti","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores a\
+re computed from the motion itself.":"Toma el aro: gira la carga, levántalo y suéltalo, dale un impulso, inclina el plano. O acepta un reto y mira cómo tu puntu\
+ación se calcula del propio movimiento.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Mostrar el aro a toda vel\
+ocidad, una vez, sin comentar. «Lo empujo. ¿Solo rueda?»","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Todos\
+ predicen dónde está la carga al despegar. Contar los votos por cuartos de vuelta.","Energy on the way down, in pairs: who has the energy when the load is at \
+rest?":"Energía en la bajada, por parejas: ¿quién tiene la energía cuando la carga está en reposo?","Lift at the top: at which speed is the force of the fl\
+oor zero?":"Elevación arriba: ¿a qué velocidad es nula la fuerza del suelo?","The film again, in slow motion and with forces; stop at take-off. Compare with \
+the votes.":"La película otra vez, a cámara lenta y con fuerzas; parar al despegar. Comparar con los votos.","Each group takes one speed of the worksheet; res\
+ults on the board.":"Cada grupo toma una velocidad de la hoja de trabajo; resultados en la pizarra.","Why? What has to brake the rotation on the way up, how str\
+ong can it be, and what if it is too weak?":"¿Por qué? ¿Qué debe frenar el giro en la subida, qué fuerza puede tener y qué pasa si es demasiado débil?","\
+One sentence each: “The hoop hops because …”":"Una frase cada uno: «El aro salta porque…»","The load pulls the hoop up at the top, so it hops there.":"\
+La carga tira del aro hacia arriba en lo alto, por eso salta ahí.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Solo si es muy \
+rápido. Los más lentos saltan antes de lo alto, tras deslizar.","It hops at the bottom, where it is fastest.":"Salta abajo, donde es más rápido.","There the\
+ floor pushes hardest: the load has to be turned upwards.":"Ahí el suelo empuja más: hay que desviar la carga hacia arriba.","Nothing can be faster than a fal\
+ling stone.":"Nada puede ser más rápido que una piedra que cae.","The ring can: it gets the energy of a load that has come to rest.":"El anillo sí: recibe la \
+energía de una carga que ha quedado en reposo.","Friction always brakes.":"El rozamiento siempre frena.","It acts against slip. On the hoop’s way up it points \
+forwards.":"Actúa contra el deslizamiento. En la subida apunta hacia delante.","More friction, more hop.":"Más rozamiento, más salto.","There is a best frict\
+ion in between.":"Hay un rozamiento óptimo intermedio.","A heavier hoop behaves otherwise.":"Un aro más pesado se comporta de otro modo.","Only the shares of \
+mass count.":"Solo cuentan las proporciones de masa.","Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"\
+Antes de la película: ¿dónde está la carga cuando el aro deja el suelo? Marca el lugar y da una razón.","The hoop gets only the smallest push and rolls. Ho\
+w much potential energy has been set free when the load is at the bottom?":"El aro recibe solo el menor empujón y rueda. ¿Cuánta energía potencial se ha liberad\
+o cuando la carga está abajo?","While a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"\
+Mientras una rueda rueda, su punto más bajo está en reposo. ¿Qué parte del aro tiene entonces energía cinética y a qué velocidad va el centro?","How fast\
+ is a stone that falls from the height of the load? Why can the hoop be faster?":"¿Qué velocidad tiene una piedra que cae desde la altura de la carga? ¿Por qué \
+puede ser más rápido el aro?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"Halla la fuerza del suelo arriba \
+para 1,0 m/s y la velocidad a la que se anula.","In the lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"En e\
+l laboratorio: ¿qué hace el aro en sus primeros 1,5 s y a qué ángulo salta? Completa la tabla.","Find the smallest speed with which the hoop hops, to 1 cm/s\
+.":"Halla la menor velocidad con la que el aro salta, con 1 cm/s de precisión.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping he\
+lp it to hop?":"A 2,2 m/s el aro deja el suelo mientras su llanta desliza. ¿Por qué le ayuda a saltar el deslizamiento?",Show:"Mostrar","Teaching with the hoo\
+p":"Enseñar con el aro",Worksheet:"Hoja de trabajo",Solutions:"Soluciones",Exercises:"Ejercicios","A lesson of 45 minutes":"Una clase de 45 minutos",Minute:"Mi\
+nuto",Motion:"Movimiento","What students often think":"Lo que suelen pensar los estudiantes",Idea:"Idea","What is right":"Lo correcto","Worksheet: the hoop that\
+ hops":"Hoja de trabajo: el aro que salta","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a leve\
+l floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anillo delgado de radio 0,40 m tiene una masa de 0,25 kg. En\
+ su llanta va fijada una carga de 0,75 kg. El aro está sobre un suelo horizontal con la carga arriba y se empuja hacia la derecha. Rozamiento: μ = 1; g = 9,81 m\
+/s².",phases:"fases","does it hop?":"¿salta?","at which angle?":"¿a qué ángulo?",Print:"Imprimir","The visit asks before it shows; the presentation fills t\
+he screen; the table gives numbers to every student.":"La visita pregunta antes de mostrar; la presentación llena la pantalla; la tabla da números a cada estudi\
+ante.",inf:"inf","greater than {least}":"mayor que {least}","at least {least}":"como mínimo {least}","at least {least} (inf is allowed)":"como mínimo {least} (\
+se admite inf)","at most {most}":"como mucho {most}","a finite number":"un número finito","a whole number":"un número entero","'{word}' or '{word2}'":"«{word}\
+» o «{word2}»","'{word}', '{word2}' or '{word3}'":"«{word}», «{word2}» o «{word3}»","Rolling resistance":"Resistencia a la rodadura","Rolling resistanc\
+e: couple against the rotation over R N":"Resistencia a la rodadura: par contra el giro, dividido por R N","Rolling resistance f":"Resistencia a la rodadura f",
+"{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {value} debe estar entre -pi/2 y pi/2 (radianes).","{word} is not a known key; known are\
+ {word2}.":"{word} no es una clave conocida; las conocidas son {word2}.","{one} cannot be given together with {other}.":"{one} no puede darse junto con {other}.",
+"{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} no debe superar {other} = {limit}.","plane.mu_static = inf must be finite with contact.mod\
+el = 'compliant'.":"plane.mu_static = inf debe ser finito con contact.model = 'compliant'.","hoop.parts must not be empty.":"hoop.parts no debe estar vacío.","\
+This takes longer than {time} s; ask for a shorter motion or fewer cells.":"Esto tarda más de {time} s; pide un movimiento más corto o menos celdas.","The lab\
+ is busy; try again in {time} seconds.":"El laboratorio está ocupado; inténtalo de nuevo en {time} segundos.","The lab is busy; try again in 1 second.":"El la\
+boratorio está ocupado; inténtalo de nuevo en 1 segundo.","The computation failed.":"El cálculo ha fallado.","The process that computed this has ended.":"El \
+proceso que calculaba esto ha terminado.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} de\
+be ser como mucho {most} s en el laboratorio; la biblioteca misma no tiene ese límite.","duration = {value} s at this speed and radius is about {turns} revolut\
+ions and must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s son unas {turns} vueltas a esta velocidad y radio, y en\
+ el laboratorio como mucho {most}; la biblioteca misma no tiene ese límite.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.part\
+s tiene {count} piezas y debe tener como mucho {most} en el laboratorio.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integr\
+ation and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed y duration requieren unos {steps} pasos de integración, y en el laborator\
+io como mucho {most}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Una celda de este mapa son unas {turns} vueltas\
+, y en el laboratorio como mucho {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cel\
+ls, lower speeds or a shorter duration.":"x e y dan {count} celdas con unas {turns} vueltas en total, y en el laboratorio como mucho {most}; toma menos celdas, \
+velocidades menores o una duración más corta.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} debe ser como mucho \
+{most} s para una película del laboratorio.","Slips, hops":"Desliza, salta","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back\
+; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A violet, B green; the dashe\
+s tell the quantities; numbers of {hoop}; {hands}":"A violeta, B verde; el trazo indica la magnitud; números de {hoop}; {hands}"};var An={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
+roule",spins:"patine",skids:"dérape",flies:"vole","skims the plane":"effleure le plan","rolls at {angle}":"roule à partir de {angle}","spins at {angle}":"pati\
+ne à partir de {angle}","skids at {angle}":"dérape à partir de {angle}","flies at {angle}":"vole à partir de {angle}","skims the plane at {angle}":"effleure\
+ le plan à partir de {angle}","hops at {angle}":"saute à {angle}","lands at {angle}":"retombe à {angle}","bounces at {angle}":"rebondit à {angle}","slips th\
+e other way at {angle}":"glisse dans l’autre sens à partir de {angle}","stops its slip at once at {angle}":"cesse brusquement de glisser à {angle}","turns b\
+ack at {angle}":"fait demi-tour à {angle}","has bounced out at {angle}":"finit de rebondir à {angle}","meets Painlevé's paradox at {angle}":"rencontre le par\
+adoxe de Painlevé à {angle}","meets Painlevé's indeterminacy at {angle}":"rencontre l’indétermination de Painlevé à {angle}","jams at {angle}":"se coinc\
+e à {angle}","gains energy (Kane) at {angle}":"gagne de l’énergie (Kane) à {angle}","skims at {angle}":"effleure à partir de {angle}","rests at {angle}":"\
+repose à {angle}","starts at {angle}":"part à {angle}","slips at {angle}":"glisse à partir de {angle}","{what} and {count} more times":"{what} et encore {cou\
+nt} fois","… ({count} more)":"… (encore {count})","It has come to rest.":"Il s’est immobilisé.","The normal force grows without bound (dynamic jam): rigi\
+d-body mechanics has no motion beyond.":"La force normale croît sans limite (coincement dynamique) : la mécanique du solide ne donne pas de suite au mouvement.",
+"The model does not determine the motion beyond.":"Le modèle ne détermine pas la suite du mouvement.","The limit of events (contact.max_events), or of work fo\
+r one motion, was reached before the end.":"La limite du nombre d’événements (contact.max_events), ou du calcul pour un mouvement, a été atteinte avant la fin.",
+"It starts and {verb} with the load at {angle} and the centre at {speed} m/s.":"Il part et {verb}, la masselotte à {angle} et le centre à {speed} m/s.","It st\
+arts in the air with the load at {angle} and the centre at {speed} m/s.":"Il part en l’air, la masselotte à {angle} et le centre à {speed} m/s.","It starts \
+skimming with the load at {angle} and the centre at {speed} m/s.":"Il part en effleurant le plan, la masselotte à {angle} et le centre à {speed} m/s.","It {ve\
+rb} at {angle}; friction is used up: the rim turns too fast for the way it goes.":"À {angle} il {verb} : le frottement est épuisé, la jante tourne trop vite pou\
+r son trajet.","It {verb} at {angle}; friction is used up: the rim slides ahead.":"À {angle} il {verb} : le frottement est épuisé, la jante glisse vers l’avant.",
+"It rolls again at {angle}; the slip has stopped.":"À {angle} il roule de nouveau ; le glissement a cessé.","The slip turns round at {angle}; it {verb}.":"À {\
+angle} le glissement s’inverse ; il {verb}.","It hops at {angle}.":"Il saute à {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"\
+Il saute à {angle}. Il monte de {height} et reste {time} s en l’air.","An impact without collision at {angle} stops the slip; then it {verb}.":"Un impact san\
+s collision à {angle} arrête le glissement ; puis il {verb}.","It lands at {angle} with {speed} m/s downwards and bounces.":"Il retombe à {angle} avec {speed}\
+ m/s vers le bas et rebondit.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Il retombe à {angle} avec {speed} m/s vers le bas et {verb}.","It \
+turns back at {angle}.":"Il fait demi-tour à {angle}.","It turns back at {angle}, and {verb} now.":"Il fait demi-tour à {angle}, et maintenant il {verb}.","Th\
+e centre is highest at {angle}: the gap is {height}.":"Le centre est au plus haut à {angle} : l’écart est de {height}.","Bounces without number end here, at\
+ {angle}.":"Ici, à {angle}, s’achève une infinité de rebonds.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Paradoxe de Painl\
+evé à {angle} : aucune force de contact n’est compatible avec ce glissement.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Parad\
+oxe de Painlevé à {angle} : plusieurs forces de contact sont compatibles.","Dynamic jam at {angle}: the contact force grows without bound.":"Coincement dynami\
+que à {angle} : la force de contact croît sans limite.","Newton's law of impact has created {energy} J (Kane's example).":"La loi d’impact de Newton a créé {e\
+nergy} J (exemple de Kane).","No contact force is left at {angle}: the load falls freely and the rim skims the plane.":"À {angle} il n’y a plus de force de cont\
+act : la masselotte tombe en chute libre et la jante effleure le plan.","It rests at {angle}.":"Il repose à {angle}.","It rests at {angle}, which is not stable\
+.":"Il repose à {angle}, mais pas de façon stable.","It bounces {count} more times.":"Il rebondit encore {count} fois.","… and {count} more.":"… et encore {\
+count}.",Slips:"Glisse",Hops:"Saute","Hops at once":"Saute aussitôt","Friction for pure rolling":"Frottement pour rouler sans glisser","Painlevé’s paradox":"\
+Paradoxe de Painlevé","Dynamic jam":"Coincement dynamique","Rests stably":"Repos stable","End of rolling":"Fin du roulement","would slip above {speed} m/s":"gl\
+isserait au-delà de {speed} m/s","would slip: any push is enough":"glisserait : la moindre poussée suffit","would hop in its first turn above {speed} m/s":"sa\
+uterait au premier tour au-delà de {speed} m/s","would hop in its first turn: any push is enough":"sauterait au premier tour : la moindre poussée suffit","wou\
+ld hop at once above {speed} m/s":"sauterait aussitôt au-delà de {speed} m/s","would hop at once: at any speed":"sauterait aussitôt : à toute vitesse","neve\
+r, at any speed":"jamais, à aucune vitesse","no friction keeps it rolling":"aucun frottement ne le fait rouler sans glisser","μ = {mu} would keep it rolling (e\
+nough here)":"μ = {mu} le ferait rouler sans glisser (ici, cela suffit)","μ = {mu} would keep it rolling (more than there is)":"μ = {mu} le ferait rouler sans\
+ glisser (plus qu’ici)",never:"jamais","from μ = {mu} on, at {angle}: possible here":"à partir de μ = {mu}, à {angle} : possible ici","from μ = {mu} on, a\
+t {angle}: not here":"à partir de μ = {mu}, à {angle} : pas ici","can end a slip at {angles}":"peut terminer un glissement à {angles}","with the load at {an\
+gle}":"avec la masselotte à {angle}","at {angle} friction is used up":"à {angle} le frottement est épuisé","at {angle} the contact force is gone":"à {angle}\
+ la force de contact a disparu","Load fraction":"Part de la masselotte","Share of the mass in the load of an ideal hoop":"Part de la masse qui est dans la masse\
+lotte d’un cerceau idéal",Eccentricity:"Excentricité","Distance of the centre of gravity from the centre, over the radius":"Distance du centre de gravité au\
+ centre, divisée par le rayon","Inertia ratio":"Moment d’inertie réduit","Moment of inertia about the centre of gravity over m R²":"Moment d’inertie par ra\
+pport au centre de gravité, divisé par m R²",Radius:"Rayon","Rim radius":"Rayon de la jante",Mass:"Masse","Total mass":"Masse totale",Friction:"Coefficient d\
+e frottement","Friction, static and kinetic":"Coefficient de frottement, statique et dynamique","Static friction":"Frottement statique","Kinetic friction":"Frot\
+tement dynamique",Slope:"Inclinaison","Slope of the plane, downhill along +x":"Inclinaison du plan, descente vers +x",Gravity:"Pesanteur",Restitution:"Restituti\
+on","Restitution of an impact":"Coefficient de restitution d’un impact",Speed:"Vitesse","Velocity of the centre in a rolling start":"Vitesse du centre au dépa\
+rt en roulant","Load angle":"Angle de la masselotte","Angle from the plane's normal to the centre of gravity":"Angle entre la normale au plan et le centre de gr\
+avité","Height of the gap":"Hauteur de l’écart","Gap between rim and plane":"Écart entre la jante et le plan","Speed along":"Vitesse le long du plan","Velo\
+city of the centre along the plane":"Vitesse du centre le long du plan","Speed upwards":"Vitesse vers le haut","Velocity of the centre away from the plane":"Vit\
+esse du centre en s’éloignant du plan","Angular velocity":"Vitesse angulaire",Stiffness:"Raideur","Stiffness of the contact":"Raideur du contact","Slip speed":"\
+Vitesse de glissement","Slip velocity over which friction builds up":"Vitesse de glissement sur laquelle le frottement s’établit","Restitution that the dampi\
+ng is chosen for":"Restitution pour laquelle l’amortissement est choisi",Duration:"Durée","Duration of the motion":"Durée du mouvement","Law of impact":"Loi\
+ d’impact","Law of restitution":"Loi de restitution","Stronge (energy)":"Stronge (énergie)","Poisson (impulse)":"Poisson (impulsion)","Newton (velocity)":"Ne\
+wton (vitesse)","Painlevé: two solutions":"Painlevé : deux solutions","What follows an indeterminate contact":"Ce qui suit un contact indéterminé",impact:"i\
+mpact","Contact model":"Modèle de contact",rigid:"rigide",compliant:"souple","Normal force":"Force normale","Friction law":"Loi de frottement","Regularised fri\
+ction":"Frottement régularisé","smooth (tanh)":"lisse (tanh)",linear:"linéaire","bristle (can hold)":"soies (peut retenir)","Kelvin–Voigt":"Kelvin–Voigt",
+"Hunt–Crossley":"Hunt–Crossley","Speed v₀":"Vitesse v₀","Angle of the load θ₀":"Angle de la masselotte θ₀","Speed along ẋ₀":"Vitesse le long d\
+u plan ẋ₀","Angular velocity θ̇₀":"Vitesse angulaire θ̇₀","Height of the gap y₀":"Hauteur de l’écart y₀","Load fraction γ":"Part de la masse\
+lotte γ","Eccentricity ε":"Excentricité ε","Inertia ratio κ":"Moment d’inertie réduit κ","Radius R":"Rayon R","Friction μ":"Frottement μ","Slope β":"\
+Inclinaison β","Gravity g":"Pesanteur g","Restitution e":"Restitution e",Earth:"Terre",Moon:"Lune",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Apesanteur","what \
+happens in the first turn":"ce qui se passe au premier tour","height of the first hop":"hauteur du premier saut","angle of take-off":"angle de décollage","dura\
+tion of the first hop":"durée du premier saut","greatest friction utilization":"plus grande utilisation du frottement","energy lost":"énergie perdue","angle a\
+t the end":"angle à la fin","Painlevé’s paradox or jam met":"paradoxe de Painlevé ou coincement rencontré","how it ends":"comment cela finit",duration:"du\
+rée",revolutions:"tours",reversal:"demi-tour",takeoff:"décollage",rest:"repos",jam:"coincement",undetermined:"indéterminé","event limit":"limite d’événement\
+s",no:"non",yes:"oui",none:"aucun","not allowed":"non permis","and {count} more":"et {count} autres","The article":"L’article","Littlewood's hoop":"Le cerceau\
+ de Littlewood",Paradoxes:"Paradoxes",More:"Autres","It hops: 3.1 m/s":"Il saute : 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flie\
+s for 0.76 s.":"Glisse deux fois, puis quitte le plan juste avant un tour complet et vole pendant 0,76 s.","It slips: 2.8 m/s":"Il glisse : 2,8 m/s","Friction i\
+s used up twice a turn; each slip is weaker than the one before, and none is the last.":"Le frottement est épuisé deux fois par tour ; chaque glissement est plu\
+s faible que le précédent, et aucun n’est le dernier.","It rolls: 2 m/s":"Il roule : 2 m/s","Pure rolling, faster and more even than after a slow start, and\
+ close to the limit of friction.":"Roulement sans glissement, plus rapide et plus régulier qu’après un départ lent, et près de la limite du frottement.","\
+The smallest push: 0.1 m/s":"La plus petite poussée : 0,1 m/s","Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.":"Presq\
+ue immobile avec la masselotte en haut, rapide avec la masselotte en bas ; 38 % du frottement est utilisé.","Low friction: 0.1 m/s, μ = 0.3":"Peu de frottemen\
+t : 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro.":"Le glissement coûte l’énergie qu’exige un tour complet : \
+le cerceau se balance.","All mass in the load":"Toute la masse dans la masselotte","A massless ring: at 90° no contact force is left; the load falls, the rim sk\
+ims the plane.":"Un anneau sans masse : à 90° il n’y a plus de force de contact ; la masselotte tombe, la jante effleure le plan.","All mass in the load, pu\
+shed":"Toute la masse dans la masselotte, poussé","With a push the contact force is gone earlier, at cos θ = v₀²/(gR).":"Avec une poussée la force de conta\
+ct disparaît plus tôt, à cos θ = v₀²/(gR).","Nearly all mass in the load":"Presque toute la masse dans la masselotte","γ = 0.99: what a real ring does in\
+stead of Littlewood's hop.":"γ = 0,99 : ce que fait un anneau réel au lieu du saut de Littlewood.","Painlevé: no solution":"Painlevé : aucune solution","No \
+contact force agrees with this slip. An impact without collision stops it at once.":"Aucune force de contact n’est compatible avec ce glissement. Un impact sans\
+ collision l’arrête aussitôt.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Vol et impact obéissent tous deux au\
+x lois. Choisissez sous « Plan ».","A fast slide after a hop: the contact force grows without bound in finite time, and no law says what follows.":"Un glissem\
+ent rapide après un saut : la force de contact croît sans limite en un temps fini, et aucune loi ne dit la suite.","Kane: energy out of nothing":"Kane : de l’\
+énergie à partir de rien","Newton's law of impact with friction creates two joules. Stronge's law does not.":"La loi d’impact de Newton avec frottement crée d\
+eux joules. Celle de Stronge, non.",Downhill:"En descente","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"Sur une pente de 10° le \
+cerceau prend de la vitesse tour après tour, jusqu’à ce qu’il saute.","Bounces without number":"Rebonds sans nombre","Dropped with spin and restitution 0.\
+5: infinitely many bounces in finite time.":"Lâché en rotation, restitution 0,5 : une infinité de rebonds en un temps fini.","On the Moon":"Sur la Lune","The\
+ article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Le saut de l’article sous la pesanteur lunaire : tout est 2,46 fois plus lent.",
+"Motions to start from":"Mouvements de départ","Motions to start from …":"Mouvements de départ…","Undo (z)":"Annuler (z)","Redo (y)":"Rétablir (y)",Compare:"\
+Comparer","Compare two hoops":"Comparer deux cerceaux","Dark or light (d)":"Sombre ou clair (d)","Keys and help (?)":"Touches et aide (?)","Keys and help":"Touc\
+hes et aide",lab:"labo",Learn:"Apprendre",Language:"Langue","Hoop A":"Cerceau A","Hoop B":"Cerceau B","Which hoop the controls change":"Quel cerceau les réglage\
+s modifient",Parameters:"Paramètres","Skip to the player":"Aller au lecteur",Hoop:"Cerceau",Plane:"Plan",Start:"Départ",Contact:"Contact","Given by":"Donné pa\
+r","load fraction γ":"part de la masselotte γ","ε and κ":"ε et κ","real parts":"pièces réelles",Where:"Où",elsewhere:"ailleurs","static and kinetic fri\
+ction apart":"frottements statique et dynamique séparés",Starts:"Part",rolling:"en roulant","in any state":"dans un état quelconque","auto {value}":"auto {va\
+lue}","{name}, exact value in {unit}":"{name}, valeur exacte en {unit}","{name}, exact value":"{name}, valeur exacte",Ring:"Anneau",Disk:"Disque","Point mass":"\
+Masse ponctuelle",Rod:"Tige",mass:"masse","inner radius":"rayon intérieur","outer radius":"rayon extérieur",radius:"rayon","distance from centre":"distance au\
+ centre",length:"longueur","Add a part":"Ajouter une pièce","+ add a part …":"+ ajouter une pièce…","Remove part {number}, {what}":"Retirer la pièce {numb\
+er}, {what}","{name} = {value} must be {rule}.":"{name} = {value} doit être {rule}.","{name} = {value} must be a number, such as 2.5.":"{name} = {value} doit ê\
+tre un nombre, par exemple 2,5.","{name} = {value} must be a number.":"{name} = {value} doit être un nombre.","from {least} to {most}":"de {least} à {most}","\
+from {least} to {most}, or inf":"de {least} à {most}, ou inf","0 or from {least} to {most}":"0 ou de {least} à {most}","0 or from {least} to {most}, or inf":"\
+0, de {least} à {most}, ou inf","at most {most} in the lab":"au plus {most} dans le labo","0 for the massless hoop (hoop.inertia_ratio = 0)":"0 pour le cerceau\
+ sans masse (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"« rigid » pour le cerceau sans masse (hoop.inertia_ratio = 0)",
+"The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Le serveur ne répond pas. Ce qui est là continue ; pour le\
+ modifier, relancez `hophoop lab`.","The server answered {status}.":"Le serveur a répondu {status}.","The notebook’s kernel does not answer; run the cell again\
+.":"Le noyau du notebook ne répond pas ; relancez la cellule.",hoop:"cerceau",mode:"phase",time:"temps",angle:"angle",gap:"écart","rim speed":"vitesse de la j\
+ante",load:"masselotte","centre of gravity":"centre de gravité","the same in flight":"le même en vol","A in front, B behind":"A devant, B derrière","The hoop":"\
+Le cerceau","The hoop.":"Le cerceau.",Time:"Temps","{time} seconds, {what}":"{time} secondes, {what}","Traces (t)":"Trajectoires (t)","Forces (f)":"Forces (f)",
+"Rim speed (c)":"Vitesse de la jante (c)","Whole path (w)":"Tout le trajet (w)","In space (3)":"En 3D (3)",Traces:"Trajectoires",Forces:"Forces","Rim speed":"Vi\
+t. jante","Whole path":"Trajet entier","Play (space)":"Lecture (espace)","Pause (space)":"Pause (espace)","Speed of the film":"Vitesse du film","To the start (H\
+ome)":"Au début (Début)","Previous event (Shift ←)":"Événement précédent (Maj ←)","Next event (Shift →)":"Événement suivant (Maj →)","One frame \
+back (←)":"Une image en arrière (←)","One frame on (→)":"Une image en avant (→)",landing:"retombée","To the next flight (h)":"Au vol suivant (h)","To \
+the next landing (l)":"À la retombée suivante (l)","This motion has no flight.":"Ce mouvement n’a pas de vol.","This motion has no landing.":"Ce mouvement n\
+’a pas de retombée.","{what} at {angle}, {time} s":"{what} à {angle}, {time} s",start:"départ","slip begins":"le glissement commence","slip ends":"le gliss\
+ement cesse","slip turns round":"le glissement s’inverse","take-off":"décollage","turns back":"fait demi-tour","highest point":"point le plus haut","bounces \
+end":"les rebonds cessent","Painlevé: several solutions":"Painlevé : plusieurs solutions","energy gain (Kane)":"gain d’énergie (Kane)","skimming begins":"l\
+’effleurement commence","at rest":"au repos",end:"fin","What happens":"Ce qui se passe","What happens to hoop {hoop}":"Ce qui arrive au cerceau {hoop}","The m\
+otion in words":"Le mouvement en mots","(not all events are shown)":"(tous les événements ne sont pas montrés)","What theory says":"Ce que dit la théorie","\
+What theory says of hoop {hoop}":"Ce que dit la théorie du cerceau {hoop}",Velocities:"Vitesses","velocity [m/s]":"vitesse [m/s]","v (centre)":"v (centre)","En\
+ergies and losses":"Énergies et pertes","energy [J]":"énergie [J]",kinetic:"cinétique",potential:"potentielle",total:"totale","lost to friction":"perdue par \
+frottement","lost in the damper":"perdue dans l’amortisseur","lost in impacts, normal part":"perdue dans les impacts, part normale","Contact forces":"Forces d\
+e contact","force [N]":"force [N]","normal N":"normale N","friction F":"frottement F","Use of friction":"Utilisation du frottement","Your choice":"À votre choix",
+"What your diagram shows":"Ce que montre votre diagramme","Horizontal axis of the diagrams":"Axe horizontal des diagrammes","over {quantity}":"en fonction de : \
+{quantity}","Whole motion":"Tout le mouvement","slide to go there, two fingers zoom":"glissez pour y aller ; deux doigts agrandissent","click to go there, drag \
+to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"cliquez pour y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la molette\
+ agrandit ; double-clic pour tout","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.","θ m\
+od 360°":"θ mod 360°",Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du centre",
+"gap under the rim":"écart sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","speed of\
+ rotation":"vitesse de rotation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"vite\
+sse angulaire","normal force":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie cin\
+étique","potential energy":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular velo\
+city with the regions of rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","angle\
+ θ within a turn [°]":"angle θ dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Cou\
+leurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"Tou\
+chez pour y aller ; deux doigts agrandissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller ; a\
+près un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce que \
+montre la carte","Map of motions":"Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des mou\
+vements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the ma\
+p":"Réduire la carte","Whole map":"Carte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le lec\
+teur ; deux doigts agrandissent.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"\
+Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {count}\
+ motions …":"calcul de {count} mouvements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec contact r\
+igide","of rolling starts, though this motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though this\
+ motion starts rolling":"partant d’un état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} func\
+tions":"compilation du noyau des cartes, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"Sc\
+énario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture (P\
+NG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même mo\
+uvement en Python","The link is copied.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a while\
+ …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser cannot \
+record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passage\
+…","The film is there.":"Le film est là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a load\
+ on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanic\
+s cannot decide. Move a slider and see.":"Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que po\
+usser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on the \
+bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →",
+"previous, next event":"événement précédent, suivant","next flight, landing":"vol, retombée suivants","slower, faster":"plus lent, plus vite","Home End":"D\
+ébut Fin","start, end":"début, fin","traces, forces, rim speed, whole path":"trajectoires, forces, vitesse de la jante, trajet","in space":"en 3D","zoom, zoom\
+ back":"agrandir, revenir","leave a field, a menu, a picture that the wheel zooms":"quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z":"\
+z y  Ctrl Z","undo, redo":"annuler, rétablir","dark, light":"sombre, clair",Python:"Python","the rim does not slide":"la jante ne glisse pas","slip: the rim tu\
+rns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"glissement : la jante tourne trop vite pour son trajet (glissement −, pour un cerceau\
+ qui avance)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui a\
+vance)","the hop: from take-off to landing":"le saut : du décollage à la retombée","a massless rim that touches without force":"une jante sans masse qui touc\
+he sans force","take-off, landing":"décollage, retombée","Painlevé’s paradox: no solution, several":"Paradoxe de Painlevé : aucune solution, plusieurs","b\
+ounces without number end":"une infinité de rebonds s’achève","skimming begins, rest":"l’effleurement commence, repos","Single keys (letters, digits, sign\
+s) do what the table says":"Les touches seules (lettres, chiffres, signes) font ce que dit le tableau","The hoop in your hand":"Le cerceau dans votre main","Slo\
+pe of the plane":"Inclinaison du plan","Tilt the plane: drag, or arrow keys":"Incliner le plan : tirer, ou flèches","The hoop: height and speed":"Le cerceau : \
+hauteur et vitesse","Lift, roll or throw the hoop: drag, or arrow keys":"Lever, rouler ou lancer le cerceau : tirer, ou flèches","Angle of the load":"Angle de \
+la masselotte","Turn the load: drag, or arrow keys":"Tourner la masselotte : tirer, ou flèches","gap {height}, speed {speed} m/s":"écart {height}, vitesse {spe\
+ed} m/s",Repeat:"Répéter","Slow motion: a tenth of the speed":"Ralenti : un dixième de la vitesse","Sound of the contact":"Son du contact","Presentation on t\
+he whole screen":"Présentation en plein écran","Guided visit":"Visite guidée","Table of the motion":"Tableau du mouvement","Table of the motion, rows":"Table\
+au du mouvement, lignes",Presentation:"Présentation","For teachers":"Pour les enseignants",Table:"Tableau",Every:"Toutes les","Save as CSV":"Enregistrer en CSV",
+Columns:"Colonnes","The first {count} rows.":"Les {count} premières lignes.",Challenges:"Défis","Leave the challenges":"Quitter les défis","Which challenge":"\
+Quel défi",Score:"Score","Begin again":"Recommencer","Show a best one":"Montrer un des meilleurs","{stars} {points} points. {what}":"{stars} {points} points. {\
+what}","Your best: {points} points.":"Votre meilleur : {points} points.","Hop highest":"Sauter le plus haut","On level ground, rolling, with at most 3.1 m/s: yo\
+u choose the load, where it starts, and friction. How high can the hoop rise within 6 s?":"Sur sol horizontal, en roulant, à 3,1 m/s au plus : vous choisissez l\
+a masselotte, sa position de départ et le frottement. À quelle hauteur le cerceau peut-il monter en 6 s ?","Land upright":"Retomber debout","Let the hoop land\
+ with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.":"Faites retomber le cerceau avec la masselotte tout en haut.\
+ Tout est permis ; le premier saut doit faire au moins 5 cm.","Hop without skidding":"Sauter sans déraper","On level ground the hoop starts rolling with its lo\
+ad at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Sur sol horizontal\
+ le cerceau part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quell\
+e hauteur saute-t-il ?","Rigid contact only.":"Contact rigide seulement.","The plane must be level.":"Le plan doit être horizontal.","It must be on Earth.":"Ce\
+ doit être sur Terre.","Restitution must be 0.":"La restitution doit être 0.","The radius must stay 1 m, without parts.":"Le rayon doit rester 1 m, sans pièce\
+s.","At most 90 % of the mass may be in the load.":"Au plus 90 % de la masse dans la masselotte.","The hoop must be given by its load fraction.":"Le cerceau doi\
+t être donné par la part de la masselotte.","It must start rolling.":"Il doit partir en roulant.","At most 10 m/s.":"Au plus 10 m/s.","At most 3.1 m/s.":"Au p\
+lus 3,1 m/s.","At most 6 s.":"Au plus 6 s.","It does not hop.":"Il ne saute pas.","It rises by {height}.":"Il monte de {height}.","The first hop is too low.":"L\
+e premier saut est trop bas.","It lands {off} away from the top.":"Il retombe à {off} du sommet.","The load must start at the bottom.":"La masselotte doit part\
+ir d’en bas.","Friction must be at most 1.5.":"Le frottement doit être au plus 1,5.","It skids before it hops.":"Il dérape avant de sauter.","New here?":"Pr\
+emière visite ?","Eight short questions: guess, then play.":"Huit questions brèves : devinez, puis lancez.","Start the visit":"Commencer la visite","Not now":"\
+Pas maintenant","The hoop, before it is let go.":"Le cerceau, avant d’être lâché.",Play:"Lancer",Next:"Suivant",Back:"Retour",Done:"Terminé","Step {number\
+} of {all}":"Étape {number} sur {all}","Leave the visit":"Quitter la visite","First say what you expect, then play.":"Dites d’abord ce que vous attendez, puis \
+lancez.","Your guess":"Votre réponse","{points} of 100 points.":"{points} points sur 100.","You have {sum} of {most} points.":"Vous avez {sum} points sur {most\
+}.","{what} with the load at {angle}":"{what} avec la masselotte à {angle}","Draw the curve: pull the points up and down":"Tracez la courbe : tirez les points \
+vers le haut ou le bas","Littlewood’s question":"La question de Littlewood","A hoop without mass has a weight on its rim. With the weight at the top it gets t\
+he smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Un cerceau sans masse porte un poids sur sa \
+jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood demanda en 1953 ce qui se passe quand le poids est à la hauteur du centre.",
+"What do you think?":"Qu’en pensez-vous ?","It rolls on.":"Il continue de rouler.","It hops: the hoop leaves the plane.":"Il saute : le cerceau quitte le plan\
+.","The weight falls freely, and the hoop skims the plane below it.":"Le poids tombe en chute libre, et le cerceau effleure le plan sous lui.","At {angle} there\
+ is no contact force any more.":"À {angle} il n’y a plus de force de contact.","Littlewood said that the hoop hops. But the contact force is zero, not upward\
+s: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood disait que le cerceau sau\
+te. Mais la force de contact est nulle, non dirigée vers le haut : le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, i\
+l faut au cerceau un peu de masse dans la jante.","A ring with mass":"Un anneau avec masse","Now a quarter of the mass is in the ring. Again the load is at the \
+top, and the hoop gets the smallest push.":"À présent un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus \
+petite poussée.","Draw how fast the hoop’s centre goes during the first turn.":"Tracez la vitesse du centre du cerceau pendant le premier tour.","Speed of th\
+e centre":"Vitesse du centre","With the load at the bottom the centre has {speed} m/s.":"Avec la masselotte en bas, le centre a {speed} m/s.","The lowest point \
+of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: it is faster than a stone that fall\
+s from the same height.":"Le point le plus bas d’un cerceau qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce q\
+ue la lourde masselotte a perdu : il est plus rapide qu’une pierre tombant de la même hauteur.","Why it slips":"Pourquoi il glisse","A harder push: 2.8 m/s a\
+t the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Une poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le f\
+rottement a une limite : il vaut au plus μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Où est la masselotte quand le fr\
+ottement cède pour la première fois ? Tournez la marque.","Angle of the load where it begins to slip":"Angle de la masselotte où il commence à glisser","It \
+begins to slip at {angle}. There the plane carries only {share} of the weight.":"Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.",
+"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the diagra\
+m ‘Use of friction’: it comes to 1.":"Dans sa descente la masselotte appuie peu sur le plan : N est petite, alors que l’anneau doit accélérer, ce qui demand\
+e du frottement. Voyez le diagramme « Utilisation du frottement » : elle atteint 1.","The hop":"Le saut","A little faster, 3.1 m/s. This time the hoop leaves \
+the plane, before the first turn is over.":"Un peu plus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Where is the load wh\
+en the hoop takes off? Turn the mark.":"Où est la masselotte quand le cerceau décolle ? Tournez la marque.","Angle of the load where it takes off":"Angle de l\
+a masselotte au décollage","It takes off at {angle}, while its rim slips at {slip} m/s.":"Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","A\
+ rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pu\
+lls it off the plane before it is at the top.":"Le plan freinerait un cerceau qui roule tandis que la masselotte remonte. Le frottement est trop faible pour cel\
+a : la jante patine, le cerceau continue de tourner vite, et la masselotte l’arrache du plan avant d’être en haut.","The landing":"La retombée","The hoop \
+is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Le cerceau est en l’air. Son centre de gravité suit une parabole et il tourne un\
+iformément.","What does it do just after it has landed?":"Que fait-il juste après être retombé ?","It rolls at once.":"Il roule aussitôt.","It skids: the r\
+im slides ahead.":"Il dérape : la jante glisse vers l’avant.","It spins: the rim turns too fast.":"Il patine : la jante tourne trop vite.","It bounces.":"Il \
+rebondit.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Il est resté {time} s en l’air et est monté de {height}\
+ cm ; il retombe avec la masselotte à {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With l\
+ess friction, or more restitution, the landing would be another one. Try it afterwards.":"Un impact ne dure pas, mais son frottement est aussi fort que sa pouss\
+ée : ici il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitution, la retombée serait autre. Essayez ensuite.","More friction, \
+more hop?":"Plus de frottement, plus haut ?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Trois cerceaux reçoivent la\
+ même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et 1,0.","Which of them hops highest?":"Lequel saute le plus haut ?","They rise by {low} cm, {\
+middle} cm and {high} cm. (The first two are A and B.)":"Ils montent de {low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","On ice nothing dr\
+ives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is br\
+aked on the way up.":"Sur la glace rien n’entraîne la rotation ; avec un frottement sans fin rien ne glisse. Le saut exige les deux : assez de frottement pour t\
+ourner vite à la descente, et pas assez pour être freiné à la remontée.","What rigid bodies cannot decide":"Ce que les solides ne peuvent décider","A hoop\
+ is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"On lance un cerceau de sorte q\
+u’il glisse vite sur un plan rugueux. Les lois des solides avec frottement sec doivent dire la suite.","What do they say?":"Que disent-elles ?","It flies off.":"\
+Il s’envole.","An impact stops the slide at once.":"Un impact arrête aussitôt le glissement.","Both agree with the laws.":"Les deux obéissent aux lois.","H\
+oop A and hoop B start alike, and both motions obey every law.":"Les cerceaux A et B partent de même, et les deux mouvements obéissent à toutes les lois.","P\
+ainlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that decides: choose the comp\
+liant contact under ‘Contact’.":"Painlevé l’a trouvé en 1895. Pour un solide, les lois ont ici deux réponses, dans d’autres états aucune. Les corps réels cè\
+dent un peu, et cela décide : choisissez le contact souple sous « Contact ».","Your turn":"À vous","Take the hoop: turn the load, lift the hoop and let it d\
+rop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the motion itself.":"Prenez le cerceau : tournez la masselotte, \
+levez-le et lâchez-le, lancez-le, inclinez le plan. Ou relevez un défi, et voyez votre score calculé d’après le mouvement lui-même.","Show the hoop at fu\
+ll speed, once, without a comment. “I push it. Does it only roll?”":"Montrer le cerceau à pleine vitesse, une fois, sans commentaire. « Je le pousse. Ne fai\
+t-il que rouler ? »","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Chacun prédit où est la masselotte au décoll\
+age. Compter les voix par quarts de tour.","Energy on the way down, in pairs: who has the energy when the load is at rest?":"L’énergie à la descente, par deux :\
+ qui a l’énergie quand la masselotte est au repos ?","Lift at the top: at which speed is the force of the floor zero?":"Soulèvement en haut : à quelle vitess\
+e la force du sol est-elle nulle ?","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.":"Le film à nouveau, au ralenti e\
+t avec les forces ; arrêter au décollage. Comparer avec les voix.","Each group takes one speed of the worksheet; results on the board.":"Chaque groupe prend u\
+ne vitesse de la fiche ; résultats au tableau.","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Pourquo\
+i ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, et si c’est trop faible ?","One sentence each: “The hoop hops because …”":"\
+Une phrase chacun : « Le cerceau saute parce que… »","The load pulls the hoop up at the top, so it hops there.":"La masselotte tire le cerceau vers le haut \
+au sommet, donc il saute là.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Seulement s’il est très rapide. Les plus lents saute\
+nt avant le sommet, après avoir glissé.","It hops at the bottom, where it is fastest.":"Il saute en bas, où il est le plus rapide.","There the floor pushes h\
+ardest: the load has to be turned upwards.":"Là le sol pousse le plus fort : il faut dévier la masselotte vers le haut.","Nothing can be faster than a falling\
+ stone.":"Rien ne peut être plus rapide qu’une pierre qui tombe.","The ring can: it gets the energy of a load that has come to rest.":"L’anneau le peut : il \
+reçoit l’énergie d’une masselotte qui s’est arrêtée.","Friction always brakes.":"Le frottement freine toujours.","It acts against slip. On the hoop’s \
+way up it points forwards.":"Il agit contre le glissement. À la remontée il est dirigé vers l’avant.","More friction, more hop.":"Plus de frottement, plus \
+de saut.","There is a best friction in between.":"Il y a un frottement optimal entre les deux.","A heavier hoop behaves otherwise.":"Un cerceau plus lourd se co\
+mporte autrement.","Only the shares of mass count.":"Seules les parts de masse comptent.","Before the film: where is the load when the hoop leaves the floor? Ma\
+rk the place and give one reason.":"Avant le film : où est la masselotte quand le cerceau quitte le sol ? Marquez l’endroit et donnez une raison.","The hoop \
+gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Le cerceau ne reçoit que la plus petite pou\
+ssée et roule. Quelle énergie potentielle a été libérée quand la masselotte est en bas ?","While a wheel rolls, its lowest point is at rest. Which part of\
+ the hoop has kinetic energy then, and how fast is the centre?":"Quand une roue roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l\
+’énergie cinétique, et quelle est la vitesse du centre ?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"Quelle \
+est la vitesse d’une pierre tombant de la hauteur de la masselotte ? Pourquoi le cerceau peut-il être plus rapide ?","Find the force of the floor at the top \
+for 1.0 m/s, and the speed at which it becomes zero.":"Trouvez la force du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","In the lab: what doe\
+s the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Dans le labo : que fait le cerceau pendant ses 1,5 premières secondes, et\
+ à quel angle saute-t-il ? Remplissez le tableau.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Trouvez la plus petite vitesse pour laquelle\
+ le cerceau saute, à 1 cm/s près.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"À 2,2 m/s le cerceau quitte \
+le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?",Show:"Montrer","Teaching with the hoop":"Enseigner avec le cerceau",Worksheet:"\
+Fiche de travail",Solutions:"Corrigé",Exercises:"Exercices","A lesson of 45 minutes":"Une séance de 45 minutes",Minute:"Minute",Motion:"Mouvement","What stude\
+nts often think":"Ce que pensent souvent les élèves",Idea:"Idée","What is right":"Ce qui est juste","Worksheet: the hoop that hops":"Fiche de travail : le ce\
+rceau sauteur","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the\
+ top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée\
+ sur sa jante. Le cerceau est posé sur un sol horizontal, la masselotte en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².",phases:"phas\
+es","does it hop?":"saute-t-il ?","at which angle?":"à quel angle ?",Print:"Imprimer","The visit asks before it shows; the presentation fills the screen; the t\
+able gives numbers to every student.":"La visite interroge avant de montrer ; la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.",
+inf:"inf","greater than {least}":"supérieur à {least}","at least {least}":"au moins {least}","at least {least} (inf is allowed)":"au moins {least} (inf est pe\
+rmis)","at most {most}":"au plus {most}","a finite number":"un nombre fini","a whole number":"un nombre entier","'{word}' or '{word2}'":"« {word} » ou « {word2}\
+ »","'{word}', '{word2}' or '{word3}'":"« {word} », « {word2} » ou « {word3} »","Rolling resistance":"Résistance au roulement","Rolling resistance: coup\
+le against the rotation over R N":"Résistance au roulement : couple opposé à la rotation, divisé par R N","Rolling resistance f":"Résistance au roulement f",
+"{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {value} doit être entre -pi/2 et pi/2 (radians).","{word} is not a known key; known are\
+ {word2}.":"{word} n’est pas une clé connue ; sont connues {word2}.","{one} cannot be given together with {other}.":"{one} ne peut pas être donné avec {other\
+}.","{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} ne doit pas dépasser {other} = {limit}.","plane.mu_static = inf must be finite with c\
+ontact.model = 'compliant'.":"plane.mu_static = inf doit être fini avec contact.model = 'compliant'.","hoop.parts must not be empty.":"hoop.parts ne doit pas ê\
+tre vide.","This takes longer than {time} s; ask for a shorter motion or fewer cells.":"Cela prend plus de {time} s ; demandez un mouvement plus court ou moins \
+de cellules.","The lab is busy; try again in {time} seconds.":"Le labo est occupé ; réessayez dans {time} secondes.","The lab is busy; try again in 1 second.":"\
+Le labo est occupé ; réessayez dans 1 seconde.","The computation failed.":"Le calcul a échoué.","The process that computed this has ended.":"Le processus qu\
+i calculait cela s’est arrêté.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} doit êtr\
+e au plus {most} s dans le labo ; la bibliothèque elle-même n’a pas cette limite.","duration = {value} s at this speed and radius is about {turns} revolutio\
+ns and must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s font environ {turns} tours à cette vitesse et ce rayon, a\
+u plus {most} dans le labo ; la bibliothèque elle-même n’a pas cette limite.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.\
+parts a {count} pièces et doit en avoir au plus {most} dans le labo.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integrati\
+on and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed et duration demandent environ {steps} pas d’intégration, au plus {most} dans\
+ le labo.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Une cellule de cette carte fait environ {turns} tours, au p\
+lus {most} dans le labo.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds\
+ or a shorter duration.":"x et y font {count} cellules d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plu\
+s faibles ou une durée plus courte.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} doit être au plus {most} s pour\
+ un film du labo.","Slips, hops":"Glisse, saute","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"en mon\
+tée (β < 0) pas de seuil : qu'il glisse ou saute dépend de l'endroit où il rebrousse chemin ; la carte le montre","A violet, B green; the dashes tell the qu\
+antities; numbers of {hoop}; {hands}":"A violet, B vert ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}"};var zn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
+转",skids:"拖滑",flies:"腾空","skims the plane":"贴着平面滑过","rolls at {angle}":"在 {angle} 处开始滚动","spins at {angle}":"在 {angle} 处开始空转",
+"skids at {angle}":"在 {angle} 处开始拖滑","flies at {angle}":"在 {angle} 处腾空","skims the plane at {angle}":"在 {angle} 处开始贴着平面滑过",
+"hops at {angle}":"在 {angle} 处跳起","lands at {angle}":"在 {angle} 处落地","bounces at {angle}":"在 {angle} 处弹起","slips the other way at {angle\
+}":"在 {angle} 处反向滑动","stops its slip at once at {angle}":"在 {angle} 处滑动骤停","turns back at {angle}":"在 {angle} 处折返","has bounced \
+out at {angle}":"在 {angle} 处弹跳结束","meets Painlevé's paradox at {angle}":"在 {angle} 处遇到潘勒韦悖论","meets Painlevé's indeterminacy at {\
+angle}":"在 {angle} 处遇到潘勒韦不定性","jams at {angle}":"在 {angle} 处卡死","gains energy (Kane) at {angle}":"在 {angle} 处获得能量（凯恩）",
+"skims at {angle}":"在 {angle} 处开始擦地","rests at {angle}":"在 {angle} 处静止","starts at {angle}":"在 {angle} 处开始","slips at {angle}":"在 {a\
+ngle} 处开始滑动","{what} and {count} more times":"{what}，并再重复 {count} 次","… ({count} more)":"……（还有 {count} 项）","It has come to\
+ rest.":"它已静止。","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"法向力无限增大（动力学卡死）：刚体力学给不出此后的运动。",
+"The model does not determine the motion beyond.":"模型不能确定此后的运动。","The limit of events (contact.max_events), or of work for one motion, w\
+as reached before the end.":"在结束之前已达到事件数(contact.max_events)或单次计算量的上限。","It starts and {verb} with the load at {angle}\
+ and the centre at {speed} m/s.":"开始时{verb}，重物位于 {angle}，圆心速度 {speed} m/s。","It starts in the air with the load at {angle} and the c\
+entre at {speed} m/s.":"开始时在空中，重物位于 {angle}，圆心速度 {speed} m/s。","It starts skimming with the load at {angle} and the centre at \
+{speed} m/s.":"开始时贴着平面滑过，重物位于 {angle}，圆心速度 {speed} m/s。","It {verb} at {angle}; friction is used up: the rim turns too f\
+ast for the way it goes.":"在 {angle} 处开始{verb}：摩擦力已达上限，圆环转得比前进得快。","It {verb} at {angle}; friction is used up: the\
+ rim slides ahead.":"在 {angle} 处开始{verb}：摩擦力已达上限，接触点向前滑。","It rolls again at {angle}; the slip has stopped.":"在 {angle} \
+处恢复滚动，滑动停止。","The slip turns round at {angle}; it {verb}.":"在 {angle} 处滑动反向；它{verb}。","It hops at {angle}.":"它在 {angle} \
+处跳起。","It hops at {angle}. It rises {height} and stays up for {time} s.":"它在 {angle} 处跳起，升高 {height}，腾空 {time} s。","An impact wi\
+thout collision at {angle} stops the slip; then it {verb}.":"在 {angle} 处，一次无碰撞的冲击使滑动停止；随后它{verb}。","It lands at {angle\
+} with {speed} m/s downwards and bounces.":"它在 {angle} 处以 {speed} m/s 的向下速度落地并弹起。","It lands at {angle} with {speed} m/s downwards\
+ and {verb}.":"它在 {angle} 处以 {speed} m/s 的向下速度落地，随后{verb}。","It turns back at {angle}.":"它在 {angle} 处折返。","It turns ba\
+ck at {angle}, and {verb} now.":"它在 {angle} 处折返，此后{verb}。","The centre is highest at {angle}: the gap is {height}.":"圆心在 {angle} 处最高：间隙为 {heig\
+ht}。","Bounces without number end here, at {angle}.":"无穷多次弹跳在 {angle} 处结束。","Painlevé's paradox at {angle}: no contact force agrees with\
+ this slip.":"{angle} 处的潘勒韦悖论：没有接触力与这种滑动相容。","Painlevé's paradox at {angle}: several contact forces agree with it.":"\
+{angle} 处的潘勒韦悖论：有多个接触力与之相容。","Dynamic jam at {angle}: the contact force grows without bound.":"{angle} 处动力学卡死：接触力无限增大。",
+"Newton's law of impact has created {energy} J (Kane's example).":"牛顿碰撞定律凭空产生了 {energy} J（凯恩的例子）。","No contact force is le\
+ft at {angle}: the load falls freely and the rim skims the plane.":"在 {angle} 处接触力消失：重物自由下落，圆环贴着平面滑过。","It rests\
+ at {angle}.":"它在 {angle} 处静止。","It rests at {angle}, which is not stable.":"它在 {angle} 处静止，但不稳定。","It bounces {count} more ti\
+mes.":"它又弹跳了 {count} 次。","… and {count} more.":"……还有 {count} 项。",Slips:"打滑",Hops:"跳起","Hops at once":"立即跳起","Frictio\
+n for pure rolling":"纯滚动所需的摩擦因数","Painlevé’s paradox":"潘勒韦悖论","Dynamic jam":"动力学卡死","Rests stably":"稳定静止","En\
+d of rolling":"滚动终止","would slip above {speed} m/s":"速度超过 {speed} m/s 时打滑","would slip: any push is enough":"会打滑：任何一推都足够",
+"would hop in its first turn above {speed} m/s":"速度超过 {speed} m/s 时在第一圈内跳起","would hop in its first turn: any push is enough":"会在第一圈内跳起：\
+任何一推都足够","would hop at once above {speed} m/s":"速度超过 {speed} m/s 时立即跳起","would hop at once: at any speed":"会立即跳起：任何速度都行",
+"never, at any speed":"任何速度下都不会","no friction keeps it rolling":"任何摩擦都不能使它保持滚动","μ = {mu} would keep it rolling (enoug\
+h here)":"μ = {mu} 可保持滚动（这里足够）","μ = {mu} would keep it rolling (more than there is)":"μ = {mu} 可保持滚动（这里不够）",never:"\
+从不","from μ = {mu} on, at {angle}: possible here":"从 μ = {mu} 起，在 {angle} 处：这里可能出现","from μ = {mu} on, at {angle}: not here":"从 μ\
+ = {mu} 起，在 {angle} 处：这里不会出现","can end a slip at {angles}":"可能在 {angles} 处终止滑动","with the load at {angle}":"重物位于 {angle}",
+"at {angle} friction is used up":"在 {angle} 处摩擦力达到上限","at {angle} the contact force is gone":"在 {angle} 处接触力消失","Load fraction":"\
+重物质量占比","Share of the mass in the load of an ideal hoop":"理想圆环中重物占总质量的比例",Eccentricity:"偏心率","Distance of the cent\
+re of gravity from the centre, over the radius":"重心到圆心的距离与半径之比","Inertia ratio":"无量纲转动惯量","Moment of inertia about the c\
+entre of gravity over m R²":"绕重心的转动惯量与 m R² 之比",Radius:"半径","Rim radius":"圆环半径",Mass:"质量","Total mass":"总质量",Friction:"\
+摩擦因数","Friction, static and kinetic":"摩擦因数（静、动相同）","Static friction":"静摩擦因数","Kinetic friction":"动摩擦因数",Slope:"\
+倾角","Slope of the plane, downhill along +x":"平面倾角，下坡方向为 +x",Gravity:"重力加速度",Restitution:"恢复系数","Restitution of an impa\
+ct":"碰撞的恢复系数",Speed:"速度","Velocity of the centre in a rolling start":"滚动起始时圆心的速度","Load angle":"重物角度","Angle from \
+the plane's normal to the centre of gravity":"从平面法线到重心的角度","Height of the gap":"间隙高度","Gap between rim and plane":"圆环与平面的间隙",
+"Speed along":"沿平面速度","Velocity of the centre along the plane":"圆心沿平面的速度","Speed upwards":"向上速度","Velocity of the centre away \
+from the plane":"圆心离开平面的速度","Angular velocity":"角速度",Stiffness:"刚度","Stiffness of the contact":"接触刚度","Slip speed":"滑动速度",
+"Slip velocity over which friction builds up":"摩擦力建立所需的滑动速度","Restitution that the damping is chosen for":"用于选取阻尼的恢复系数",
+Duration:"时长","Duration of the motion":"运动的时长","Law of impact":"碰撞定律","Law of restitution":"恢复定律","Stronge (energy)":"斯特朗格（能量）",
+"Poisson (impulse)":"泊松（冲量）","Newton (velocity)":"牛顿（速度）","Painlevé: two solutions":"潘勒韦：两个解","What follows an indetermin\
+ate contact":"不定接触之后发生什么",impact:"冲击","Contact model":"接触模型",rigid:"刚性",compliant:"柔性","Normal force":"法向力","Frict\
+ion law":"摩擦定律","Regularised friction":"正则化摩擦","smooth (tanh)":"光滑 (tanh)",linear:"线性","bristle (can hold)":"鬃毛模型（可保持静止）",
+"Kelvin–Voigt":"开尔文–沃伊特","Hunt–Crossley":"亨特–克罗斯利","Speed v₀":"速度 v₀","Angle of the load θ₀":"重物角度 θ₀","Sp\
+eed along ẋ₀":"沿平面速度 ẋ₀","Angular velocity θ̇₀":"角速度 θ̇₀","Height of the gap y₀":"间隙高度 y₀","Load fraction γ":"重物质量占\
+比 γ","Eccentricity ε":"偏心率 ε","Inertia ratio κ":"无量纲转动惯量 κ","Radius R":"半径 R","Friction μ":"摩擦因数 μ","Slope β":"倾角 β",
+"Gravity g":"重力加速度 g","Restitution e":"恢复系数 e",Earth:"地球",Moon:"月球",Mars:"火星",Jupiter:"木星",Weightless:"失重","what happens i\
+n the first turn":"第一圈内发生什么","height of the first hop":"第一次跳起的高度","angle of take-off":"离地角度","duration of the first hop":"\
+第一次跳起的时长","greatest friction utilization":"摩擦利用率的最大值","energy lost":"损失的能量","angle at the end":"终止角度","Painl\
+evé’s paradox or jam met":"是否遇到潘勒韦悖论或卡死","how it ends":"如何结束",duration:"时长",revolutions:"圈数",reversal:"折返",takeoff:"\
+离地",rest:"静止",jam:"卡死",undetermined:"未定","event limit":"事件数上限",no:"否",yes:"是",none:"无","not allowed":"不允许","and {count} mo\
+re":"以及另外 {count} 类","The article":"论文","Littlewood's hoop":"李特尔伍德的圆环",Paradoxes:"悖论",More:"更多","It hops: 3.1 m/s":"跳起：3.1\
+ m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"打滑两次，然后在即将转满一圈时离开平面，腾空 0.76 s。",
+"It slips: 2.8 m/s":"打滑：2.8 m/s","Friction is used up twice a turn; each slip is weaker than the one before, and none is the last.":"每圈摩擦力两次达到上限；每次打滑都比前一次\
+弱，且没有最后一次。","It rolls: 2 m/s":"滚动：2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of fricti\
+on.":"纯滚动，比慢速起动更快更均匀，接近摩擦极限。","The smallest push: 0.1 m/s":"最轻的一推：0.1 m/s","Nearly at rest with the load\
+ up, fast with the load down; 38 % of the friction is used.":"重物在上时几乎静止，在下时很快；只用到 38 % 的摩擦。","Low friction: 0.1 m/\
+s, μ = 0.3":"低摩擦：0.1 m/s,μ = 0.3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro.":"打滑耗去了转满一圈所需的能量：圆环来回摆动。",
+"All mass in the load":"全部质量在重物上","A massless ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"无质量的环：在 90° 处接触\
+力消失；重物下落，圆环贴着平面滑过。","All mass in the load, pushed":"全部质量在重物上，推一下","With a push the contact force is \
+gone earlier, at cos θ = v₀²/(gR).":"推一下后接触力更早消失，在 cos θ = v₀²/(gR) 处。","Nearly all mass in the load":"几乎全部质量在重物上",
+"γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0.99：真实的环会怎样，而不是李特尔伍德所说的跳起。","Painlevé: no s\
+olution":"潘勒韦：无解","No contact force agrees with this slip. An impact without collision stops it at once.":"没有接触力与这种滑动相容。一次无碰撞的冲击使它骤停。",
+"Flight and impact both agree with the laws. Choose which with the switch under Plane.":"腾空与冲击都符合定律。请在“平面”下选择。","A fas\
+t slide after a hop: the contact force grows without bound in finite time, and no law says what follows.":"跳起之后的快速滑动：接触力在有限时间内无限增大，没有定律能说明之后如何。",
+"Kane: energy out of nothing":"凯恩：无中生有的能量","Newton's law of impact with friction creates two joules. Stronge's law does not.":"带摩擦的牛顿碰撞定律凭空产\
+生两焦耳。斯特朗格定律则不会。",Downhill:"下坡","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"在 10° 的斜面上，圆环一圈比一圈\
+快，直到跳起。","Bounces without number":"无穷多次弹跳","Dropped with spin and restitution 0.5: infinitely many bounces in finite time.":"带旋转落下，恢复系\
+数 0.5：有限时间内无穷多次弹跳。","On the Moon":"在月球上","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"\
+论文中的跳起，月球重力：一切慢到原来的 1/2.46。","Motions to start from":"可选的起始运动","Motions to start from …":"可选的起始运动……",
+"Undo (z)":"撤销 (z)","Redo (y)":"重做 (y)",Compare:"比较","Compare two hoops":"比较两个圆环","Dark or light (d)":"深色或浅色 (d)","Keys and he\
+lp (?)":"按键与帮助 (?)","Keys and help":"按键与帮助",lab:"实验室",Learn:"学习",Language:"语言","Hoop A":"圆环 A","Hoop B":"圆环 B","Which \
+hoop the controls change":"控件作用于哪个圆环",Parameters:"参数","Skip to the player":"跳到播放器",Hoop:"圆环",Plane:"平面",Start:"起始",Contact:"\
+接触","Given by":"给定方式","load fraction γ":"质量占比 γ","ε and κ":"ε 与 κ","real parts":"实际部件",Where:"地点",elsewhere:"其他","st\
+atic and kinetic friction apart":"静、动摩擦因数分开",Starts:"起始状态",rolling:"滚动","in any state":"任意状态","auto {value}":"自动 {value}",
+"{name}, exact value in {unit}":"{name}，精确值，单位 {unit}","{name}, exact value":"{name}，精确值",Ring:"圆环部件",Disk:"圆盘","Point mass":"\
+质点",Rod:"杆",mass:"质量","inner radius":"内半径","outer radius":"外半径",radius:"半径","distance from centre":"到圆心的距离",length:"长度",
+"Add a part":"添加部件","+ add a part …":"+ 添加部件……","Remove part {number}, {what}":"移除部件 {number}，{what}","{name} = {value} must be \
+{rule}.":"{name} = {value} 必须{rule}。","{name} = {value} must be a number, such as 2.5.":"{name} = {value} 必须是数字，例如 2.5。","{name} = {valu\
+e} must be a number.":"{name} = {value} 必须是数字。","from {least} to {most}":"在 {least} 到 {most} 之间","from {least} to {most}, or inf":"在 {least}\
+ 到 {most} 之间或为 inf","0 or from {least} to {most}":"为 0 或在 {least} 到 {most} 之间","0 or from {least} to {most}, or inf":"为 0、在 {least} 到 {mos\
+t} 之间或为 inf","at most {most} in the lab":"在本实验室中不超过 {most}","0 for the massless hoop (hoop.inertia_ratio = 0)":"为 0（无质量圆环，hoop.inertia\
+_ratio = 0）","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"为 'rigid'（无质量圆环，hoop.inertia_ratio = 0）","The server does not answer.\
+ What is here goes on playing; changes need `hophoop lab` to run again.":"服务器没有响应。已有内容可以继续播放；要更改需重新运行 `hophoop lab`。",
+"The server answered {status}.":"服务器返回 {status}。","The notebook’s kernel does not answer; run the cell again.":"笔记本内核没有响应；请重新运行单元格。",
+hoop:"圆环",mode:"状态",time:"时间",angle:"角度",gap:"间隙","rim speed":"环缘速度",load:"重物","centre of gravity":"重心","the same in flight":"\
+腾空时的重心","A in front, B behind":"A 在前，B 在后","The hoop":"圆环","The hoop.":"圆环。",Time:"时间","{time} seconds, {what}":"{time} 秒，{w\
+hat}","Traces (t)":"轨迹 (t)","Forces (f)":"力 (f)","Rim speed (c)":"环缘速度 (c)","Whole path (w)":"全程 (w)","In space (3)":"三维 (3)",Traces:"轨迹",
+Forces:"力","Rim speed":"环缘速度","Whole path":"全程","Play (space)":"播放（空格）","Pause (space)":"暂停（空格）","Speed of the film":"播放速度",
+"To the start (Home)":"回到开头 (Home)","Previous event (Shift ←)":"上一事件 (Shift ←)","Next event (Shift →)":"下一事件 (Shift →)","One fra\
+me back (←)":"后退一帧 (←)","One frame on (→)":"前进一帧 (→)",landing:"落地","To the next flight (h)":"到下一次腾空 (h)","To the next la\
+nding (l)":"到下一次落地 (l)","This motion has no flight.":"此运动没有腾空。","This motion has no landing.":"此运动没有落地。","{what} at \
+{angle}, {time} s":"{what}:{angle},{time} s",start:"开始","slip begins":"滑动开始","slip ends":"滑动结束","slip turns round":"滑动反向","take-off":"\
+离地","turns back":"折返","highest point":"最高点","bounces end":"弹跳结束","Painlevé: several solutions":"潘勒韦：多个解","energy gain (Kane\
+)":"能量增加（凯恩）","skimming begins":"开始擦地","at rest":"静止",end:"结束","What happens":"发生了什么","What happens to hoop {hoop}":"圆\
+环 {hoop} 发生了什么","The motion in words":"运动的文字描述","(not all events are shown)":"（未显示全部事件）","What theory says":"理论怎么说",
+"What theory says of hoop {hoop}":"理论对圆环 {hoop} 的结论",Velocities:"速度","velocity [m/s]":"速度 [m/s]","v (centre)":"v（圆心）","Energies \
+and losses":"能量与损耗","energy [J]":"能量 [J]",kinetic:"动能",potential:"势能",total:"总能量","lost to friction":"摩擦损耗","lost in the dam\
+per":"阻尼损耗","lost in impacts, normal part":"碰撞损耗，法向部分","Contact forces":"接触力","force [N]":"力 [N]","normal N":"法向力 N","fr\
+iction F":"摩擦力 F","Use of friction":"摩擦利用率","Your choice":"自选","What your diagram shows":"自选图的纵轴","Horizontal axis of the diagra\
+ms":"图的横轴","over {quantity}":"横轴：{quantity}","Whole motion":"整个运动","slide to go there, two fingers zoom":"滑动以跳转，双指缩放",
+"click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"单击跳转，拖动放大；单击后或按住 Ctrl 时滚轮缩放；双击显示全部",
+"{name} from {low} to {high}":"{name}：{low} 至 {high}","Diagram: {title} in {unit}.":"图：{title}，单位 {unit}。","θ mod 360°":"θ mod 360°",Esc:"Es\
+c","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"一圈内的角度","place of the centre":"圆心位置","gap under the rim":"圆环下的间隙",
+"height of the centre of gravity":"重心高度","speed of the centre":"圆心速度","speed of rotation":"转动线速度","speed away from the plane":"离开平面的速度",
+"slip velocity":"滑动速度","angular velocity":"角速度","normal force":"法向力","friction force":"摩擦力","use of friction":"摩擦利用率","kinet\
+ic energy":"动能","potential energy":"势能","total energy":"总能量","Plane of θ and θ̇":"θ–θ̇ 相平面","Plane of angle and angular velocity wit\
+h the regions of rolling, slip and flight":"角度与角速度相平面，标出滚动、滑动与腾空区域","angle θ within a turn [°]":"一圈内的角度 θ [°]",
+"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"颜色：无滑动接触之后的状态。阴影线：会遇到潘勒韦悖论的滑动。",
+"Click to go there; two fingers zoom.":"点按跳转；双指缩放。","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"\
+单击跳转；单击后或按住 Ctrl 时滚轮缩放；双击显示全部。",Map:"分布图",of:"内容",Across:"横轴",Up:"纵轴","What the map shows":"分布\
+图显示的内容","Map of motions":"运动分布图","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"运动分布图。方向键移动标记，回\
+车采用该运动，加减号缩放。","Zoom into the map":"放大分布图","Zoom out of the map":"缩小分布图","Whole map":"整张图","Click to take th\
+at motion into the player; two fingers zoom.":"点按即可把该运动放入播放器；双指缩放。","Click to take that motion into the player; once click\
+ed, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"单击即可把该运动放入播放器；单击后或按住 Ctrl 时滚轮缩放；拖动平移；双击显示全部。",
+"computing {count} motions …":"正在计算 {count} 个运动……","{count} motions":"{count} 个运动","{count} motions, with rigid contact":"{count} 个运动，\
+刚性接触","of rolling starts, though this motion starts otherwise":"均为滚动起始，而当前运动并非如此","of starts in any state, though this m\
+otion starts rolling":"均为任意状态起始，而当前运动为滚动起始","compiling the kernel of maps, this once: {done} of {all} functions":"正在编译分布图内\
+核（仅此一次）：{done}/{all} 个函数",Keep:"保存","Copy the link":"复制链接","Scenario (TOML)":"场景 (TOML)","States (CSV)":"状态 (CSV)","Mo\
+tion (netCDF)":"运动 (netCDF)","Events (JSON)":"事件 (JSON)","Film (MP4)":"影片 (MP4)","Picture (PNG)":"图片 (PNG)","Record a film here (WebM)":"在此录制影片 \
+(WebM)","Show me the Python":"显示 Python 代码","The same motion in Python":"同一运动的 Python 代码","The link is copied.":"链接已复制。","The \
+link to this motion":"此运动的链接","The film is being made; this takes a while …":"正在制作影片，请稍候……","Fetching {name} …":"正在获取 {n\
+ame}……","{name} is there.":"{name} 已就绪。","This browser cannot record a canvas; take the MP4 instead.":"此浏览器无法录制画布；请改用 MP4。",
+"Recording one run …":"正在录制一遍……","The film is there.":"影片已就绪。","The scenario as a file":"场景文件",Copy:"复制",Copied:"已复制",
+Close:"关闭","A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does \
+something that rigid-body mechanics cannot decide. Move a slider and see.":"一个边缘带重物的环在平面上滚动。摩擦力有上限，平面只能推不能拉：于是它打滑、跳起、落地——或者做出刚体力学无法判定的事。拖动滑块看看。",
+Modes:"状态","Marks on the bar of time":"时间条上的标记",Keys:"按键",space:"空格","play, pause":"播放、暂停","one frame":"一帧","Shift ← →":"\
+Shift ← →","previous, next event":"上一、下一事件","next flight, landing":"下一次腾空、落地","slower, faster":"更慢、更快","Home End":"H\
+ome End","start, end":"开头、结尾","traces, forces, rim speed, whole path":"轨迹、力、环缘速度、全程","in space":"三维","zoom, zoom back":"缩放\
+、还原","leave a field, a menu, a picture that the wheel zooms":"离开输入框、菜单或滚轮缩放的图","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"撤销、\
+重做","dark, light":"深色、浅色",Python:"Python","the rim does not slide":"环缘不滑动","slip: the rim turns too fast for the way it goes (slip −, fo\
+r a hoop that rolls ahead)":"滑动：环缘转得比前进快（圆环向前滚时为滑动 −）","slip: the rim slides ahead (slip +, for a hoop that rolls \
+ahead)":"滑动：接触点向前滑（圆环向前滚时为滑动 +）","the hop: from take-off to landing":"跳起：从离地到落地","a massless rim that \
+touches without force":"无质量的环缘，接触而无力","take-off, landing":"离地、落地","Painlevé’s paradox: no solution, several":"潘勒韦悖论：无解、多解",
+"bounces without number end":"无穷多次弹跳结束","skimming begins, rest":"开始擦地、静止","Single keys (letters, digits, signs) do what the table \
+says":"单个按键（字母、数字、符号）按表中所述起作用","The hoop in your hand":"手中的圆环","Slope of the plane":"平面倾角","Tilt t\
+he plane: drag, or arrow keys":"倾斜平面：拖动或方向键","The hoop: height and speed":"圆环：高度与速度","Lift, roll or throw the hoop: drag, \
+or arrow keys":"提起、滚动或抛出圆环：拖动或方向键","Angle of the load":"重物角度","Turn the load: drag, or arrow keys":"转动重物：拖动或方向键",
+"gap {height}, speed {speed} m/s":"间隙 {height}，速度 {speed} m/s",Repeat:"循环","Slow motion: a tenth of the speed":"慢放：十分之一速度","Soun\
+d of the contact":"接触声音","Presentation on the whole screen":"全屏演示","Guided visit":"引导参观","Table of the motion":"运动数据表","Table \
+of the motion, rows":"运动数据表，各行",Presentation:"演示","For teachers":"教师专区",Table:"数据表",Every:"每隔","Save as CSV":"保存为 CSV",
+Columns:"列","The first {count} rows.":"前 {count} 行。",Challenges:"挑战","Leave the challenges":"退出挑战","Which challenge":"选择挑战",Score:"得\
+分","Begin again":"重新开始","Show a best one":"看一个最佳解","{stars} {points} points. {what}":"{stars} {points} 分。{what}","Your best: {points} \
+points.":"你的最佳成绩：{points} 分。","Hop highest":"跳得最高","On level ground, rolling, with at most 3.1 m/s: you choose the load, where it star\
+ts, and friction. How high can the hoop rise within 6 s?":"在水平面上以不超过 3.1 m/s 滚动起始：你来选择重物、起始位置与摩擦。6 s 内圆环能升多高？",
+"Land upright":"正立落地","Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.":"让圆环落地时重物恰好在\
+最高处。一切都允许；第一次跳起至少 5 cm 高。","Hop without skidding":"不拖滑地跳起","On level ground the hoop starts rolling with its l\
+oad at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"在水平面上圆环以不超过 10 m/\
+s 滚动起始，重物在最低处，μ 不超过 1.5。跳起之前不得拖滑，但可以空转。它能跳多高？","Rigid contact only.":"只限刚性接触。",
+"The plane must be level.":"平面必须水平。","It must be on Earth.":"必须在地球上。","Restitution must be 0.":"恢复系数必须为 0。","The rad\
+ius must stay 1 m, without parts.":"半径必须保持 1 m，且不用部件。","At most 90 % of the mass may be in the load.":"重物最多占总质量的 90 %。",
+"The hoop must be given by its load fraction.":"圆环必须用重物质量占比给定。","It must start rolling.":"必须以滚动起始。","At most 10 m/s.":"\
+不超过 10 m/s。","At most 3.1 m/s.":"不超过 3.1 m/s。","At most 6 s.":"不超过 6 s。","It does not hop.":"它没有跳起。","It rises by {height}.":"\
+它升高 {height}。","The first hop is too low.":"第一次跳起太低。","It lands {off} away from the top.":"落地时偏离最高处 {off}。","The load \
+must start at the bottom.":"重物必须从最低处起始。","Friction must be at most 1.5.":"摩擦因数不得超过 1.5。","It skids before it hops.":"它在跳\
+起之前拖滑了。","New here?":"第一次来？","Eight short questions: guess, then play.":"八个小问题：先猜，再播放。","Start the visit":"开始参\
+观","Not now":"以后再说","The hoop, before it is let go.":"放手之前的圆环。",Play:"播放",Next:"下一步",Back:"上一步",Done:"完成","Step {n\
+umber} of {all}":"第 {number} 步，共 {all} 步","Leave the visit":"退出参观","First say what you expect, then play.":"先说出你的预测，再播放。",
+"Your guess":"你的预测","{points} of 100 points.":"{points} 分（满分 100）。","You have {sum} of {most} points.":"你得到 {sum} 分，满分 {most}。",
+"{what} with the load at {angle}":"重物位于 {angle} 时的{what}","Draw the curve: pull the points up and down":"画出曲线：上下拖动各点","Littlew\
+ood’s question":"李特尔伍德的问题","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E.\
+ Littlewood asked in 1953 what happens when the weight is level with the centre.":"一个没有质量的圆环，边缘固定着一个重物。重物在最高处时轻轻一推，它便滚动起来。1953 年李特尔伍德问：当重物与圆心同高时会发生什么？",
+"What do you think?":"你认为呢？","It rolls on.":"它继续滚动。","It hops: the hoop leaves the plane.":"它跳起：圆环离开平面。","The weight\
+ falls freely, and the hoop skims the plane below it.":"重物自由下落，圆环在它下方贴着平面滑过。","At {angle} there is no contact force any \
+more.":"在 {angle} 处已没有接触力。","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a ri\
+m without mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"李特尔伍德说圆环会跳起。但接触力是零，而不是向上：重物自由下落，没有质量的环沿平面跟随它。要跳起，环本身必须有一些质量。",
+"A ring with mass":"有质量的环","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"现在环占总质量的四分之\
+一。重物同样在最高处，轻轻一推。","Draw how fast the hoop’s centre goes during the first turn.":"画出第一圈内圆心的速度。","Speed \
+of the centre":"圆心速度","With the load at the bottom the centre has {speed} m/s.":"重物在最低处时圆心速度为 {speed} m/s。","The lowest point \
+of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: it is faster than a stone that fall\
+s from the same height.":"滚动圆环的最低点是静止的。重物到那里没有动能，轻环得到了沉重的重物失去的全部能量：它比从同一高度落下的石头还快。",
+"Why it slips":"为什么打滑","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"推得更重：最高处 2.8 m/s。滚动\
+需要摩擦，而摩擦力有上限：最大为 μ N。","Where is the load when friction gives way for the first time? Turn the mark.":"摩擦第一次不够时，重物在哪里？转动标记。",
+"Angle of the load where it begins to slip":"开始打滑时重物的角度","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"\
+它在 {angle} 处开始打滑。此时平面只承担重力的 {share}。","The load on its way down and round presses little on the plane, so that N is small,\
+ while the ring has to be made faster: that takes friction. Watch the diagram ‘Use of friction’: it comes to 1.":"重物在下落转动途中对平面压力很小，N 很小，而环却要加速：这需要摩擦。看“摩擦利用率\
+”图：它达到 1。","The hop":"跳起","A little faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn is over.":"稍快一些，3.1 m/s。这一次圆环在\
+第一圈结束之前离开平面。","Where is the load when the hoop takes off? Turn the mark.":"圆环离地时，重物在哪里？转动标记。","Angle o\
+f the load where it takes off":"离地时重物的角度","It takes off at {angle}, while its rim slips at {slip} m/s.":"它在 {angle} 处离地，此时环缘以 {slip} m/s 打滑。",
+"A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load \
+pulls it off the plane before it is at the top.":"若圆环纯滚动，重物上升时平面会使转动减慢。但摩擦力不够：环缘空转，圆环继续快速转动，重物在到达最高处之前就把它拉离平面。",
+"The landing":"落地","The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"圆环在空中。它的重心走抛物线，转动是匀速的。",
+"What does it do just after it has landed?":"落地之后它马上会怎样？","It rolls at once.":"立即滚动。","It skids: the rim slides ahead.":"拖滑：接触点向\
+前滑。","It spins: the rim turns too fast.":"空转：环转得太快。","It bounces.":"弹起。","It was in the air for {time} s and rose by {height} cm; \
+it lands with the load at {angle}.":"它在空中 {time} s，升高 {height} cm；落地时重物位于 {angle}。","An impact takes no time, but its friction i\
+s as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards.":"碰撞不\
+占时间，但其中的摩擦与冲力一样强：这里足以使滑动全部停止。若摩擦更小或恢复系数更大，落地情形就会不同。之后可以试试。",
+"More friction, more hop?":"摩擦越大，跳得越高？","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"三个圆环以相同的 3.1\
+ m/s 起始，平面摩擦因数分别为 0.05、0.2 和 1.0。","Which of them hops highest?":"哪一个跳得最高？","They rise by {low} cm, {middle} cm an\
+d {high} cm. (The first two are A and B.)":"它们分别升高 {low} cm、{middle} cm 和 {high} cm。（前两个是 A 和 B。）","On ice nothing drives the \
+rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on t\
+he way up.":"在冰上没有什么驱动转动；摩擦无穷大时则不会打滑。跳起需要两者兼顾：下落途中摩擦足以使圆环转快，上升途中又不至于把它刹住。",
+"What rigid bodies cannot decide":"刚体无法判定的事","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry fric\
+tion have to say what happens next.":"把圆环抛出，使它在粗糙平面上快速滑动。带干摩擦的刚体定律必须说明接下来会怎样。","Wh\
+at do they say?":"它们怎么说？","It flies off.":"它飞起来。","An impact stops the slide at once.":"一次冲击使滑动骤停。","Both agree with t\
+he laws.":"两者都符合定律。","Hoop A and hoop B start alike, and both motions obey every law.":"圆环 A 与圆环 B 起始相同，两种运动都遵守全部定律。",
+"Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that decides: choose the co\
+mpliant contact under ‘Contact’.":"潘勒韦在 1895 年发现了这一点。对刚体而言，这里的定律有两个答案，在另一些状态下则没有答案。真实物体会略微变形，由此得出结果：请在“接触”下选择柔性接触。",
+"Your turn":"轮到你了","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your score\
+s are computed from the motion itself.":"拿起圆环：转动重物、提起再放下、轻弹一下、倾斜平面。或者接受挑战，看看得分如何由运动本身算出。",
+"Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"全速播放一次，不作说明。“我推它一下。它只是滚动吗？”",
+"Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"每人预测离地时重物的位置。按四分之一圈统计票数。",
+"Energy on the way down, in pairs: who has the energy when the load is at rest?":"两人一组讨论下落途中的能量：重物静止时能量在哪里？","\
+Lift at the top: at which speed is the force of the floor zero?":"最高处的抬升：速度多大时地面的力为零？","The film again, in slow motion and\
+ with forces; stop at take-off. Compare with the votes.":"再次慢放并显示力；在离地时停下，与投票对比。","Each group takes one speed of the\
+ worksheet; results on the board.":"每组取学习单中的一个速度；结果写在黑板上。","Why? What has to brake the rotation on the way up, how str\
+ong can it be, and what if it is too weak?":"为什么？上升途中是什么使转动减慢？它能有多强？太弱时又会怎样？","One sentence each: \
+“The hoop hops because …”":"每人一句话：“圆环跳起是因为……”","The load pulls the hoop up at the top, so it hops there.":"重物在最高处把圆环往上拉，\
+所以在那里跳起。","Only if it is very fast. Slower hoops hop before the top, after slipping.":"只有很快时才如此。较慢的圆环在打滑之后、到达最高处之前跳起。",
+"It hops at the bottom, where it is fastest.":"它在最低处跳起，因为那里最快。","There the floor pushes hardest: the load has to be turned upwards\
+.":"在那里地面推力最大：必须使重物转而向上。","Nothing can be faster than a falling stone.":"没有什么比下落的石头更快。","The r\
+ing can: it gets the energy of a load that has come to rest.":"环可以：它得到了已静止的重物的能量。","Friction always brakes.":"摩擦总是阻碍运动。",
+"It acts against slip. On the hoop’s way up it points forwards.":"它阻碍的是相对滑动。重物上升途中它指向前方。","More friction, more hop\
+.":"摩擦越大跳得越高。","There is a best friction in between.":"中间存在一个最佳摩擦因数。","A heavier hoop behaves otherwise.":"更重的圆环表现不同\
+。","Only the shares of mass count.":"只有质量的比例起作用。","Before the film: where is the load when the hoop leaves the floor? Mark the place and\
+ give one reason.":"看影片之前：圆环离地时重物在哪里？标出位置并写出一个理由。","The hoop gets only the smallest push and rolls. Ho\
+w much potential energy has been set free when the load is at the bottom?":"轻轻一推圆环便滚动。重物到最低处时释放了多少势能？","While \
+a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"轮子滚动时最低点静止。此时圆环的哪一部分有动能？圆心速度多大？",
+"How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"从重物的高度落下的石头速度多大？圆环为什么可以更快？",
+"Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"求 1.0 m/s 时最高处地面的力，以及它变为零时的速度。",
+"In the lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"在实验室中：圆环在最初 1.5 s 内做什么？在哪个角度跳起？填表。",
+"Find the smallest speed with which the hoop hops, to 1 cm/s.":"求圆环能跳起的最小速度，精确到 1 cm/s。","At 2.2 m/s the hoop leaves the floor w\
+hile its rim slips. Why does slipping help it to hop?":"2.2 m/s 时圆环在打滑中离地。打滑为什么有助于跳起？",Show:"演示","Teaching with th\
+e hoop":"用圆环教学",Worksheet:"学习单",Solutions:"答案",Exercises:"习题","A lesson of 45 minutes":"一节 45 分钟的课",Minute:"分钟",Motion:"\
+运动","What students often think":"学生常有的想法",Idea:"想法","What is right":"正确的是","Worksheet: the hoop that hops":"学习单：会跳的圆环",
+"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pus\
+hed to the right. Friction: μ = 1; g = 9.81 m/s².":"一个半径 0.40 m 的薄环质量为 0.25 kg，边缘固定着 0.75 kg 的重物。圆环立在水平地面上，重物在最高处，向右推动。摩擦因数 μ = 1;g = 9.81 m/s²。",
+phases:"阶段","does it hop?":"是否跳起？","at which angle?":"在哪个角度？",Print:"打印","The visit asks before it shows; the presentation fills t\
+he screen; the table gives numbers to every student.":"参观先提问后演示；演示占满屏幕；数据表为每个学生提供数字。",inf:"inf","great\
+er than {least}":"大于 {least}","at least {least}":"不小于 {least}","at least {least} (inf is allowed)":"不小于 {least}（允许 inf）","at most {most}":"\
+不大于 {most}","a finite number":"是有限的数","a whole number":"是整数","'{word}' or '{word2}'":"为“{word}”或“{word2}”","'{word}', '{word2}\
+' or '{word3}'":"为“{word}”、“{word2}”或“{word3}”","Rolling resistance":"滚动阻力","Rolling resistance: couple against the rotation over R N":"\
+滚动阻力：阻碍转动的力偶与 R N 之比","Rolling resistance f":"滚动阻力 f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name\
+} = {value} 必须在 -pi/2 与 pi/2 之间（弧度）。","{word} is not a known key; known are {word2}.":"{word} 不是已知的键；已知的有 {word2}。",
+"{one} cannot be given together with {other}.":"{one} 不能与 {other} 同时给定。","{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} 不\
+得超过 {other} = {limit}。","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"contact.model = 'compliant' 时 plane.mu_static = inf 必须\
+为有限值。","hoop.parts must not be empty.":"hoop.parts 不能为空。","This takes longer than {time} s; ask for a shorter motion or fewer cells.":"耗时超过 \
+{time} s；请缩短运动或减少格数。","The lab is busy; try again in {time} seconds.":"实验室繁忙；请在 {time} 秒后重试。","The lab is busy\
+; try again in 1 second.":"实验室繁忙；请在 1 秒后重试。","The computation failed.":"计算失败。","The process that computed this has ended.":"\
+执行此计算的进程已结束。","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} 在本实验室中\
+不得超过 {most} s；库本身没有此限制。","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {most} in t\
+he lab; the library itself has no such limit.":"在此速度与半径下 duration = {value} s 约为 {turns} 圈，本实验室中不得超过 {most}；库本身没有此限制。",
+"hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts 有 {count} 个部件，本实验室中不得超过 {most}。","contact.stif\
+fness, contact.slip_speed and duration need about {steps} steps of integration and must need at most {most} in the lab.":"contact.stiffness、contact.slip_speed 与\
+ duration 约需 {steps} 步积分，本实验室中不得超过 {most}。","A cell of this map is about {turns} revolutions and must be at most {most} in the l\
+ab.":"此分布图的一格约为 {turns} 圈，本实验室中不得超过 {most}。","x and y make {count} cells of about {turns} revolutions in all, and must\
+ be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"x 与 y 共 {count} 格，约 {turns} 圈，本实验室中不得超过 {most}；请减少格数、降低速度或缩短时长。",
+"duration = {value} must be at most {most} s for a film from the lab.":"从本实验室制作影片时 duration = {value} 不得超过 {most} s。","Slips, hops":"\
+打滑、跳起","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"上坡（β < 0）没有阈值：是否打滑或跳起取决于在何处折返；见参数图",
+"A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为紫色，B 为绿色；线型表示物理量；数值属于 {hoop}；{hands}"};var $s=new Map;function ie(o){try{return localStorage.getItem(o)??$s.get(o)??null}catch{return $s.get(o)??null}}function ae(o,e){$s.set(o,e);try{localStorage.setItem(
+o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Hs={de:Mn,es:En,fr:An,zh:zn},ir=new Set(["de","es","fr"]),In="hophoop-language",Ln=4e3,
+ar=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ct=/\{(\w+)\}/g,de="en",Nn=[],at=new Map,rt=new Set,ht=new Set,jt=()=>de;
+function Ks(o){de=o in lt?o:"en",at=new Map,rt=new Set,ht.clear(),Nn=Object.keys(Hs[de]??{}).filter(e=>e.includes("{")).map(lr).sort((e,t)=>Rn(t.key)-Rn(e.key))}
+function rr(){let o=ie(In);return o&&o in lt?o:(globalThis.navigator?.languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in lt)??"en"}function qn(o){ae(
+In,o)}var Rn=o=>o.replace(Ct,"").length;function lr(o){let e=[...o.matchAll(Ct)].map(([,s])=>s),t=o.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
+return{key:o,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=o=>ir.has(de)?o.replace(/(\d)\.(\d)/g,"$1,$2"):o;function x(o,e){let t=Hs[de];if(e)
+return ue(jn(t?.[o]??Pn(o),e));if(!t||!/\p{L}/u.test(o))return ge(o);if(rt.has(o))return o;let s=at.get(o);if(s!==void 0)return s;let n=o.trim(),i=t[n]??hr(n,t)??
+Pn(n),a=o.replace(n,()=>i);return at.size>Ln&&at.clear(),at.set(o,a),ue(a)}function ue(o){return rt.size>Ln&&rt.clear(),rt.add(o),o}var Cn=(o,e)=>o.replace(Ct,(t,s)=>String(
+e[s])),jn=(o,e)=>o.replace(Ct,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));function hr(o,e){for(let{key:t,pattern:s,names:n}of Nn){let i=o.match(s);
+if(i)return jn(e[t],Object.fromEntries(n.map((a,r)=>[a,i[r+1]])))}return cr(o)}function cr(o){if(o.includes(" → "))return o.split(" → ").map(e=>x(e)).join("\
+ → ")}function On(o){if(!Hs[de])return o;let[,e,t]=o.match(/^(.*?)\.(?: (.*))?$/su)??["",o,""],{comma:s,stop:n}=de==="zh"?{comma:"，",stop:"。"}:{comma:", ",
+stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return ue(`${a[0]?.toLocaleUpperCase(de)??""}${a.slice(1)}${n}${t?`\
+ ${x(t)}`:""}`)}function Pn(o){let e=/\p{L}{3,}/u.test(o)&&!ar.test(o);return de!=="en"&&e&&ht.size<200&&ht.add(o),ge(o)}var Dn=new WeakMap,Bs=new WeakMap;function Us(o){
+let e=document.createTextNode(x(o));return Dn.set(e,o),e}function ct(o,e,t){let s=Bs.get(o)??{};s[e]=t,Bs.set(o,s),o.setAttribute(e,x(t))}function Fn(o){let e=document.
+createTreeWalker(o,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=Dn.get(t);s!==void 0&&(t.nodeValue=x(s));let n=Bs.
+get(t);for(let[i,a]of Object.entries(n??{}))t.setAttribute(i,x(a))}}Ks(rr());var dr=new Set(["aria-label","title","placeholder","label"]);function c(o,e={},...t){let s=document.createElement(o),n=s;for(let[i,a]of Object.entries(e))a==null||
+a===!1||(i.startsWith("on")?s.addEventListener(i.slice(2),a):i==="class"?s.className=a:i in s&&i!=="list"&&typeof a!="string"?n[i]=a:dr.has(i)?ct(s,i,String(a)):
+s.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||s.append(i.nodeType?i:Us(String(i)));return s}function M(o,e){e?o.replaceChildren(Us(e)):o.
+replaceChildren()}var Ot=o=>o!==null&&o.getRootNode().activeElement===o,me=o=>o.getContext("2d");function D(o){let e=o.getBoundingClientRect(),t=Math.min(globalThis.
+devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),n=Math.max(Math.round(e.height*t),1);(o.width!==s||o.height!==n)&&(o.width=s,o.height=n);let i=me(o);
+return i.setTransform(t,0,0,t,0,0),{context:i,width:s/t,height:n/t}}function ur(o){if(/^#[0-9a-f]{6}$/i.test(o))return o;let e=me(c("canvas",{width:1,height:1}));
+e.fillStyle=o,e.fillRect(0,0,1,1);let[t,s,n]=e.getImageData(0,0,1,1).data;return`#${[t,s,n].map(i=>i.toString(16).padStart(2,"0")).join("")}`}function Gs(o){let e=getComputedStyle(
+o),t=n=>e.getPropertyValue(n).trim(),s=n=>ur(t(n));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
+und"),font:t("--font"),dark:ot(s("--paper"))<.2}}function Fe(o,e){let t=c("a",{href:URL.createObjectURL(o),download:e});document.body.append(t),t.click(),t.remove(),
+setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function re(o,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(o,e)}}var y=(o,e,t)=>Math.min(Math.max(o,e),t);function _(o,e=4){if(o==null)return"–";if(typeof o!="number")return String(o);if(!Number.isFinite(o))return Number.isNaN(
+o)?"–":o>0?"∞":"−∞";if(o===0)return"0";let t=Math.abs(o),s;if(t>=1e6||t<1e-4){let[n,i]=o.toExponential(e-1).split("e");s=`${Wn(n)}·10${mr(Number(i))}`}else
+s=Wn(o.toPrecision(e)),s.includes("e")&&(s=String(Math.round(o)));return ge(s.replace("-","−"))}function Wn(o){return o.includes(".")&&!o.includes("e")?o.replace(
+/\.?0+$/,""):o}function mr(o){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(o)].map(t=>e[t]).join(
+"")}var F=(o,e)=>e?e==="°"?`${o}°`:`${o} ${e}`:o,q=o=>ge(`${(o*180/Math.PI).toFixed(1)}°`.replace("-","−"));function we(o){let e=Math.abs(o),[t,s]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return F(_(o*t,3),s)}function U(o,e){let t=o/Math.max(e,1),s=10**Math.floor(Math.log10(t)),n=t/s;return(n>5?10:n>2?5:n>1?
+2:1)*s}function ee(o,e,t){if(!(e>o)||!Number.isFinite(o)||!Number.isFinite(e))return[];let s=U(e-o,t),n=[];for(let i=Math.ceil(o/s-1e-9);i*s<=e+1e-9*s&&n.length<
+200;i++)n.push(i*s);return n}function J(o,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(o),e)>=1e6||t>12?_(o,3):ge((Math.abs(o)<e*1e-6?
+0:o).toFixed(t).replace("-","−"))}var $n=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],pr="tfc",fr=400;function Bn({time:o=0,options:e={},zoom:t=1,map:s}){let n=[];o>
+0&&n.push(`t=${Number(o.toFixed(4))}`);let i=$n.filter(([a])=>e[a]).map(([,a])=>a);return i.join("")!==pr&&n.push(`show=${i.join("")}`),t!==1&&n.push(`zoom=${Number(
+t.toPrecision(3))}`),s&&n.push(`map=${[s.what,...s.x,...s.y].join(",")}`),n.join("&")}function Hn(o){let e=new URLSearchParams(o.replace(/^#/,"")),t={},s=Number(
+e.get("t")??Number.NaN);s>=0&&(t.time=s);let n=e.get("show");n!==null&&(t.options=Object.fromEntries($n.map(([g,b])=>[g,n.includes(b)])));let i=Number(e.get("zo\
+om")??Number.NaN);i>0&&(t.zoom=y(i,.05,60));let[a,r,l,h,d,u,m]=e.get("map")?.split(",")??[],p=[l,h,u,m].map(Number);return m!==void 0&&p.every(Number.isFinite)&&
+p[0]<p[1]&&p[2]<p[3]&&(t.map={what:a,x:[r,p[0],p[1]],y:[d,p[2],p[3]]}),t}var gr=()=>{let o=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
+search.slice(1),...o===null?[]:[o]]},Dt=class{constructor(e){this.lab=e,this.number=0,this.soon=re(()=>this.write("same"),fr),this.listen=()=>this.arrived(),addEventListener(
+"popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length)return;let s=t.link();e==="step"?
+history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(t=>{let s=()=>t();addEventListener("\
+popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=gr();JSON.stringify(t)===JSON.stringify(this.lab.motions.
+queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var dt=[.05,.1,.25,.5,1,2,4],Ft=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+for(let e of this.listeners)e(this)}seek(e){this.time=y(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
+duration&&(this.time=0),this.changed()}faster(e){let t=dt.indexOf(this.speed);this.speed=dt[y(t+e,0,dt.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
+let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
+this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function wr(o,e=""){let t=o.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+(n,i,a)=>`e${i&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
+test(t)?Number(t.replace(",",".")):Number.NaN}function br(o,e,{label:t,unit:s,range:n}){let i=o.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
+uch as 2.5.`;if(!n||e>=n.least&&e<=n.most||n.also.includes(e))return"";let a=n.also.includes(0)?"0 or ":"",r=`from ${_(n.least,4)} to ${F(_(n.most,4),s)}`,l=n.also.
+includes(1/0)?", or inf":"";return`${t} = ${F(_(e,6),s)} must be ${a}${r}${l}.`}var yr=0,We=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
+typing=!1,this.error=c("p",{class:"error",role:"alert",id:`hh-error-${++yr}`,hidden:!0}),this.input=c("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
 s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let t=this.input.value;if(!this.typing)return;if(this.typing=!1,t.trim()===""){this.restore();return}let e=fo(t,this.info.unit),s=mo(t,e,this.info);s?this.refuse(
-s):this.onvalue(e)}refuse(t){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),this.error.textContent=t,this.
-error.hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,
-this.input.value=this.shown,this.accept()}show(t){this.shown=t,this.typing||this.restore()}};var Cs={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},wo={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},yo=(o,t,e)=>({ring:{shape:o,mass:e,inner_radius:.95*t,outer_radius:t},disk:{shape:o,mass:e,radius:.1*
-t,at:.8*t},point_mass:{shape:o,mass:e,at:t},rod:{shape:o,mass:e,length:.5*t,at:.5*t}})[o];function Os(o){let t=o["hoop.radius"],e=o["hoop.mass"],s=Math.min(Math.
-max(o["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:jt(e*(1-s)),inner_radius:jt(.98*t),outer_radius:t},{shape:"point_mass",mass:jt(e*s),at:t}]}var jt=o=>Number(
-o.toPrecision(6)),Ut=class{parts;text;radius;mass;constructor(t){this.onchange=t,this.list=l("div",{class:"parts"}),this.element=l("div",{},this.list,l("select",
-{"aria-label":"Add a part",onchange:e=>{let s=e.target.value;e.target.value="",s&&this.send([...this.parts,yo(s,this.radius,jt(.2*this.mass))])}},l("option",{value:""},
-"+ add a part …"),Object.entries(Cs).map(([e,{label:s}])=>l("option",{value:e},s))))}send(t){this.onchange([["hoop.parts",t]])}show(t,e,s){let i=JSON.stringify(
-t);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=t;return}Object.assign(this,{text:i,parts:t,radius:e,mass:s}),this.list.
-replaceChildren(...t.map((n,a)=>this.row(n,a)))}row(t,e){let{label:s,keys:i}=Cs[t.shape];return l("fieldset",{class:"part"},l("legend",{},s,this.parts.length>1&&
-l("button",{type:"button",class:"quiet","aria-label":`Remove part ${e+1}, ${s}`,onclick:()=>this.send(this.parts.filter((n,a)=>a!==e))},"×")),i.map(n=>this.field(
-t,e,n)))}field(t,e,s){let[i,n]=wo[s],a=new mt({label:i,unit:n},h=>this.send(this.parts.map((r,c)=>c===e?{...r,[s]:h}:r)));return a.show(String(t[s]??0)),l("div",
-{},l("label",{},`${i} [${n}]`,a.input),a.error)}};var Ce=Math.PI/180;function bo({allowed:o,degrees:t}){if(!o)return;let e=t?1/Ce:1;return{least:o.least*e,most:o.most*e,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
-var Oe=class{constructor(t,e){this.info=t,this.onchange=e,this.held=!1;let s=`hh-${t.path}-${Math.random().toString(36).slice(2,7)}`,i=r=>()=>{this.held=r};this.
-range=l("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:t.logarithmic?"0.01":String(t.step),"data-path":t.path,oninput:()=>this.
-slid(!1),onchange:()=>this.slid(!0),onpointerdown:i(!0),onpointerup:i(!1),onpointercancel:i(!1),onblur:i(!1)});let{label:n,unit:a}=t,h=`${n}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new mt({label:n,unit:a,name:h,range:bo(t)},r=>this.send(r,!0)),this.element=l("div",{class:"control",title:t.help},l("label",{for:s},l("\
-span",{},n),l("span",{class:"symbol"},t.symbol)),this.range,l("span",{class:"entry"},this.entry.input,l("span",{class:"unit"},a)),this.entry.error)}low(){return this.
-info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(t){let e=Number(
-this.range.value),s=this.info.logarithmic?Number((10**e).toPrecision(3)):e;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,t)}send(t,e){
-let s=this.info.degrees?t*Ce:t;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],e)}say(t){this.range.setAttribute("aria-valuetext",$(x(t,4),this.info.
-unit))}show(t,e=null){if(this.held)return;let s=t!=null,i=s?t:e;if(i==null){this.entry.show("");return}let n=i==="inf"?1/0:Number(i)/(this.info.degrees?Ce:1);this.
-entry.show(s?Number.isFinite(n)?String(Number(n.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":`auto ${x(n,2)}`,this.entry.input.title=s?$(String(
-n),this.info.unit):"";let a=b(this.info.logarithmic?Math.log10(n):n,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=String(
-a)),this.say(n)}};function vo(o,t){let e=l("select",{"data-path":o.path,onchange:()=>t([[o.path,e.value]],!0)},o.options.map(([i,n])=>l("option",{value:i},n)));
-return{element:l("label",{class:"choice",title:o.help},l("span",{},o.label),e),select:e,path:o.path}}var Yt=class{way;kind;gravity;apart;derived;film;constructor(t,e){
-this.onchange=(s,i=!0)=>e(s,i),this.sliders=new Map;for(let s of Object.values(t.groups))for(let i of s)this.sliders.set(i.path,new Oe(i,this.onchange));this.choices=
-new Map(t.choices.map(s=>[s.path,vo(s,this.onchange)])),this.parts=new Ut(this.onchange),this.gravities=t.gravities,this.element=l("div",{class:"controls"},this.
-hoop(),this.plane(),this.start(),this.contact())}at(t){let e=this.sliders.get(t)??this.choices.get(t);if(!e)throw new Error(`There is no control of ${t}.`);return e.
-element}select(t,e,s){let i=l("select",{onchange:()=>s(i.value)},e.map(([n,a])=>l("option",{value:n},a)));return{select:i,element:l("label",{class:"choice"},l("\
-span",{},t),i)}}group(t,...e){let s=t==="Start"||t==="Plane"||!matchMedia("(max-width: 760px)").matches;return l("details",{class:"group",open:s},l("summary",{},
-t),e)}hoop(){return this.way=this.select("Given by",[["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],t=>{let{values:e}=this.
-film;t==="parts"?this.onchange([["hoop.parts",Os(e)]]):this.onchange([[`hoop.${t}`,e["hoop.eccentricity"]]])}),this.derived=l("p",{class:"derived"}),this.group(
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=wr(e,this.info.unit),s=br(e,t,this.info);s?this.refuse(
+s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),M(this.error,e),this.error.
+hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
+input.value=this.shown,this.accept()}show(e){this.shown=ge(e),this.typing||this.restore()}};var Kn={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},vr={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},kr=(o,e,t)=>({ring:{shape:o,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:o,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:o,mass:t,at:e},rod:{shape:o,mass:t,length:.5*e,at:.5*e}})[o];function Un(o){let e=o["hoop.radius"],t=o["hoop.mass"],s=Math.min(Math.
+max(o["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Wt(t*(1-s)),inner_radius:Wt(.98*e),outer_radius:e},{shape:"point_mass",mass:Wt(t*s),at:e}]}var Wt=o=>Number(
+o.toPrecision(6)),$t=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=c("div",{class:"parts"}),this.element=c("div",{},this.list,c("select",
+{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,kr(s,this.radius,Wt(.2*this.mass))])}},c("option",{value:""},
+"+ add a part …"),Object.entries(Kn).map(([t,{label:s}])=>c("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let n=JSON.stringify(
+e);if(n===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:n,parts:e,radius:t,mass:s}),this.list.
+replaceChildren(...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:n}=Kn[e.shape];return c("fieldset",{class:"part"},c("legend",{},s,this.parts.length>1&&
+c("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),n.map(i=>this.field(
+e,t,i)))}field(e,t,s){let[n,i]=vr[s],a=new We({label:n,unit:i},r=>this.send(this.parts.map((l,h)=>h===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),c("div",
+{},c("label",{},`${n} [${i}]`,a.input),a.error)}};var Vs=Math.PI/180;function xr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Vs:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
+var Js=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,n=l=>()=>{this.held=l};this.
+range=c("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
+slid(!1),onchange:()=>this.slid(!0),onpointerdown:n(!0),onpointerup:n(!1),onpointercancel:n(!1),onblur:n(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
+n ${a}`:""}`;this.entry=new We({label:i,unit:a,name:r,range:xr(e)},l=>this.send(l,!0)),this.element=c("div",{class:"control",title:e.help},c("label",{for:s},c("\
+span",{},i),c("span",{class:"symbol"},e.symbol)),this.range,c("span",{class:"entry"},this.entry.input,c("span",{class:"unit"},a)),this.entry.error)}low(){return this.
+info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
+this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
+let s=this.info.degrees?e*Vs:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",F(_(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let s=e!=null,n=s?e:t;if(n==null){this.entry.show("");return}let i=n==="inf"?1/0:Number(n)/(this.info.degrees?Vs:1);this.
+entry.show(s?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":x("auto {value}",{value:_(i,2)}),this.entry.input.title=
+s?F(String(i),this.info.unit):"";let a=y(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(i)}};function _r(o,e){let t=c("select",{"data-path":o.path,onchange:()=>e([[o.path,t.value]],!0)},o.options.map(([n,i])=>c("option",{value:n},
+i)));return{element:c("label",{class:"choice",title:o.help},c("span",{},o.label),t),select:t,path:o.path}}var Bt=class{way;kind;gravity;apart;derived;film;constructor(e,t){
+this.onchange=(s,n=!0)=>t(s,n),this.sliders=new Map;for(let s of Object.values(e.groups))for(let n of s)this.sliders.set(n.path,new Js(n,this.onchange));this.choices=
+new Map(e.choices.map(s=>[s.path,_r(s,this.onchange)])),this.parts=new $t(this.onchange),this.gravities=e.gravities,this.element=c("div",{class:"controls"},this.
+hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
+element}select(e,t,s){let n=c("select",{onchange:()=>s(n.value)},t.map(([i,a])=>c("option",{value:i},a)));return{select:n,element:c("label",{class:"choice"},c("\
+span",{},e),n)}}group(e,...t){let s=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return c("details",{class:"group",open:s},c("summary",{},
+e),t)}hoop(){return this.way=this.select("Given by",[["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.
+film;e==="parts"?this.onchange([["hoop.parts",Un(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=c("p",{class:"derived"}),this.group(
 "Hoop",this.way.element,this.at("hoop.load_fraction"),this.at("hoop.eccentricity"),this.at("hoop.inertia_ratio"),this.parts.element,this.derived,this.at("hoop.r\
-adius"),this.at("hoop.mass"))}plane(){return this.apart=l("input",{type:"checkbox",onchange:()=>{let{values:t}=this.film;this.apart.checked?this.onchange([["pla\
-ne.mu_static",t["plane.mu_static"]],["plane.mu_kinetic",t["plane.mu_kinetic"]]]):this.onchange([["plane.mu",t["plane.mu_static"]]])}}),this.gravity=this.select(
-"Where",[...this.gravities.map(([t])=>[t,t]),["","elsewhere"]],t=>{let e=this.gravities.find(([s])=>s===t);e&&this.onchange([["plane.gravity",e[1]]])}),this.group(
-"Plane",this.at("plane.mu"),this.at("plane.mu_static"),this.at("plane.mu_kinetic"),l("label",{class:"check"},this.apart,"static and kinetic friction apart"),this.
+adius"),this.at("hoop.mass"))}plane(){return this.apart=c("input",{type:"checkbox",onchange:()=>{let{values:e}=this.film;this.apart.checked?this.onchange([["pla\
+ne.mu_static",e["plane.mu_static"]],["plane.mu_kinetic",e["plane.mu_kinetic"]]]):this.onchange([["plane.mu",e["plane.mu_static"]]])}}),this.gravity=this.select(
+"Where",[...this.gravities.map(([e])=>[e,e]),["","elsewhere"]],e=>{let t=this.gravities.find(([s])=>s===e);t&&this.onchange([["plane.gravity",t[1]]])}),this.group(
+"Plane",this.at("plane.mu"),this.at("plane.mu_static"),this.at("plane.mu_kinetic"),c("label",{class:"check"},this.apart,"static and kinetic friction apart"),this.
 at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.rolling_resistance"),this.at("plane.impact_law"),this.
-at("plane.painleve"))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],t=>{let{values:e}=this.film;t==="rolling"?this.
-onchange([["start.speed",e["start.vx"]]]):this.onchange([["start.omega",e["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at(
+at("plane.painleve"))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.
+onchange([["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at(
 "start.angle"),this.at("start.height"),this.at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",
 this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitut\
-ion"))}refuse(t,e){let s=t.length===1?this.sliders.get(t[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(e),!0):!1}restore(){this.film&&this.showChoices(
-this.film,new Set)}show(t,e=new Set){this.film=t,this.showChoices(t,e);let s=t.scenario;for(let[i,n]of this.sliders){if(e.has(i))continue;let[a,h]=i.split(".");
-n.show(t.values[i]??(h?s[a]?.[h]:s[a]),t.automatic?.[i])}}showChoices(t,e){let{scenario:s,values:i}=t,n=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
-tion":"eccentricity",a="speed"in s.start,h="mu_static"in s.plane,r=s.contact.model==="compliant",c=(...f)=>f.some(g=>e.has(g));c("hoop.load_fraction","hoop.ecce\
-ntricity","hoop.parts")||(this.way.select.value=n),c("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),c("plane.mu","plane.mu_static")||
-(this.apart.checked=h);let p=this.gravities.find(([,f])=>Math.abs(f-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=p?p[0]:"");let d={"hoo\
-p.load_fraction":n==="load_fraction","hoop.eccentricity":n==="eccentricity","hoop.inertia_ratio":n==="eccentricity","hoop.mass":n!=="parts","plane.mu":!h,"plane\
-.mu_static":h,"plane.mu_kinetic":h,"plane.restitution":!r,"plane.impact_law":!r,"plane.painleve":!r,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,
-"start.omega":!a,"contact.law":r,"contact.friction":r,"contact.stiffness":r,"contact.slip_speed":r,"contact.restitution":r};for(let[f,g]of Object.entries(d))this.
-at(f).hidden=!g;this.parts.element.hidden=n!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,i["hoop.radius"],i["hoop.mass"]),this.derived.textContent=n==="\
-eccentricity"?"":`ε = ${x(i["hoop.eccentricity"],5)}, κ = ${x(i["hoop.inertia_ratio"],5)}`+(n==="parts"?`, m = ${x(i["hoop.mass"],5)} kg`:"");let u=s;for(let[
-f,{select:g}]of this.choices){if(e.has(f))continue;let[y,w]=f.split(".");u[y]?.[w]!==void 0&&(g.value=u[y][w])}}};var Fe=Math.PI/180;function Fs(o,t){let{start:e,plane:s,contact:i,hoop:n}=o.scenario;return i.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
-be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||n.parts?"The radius must stay 1 m,\
- without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in n?"speed"in e?Math.abs(e.speed??3.1)>t+1e-9?t>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Bs=o=>o.events.filter(
-({kind:t})=>t==="takeoff");function xo(o){return o.events.filter(({kind:t})=>t==="apex").map(({height:t})=>t)}var Ds=(o,t)=>Math.min(Math.round(100*o/t),100),ko=1.596,
-Mo=.37,To=.05,Be=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:o=>{let t=Fs(o,3.1);if(t)return{points:0,text:t};let e=Math.max(
-0,...xo(o));return e?{points:Ds(e,ko),text:"It rises by {height}.",values:{height:Z(e)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land upright",
-text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=0.9\
-&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:o=>{let t=Bs(o)[0],e=o.events.find(({kind:a,t:h})=>a==="impact"&&t&&h>t.t);if(!t||!e)return{
-points:0,text:"It does not hop."};let s=o.events.find(({kind:a,t:h})=>a==="apex"&&h>t.t);if(!s||s.height<To)return{points:0,text:"The first hop is too low."};let i=Math.
-abs(e.angle-2*Math.PI*Math.round(e.angle/(2*Math.PI)))/Fe,n=Math.max(0,Math.round(100*(1-(i-.5)/89.5)));return{points:Math.min(n,100),text:"It lands {off} away \
-from the top.",values:{off:P(i*Fe)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+ion"))}refuse(e,t){let s=e.length===1?this.sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){this.film&&this.showChoices(
+this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[n,i]of this.sliders){if(t.has(n))continue;let[a,r]=n.split(".");
+i.show(e.values[n]??(r?s[a]?.[r]:s[a]),e.automatic?.[n])}}showChoices(e,t){let{scenario:s,values:n}=e,i=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
+tion":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",h=(...p)=>p.some(g=>t.has(g));h("hoop.load_fraction","hoop.ecce\
+ntricity","hoop.parts")||(this.way.select.value=i),h("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),h("plane.mu","plane.mu_static")||
+(this.apart.checked=r);let d=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);h("plane.gravity")||(this.gravity.select.value=d?d[0]:"");let u={"hoo\
+p.load_fraction":i==="load_fraction","hoop.eccentricity":i==="eccentricity","hoop.inertia_ratio":i==="eccentricity","hoop.mass":i!=="parts","plane.mu":!r,"plane\
+.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,
+"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,g]of Object.entries(u))this.
+at(p).hidden=!g;this.parts.element.hidden=i!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,n["hoop.radius"],n["hoop.mass"]),this.derived.textContent=i==="\
+eccentricity"?"":`ε = ${_(n["hoop.eccentricity"],5)}, κ = ${_(n["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${_(n["hoop.mass"],5)} kg`:"");let m=s;for(let[
+p,{select:g}]of this.choices){if(t.has(p))continue;let[b,w]=p.split(".");m[b]?.[w]!==void 0&&(g.value=m[b][w])}}};var Ys=Math.PI/180;function Gn(o,e){let{start:t,plane:s,contact:n,hoop:i}=o.scenario;return n.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
+be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||i.parts?"The radius must stay 1 m,\
+ without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
+m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Vn=o=>o.events.filter(
+({kind:e})=>e==="takeoff");function Tr(o){return o.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var Jn=(o,e)=>Math.min(Math.round(100*o/e),100),Sr=1.596,
+Mr=.37,Er=.05,Zs=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:o=>{let e=Gn(o,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...Tr(o));return t?{points:Jn(t,Sr),text:"It rises by {height}.",values:{height:we(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:o=>{let e=Vn(o)[0],t=o.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let s=o.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Er)return{points:0,text:"The first hop is too low."};let n=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Ys,i=Math.max(0,Math.round(100*(1-(n-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
+from the top.",values:{off:q(n*Ys)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:o=>{let t=Fs(o,10);if(t)return{points:0,text:t};if(Math.
-abs(Math.abs(o.scenario.start.angle??0)-Math.PI)>.5*Fe)return{points:0,text:"The load must start at the bottom."};if(o.values["plane.mu_kinetic"]>1.5||o.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let e=Bs(o)[0];if(!e)return{points:0,text:"It does not hop."};let s=o.phases.filter(
-({from:n})=>n<e.t);if(s.some(({mode:n})=>n==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let i=o.events.find(({kind:n,t:a})=>n==="apex"&&a>e.t);return i?{points:Ds(i.height,Mo),text:"It rises by {height}.",values:{height:Z(i.height)}}:{points:0,
-text:"It does not hop."}}}],De=o=>o>=95?3:o>=75?2:o>=40?1:0;var Hs="hophoop-best-",So=o=>"★".repeat(De(o))+"☆".repeat(3-De(o)),Gt=class{goal=null;constructor(t){this.lab=t,this.tabs=new Map(Be.map(e=>[e.key,l("button",
-{type:"button","aria-pressed":"false",onclick:()=>this.choose(e)},e.title)])),this.text=l("p",{}),this.meter=l("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
-100","aria-label":"Score"}),this.result=l("p",{class:"challenge-result",role:"status"}),this.kept=l("p",{class:"hint"}),this.element=l("section",{class:"challen\
-ges card","aria-label":"Challenges",hidden:!0},l("header",{},l("h2",{},"Challenges"),l("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
-onclick:()=>this.close()},"×")),l("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
-kept,l("div",{class:"buttons"},l("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),l("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Be[0]),this.element.scrollIntoView({block:"nearest"}),
-this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(t){this.goal=t;for(let[e,s]of this.tabs)s.setAttribute(
-"aria-pressed",String(e===t.key));j(this.text,t.text),this.changed()}async load(t){let{lab:e}=this;try{let s=await e.backend.call("film",{query:t});e.clock.play(
-!1),e.clock.time=0,e.motions.replace(s)}catch(s){e.notice.fail(s)}}changed(){let{goal:t,lab:e}=this;if(!t)return;let{points:s,text:i,values:n={}}=t.score(e.film());
-this.meter.value=s;let a=T("{stars} {points} points. {what}",{stars:So(s),points:s,what:T(i,n)});this.result.textContent!==a&&(this.result.textContent=a);let h=Number(
-lt(Hs+t.key)??0);s>h&&!e.stage.options.ahead&&ct(Hs+t.key,String(s)),j(this.kept,T("Your best: {points} points.",{points:Math.max(h,e.stage.options.ahead?0:s)}))}};var qs=.09,Eo=.03,He=Math.PI/180,Kt=Math.PI/4,Ws=2*Math.PI,Et=o=>o-Ws*Math.round(o/Ws);function Xt(o,t){let e=o.at(t),s=t===0;return{angle:Et(e.angle),height:Math.
-max(e.height,0),vx:s?e.vx:0,vy:s?e.vy:0,omega:s?e.omega:0,slope:o.slope}}var js=o=>2*Math.sqrt(Math.max(o.gravity,1)*o.radius),Q=o=>Number(o.toFixed(4))+0;function Us(o,t,e){
-if(o==="plane")return[["plane.slope",Q(t.slope)]];if(t.height>0)return[["start.angle",Q(t.angle)],["start.height",Q(t.height)],["start.vx",Q(t.vx)],["start.vy",
-Q(t.vy)],["start.omega",Q(t.omega)]];let s=o==="load"?t.omega*e.radius:t.vx;return[["start.angle",Q(t.angle)],["start.speed",Q(s)]]}var At=class{constructor(t,e,s,i,n){
-this.grip=t,this.film=e,this.view=i,this.before=Xt(e,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=e.at(s);this.center=[a.x,e.radius+a.height],this.foot=
-i.point(a.x,0),this.from=this.read(n),this.turned=0,this.trail=[],this.moved=0}read(t){let[e,s]=this.view.unpoint(t.clientX,t.clientY),i=this.grip==="plane"?Math.
-atan2(t.clientY-this.foot[1],t.clientX-this.foot[0]):Math.atan2(e-this.center[0],s-this.center[1]);return{x:t.clientX,y:t.clientY,along:e,away:s,turn:i}}move(t,e){
-let s=this.read(t),{radius:i}=this.film;if(this.turned+=Et(s.turn-this.from.turn-this.turned),this.grip==="plane"){let n=b(this.before.slope+this.turned,-Kt,Kt);
-this.held.slope=Math.abs(n)<He?0:n}else if(this.grip==="load")this.held.angle=Et(this.before.angle+this.turned);else{let n=this.before.height+s.away-this.from.away;
-this.held.height=n<Eo*i?0:n;let a=s.along-this.from.along;this.held.angle=Et(this.before.angle+(this.held.height>0?0:a/i)),this.moved=s.x-this.from.x}for(this.trail.
-push({t:e/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<e/1e3-qs;)this.trail.shift();return this.held}release(t){let{held:e,
-trail:s,film:i}=this,n=s.at(-1),a=s[0],h=n&&a?n.t-a.t:0,r=!n||h<.012||t/1e3-n.t>qs,c=js(i);return r||this.grip==="plane"||(this.grip==="load"?e.omega=b((n.turned-
-a.turned)/h,-c/i.radius,c/i.radius):(e.vx=b((n.along-a.along)/h,-c,c),e.vy=e.height>0?b((n.away-a.away)/h,-c,c):0)),e}};function Ys(o,t,e,s,i){let n={ArrowLeft:-1,
-ArrowRight:1}[t]??0,a={ArrowDown:-1,ArrowUp:1}[t]??0;if(!n&&!a)return null;let h=e?.2:1;if(o==="load"){let d=Et(s.angle+(n||a)*5*He*h);return{...s,angle:d}}if(o===
-"plane"){let d=b(s.slope+(n||-a)*He*h,-Kt,Kt);return{...s,slope:Math.abs(d)<1e-9?0:d}}let r=js(i),c=b(s.height+a*.05*h*i.radius,0,4*i.radius),p=b(s.vx+n*.1*h,-r,
-r);return{...s,height:c<1e-9?0:c,vx:p}}function R(o,t,e,s=()=>{}){let i=new AbortController,{signal:n}=i,a=(r,c)=>o.addEventListener(r,p=>p.pointerId===t.pointerId&&c(p),{signal:n}),h=r=>c=>{i.abort(),
-s(c,r)};o.setPointerCapture(t.pointerId),a("pointermove",e),a("pointerup",h(!0)),a("pointercancel",h(!1))}function Gs(o,t){let e=new Map,s=null,i=()=>{let[a,h]=[
-...e.values()];return{span:Math.max(Math.hypot(a.clientX-h.clientX,a.clientY-h.clientY),1),clientX:.5*(a.clientX+h.clientX),clientY:.5*(a.clientY+h.clientY)}};o.
-addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(e.set(a.pointerId,a),s=e.size===2?i():null)}),o.addEventListener("pointermove",a=>{if(!e.has(a.pointerId)||
-(e.set(a.pointerId,a),e.size!==2||!s))return;let h=i();t(h.span/s.span,h),s=h});for(let a of["pointerup","pointercancel"])o.addEventListener(a,h=>{e.delete(h.pointerId),
-s=null});let n=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return o.addEventListener("touchmove",n,{passive:!1}),()=>e.size>1}var Ao=700,qe=44,Po=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Vt=class{static Pull=At;pull=null;held=null;before=null;constructor(t){this.
-lab=t,this.places=new Map(Po.map(([e,s,i])=>[e,this.place(e,s,i)])),this.tip=l("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=l("div",
-{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),t.stage.element.before(this.element),this.settle=U(()=>this.
-chosen(!1),Ao)}place(t,e,s){return l("div",{class:`grip grip-${t}`,role:"slider",tabindex:"0","aria-label":e,"aria-valuenow":"0",title:s,onpointerdown:i=>this.take(
-t,i),onkeydown:i=>this.key(t,i),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.flat.views[this.lab.motions.active]}draw(){let{lab:t}=this,
-e=this.view(),s=!!e&&!t.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.toggle("running",t.clock.playing);let{pose:i,film:n,scale:a}=e,
-h=n.radius,r=e.point(i.x,h+i.height),c=e.point(i.x+h*Math.sin(i.angle),h+i.height+h*Math.cos(i.angle)),p=this.onPlane(e),d=b(1.1*h*a,qe,190),u=[["plane",p,qe],[
-"hoop",r,d],["load",c,qe]];for(let[f,[g,y],w]of u){let m=this.places.get(f);m.style.transform=`translate(${g-w/2}px, ${e.top+y-w/2}px)`,m.style.width=m.style.height=
-`${w}px`,m.hidden=g<0||y<0||g>e.width||y>e.height}t.clock.playing||this.tell(n)}onPlane(t){let e=t.point(t.pose.x,0),i=(Math.min(e[0]+Math.max(1.9*t.film.radius*
-t.scale,90),t.width-30)-e[0])/(t.scale*Math.max(t.cosine,.2));return t.point(t.pose.x+i,0)}tell(t){let e=this.pull?.held??this.held??Xt(t,this.lab.clock.time),s={
-load:P(e.angle),hoop:T("gap {height}, speed {speed} m/s",{height:Z(e.height),speed:x(e.vx,3)}),plane:P(e.slope)},i={load:e.angle*(180/Math.PI),hoop:e.height,plane:e.
-slope*(180/Math.PI)},n={load:[-180,180],hoop:[0,4*t.radius],plane:[-45,45]};for(let[a,h]of this.places)h.getAttribute("aria-valuetext")!==s[a]&&(h.setAttribute(
-"aria-valuetext",s[a]),h.setAttribute("aria-valuenow",String(Number(i[a].toPrecision(4)))),h.setAttribute("aria-valuemin",String(n[a][0])),h.setAttribute("aria-\
-valuemax",String(Number(n[a][1].toPrecision(4)))))}take(t,e){if(e.button>0||this.pull)return;e.preventDefault();let{lab:s}=this,i=this.places.get(t);i.focus({preventScroll:!0}),
-this.hold();let n=this.view(),a=s.stage.element.getBoundingClientRect(),h=d=>({clientX:d.clientX-a.left,clientY:d.clientY-a.top-n.top}),r=new At(t,s.film(),s.clock.
-time,n,h(e)),c=!1,p=[...s.stage.flat.shift];this.pull=r,s.stage.flat.fixed=n.scale,i.classList.add("held"),R(i,e,d=>{!c&&Math.hypot(d.clientX-e.clientX,d.clientY-
-e.clientY)<3||(c||this.begin(),c=!0,r.move(h(d),d.timeStamp),s.stage.flat.shift=[p[0]+r.moved,p[1]],this.change(t,r.held,!1),this.show(t,r.held))},(d,u)=>{if(i.
-classList.remove("held"),this.pull=null,s.stage.flat.fixed=null,!c){this.before=null;return}u?(this.change(t,r.release(d.timeStamp),!0),this.end(!0)):this.back(),
-this.comeBack(p)})}key(t,e){if(e.ctrlKey||e.metaKey||e.altKey)return;let{lab:s}=this;if(e.key==="Escape"&&(this.held||this.pull))this.back();else if(e.key==="En\
-ter")this.chosen(!0);else{this.held??=Xt(s.film(),s.clock.time);let i=Ys(t,e.key,e.shiftKey,this.held,s.film());if(!i)return;this.before===null&&(this.hold(),this.
-begin()),this.held=i,this.change(t==="load"?"hoop":t,i,!1),this.show(t,i),this.settle()}e.preventDefault(),e.stopPropagation()}hold(){this.lab.clock.play(!1),this.
-before=this.lab.film().query}begin(){let{lab:t}=this;t.stage.options.ahead=!0,t.clock.seek(0),t.root.classList.add("holding")}change(t,e,s){this.lab.motions.change(
-Us(t,e,this.lab.film()),s)}show(t,e){let s={load:`θ = ${P(e.angle)}`,hoop:e.height>0?`y = ${Z(e.height)}`:`θ = ${P(e.angle)}`,plane:`β = ${P(e.slope)}`};j(this.
-tip,e.vx&&this.held?`${s[t]}, v = ${x(e.vx,3)} m/s`:s[t]),this.tip.hidden=!1}chosen(t){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(t)}end(t){
-let{lab:e}=this;this.held=null,this.before=null,this.tip.hidden=!0,e.stage.options.ahead=!1,e.root.classList.remove("holding"),t&&e.clock.seek(0),t&&!matchMedia(
-"(prefers-reduced-motion: reduce)").matches&&e.clock.play(!0),e.request()}async back(){let{lab:t,before:e}=this;if(this.end(!1),e===null)return;let s=t.motions.
-lanes[t.motions.active];for(s.pending=null;s.busy;)await new Promise(i=>requestAnimationFrame(i));try{t.motions.replace(await t.backend.call("film",{query:e}))}catch(i){
-t.notice.fail(i)}}comeBack(t){let{flat:e}=this.lab.stage,s=matchMedia("(prefers-reduced-motion: reduce)").matches,i=()=>{if(this.pull)return;let n=e.shift[0]-t[0];
-e.shift=Math.abs(n)<1||s?[...t]:[t[0]+.82*n,t[1]],this.lab.request(),e.shift[0]!==t[0]&&requestAnimationFrame(i)};i()}};var _o={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:o=>{let e=Gn(o,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(o.scenario.start.angle??0)-Math.PI)>.5*Ys)return{points:0,text:"The load must start at the bottom."};if(o.values["plane.mu_kinetic"]>1.5||o.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Vn(o)[0];if(!t)return{points:0,text:"It does not hop."};let s=o.phases.filter(
+({from:i})=>i<t.t);if(s.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
+ng."};let n=o.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return n?{points:Jn(n.height,Mr),text:"It rises by {height}.",values:{height:we(n.height)}}:{points:0,
+text:"It does not hop."}}}],Xs=o=>o>=95?3:o>=75?2:o>=40?1:0;var Yn="hophoop-best-",Ar=o=>"★".repeat(Xs(o))+"☆".repeat(3-Xs(o)),Ht=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(Zs.map(t=>[t.key,c("button",
+{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=c("p",{}),this.meter=c("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
+100","aria-label":"Score"}),this.result=c("p",{class:"challenge-result",role:"status"}),this.kept=c("p",{class:"hint"}),this.element=c("section",{class:"challen\
+ges card","aria-label":"Challenges",hidden:!0},c("header",{},c("h2",{},"Challenges"),c("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
+onclick:()=>this.close()},"×")),c("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
+kept,c("div",{class:"buttons"},c("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),c("button",{type:"button",onclick:()=>this.
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Zs[0]),this.element.scrollIntoView({block:"nearest"}),
+this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,s]of this.tabs)s.setAttribute(
+"aria-pressed",String(t===e.key));M(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
+!1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:n,values:i={}}=e.score(t.film());
+this.meter.value=s;let a=x("{stars} {points} points. {what}",{stars:Ar(s),points:s,what:x(n,i)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
+ie(Yn+e.key)??0);s>r&&!t.stage.options.ahead&&ae(Yn+e.key,String(s)),M(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var Zn=.09,zr=.03,Qs=Math.PI/180,Kt=Math.PI/4,Xn=2*Math.PI,ut=o=>o-Xn*Math.round(o/Xn);function Ut(o,e){let t=o.at(e),s=e===0;return{angle:ut(t.angle),height:Math.
+max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:o.slope}}var Qn=o=>2*Math.sqrt(Math.max(o.gravity,1)*o.radius),be=o=>Number(o.toFixed(4))+0;function ei(o,e,t){
+if(o==="plane")return[["plane.slope",be(e.slope)]];if(e.height>0)return[["start.angle",be(e.angle)],["start.height",be(e.height)],["start.vx",be(e.vx)],["start.\
+vy",be(e.vy)],["start.omega",be(e.omega)]];let s=o==="load"?e.omega*t.radius:e.vx;return[["start.angle",be(e.angle)],["start.speed",be(s)]]}var mt=class{constructor(e,t,s,n,i){
+this.grip=e,this.film=t,this.view=n,this.before=Ut(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.center=[a.x,t.radius+a.height],this.foot=
+n.point(a.x,0),this.from=this.read(i),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),n=this.grip==="plane"?Math.
+atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:n}}move(e,t){
+let s=this.read(e),{radius:n}=this.film;if(this.turned+=ut(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=y(this.before.slope+this.turned,-Kt,Kt);
+this.held.slope=Math.abs(i)<Qs?0:i}else if(this.grip==="load")this.held.angle=ut(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
+this.held.height=i<zr*n?0:i;let a=s.along-this.from.along;this.held.angle=ut(this.before.angle+(this.held.height>0?0:a/n)),this.moved=s.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Zn;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:s,film:n}=this,i=s.at(-1),a=s[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>Zn,h=Qn(n);return l||this.grip==="plane"||(this.grip==="load"?t.omega=y((i.turned-
+a.turned)/r,-h/n.radius,h/n.radius):(t.vx=y((i.along-a.along)/r,-h,h),t.vy=t.height>0?y((i.away-a.away)/r,-h,h):0)),t}};function ti(o,e,t,s,n){let i={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(o==="load"){let u=ut(s.angle+(i||a)*5*Qs*r);return{...s,angle:u}}if(o===
+"plane"){let u=y(s.slope+(i||-a)*Qs*r,-Kt,Kt);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=Qn(n),h=y(s.height+a*.05*r*n.radius,0,4*n.radius),d=y(s.vx+i*.1*r,-l,
+l);return{...s,height:h<1e-9?0:h,vx:d}}function W(o,e,t,s=()=>{}){let n=new AbortController,{signal:i}=n,a=(l,h)=>o.addEventListener(l,d=>d.pointerId===e.pointerId&&h(d),{signal:i}),r=l=>h=>{n.abort(),
+s(h,l)};o.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function si(o,e){let t=new Map,s=null,n=()=>{let[a,r]=[
+...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};o.
+addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?n():null)}),o.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
+(t.set(a.pointerId,a),t.size!==2||!s))return;let r=n();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])o.addEventListener(a,r=>{t.delete(r.pointerId),
+s=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return o.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var Rr=700,eo=44,Pr=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Gt=class{static Pull=mt;pull=null;held=null;before=null;constructor(e){this.
+lab=e,this.places=new Map(Pr.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=c("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=c("div",
+{class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:s}=e.
+stage;t.grab=i=>this.take(i),s.addEventListener("pointermove",i=>this.hover(i)),s.addEventListener("pointerleave",()=>this.hover(null));let n=i=>this.pull&&i.cancelable&&
+i.preventDefault();s.addEventListener("touchmove",n,{passive:!1}),this.settle=re(()=>this.chosen(!1),Rr)}place(e,t,s){return c("div",{class:`grip grip-${e}`,role:"\
+slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:n=>this.key(e,n),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
+flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.
+toggle("running",e.clock.playing);let{pose:n,film:i,scale:a}=t,r=i.radius,l=t.point(n.x,r+n.height),h=t.point(n.x+r*Math.sin(n.angle),r+n.height+r*Math.cos(n.angle)),
+d=this.onPlane(t),u=y(1.1*r*a,eo,190),m=[["plane",d,eo],["hoop",l,u],["load",h,eo]];for(let[p,[g,b],w]of m){let f=this.places.get(p);f.style.transform=`translat\
+e(${g-w/2}px, ${t.top+b-w/2}px)`,f.style.width=f.style.height=`${w}px`,f.hidden=g<0||b<0||g>t.width||b>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.
+point(e.pose.x,0),n=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+n,0)}tell(e){
+let t=this.pull?.held??this.held??Ut(e,this.lab.clock.time),s={load:q(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:we(t.height),speed:_(t.vx,3)}),plane:q(
+t.slope)},n={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
+r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(n[a].toPrecision(4)))),r.setAttribute(
+"aria-valuemin",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
+for(let[s,n]of this.places){let{left:i,top:a,width:r}=n.getBoundingClientRect(),l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/2);!n.hidden&&l<=r/2&&(t=s)}return t}hover(e){
+if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,n]of this.places)n.classList.toggle("near",s===t);this.lab.stage.plane.style.cursor=
+t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:n,plane:i}=s.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),
+h=f=>({clientX:f.clientX-l.left,clientY:f.clientY-l.top-r.top}),d=new mt(t,s.film(),s.clock.time,r,h(e)),u=[...n.shift],[m,p]=[!1,!1];this.pull=d,a.classList.add(
+"held");let g=()=>{p=!0,b.abort(),a.classList.remove("held"),n.fixed=null,this.pull=null,m&&this.comeBack(u)},b=new AbortController,w=f=>{f.key==="Escape"&&(f.stopPropagation(),
+g(),m&&this.back())};return addEventListener("keydown",w,{capture:!0,signal:b.signal}),W(i,e,f=>{if(!p){if(n.pinched()){g(),m&&this.back();return}!m&&Math.hypot(
+f.clientX-e.clientX,f.clientY-e.clientY)<3||(m||(n.fixed=r.scale,this.hold(),this.begin()),m=!0,d.move(h(f),f.timeStamp),n.shift=[u[0]+d.moved,u[1]],this.change(
+t,d.held,!1),this.show(t,d.held))}},(f,k)=>{p||(g(),m&&(k?(this.change(t,d.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
+t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Ut(s.film(),s.clock.time);let n=ti(
+e,t.key,t.shiftKey,this.held,s.film());if(!n)return;this.before===null&&(this.hold(),this.begin()),this.held=n,this.change(e==="load"?"hoop":e,n,!1),this.show(e,
+n),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
+ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(ei(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${q(t.angle)}`,
+hoop:t.height>0?`y = ${we(t.height)}`:`θ = ${q(t.angle)}`,plane:`β = ${q(t.slope)}`};M(this.tip,t.vx&&this.held?`${s[e]}, v = ${_(t.vx,3)} m/s`:s[e]),this.tip.
+hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=
+!0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.
+request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let s=e.motions.lanes[e.motions.active];for(s.pending=null;s.busy;)await new Promise(
+n=>requestAnimationFrame(n));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(n){e.notice.fail(n)}}comeBack(e){let{flat:t}=this.lab.stage,s=matchMedia(
+"(prefers-reduced-motion: reduce)").matches,n=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||s?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),
+t.shift[0]!==e[0]&&requestAnimationFrame(n)};n()}};var Ir={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
-v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function L(o){let t="\
-http://www.w3.org/2000/svg",e=document.createElementNS(t,"svg");e.setAttribute("viewBox","0 0 17 17"),e.setAttribute("aria-hidden","true"),e.setAttribute("class",
-"icon");let s=document.createElementNS(t,"path");return s.setAttribute("d",_o[o]),e.append(s),e}var Jt=class{constructor(t){this.lab=t,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
-this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(t=!this.on){let{root:e}=this.lab;if(this.on=t,e.classList.toggle("presenting",t),this.onchange(),this.lab.
-show(),!t){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await e.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Ks=.22,Xs=.03;function Vs(o,t){let e=o.at(t),s=o.mass*(o.gravity||9.81),i=e.mode==="H"||!(e.normal_force>0)?0:e.normal_force/s,n=i/(1+i),a=e.mode==="S"||e.mode===
-"K",h=Math.abs(e.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:n,pitch:55*(1+Math.min(i,8))**.5,hiss:a?n*b(.15+h,0,1):0}}function Js(o,t,e){let s=Math.
-sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:i,t:n,before:a})=>i==="impact"&&a&&n>t&&n<=e).map(({before:i})=>b(Math.abs(i.vy)/s,.02,1))}function Io(o){
-let t=o.createBuffer(1,o.sampleRate,o.sampleRate),e=t.getChannelData(0),s=1;for(let i=0;i<e.length;i++)s=s*16807%2147483647,e[i]=2*s/2147483647-1;return t}var Zt=class{static heard=Vs;static knocks=Js;context=null;on=!1;last=0;start(){
-let t=new AudioContext,e=t.createOscillator();e.type="triangle";let s=t.createBufferSource();s.buffer=Io(t),s.loop=!0;let i=t.createBiquadFilter();i.type="bandp\
-ass",i.frequency.value=1800,i.Q.value=.6;let[n,a]=[t.createGain(),t.createGain()];n.gain.value=a.gain.value=0,e.connect(n).connect(t.destination),s.connect(i).connect(
-a).connect(t.destination),e.start(),s.start(),this.context=t,Object.assign(this,{tone:e,low:n,high:a})}turn(t){this.on=t,t&&!this.context&&this.start(),t?this.context?.
-resume():this.context&&(this.set("low",0),this.set("high",0))}set(t,e){let{gain:s}=this[t];s.setTargetAtTime(Ks*e,this.context.currentTime,Xs)}follow(t,e){if(!this.
-on||!this.context)return;if(!e.playing){this.set("low",0),this.set("high",0),this.last=e.time;return}let{tone:s,pitch:i,hiss:n}=Vs(t,e.time);if(this.set("low",s),
-this.set("high",.6*n),this.tone.frequency.setTargetAtTime(i,this.context.currentTime,Xs),e.time>this.last)for(let a of Js(t,this.last,e.time))this.knock(a);this.
-last=e.time}knock(t){let e=this.context,s=e.currentTime,i=e.createGain();i.gain.setValueAtTime(2.2*Ks*Math.sqrt(t),s),i.gain.exponentialRampToValueAtTime(1e-4,s+
-.18);let n=e.createOscillator();n.frequency.setValueAtTime(190,s),n.frequency.exponentialRampToValueAtTime(60,s+.15),n.connect(i).connect(e.destination),n.start(
-s),n.stop(s+.2)}close(){this.context?.close()}};var We=Math.PI/180,C=o=>t=>t.columns[o],Pt=(o,t)=>e=>e.derived(o,s=>Float64Array.from(e.t,(i,n)=>t(s,n,e))),N={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:Pt("degrees",({angle:o},t)=>o[t]/We)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Pt(
-"within",({angle:o},t)=>{let e=s=>Math.floor(o[s]/We/360);return t>0&&e(t)!==e(t-1)?Number.NaN:o[t]/We-360*e(t)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:C("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:C("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:Pt(
-"rise",({height:o,angle:t},e,s)=>s.radius*(1+s.eccentricity*Math.cos(t[e]))+o[e])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:C("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:Pt("spin",({omega:o},t,e)=>o[t]*e.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:C(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:C("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:C("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:C("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:C("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:C("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:C("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:C("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Pt("total",({kinetic:o,potential:t},e)=>o[e]+
-t[e])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:C("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:C("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:C("rolling_resistance")}},Zs=({name:o,symbol:t})=>`${o}\
- ${t}`;var $o=["time","angle","x","vx","spin","normal_force","friction_force"],Ro=[1,.5,.2,.1,.05,.02,.01],je=601;function Qs(o,t,e){let s=Math.min(Math.floor(o.duration/
-e+1e-9)+1,je),i=[];for(let n=0;n<s;n++){let a=Number((n*e).toPrecision(12));i.push({time:a,mode:o.at(a).mode,values:t.map(h=>Lo(o,h,a))})}return i}function Lo(o,t,e){
-if(t==="time")return e;let s=o.at(e);if(t in s&&t!=="angle")return s[t];let i=s.angle*180/Math.PI;if(t==="angle")return i;if(t==="turns")return i-360*Math.floor(
-i/360);let n=N[t].values(o),a=o.index(e),h=Math.min(a+1,o.length-1),r=o.t[h]>o.t[a]?(e-o.t[a])/(o.t[h]-o.t[a]):0;return n[a]+r*(n[h]-n[a])}var Qt=class{film;rows=[];now;constructor(t){
-this.lab=t,this.columns=[...$o],this.step=l("select",{onchange:()=>this.fill()},Ro.map(e=>l("option",{value:String(e)},`${e} s`))),this.step.value="0.1",this.picks=
-l("div",{class:"table-picks"},Object.entries(N).filter(([e])=>e!=="time").map(([e,{name:s}])=>this.pick(e,s))),this.caption=l("caption",{}),this.head=l("thead",
-{}),this.body=l("tbody",{}),this.element=l("section",{class:"table","aria-label":"Table of the motion",hidden:!0},l("header",{},l("h2",{},"Table"),l("label",{class:"\
-table-step"},l("span",{},"Every"),this.step),l("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),l("button",{type:"button",onclick:()=>this.open(!1)},
-"Close")),l("details",{class:"table-columns"},l("summary",{},"Columns"),this.picks),l("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table\
- of the motion, rows"},l("table",{},this.caption,this.head,this.body)))}pick(t,e){let s=l("input",{type:"checkbox",checked:this.columns.includes(t),onchange:()=>{
-let i=new Set(this.columns);s.checked?i.add(t):i.delete(t),this.columns=Object.keys(N).filter(n=>i.has(n)),this.fill()}});return l("label",{},s,l("span",{},e))}open(t){
-this.element.hidden=!t,t&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(t){this.
-element.hidden||(this.film=t,this.fill())}fill(){let{film:t,columns:e}=this,s=Number(this.step.value),i=this.lab.theme.colors.mode_names,n=e.map(r=>N[r]);this.head.
-replaceChildren(l("tr",{},n.map(({name:r,symbol:c,unit:p})=>l("th",{scope:"col",title:r},c,p&&l("small",{},` ${p}`))),l("th",{scope:"col"},"mode")));let a=Qs(t,
-e,s);this.rows=a.map(({time:r,mode:c,values:p})=>({time:r,row:l("tr",{onclick:()=>this.lab.clock.seek(r)},p.map((d,u)=>u===0?l("th",{scope:"row"},x(d,4)):l("td",
-{},x(d,4))),l("td",{class:"table-mode"},i[c]))})),this.body.replaceChildren(...this.rows.map(({row:r})=>r));let h=t.duration/s+1<=je+1e-6;j(this.caption,h?t.summary:
-`${t.summary} ${T("The first {count} rows.",{count:je})}`),this.cursor(this.lab.clock.time)}cursor(t){if(this.element.hidden||!this.rows.length)return;let e=Number(
-this.step.value),s=this.rows[Math.min(Math.round(t/e),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("now"),this.now=
-s)}save(){let{film:t,columns:e}=this,s=[...e.map(n=>`${N[n].name} [${N[n].unit||"1"}]`),"mode"],i=Qs(t,e,Number(this.step.value)).map(({mode:n,values:a})=>[...a,
-n].join(","));ut(new Blob([[s.join(","),...i,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var ti="hoop.radius=0.4&duration=1.5&start.speed=",No=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function $(o){let e="\
+http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Ir[o]),t.append(s),t}var Vt=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
+show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var oi=.22,ni=.03;function ii(o,e){let t=o.at(e),s=o.mass*(o.gravity||9.81),n=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,i=n/(1+n),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:i,pitch:55*(1+Math.min(n,8))**.5,hiss:a?i*y(.15+r,0,1):0}}function ai(o,e,t){let s=Math.
+sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:n,t:i,before:a})=>n==="impact"&&a&&i>e&&i<=t).map(({before:n})=>y(Math.abs(n.vy)/s,.02,1))}function Lr(o){
+let e=o.createBuffer(1,o.sampleRate,o.sampleRate),t=e.getChannelData(0),s=1;for(let n=0;n<t.length;n++)s=s*16807%2147483647,t[n]=2*s/2147483647-1;return e}var Jt=class{static heard=ii;static knocks=ai;context=null;on=!1;last=0;start(){
+let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=Lr(e),s.loop=!0;let n=e.createBiquadFilter();n.type="bandp\
+ass",n.frequency.value=1800,n.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),s.connect(n).connect(
+a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(this,{tone:t,low:i,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
+resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:s}=this[e];s.setTargetAtTime(oi*t,this.context.currentTime,ni)}follow(e,t){if(!this.
+on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:s,pitch:n,hiss:i}=ii(e,t.time);if(this.set("low",s),
+this.set("high",.6*i),this.tone.frequency.setTargetAtTime(n,this.context.currentTime,ni),t.time>this.last)for(let a of ai(e,this.last,t.time))this.knock(a);this.
+last=t.time}knock(e){let t=this.context,s=t.currentTime,n=t.createGain();n.gain.setValueAtTime(2.2*oi*Math.sqrt(e),s),n.gain.exponentialRampToValueAtTime(1e-4,s+
+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,s),i.frequency.exponentialRampToValueAtTime(60,s+.15),i.connect(n).connect(t.destination),i.start(
+s),i.stop(s+.2)}close(){this.context?.close()}};var to=Math.PI/180,G=o=>e=>e.columns[o],pt=(o,e)=>t=>t.derived(o,s=>Float64Array.from(t.t,(n,i)=>e(s,i,t))),B={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:pt("degrees",({angle:o},e)=>o[e]/to)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:pt(
+"within",({angle:o},e)=>{let t=s=>Math.floor(o[s]/to/360);return e>0&&t(e)!==t(e-1)?Number.NaN:o[e]/to-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+m",values:G("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:G("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:pt(
+"rise",({height:o,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+o[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:G("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:pt("spin",({omega:o},e,t)=>o[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:G(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:G("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:G("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:G("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:G("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:G("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:G("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:G("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:pt("total",({kinetic:o,potential:e},t)=>o[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:G("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:G("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:G("rolling_resistance")}},ri=({name:o,symbol:e})=>[
+o," ",e];var Nr=["time","angle","x","vx","spin","normal_force","friction_force"],qr=[1,.5,.2,.1,.05,.02,.01],so=601;function li(o,e,t){let s=Math.min(Math.floor(o.duration/
+t+1e-9)+1,so),n=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));n.push({time:a,mode:o.at(a).mode,values:e.map(r=>Cr(o,r,a))})}return n}function Cr(o,e,t){
+if(e==="time")return t;let s=o.at(t);if(e in s&&e!=="angle")return s[e];let n=s.angle*180/Math.PI;if(e==="angle")return n;if(e==="turns")return n-360*Math.floor(
+n/360);let i=B[e].values(o),a=o.index(t),r=Math.min(a+1,o.length-1),l=o.t[r]>o.t[a]?(t-o.t[a])/(o.t[r]-o.t[a]):0;return i[a]+l*(i[r]-i[a])}var Yt=class{film;rows=[];now;constructor(e){
+this.lab=e,this.columns=[...Nr],this.step=c("select",{onchange:()=>this.fill()},qr.map(t=>c("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
+c("div",{class:"table-picks"},Object.entries(B).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=c("caption",{}),this.head=c("thead",
+{}),this.body=c("tbody",{}),this.element=c("section",{class:"table","aria-label":"Table of the motion",hidden:!0},c("header",{},c("h2",{},"Table"),c("label",{class:"\
+table-step"},c("span",{},"Every"),this.step),c("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),c("button",{type:"button",onclick:()=>this.open(!1)},
+"Close")),c("details",{class:"table-columns"},c("summary",{},"Columns"),this.picks),c("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table\
+ of the motion, rows"},c("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=c("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
+let n=new Set(this.columns);s.checked?n.add(e):n.delete(e),this.columns=Object.keys(B).filter(i=>n.has(i)),this.fill()}});return c("label",{},s,c("span",{},t))}open(e){
+this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.
+element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),n=this.lab.theme.colors.mode_names,i=t.map(h=>B[h]);this.head.
+replaceChildren(c("tr",{},i.map(({name:h,symbol:d,unit:u})=>c("th",{scope:"col",title:h},d,u&&c("small",{},` ${u}`))),c("th",{scope:"col"},"mode")));let a=li(e,
+t,s);this.rows=a.map(({time:h,mode:d,values:u})=>({time:h,row:c("tr",{onclick:()=>this.lab.clock.seek(h)},u.map((m,p)=>p===0?c("th",{scope:"row"},_(m,4)):c("td",
+{},_(m,4))),c("td",{class:"table-mode"},n[d]))})),this.body.replaceChildren(...this.rows.map(({row:h})=>h));let r=e.duration/s+1<=so+1e-6,l=x("The first {count}\
+ rows.",{count:so});M(this.caption,r?e.summary:ue(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
+now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(i=>`${B[i].name} [${B[i].unit||"1"}]`),"mode"],n=li(e,t,Number(this.step.value)).map(({mode:i,values:a})=>[
+...a,i].join(","));Fe(new Blob([[s.join(","),...n,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var hi="hoop.radius=0.4&duration=1.5&start.speed=",jr=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${ti}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],zo=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${hi}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],Or=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],Co=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],Dr=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Oo=["1.0","1.3","1.6","1.9","2.2","2.3"],Fo=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ei(o,t){
-let e=p=>{c.close(),o(p)},s=(p,d="Show")=>l("button",{type:"button",class:"link",onclick:()=>e(p)},d),i=Fo(),n=i&&[["teach/index.html","Teaching with the hoop"],
-["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=l("table",{},l("caption",{},"A lesson of 45 mi\
-nutes"),l("thead",{},l("tr",{},["Minute","What happens","Motion"].map(p=>l("th",{scope:"col"},p)))),l("tbody",{},No.map(([p,d,u])=>l("tr",{},l("th",{scope:"row"},
-p),l("td",{},d),l("td",{},u===null?"":s(u)))))),h=l("table",{},l("caption",{},"What students often think"),l("thead",{},l("tr",{},["Idea","What is right"].map(p=>l(
-"th",{scope:"col"},p)))),l("tbody",{},zo.map(([p,d])=>l("tr",{},l("td",{},p),l("td",{},d))))),r=l("section",{class:"sheet"},l("h3",{},"Worksheet: the hoop that \
-hops"),l("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),l("ol",{},Co.map(p=>l("li",{},p,l("div",{class:"answer-line"})))),l("table",{class:"sheet-\
-table"},l("thead",{},l("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(p=>l("th",{scope:"col"},p)))),l("tbody",{},Oo.map(p=>l("tr",{},l("th",
-{scope:"row"},s(`${ti}${Number(p)}`,p)),l("td",{}),l("td",{}),l("td",{})))))),c=l("dialog",{class:"teach","aria-label":"For teachers"},l("header",{},l("h2",{},"\
-For teachers"),l("button",{type:"button",onclick:()=>print()},"Print"),l("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),l("p",{},"The vi\
-sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",l("button",{type:"button",class:"link",onclick:()=>{c.close(),
-t()}},"Start the visit")),n&&l("p",{},n.map(([p,d])=>l("a",{class:"teach-page",href:new URL(p,new URL(i,document.baseURI)).href},d))),a,h,r);return c}var Ue="RSKHM",Bo=new Set(["x","angle","height"]),Do={x:"vx",angle:"omega",height:"vy"},tt=class{constructor(t){let{header:e}=t;this.scenario=e.scenario,this.query=
-e.query,this.duration=e.duration,this.status=e.status,this.sequence=e.sequence,this.events=e.events,this.values=e.values,this.automatic=e.automatic,this.summary=
-e.summary,this.story=e.story,this.shortened=e.shortened,this.columns=t.arrays,this.t=t.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],
-this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??
-9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map}findPhases(){let{mode:t}=this.columns,e=[];for(let s=0;s<this.length;s++){let i=e.
-at(-1);i&&i.mode===Ue[t[s]]?i.to=this.t[s]:e.push({mode:Ue[t[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<e.length;s++)e[s].to=e[s+1].from;return e.filter(
-s=>s.to>s.from||e.length===1)}findExtent(){let{x:t,height:e,vx:s,vy:i,omega:n}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},h=[];for(let r=0;r<this.length;r++){
-Number.isFinite(t[r])&&(a.left=Math.min(a.left,t[r]),a.right=Math.max(a.right,t[r])),e[r]>a.top&&(a.top=e[r]);let c=Math.hypot(s[r],i[r])+this.radius*Math.abs(n[r]);
-Number.isFinite(c)&&h.push(c)}return h.sort((r,c)=>r-c),a.speed=h[Math.floor(.95*(h.length-1))]||1,a}index(t){let e=0,s=this.length;for(;s-e>1;){let i=e+s>>1;this.
-t[i]<=t?e=i:s=i}return e}at(t){let e=b(t,0,this.duration),s=this.index(e),i=Math.min(s+1,this.length-1),n=this.t[i]-this.t[s],a=n>0?(e-this.t[s])/n:0,h={t:e,mode:Ue[this.
-columns.mode[s]]};for(let[r,c]of Object.entries(this.columns)){if(r==="t"||r==="mode")continue;let p=c[s],d=c[i];if(a===0||!Number.isFinite(d))h[r]=p;else if(Bo.
-has(r)){let u=this.columns[Do[r]];h[r]=Ho(p,d,u[s]*n,u[i]*n,a)}else h[r]=p+(d-p)*a}return h}derived(t,e){let s=this.cache.get(t)??e(this.columns);return this.cache.
-set(t,s),s}};function Ho(o,t,e,s,i){if(!Number.isFinite(e)||!Number.isFinite(s))return o+(t-o)*i;let n=1-i;return n*n*(1+2*i)*o+i*i*(3-2*i)*t+i*n*(n*e-i*s)}var Ke=o=>o-360*Math.floor(o/360);function qo(o,t){let e=Math.abs(Ke(o-t+180)-180);return Math.round(100*b(1-(e-1)/89,0,1))}function Wo(o,t){let e=Math.max(...t)-
-Math.min(...t,0),s=t.reduce((i,n,a)=>i+Math.abs(n-o[a]),0)/t.length;return Math.round(100*b(1-2*s/(e||1),0,1))}var jo=0;function $t(o,t,e=!1){let s=`hh-guess-${++jo}`,
-i="",n=o.map(([a,h])=>{let r=l("input",{type:"radio",name:s,value:a,onchange:()=>{i=a,t()}});return{key:a,radio:r,row:l("label",{class:"guess-choice"},r,l("span",
-{},h))}});return{element:l("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},n.map(({row:a})=>a)),made:()=>i!=="",judge:a=>{for(let{key:h,radio:r,
-row:c}of n){r.disabled=!0;let p=e||h===a;p&&c.append(l("b",{class:"guess-right"},"✓")),c.classList.toggle("right",p)}return e||i===a?100:0}}}var J=168,It=58,Ye=(o,t=It)=>{
-let e=o*Math.PI/180;return[J/2+t*Math.sin(e),J/2-t*Math.cos(e)]};function Xe(o,t){let e=0,s=!1,i=null,n=l("canvas",{class:"dial-canvas"}),a=l("div",{class:"gues\
-s dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},n),h=()=>{let{context:p}=I(n),d=getComputedStyle(
-a),u=d.getPropertyValue("--ink").trim(),f=d.getPropertyValue("--soft").trim(),g=d.getPropertyValue("--accent").trim();p.clearRect(0,0,J,J),p.strokeStyle=f,p.fillStyle=
-f,p.lineWidth=1.5,p.beginPath(),p.moveTo(8,J/2+It),p.lineTo(J-8,J/2+It),p.stroke(),p.lineWidth=4,p.beginPath(),p.arc(J/2,J/2,It,0,2*Math.PI),p.stroke(),p.font="\
-11px system-ui, sans-serif",p.textAlign="center";for(let w of[0,90,180,270]){let[m,v]=Ye(w,It-17);p.fillText(`${w}°`,m,v+4)}let y=(w,m,v)=>{p.fillStyle=m,p.beginPath(),
-p.arc(...Ye(w),v,0,2*Math.PI),p.fill()};i!==null&&(p.strokeStyle=u,p.lineWidth=2,p.beginPath(),p.arc(...Ye(i),12,0,2*Math.PI),p.stroke(),y(i,u,7)),y(e,s?g:f,9)},
-r=p=>{i===null&&(e=Ke(p),s=!0,a.setAttribute("aria-valuenow",String(Math.round(e))),a.setAttribute("aria-valuetext",`${Math.round(e)}°`),h(),t())},c=p=>{let d=n.
-getBoundingClientRect(),[u,f]=[p.clientX-d.left-d.width/2,p.clientY-d.top-d.height/2];r(Math.atan2(u,-f)*180/Math.PI)};return a.addEventListener("pointerdown",p=>{
-p.preventDefault(),a.focus({preventScroll:!0}),c(p),R(a,p,c)}),a.addEventListener("keydown",p=>{let d={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
-PageUp:45}[p.key];d!==void 0&&(p.preventDefault(),p.stopPropagation(),r(e+(p.shiftKey?d/5:d)))}),requestAnimationFrame(h),{element:a,redraw:h,made:()=>s,judge:p=>(i=
-Ke(p),h(),qo(e,i))}}var _t=9,[Y,te,it,Ge]=[34,12,12,26];function si({label:o,unit:t,most:e},s){let i=Array(_t).fill(e/4),n=!1,a=null,h=l("canvas",{class:"sketch\
--canvas"}),r=i.map((m,v)=>l("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":T("{what} with the load at {angle}",{what:T(o),angle:`${45*v}°`}),
-"aria-orientation":"vertical","aria-valuemin":"0","aria-valuemax":String(e),onkeydown:k=>{let M={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[k.key];M&&(k.
-preventDefault(),k.stopPropagation(),g(v,i[v]+M*e/(k.shiftKey?100:20)))}})),c=l("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the \
-points up and down"},h,r),p=()=>h.getBoundingClientRect(),d=m=>Y+m/(_t-1)*(p().width-Y-te),u=m=>it+(1-m/e)*(p().height-it-Ge),f=()=>{let{context:m,width:v,height:k}=I(
-h),M=getComputedStyle(c),A=S=>M.getPropertyValue(S).trim();m.clearRect(0,0,v,k),m.strokeStyle=A("--line"),m.fillStyle=A("--soft"),m.font="11px system-ui, sans-s\
-erif";for(let S=0;S<_t;S+=2)m.textAlign="center",m.fillText(`${45*S}°`,d(S),k-8),m.strokeRect(d(S),it,0,k-it-Ge);for(let S of[0,e/2,e])m.textAlign="right",m.fillText(
-String(S),Y-6,u(S)+4),m.strokeRect(Y,u(S),v-Y-te,0);m.textAlign="left",m.fillText(t,Y+4,it+10);let E=(S,K,qi)=>{m.strokeStyle=K,m.lineWidth=2.5,m.setLineDash(qi),
-m.beginPath(),S.forEach((ds,us)=>{let fs=Y+us/(S.length-1)*(v-Y-te);us?m.lineTo(fs,u(b(ds,0,e))):m.moveTo(fs,u(b(ds,0,e)))}),m.stroke(),m.setLineDash([])};E(i,A(
-"--accent"),[6,4]),a&&E(a,A("--ink"),[]),r.forEach((S,K)=>{S.style.transform=`translate(${d(K)}px, ${u(i[K])}px)`})},g=(m,v)=>{a||(i[m]=b(v,0,e),n=!0,r[m].setAttribute(
-"aria-valuenow",i[m].toPrecision(3)),r[m].setAttribute("aria-valuetext",`${i[m].toPrecision(2)} ${t}`),f(),s())},y=null,w=m=>{let v=p(),k=b((m.clientX-v.left-Y)/
-(v.width-Y-te),0,1),M=Math.round(k*(_t-1)),A=e*(1-(m.clientY-v.top-it)/(v.height-it-Ge)),E=y??M,S=i[E];for(let K=Math.min(E,M);K<=Math.max(E,M);K++)g(K,E===M?A:
-S+(A-S)*(K-E)/(M-E));y=M};c.addEventListener("pointerdown",m=>{m.preventDefault(),y=null,w(m),R(c,m,w)});for(let[m,v]of r.entries())v.setAttribute("aria-valueno\
-w",i[m].toPrecision(3));return requestAnimationFrame(f),{element:c,redraw:f,made:()=>n,judge:m=>{a=m,f();let v=(m.length-1)/(_t-1);return Wo(i,i.map((k,M)=>m[Math.
-round(M*v)]))}}}var se=2*Math.PI,O=(o,t)=>o.events.find(e=>e.kind===t),ee=o=>P(o-se*Math.floor(o/se));function Uo(o,t,e=72){let{angle:s}=o.columns,i=o.columns[t],n=[],a=0;for(let h=0;h<=
-e;h++){let r=o.columns.angle[0]+se*h/e;for(;a+1<o.length&&s[a+1]<r;)a+=1;let c=Math.min(a+1,o.length-1),p=s[c]>s[a]?Math.min((r-s[a])/(s[c]-s[a]),1):0;n.push(i[a]+
-p*(i[c]-i[a]))}return n}var Yo=(o,t)=>o.t[o.columns.angle.findIndex(e=>e>=t)]??o.duration,Go={R:"roll",S:"spin",K:"skid",H:"bounce"},ot=[{key:"littlewood",title:"\
+rim slips. Why does slipping help it to hop?"],Fr=["1.0","1.3","1.6","1.9","2.2","2.3"],Wr=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ci(o,e){
+let t=d=>{h.close(),o(d)},s=(d,u="Show")=>c("button",{type:"button",class:"link",onclick:()=>t(d)},u),n=Wr(),i=n&&[["teach/index.html","Teaching with the hoop"],
+["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=c("table",{},c("caption",{},"A lesson of 45 mi\
+nutes"),c("thead",{},c("tr",{},["Minute","What happens","Motion"].map(d=>c("th",{scope:"col"},d)))),c("tbody",{},jr.map(([d,u,m])=>c("tr",{},c("th",{scope:"row"},
+d),c("td",{},u),c("td",{},m===null?"":s(m)))))),r=c("table",{},c("caption",{},"What students often think"),c("thead",{},c("tr",{},["Idea","What is right"].map(d=>c(
+"th",{scope:"col"},d)))),c("tbody",{},Or.map(([d,u])=>c("tr",{},c("td",{},d),c("td",{},u))))),l=c("section",{class:"sheet"},c("h3",{},"Worksheet: the hoop that \
+hops"),c("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
+e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),c("ol",{},Dr.map(d=>c("li",{},d,c("div",{class:"answer-line"})))),c("table",{class:"sheet-\
+table"},c("thead",{},c("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(d=>c("th",{scope:"col"},d)))),c("tbody",{},Fr.map(d=>c("tr",{},c("th",
+{scope:"row"},s(`${hi}${Number(d)}`,d)),c("td",{}),c("td",{}),c("td",{})))))),h=c("dialog",{class:"teach","aria-label":"For teachers"},c("header",{},c("h2",{},"\
+For teachers"),c("button",{type:"button",onclick:()=>print()},"Print"),c("button",{type:"button",class:"close",onclick:()=>h.close()},"Close")),c("p",{},"The vi\
+sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",c("button",{type:"button",class:"link",onclick:()=>{h.close(),
+e()}},"Start the visit")),i&&c("p",{},i.map(([d,u])=>c("a",{class:"teach-page",href:new URL(d,new URL(n,document.baseURI)).href},u))),a,r,l);return h}var oo="RSKHM",$r=new Set(["x","angle","height"]),Br=1/60,di=8,Hr={x:"vx",angle:"omega",height:"vy"},ye=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.
+said=t.summary,this.story=t.story,this.shortened=t.shortened,this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.rad\
+ius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.
+gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.part=null}wanted(e,t=0){if(this.duration<Br*this.length)return null;
+let s=y(e,0,this.duration),n=Math.min(s+t,this.duration);if(this.part&&s>=this.part.t[0]&&n<=this.part.t[this.part.length-1])return null;let i=Math.max(s-.25*di,
+0);return[i,Math.min(i+di+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){
+let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return On(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.
+length;s++){let n=t.at(-1);n&&n.mode===oo[e[s]]?n.to=this.t[s]:t.push({mode:oo[e[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;
+return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:n,omega:i}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<
+this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let h=Math.hypot(s[l],n[l])+this.
+radius*Math.abs(i[l]);Number.isFinite(h)&&r.push(h)}return r.sort((l,h)=>l-h),a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,s=this.length;for(;s-
+t>1;){let n=t+s>>1;this.t[n]<=e?t=n:s=n}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.length}];let[t,s]=[e.t[0],e.t[e.length-1]],n=this.
+index(t);for(;n>0&&this.t[n]>=t;)n--;let i=this.t[n]>=t?0:n+1;return[{film:this,from:0,to:i},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.
+length}]}at(e){let t=y(e,0,this.duration),s=this.holding(t);if(s!==this)return s.at(t);let n=this.index(t),i=Math.min(n+1,this.length-1),a=this.t[i]-this.t[n],r=a>
+0?(t-this.t[n])/a:0,l={t,mode:oo[this.columns.mode[n]]};for(let[h,d]of Object.entries(this.columns)){if(h==="t"||h==="mode")continue;let u=d[n],m=d[i];if(r===0||
+!Number.isFinite(m))l[h]=u;else if($r.has(h)){let p=this.columns[Hr[h]];l[h]=Kr(u,m,p[n]*a,p[i]*a,r)}else l[h]=u+(m-u)*r}return l}derived(e,t){let s=this.cache.
+get(e)??t(this.columns);return this.cache.set(e,s),s}};function Kr(o,e,t,s,n){if(!Number.isFinite(t)||!Number.isFinite(s))return o+(e-o)*n;let i=1-n;return i*i*
+(1+2*n)*o+n*n*(3-2*n)*e+n*i*(i*t-n*s)}var ao=o=>o-360*Math.floor(o/360);function Ur(o,e){let t=Math.abs(ao(o-e+180)-180);return Math.round(100*y(1-(t-1)/89,0,1))}function Gr(o,e){let t=Math.max(...e)-
+Math.min(...e,0),s=e.reduce((n,i,a)=>n+Math.abs(i-o[a]),0)/e.length;return Math.round(100*y(1-2*s/(t||1),0,1))}var Vr=0;function wt(o,e,t=!1){let s=`hh-guess-${++Vr}`,
+n="",i=o.map(([a,r])=>{let l=c("input",{type:"radio",name:s,value:a,onchange:()=>{n=a,e()}});return{key:a,radio:l,row:c("label",{class:"guess-choice"},l,c("span",
+{},r))}});return{element:c("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>n!=="",judge:a=>{for(let{key:r,radio:l,
+row:h}of i){l.disabled=!0;let d=t||r===a;d&&h.append(c("b",{class:"guess-right"},"✓")),h.classList.toggle("right",d)}return t||n===a?100:0}}}var pe=168,gt=58,
+no=(o,e=gt)=>{let t=o*Math.PI/180;return[pe/2+e*Math.sin(t),pe/2-e*Math.cos(t)]};function ro(o,e){let t=0,s=!1,n=null,i=c("canvas",{class:"dial-canvas"}),a=c("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let{context:d}=D(i),u=getComputedStyle(
+a),m=u.getPropertyValue("--ink").trim(),p=u.getPropertyValue("--soft").trim(),g=u.getPropertyValue("--accent").trim();d.clearRect(0,0,pe,pe),d.strokeStyle=p,d.fillStyle=
+p,d.lineWidth=1.5,d.beginPath(),d.moveTo(8,pe/2+gt),d.lineTo(pe-8,pe/2+gt),d.stroke(),d.lineWidth=4,d.beginPath(),d.arc(pe/2,pe/2,gt,0,2*Math.PI),d.stroke(),d.font=
+"11px system-ui, sans-serif",d.textAlign="center";for(let w of[0,90,180,270]){let[f,k]=no(w,gt-17);d.fillText(`${w}°`,f,k+4)}let b=(w,f,k)=>{d.fillStyle=f,d.beginPath(),
+d.arc(...no(w),k,0,2*Math.PI),d.fill()};n!==null&&(d.strokeStyle=m,d.lineWidth=2,d.beginPath(),d.arc(...no(n),12,0,2*Math.PI),d.stroke(),b(n,m,7)),b(t,s?g:p,9)},
+l=d=>{n===null&&(t=ao(d),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},h=d=>{let u=i.
+getBoundingClientRect(),[m,p]=[d.clientX-u.left-u.width/2,d.clientY-u.top-u.height/2];l(Math.atan2(m,-p)*180/Math.PI)};return a.addEventListener("pointerdown",d=>{
+d.preventDefault(),a.focus({preventScroll:!0}),h(d),W(a,d,h)}),a.addEventListener("keydown",d=>{let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
+PageUp:45}[d.key];u!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:d=>(n=
+ao(d),r(),Ur(t,n))}}var ft=9,[le,Zt,Me,io]=[34,12,12,26];function ui({label:o,unit:e,most:t},s){let n=Array(ft).fill(t/4),i=!1,a=null,r=c("canvas",{class:"sketc\
+h-canvas"}),l=n.map((f,k)=>c("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${o} with the load at ${45*k}°`,"aria-orientation":"vertical",
+"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:T=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[T.key];E&&(T.preventDefault(),T.stopPropagation(),
+g(k,n[k]+E*t/(T.shiftKey?100:20)))}})),h=c("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),
+u=f=>le+f/(ft-1)*(d().width-le-Zt),m=f=>Me+(1-f/t)*(d().height-Me-io),p=()=>{let{context:f,width:k,height:T}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
+z).trim();f.clearRect(0,0,k,T),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
+f.fillText(`${45*z}°`,u(z),T-8),f.strokeRect(u(z),Me,0,T-Me-io);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),le-6,m(z)+4),f.strokeRect(le,m(z),
+k-le-Zt,0);f.textAlign="left",f.fillText(e,le+4,Me+10);let I=(z,Q,Ws)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash(Ws),f.beginPath(),z.forEach((Lt,_n)=>{let Tn=le+
+_n/(z.length-1)*(k-le-Zt);_n?f.lineTo(Tn,m(y(Lt,0,t))):f.moveTo(Tn,m(y(Lt,0,t)))}),f.stroke(),f.setLineDash([])};I(n,N("--accent"),[6,4]),a&&I(a,N("--ink"),[]),
+l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},g=(f,k)=>{a||(n[f]=y(k,0,t),i=!0,l[f].setAttribute("aria-valuenow",n[f].toPrecision(
+3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,w=f=>{let k=d(),T=y((f.clientX-k.left-le)/(k.width-le-Zt),0,1),E=Math.round(
+T*(ft-1)),N=t*(1-(f.clientY-k.top-Me)/(k.height-Me-io)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)g(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
+"pointerdown",f=>{f.preventDefault(),b=null,w(f),W(h,f,w)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
+p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Gr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Qt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Xt=o=>q(o-Qt*Math.floor(o/Qt));function Jr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
+t;r++){let l=o.columns.angle[0]+Qt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),d=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
+d*(n[h]-n[a]))}return i}var Yr=(o,e)=>o.t[o.columns.angle.findIndex(t=>t>=e)]??o.duration,Zr={R:"roll",S:"spin",K:"skid",H:"bounce"},Ee=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:o=>$t(
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:o=>wt(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],o),until:([o])=>{
-let[t,e]=[O(o,"skim"),O(o,"impact")];return t?t.t+.7*((e?.t??o.duration)-t.t):o.duration},answer:([o])=>{let t=O(o,"skim")??O(o,"takeoff");return{truth:t?.kind===
-"skim"?"skim":t?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:ee(t?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+let[e,t]=[V(o,"skim"),V(o,"impact")];return e?e.t+.7*((t?.t??o.duration)-e.t):o.duration},answer:([o])=>{let e=V(o,"skim")??V(o,"takeoff");return{truth:e?.kind===
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:Xt(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:o=>si({label:"Speed of the centre",unit:"m/s",most:10},
-o),until:([o])=>Yo(o,se),answer:([o])=>{let t=Uo(o,"vx");return{truth:t,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:x(Math.max(
-...t),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:o=>ui({label:"Speed of the centre",unit:"m/s",most:10},
+o),until:([o])=>Yr(o,Qt),answer:([o])=>{let e=Jr(o,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:_(Math.max(
+...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:o=>Xe("Angle of the load where it begins to slip",o),until:([o])=>(O(o,"slip_start")?.t??0)+.02,answer:([o])=>{let t=O(o,"slip_start"),e=o.at(t.t).normal_force/
-(o.mass*o.gravity);return{truth:t.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:ee(t.
-angle),share:`${x(100*e,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
+guess:o=>ro("Angle of the load where it begins to slip",o),until:([o])=>(V(o,"slip_start")?.t??0)+.02,answer:([o])=>{let e=V(o,"slip_start"),t=o.at(e.t).normal_force/
+(o.mass*o.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:Xt(e.
+angle),share:`${_(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:o=>Xe("Angle of the load\
- where it takes off",o),until:([o])=>(O(o,"takeoff")?.t??0)+.12,answer:([o])=>{let t=O(o,"takeoff"),e=o.at(t.t-1e-6);return{truth:t.angle*180/Math.PI,text:"It t\
-akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:ee(t.angle),slip:x(Math.abs(e.slip),3)}}},why:"A rolling hoop would be braked by the plan\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:o=>ro("Angle of the load\
+ where it takes off",o),until:([o])=>(V(o,"takeoff")?.t??0)+.12,answer:([o])=>{let e=V(o,"takeoff"),t=o.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It t\
+akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:Xt(e.angle),slip:_(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the plan\
 e while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the \
 top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it d\
-o just after it has landed?",queries:[""],guess:o=>$t([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
-too fast."],["bounce","It bounces."]],o),until:([o])=>(O(o,"impact")?.t??o.duration)+.15,answer:([o])=>{let[t,e]=[O(o,"takeoff"),O(o,"impact")],s=o.events.find(
-i=>i.kind==="apex");return{truth:Go[o.at((e?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:x((e?.t??0)-(t?.t??0),3),height:x(100*(s?.height??0),3),angle:ee(e?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+o just after it has landed?",queries:[""],guess:o=>wt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
+too fast."],["bounce","It bounces."]],o),until:([o])=>(V(o,"impact")?.t??o.duration)+.15,answer:([o])=>{let[e,t]=[V(o,"takeoff"),V(o,"impact")],s=o.events.find(
+n=>n.kind==="apex");return{truth:Zr[o.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+values:{time:_((t?.t??0)-(e?.t??0),3),height:_(100*(s?.height??0),3),angle:Xt(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:o=>$t([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],o),until:o=>.3+Math.max(0,...o.map(t=>O(t,"impact")?.t??0)),
-answer:o=>{let t=o.map(n=>Math.max(0,...n.events.map(({kind:a,height:h})=>a==="apex"?h:0))),[e,s,i]=t.map(n=>x(100*n,3));return{truth:String(t.indexOf(Math.max(
-...t))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:e,middle:s,high:i}}},why:"On ice nothing drives the ro\
+"plane.mu=0.05","plane.mu=0.2",""],guess:o=>wt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],o),until:o=>.3+Math.max(0,...o.map(e=>V(e,"impact")?.t??0)),
+answer:o=>{let e=o.map(i=>Math.max(0,...i.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,s,n]=e.map(i=>_(100*i,3));return{truth:String(e.indexOf(Math.max(
+...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:n}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:o=>$t([["flight","It flies off."],["impact","An impact stops the sli\
-de at once."],["both","Both agree with the laws."]],o),until:o=>Math.min(.8,...o.map(t=>t.duration)),answer:o=>({truth:o.every(t=>O(t,"painleve_indeterminate"))?
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:o=>wt([["flight","It flies off."],["impact","An impact stops the sli\
+de at once."],["both","Both agree with the laws."]],o),until:o=>Math.min(.8,...o.map(e=>e.duration)),answer:o=>({truth:o.every(e=>V(e,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var ii="hophoop-visit",ie=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(t,e){this.lab=t,this.onchallenges=
-e,this.body=l("div",{class:"visit-body"}),this.said=l("div",{class:"visit-answer",role:"status"}),this.element=l("section",{class:"visit card","aria-label":"Gui\
-ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){lt(ii)||(this.element.hidden=!1,j(this.said,""),this.
-body.replaceChildren(l("div",{class:"buttons offer"},l("p",{},l("b",{},"New here?")," ","Eight short questions: guess, then play."),l("button",{type:"button",class:"\
-main",onclick:()=>this.start()},"Start the visit"),l("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
-ct(ii,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
-lab.show()}async go(t){let e=ot[t],s=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=e,this.stop=null,this.guess=null,this.unwind(),j(this.said,
-""),this.element.hidden=!1,i.root.classList.toggle("visiting",t<ot.length-1);try{let n=await Promise.all(e.queries.map(a=>i.backend.call("film",{query:a})));if(s!==
-this.asked)return;this.films=n.map(a=>new tt(a)),i.motions.active=0,i.motions.set(n.slice(0,2)),this.guess=e.guess?.(()=>this.guessed())??null,this.veil(),i.changed(),
-i.motions.note(),this.fill(t)}catch(n){i.notice.fail(n)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
-"aria-label",T("The hoop, before it is let go."))}fill(t){let e=ot[t];this.play=l("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
-"Play");let s=t===ot.length-1,i=l("h2",{tabindex:"-1"},e.title);this.next=l("button",{type:"button",onclick:()=>this.go(t+1)},"Next"),this.body.replaceChildren(
-l("header",{},l("span",{class:"visit-count"},`Step ${t+1} of ${ot.length}`),l("progress",{max:String(ot.length),value:String(t+1),"aria-hidden":"true"}),l("butt\
-on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),i,l("p",{},e.text),e.question?l("p",{class:"visit-question"},e.
-question):"",this.guess?.element??"",l("div",{class:"buttons"},t>0&&l("button",{type:"button",onclick:()=>this.go(t-1)},"Back"),this.guess&&this.play,s?l("butto\
-n",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&l("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&
-l("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),i.focus({preventScroll:!0})}guessed(){this.play&&
-(this.play.disabled=!1);let t=this.body.querySelector(".visit-wait");t&&(t.hidden=!0)}show(){let{lab:t,step:e}=this;!e||!this.guess||(this.play.disabled=!0,this.
-stop=e.until?.(t.films())??t.clock.duration,this.loop??=t.clock.loop,t.clock.loop=!1,t.clock.seek(0),matchMedia("(prefers-reduced-motion: reduce)").matches?t.clock.
-seek(this.stop):t.clock.play(!0),this.frame())}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:t}=this.lab;if(this.stop===
-null||t.playing&&t.time<this.stop||!(t.time>=this.stop-1e-9||!t.playing))return;t.playing=!1;let s=this.stop;this.stop=null,this.unwind(),t.seek(s),this.judge()}judge(){
-let{step:t,guess:e}=this;if(!t?.answer||!e)return;let{truth:s,text:i,values:n={}}=t.answer(this.films),a=e.judge(s);this.points.set(t.key,a),this.said.replaceChildren(
-l("p",{},l("b",{},T("{points} of 100 points.",{points:a}))," ",T(i,n)),l("p",{},t.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.
-scrollIntoView({block:"nearest"})}total(){let t=[...this.points.values()].reduce((e,s)=>e+s,0);this.said.replaceChildren(l("p",{},T("You have {sum} of {most} po\
-ints.",{sum:t,most:100*this.points.size})))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var oe=class{constructor(t){this.lab=t,this.grips=new Vt(t),this.sound=new Zt,this.present=new Jt(t),this.challenges=new Gt(t),this.visit=new ie(t,()=>this.challenges.
-open()),this.table=new Qt(t),this.teach=ei(e=>this.challenges.load(e),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){let{lab:t}=this,e=t.stage.element.
-parentElement,s=t.root.querySelector(".side");s?s.prepend(this.visit.element,this.challenges.element):e.before(this.visit.element,this.challenges.element),e.after(
-this.table.element),t.root.append(this.teach),t.transport.element.querySelector(".switches")?.before(this.tools()),t.header.element.querySelector(".right")?.prepend(
-this.menu(),this.languages()),t.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:t}=this.lab,e=(s,i,n)=>l("button",{type:"button",
-title:i,"aria-label":i,"aria-pressed":"false",onclick:n},L(s));return this.loop=e("loop","Repeat",()=>{t.loop=!t.loop,this.mark()}),this.slow=e("slow","Slow mot\
-ion: a tenth of the speed",()=>{t.speed=t.speed===.1?1:.1,t.changed(),this.mark()}),this.loud=e("sound","Sound of the contact",()=>{this.sound.turn(!this.sound.
-on),this.mark()}),this.large=e("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),this.mark(),l("div",{class:"\
-buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:t}=this.lab;this.loop?.setAttribute("aria-pressed",String(t.loop)),this.slow?.setAttribute(
-"aria-pressed",String(t.speed===.1)),this.loud?.setAttribute("aria-pressed",String(this.sound.on)),this.large?.setAttribute("aria-pressed",String(this.present.on))}menu(){
-let t=(s,i)=>l("button",{type:"button",onclick:()=>{e.open=!1,i()}},s),e=l("details",{class:"menu learn"},l("summary",{class:"button"},"Learn"),l("div",{class:"\
-menu-body"},t("Guided visit",()=>this.visit.start()),t("Challenges",()=>this.challenges.open()),t("Table of the motion",()=>this.table.open(!0)),t("Presentation",
-()=>this.present.turn(!0)),t("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{e.contains(s.target)||(e.open=
-!1)}),e.addEventListener("keydown",s=>{s.key!=="Escape"||!e.open||(s.stopPropagation(),e.open=!1,e.querySelector("summary")?.focus())}),e}languages(){let t=l("s\
-elect",{class:"language","aria-label":"Language",onchange:()=>{Ts(t.value),Le(t.value),this.spoken(),_s(this.lab.root),this.lab.show()}},Object.entries(xt).map(
-([e,s])=>l("option",{value:e,lang:e},s)));return t.value=zt(),t}spoken(){this.lab.root.lang=zt(),this.lab.hosted&&(document.documentElement.lang=zt())}frame(){let{
-lab:t}=this;this.grips.draw(),this.sound.follow(t.film(),t.clock),this.table.cursor(t.clock.time),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.
-table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var Rt=(o,t,e)=>l("button",{type:"button",title:t,"aria-label":t,onclick:e},o),ne=class{constructor(t,e,s){let i=new Map;for(let a of t)i.set(a.group,[...i.get(
-a.group)??[],a]);this.fresh=!1,this.presets=l("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=t.find(({key:h})=>h===this.presets.
-value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},l("option",{value:""},"Motions to start from …"),[...i].
-map(([a,h])=>l("optgroup",{label:a},h.map(({key:r,title:c})=>l("option",{value:r},c))))),this.undo=Rt(L("undo"),"Undo (z)",s.undo),this.redo=Rt(L("redo"),"Redo \
-(y)",s.redo);let n=l("span",{},l("span",{class:"long"},"Compare"),l("span",{class:"short"},L("two")));this.compare=Rt(n,"Compare two hoops",s.compare),this.element=
-l("header",{class:"top"},l("h1",{},l("span",{class:"logo","aria-hidden":"true"}),l("span",{},"hophoop",l("span",{class:"long"}," lab"))),this.presets,l("div",{class:"\
-buttons"},this.undo,this.redo,this.compare),l("div",{class:"buttons right"},e,Rt(L("theme"),"Dark or light (d)",s.theme),Rt("?","Keys and help (?)",s.help)))}show(t,e){
-this.undo.disabled=!t.past.length,this.redo.disabled=!t.future.length,this.compare.setAttribute("aria-pressed",String(e))}};var Ko=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+ the motion itself.",question:"",queries:[""]}];var mi="hophoop-visit",es=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
+t,this.body=c("div",{class:"visit-body"}),this.said=c("div",{class:"visit-answer",role:"status"}),this.element=c("section",{class:"visit card","aria-label":"Gui\
+ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ie(mi)||(this.element.hidden=!1,M(this.said,""),this.
+body.replaceChildren(c("div",{class:"buttons offer"},c("p",{},c("b",{},"New here?")," ","Eight short questions: guess, then play."),c("button",{type:"button",class:"\
+main",onclick:()=>this.start()},"Start the visit"),c("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
+ae(mi,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
+lab.show()}async go(e){let t=Ee[e],s=++this.asked,{lab:n}=this;n.clock.play(!1),n.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),M(this.said,
+""),this.element.hidden=!1,n.root.classList.toggle("visiting",e<Ee.length-1);try{let i=await Promise.all(t.queries.map(a=>n.backend.call("film",{query:a})));if(s!==
+this.asked)return;this.films=i.map(a=>new ye(a)),n.motions.active=0,n.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),n.changed(),
+n.motions.note(),this.fill(e)}catch(i){n.notice.fail(i)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
+"aria-label",x("The hoop, before it is let go."))}fill(e){let t=Ee[e];this.play=c("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
+"Play");let s=e===Ee.length-1,n=c("h2",{tabindex:"-1"},t.title);this.next=c("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
+c("header",{},c("span",{class:"visit-count"},`Step ${e+1} of ${Ee.length}`),c("progress",{max:String(Ee.length),value:String(e+1),"aria-hidden":"true"}),c("butt\
+on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),n,c("p",{},t.text),t.question?c("p",{class:"visit-question"},t.
+question):"",this.guess?.element??"",c("div",{class:"buttons"},e>0&&c("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,s?c("butto\
+n",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&c("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&
+c("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),n.focus({preventScroll:!0})}guessed(){this.play&&
+(this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;!t||!this.guess||(this.play.disabled=!0,this.
+stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),matchMedia("(prefers-reduced-motion: reduce)").matches?e.clock.
+seek(this.stop):e.clock.play(!0),this.frame())}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===
+null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;e.playing=!1;let s=this.stop;this.stop=null,this.unwind(),e.seek(s),this.judge()}judge(){
+let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:n,values:i={}}=e.answer(this.films),a=t.judge(s);this.points.set(e.key,a),this.said.replaceChildren(
+c("p",{},c("b",{},`${a} of 100 points.`)," ",Cn(n,i)),c("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
+{block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(c("p",{},`You have ${e} of ${100*this.points.size} poi\
+nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ts=class{words={t:x,untranslated:ht};constructor(e){this.lab=e,this.grips=new Gt(e),this.sound=new Jt,this.present=new Vt(e),this.challenges=new Ht(e),this.
+visit=new es(e,()=>this.challenges.open()),this.table=new Yt(e),this.teach=ci(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){
+let{lab:e}=this,t=e.stage.element.parentElement,s=e.root.querySelector(".side");s?s.prepend(this.visit.element,this.challenges.element):t.before(this.visit.element,
+this.challenges.element),t.after(this.table.element),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.
+querySelector(".right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,n,i)=>c(
+"button",{type:"button",title:n,"aria-label":n,"aria-pressed":"false",onclick:i},$(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.
+slow=t("slow","Slow motion: a tenth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.
+sound.turn(!this.sound.on),this.mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),
+this.mark(),c("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(
+e.loop)),this.slow?.setAttribute("aria-pressed",String(e.speed===.1)),this.loud?.setAttribute("aria-pressed",String(this.sound.on)),this.large?.setAttribute("ar\
+ia-pressed",String(this.present.on))}menu(){let e=(s,n)=>c("button",{type:"button",onclick:()=>{t.open=!1,n()}},s),t=c("details",{class:"learn"},c("summary",{class:"\
+button"},"Learn"),c("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("Table of the motion",()=>this.
+table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{
+t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),
+t}languages(){let e=c("select",{class:"language","aria-label":"Language",onchange:()=>{qn(e.value),Ks(e.value),this.spoken(),Fn(this.lab.root),this.lab.show()}},
+Object.entries(lt).map(([t,s])=>c("option",{value:t,lang:t},document.createTextNode(s))));return e.value=jt(),e}spoken(){this.lab.root.lang=jt(),this.lab.hosted&&
+(document.documentElement.lang=jt())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
+this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.
+close()}};var bt=(o,e,t)=>c("button",{type:"button",title:e,"aria-label":e,onclick:t},o),ss=class{constructor(e,t,s){let n=new Map;for(let a of e)n.set(a.group,[...n.get(
+a.group)??[],a]);this.fresh=!1,this.presets=c("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
+value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},c("option",{value:""},"Motions to start from …"),[...n].
+map(([a,r])=>c("optgroup",{label:a},r.map(({key:l,title:h})=>c("option",{value:l},h))))),this.undo=bt($("undo"),"Undo (z)",s.undo),this.redo=bt($("redo"),"Redo \
+(y)",s.redo);let i=c("span",{},c("span",{class:"long"},"Compare"),c("span",{class:"short"},$("two")));this.compare=bt(i,"Compare two hoops",s.compare),this.element=
+c("header",{class:"top"},c("h1",{},c("span",{class:"logo","aria-hidden":"true"}),c("span",{},"hophoop",c("span",{class:"long"}," lab"))),this.presets,c("div",{class:"\
+buttons"},this.undo,this.redo,this.compare),c("div",{class:"buttons right"},t,bt($("theme"),"Dark or light (d)",s.theme),bt("?","Keys and help (?)",s.help)))}show(e,t){
+this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Xr=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["3","in space"],["+ − 0","zoom, zoom back"],["Esc","leave a field, a menu, a picture \
-that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Xo=[["R","roll","the rim does not slide"],["S","spin","slip: the rim tur\
+that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Qr=[["R","roll","the rim does not slide"],["S","spin","slip: the rim tur\
 ns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)"],["H","\
-flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Vo=[["▲ ▼","take-off, landing"],["•","highest point"],
+flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],el=[["▲ ▼","take-off, landing"],["•","highest point"],
 ["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy out of nothing"],["≋","bounces without numbe\
-r end"],["◗ ■","skimming begins, rest"]],Ve=(o,t,e=()=>!1)=>l("table",{},l("caption",{},o),t.map(([s,...i])=>l("tr",{},l("th",{scope:"row"},e(s),s),i.map(n=>l(
-"td",{},n)))));function oi(o,t,e){let s=l("dialog",{class:"help","aria-label":"Keys and help"},l("h2",{},"The hoop"),l("p",{},"A ring with a load on its rim rol\
+r end"],["◗ ■","skimming begins, rest"]],lo=(o,e,t=()=>!1)=>c("table",{},c("caption",{},o),e.map(([s,...n])=>c("tr",{},c("th",{scope:"row"},t(s),s),n.map(i=>c(
+"td",{},i)))));function pi(o,e,t){let s=c("dialog",{class:"help","aria-label":"Keys and help"},c("h2",{},"The hoop"),c("p",{},"A ring with a load on its rim rol\
 ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
-. Move a slider and see."),Ve("Modes",Xo,i=>l("i",{class:"dot",style:`background:${t.modes[i]}`})),Ve("Marks on the bar of time",Vo),Ve("Keys",Ko),e,l("p",{class:"\
-hint"},`hophoop ${o}`),l("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var ae=class{constructor(t){this.tabs=["A","B"].map((e,s)=>l("button",{type:"button","aria-pressed":"false",onclick:()=>t(s)},`Hoop ${e}`)),this.bar=l("div",{class:"\
-tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=l("p",{class:"preset-text"}),this.element=l("div",{class:"lanes"},
-this.bar,this.text)}show(t,e){this.bar.hidden=t<2;for(let[s,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(s===e))}};var ni="hophoop-theme",Jo=["gravity_center","airborne","normal_force","friction_force"],re=class{constructor(t,e,s,i){this.root=t,this.colors=e,this.hosted=s,this.
-changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=ze(t),this.inks={...e},this.read()}mark(){let t=this.hosted?Je(ni):null;this.root.dataset.theme=this.chosen??t??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=ze(this.root),this.inks={...this.colors};for(let t of Jo)
-this.inks[t]=Ot(this.colors[t],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&Ze(ni,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};function Je(o){try{return localStorage.getItem(o)}catch{
-return null}}function Ze(o,t){try{localStorage.setItem(o,t)}catch{}}var ai="hophoop-single-keys",Zo=(o,t)=>({" ":()=>o.clock.play(),ArrowLeft:()=>t?o.transport.jump(-1):o.transport.nudge(-1),ArrowRight:()=>t?o.transport.jump(1):
+. Move a slider and see."),lo("Modes",Qr,n=>c("i",{class:"dot",style:`background:${e.modes[n]}`})),lo("Marks on the bar of time",el),lo("Keys",Xr),t,c("p",{class:"\
+hint"},`hophoop ${o}`),c("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var os=class{constructor(e){this.tabs=["A","B"].map((t,s)=>c("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=c("div",{class:"\
+tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=c("p",{class:"preset-text"}),this.element=c("div",{class:"lanes"},
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,n]of this.tabs.entries())n.setAttribute("aria-pressed",String(s===t))}};var fi="hophoop-single-keys",tl=(o,e)=>({" ":()=>o.clock.play(),ArrowLeft:()=>e?o.transport.jump(-1):o.transport.nudge(-1),ArrowRight:()=>e?o.transport.jump(1):
 o.transport.nudge(1),Home:()=>o.clock.seek(0),End:()=>o.clock.seek(o.clock.duration),h:()=>o.transport.jump(1,"takeoff"),l:()=>o.transport.jump(1,"impact"),"[":()=>o.
 clock.faster(-1),"]":()=>o.clock.faster(1),t:()=>o.toggle("traces"),f:()=>o.toggle("forces"),c:()=>o.toggle("speed"),w:()=>o.toggle("whole"),3:()=>o.toggle("thr\
 ee"),"+":()=>o.stage.zoom(1.25),"=":()=>o.stage.zoom(1.25),"-":()=>o.stage.zoom(.8),0:()=>o.stage.zoom(0),z:()=>o.travel(-1),y:()=>o.travel(1),d:()=>o.theme.toggle(),
-p:()=>o.share.code(),"?":()=>o.help.showModal()});function Qo(o,t){let e=t.key.toLowerCase();t.altKey||!(e==="z"||e==="y")||(t.preventDefault(),o.travel(e==="y"||
-t.shiftKey?1:-1))}function tn(o){let t=o.share.menu;t.open&&(t.open=!1,t.querySelector("summary")?.focus())}var he=class{constructor(t){this.on=!t||Je(ai)!=="of\
-f";let e=l("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=e.checked,t&&Ze(ai,this.on?"on":"off")}});this.element=l("label",{class:"check"},e,"Si\
-ngle keys (letters, digits, signs) do what the table says")}};function en(o,t){let e=t.target;if(o.root.querySelector("dialog[open]"))return;if(t.key==="Escape"){
-tn(o);return}if(e.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(t.ctrlKey||t.metaKey){Qo(o,t);return}if(t.altKey||e.matches?.("selec\
-t")&&!(t.key===" "&&o.header.fresh)||e.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(t.key)||t.key===" "&&e.matches?.("button, summary, input[ty\
-pe=checkbox]")||!o.singleKeys.on&&t.key!==" "&&t.key.length===1)return;let i=Zo(o,t.shiftKey)[t.key];i&&(t.preventDefault(),i())}function ri(o,t){let e=t?document:
-o.root,s=i=>{en(o,i),t||i.stopPropagation()};return e.addEventListener("keydown",s),()=>e.removeEventListener("keydown",s)}var[hi,sn]=[62,92],on=12,nt=10,nn=36,li=Math.PI/180,G=["x","y"],le=class{box;constructor(t){this.known=new Map(t.map(e=>[e.path,e])),this.paths={x:"start.speed",
-y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=hi}info(t){return this.known.get(this.paths[t])}whole(t){return[...this.info(t).range]}home(){
-for(let t of G)this.windows[t]=this.whole(t)}choose(t,e){let s=t==="x"?"y":"x";this.paths[s]===e&&(this.paths[s]=this.paths[t]),this.paths[t]=e,this.home()}asked(t,e){
-let[s,i]=this.windows[t];return{path:this.paths[t],from:s,to:i,cells:e}}bounds(t){let{range:e,allowed:s}=this.info(t),i=2*(e[1]-e[0]);return[Math.max(s[0],e[0]-
-i),Math.min(s[1],e[1]+i)]}zoom(t,e){let s={x:[],y:[]};for(let i of G){let[n,a]=this.windows[i],h=e?.[i]??.5*(n+a);s[i]=at([h-(h-n)*t,h+(a-h)*t],this.bounds(i));
-let r=Math.max(Math.abs(s[i][0]),Math.abs(s[i][1]),1e-9);if(s[i][1]-s[i][0]<400*Number.EPSILON*r)return!1}return G.every(i=>s[i].every((n,a)=>n===this.windows[i][a]))?
-!1:(this.windows=s,!0)}drag(t,e,s){let i=(n,a)=>at(t[n].map(h=>h+a*(t[n][1]-t[n][0])),this.bounds(n));this.windows={x:i("x",-e/this.box.width),y:i("y",s/this.box.
-height)}}restore(t){if(!G.every(e=>this.known.has(t[e][0]))||t.x[0]===t.y[0])return!1;for(let e of G)this.paths[e]=t[e][0];for(let e of G)this.windows[e]=at(t[e].
-slice(1).map(Number),this.bounds(e));return!0}isHome(){return G.every(t=>this.windows[t].every((e,s)=>e===this.whole(t)[s]))}middle(){let{x:t,y:e}=this.windows;
-return{x:.5*(t[0]+t[1]),y:.5*(e[0]+e[1])}}fit(t,e){this.left=this.deep("y")?sn:hi,this.box={width:t-this.left-on,height:e-nt-nn}}clip(t){t.beginPath(),t.rect(this.
-left,nt,this.box.width,this.box.height),t.clip()}x(t){let[e,s]=this.windows.x;return this.left+(t-e)/(s-e)*this.box.width}y(t){let[e,s]=this.windows.y;return nt+
-(1-(t-e)/(s-e))*this.box.height}place(t,e){let s=([i,n],a)=>i+b(a,0,1)*(n-i);return{x:s(this.windows.x,(t-this.left)/this.box.width),y:s(this.windows.y,1-(e-nt)/
-this.box.height)}}deep(t){let[e,s]=this.windows[t];return s-e<5e-5*Math.max(Math.abs(e),Math.abs(s))}said(t){let e=s=>{let i=this.info(s),[n,a]=this.windows[s],
-h=Math.max(Math.abs(n),Math.abs(a)),r=b(Math.ceil(Math.log10(h/(a-n)))+4,4,16);return`${i.label} = ${$(x(i.degrees?t[s]/li:t[s],r),i.unit)}`};return`${e("x")}, ${e(
-"y")}`}draw(t,e,s){t.strokeStyle=s.soft,t.fillStyle=s.soft,t.lineWidth=1,t.strokeRect(this.left+.5,nt+.5,this.box.width-1,this.box.height-1),t.font=`11px ${s.font}`;
-for(let i of G){let n=this.info(i),a=n.degrees?1/li:1,[h,r]=this.windows[i].map(w=>w*a),c=i==="x"?this.box.width/80:this.box.height/40,p=z(r-h,c),d=this.deep(i),
-u=d?Number((.5*(h+r)).toPrecision(12)):0,f=d?q(h-u,r-u,c).map(w=>w+u):q(h,r,c);for(let w of f){let m=d?x(w-u,3):B(w,p);i==="x"?(t.textAlign="center",t.fillText(
-m,this.x(w/a),nt+this.box.height+14)):(t.textAlign="right",t.textBaseline="middle",t.fillText(m,this.left-5,this.y(w/a)),t.textBaseline="alphabetic")}let g=d?` \
-− ${String(u).replace("-","−")}`:"",y=`${n.label}${g}${n.unit?` [${n.unit}]`:""}`;t.save(),t.textAlign="center",i==="x"?t.translate(this.left+.5*this.box.width,
-e-5):(t.translate(12,nt+.5*this.box.height),t.rotate(-Math.PI/2)),t.fillText(y,0,0),t.restore()}}};function at([o,t],[e,s]){let i=Math.min(t-o,s-e);return o<e?[
-e,e+i]:t>s?[s-i,s]:[o,t]}function Qe(o,t,e,s,i){for(let[n,a]of[[i,4],[s,1.8]])o.strokeStyle=n,o.lineWidth=a,o.beginPath(),o.arc(t,e,7,0,2*Math.PI),o.moveTo(t-13,
-e),o.lineTo(t-4,e),o.moveTo(t+4,e),o.lineTo(t+13,e),o.moveTo(t,e-13),o.lineTo(t,e-4),o.moveTo(t,e+4),o.lineTo(t,e+13),o.stroke()}var gt=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,an=.0018,ci=200,
-[rn,hn]=[1/.6,1/1.7];function D(o,{zoom:t,home:e,chosen:s=()=>o,keys:i=!1}){return o.addEventListener("wheel",n=>{(n.ctrlKey||n.metaKey||Bt(s()))&&(n.preventDefault(),
-t(Math.exp(-Math.min(Math.max(n.deltaY,-ci),ci)*an),n))},{passive:!1}),o.addEventListener("dblclick",e),i&&o.addEventListener("keydown",n=>{if(n.key==="+"||n.key===
-"=")t(rn);else if(n.key==="-")t(hn);else if(n.key==="0")e();else if(n.key==="Escape")o.blur();else return;n.preventDefault(),n.stopPropagation()}),Gs(o,t)}var pi={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},di=48;function ui(o){let{body:t}=o,e=!1,s=D(t,{zoom:(i,n)=>o.axes.box&&o.zoom(1/i,n?ts(
-o,n):o.pointed??void 0),home:()=>o.home(),keys:!0});t.addEventListener("pointerdown",i=>cn(o,i,s,n=>e=n)),t.addEventListener("pointermove",i=>{o.axes.box&&!e&&i.
-pointerType!=="touch"&&ln(o,i)}),t.addEventListener("pointerleave",()=>o.tip.hidden=!0),t.addEventListener("keydown",i=>pn(o,i))}function ts(o,t){let e=o.body.getBoundingClientRect();
-return o.axes.place(t.clientX-e.left,t.clientY-e.top)}function ln(o,t){o.tip.textContent=o.said(ts(o,t)),o.tip.hidden=!1;let e=o.body.getBoundingClientRect();o.
-tip.style.left=`${b(t.clientX-e.left,150,Math.max(e.width-150,150))}px`,o.tip.style.bottom=`${e.bottom-t.clientY+16}px`}function cn(o,t,e,s){t.preventDefault(),
-o.body.focus({preventScroll:!0});let i=[t.clientX,t.clientY],n={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=ts(o,t);let a=!1,h=e(),r=c=>{if(h||=e(),
-h)return;let[p,d]=[c.clientX-i[0],c.clientY-i[1]];Math.hypot(p,d)<5&&!a||(a=!0,s(!0),o.tip.hidden=!0,o.axes.drag(n,p,d),o.redraw(),o.soon())};R(o.body,t,r,(c,p)=>{
-p&&!a&&!h&&o.pointed&&o.take(o.pointed),s(!1)})}function pn(o,t){let e=o.pointed??o.here()??o.axes.middle();if(o.pointed=e,pi[t.key]){let[s,i]=pi[t.key],{x:n,y:a}=o.
-axes.windows;o.pointed={x:b(e.x+s*(n[1]-n[0])/di,n[0],n[1]),y:b(e.y+i*(a[1]-a[0])/di,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(t.
-key==="Enter")o.take(e);else return;t.preventDefault(),t.stopPropagation(),o.redraw()}var dn=["start.height","start.vx","start.vy","start.omega"];function fi(o,t){let e="speed"in o.start;return!e&&t.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":e&&t.some(s=>dn.includes(s))?"of starts in any state, though this motion starts rolling":""}var un=Math.PI/180,fn=12,mn=["hop_height","flight_time","energy_lost","greatest_utilization"];function mi(o){return o.unit==="rad"?[1/un,"°"]:[1,o.unit==="1"?"":
-o.unit]}function gn({classes:o,what:t},e){let[s,i]=[1/0,-1/0];if(o)return[s,i];for(let n of e)n<s&&(s=n),n>i&&(i=n);return[mn.includes(t)?Math.min(s,0):s,i]}function gi(o){
-let{values:t}=o.arrays,e=o.header,{x:s,y:i,classes:n}=e,a=new ImageData(s.cells,i.cells),[h,r]=gn(e,t),c=n?.map(({color:d})=>X(d));for(let d=0;d<i.cells;d++)for(let u=0;u<
-s.cells;u++){let f=t[d*s.cells+u],g=4*((i.cells-1-d)*s.cells+u);if(!Number.isFinite(f))continue;let y=c&&(u+1<s.cells&&t[d*s.cells+u+1]!==f||d+1<i.cells&&t[(d+1)*
-s.cells+u]!==f),w=c?c[f].map(m=>y?.72*m:m):dt[b(Math.round(255*(f-h)/(r-h||1)),0,255)];a.data.set([...w,255],g)}let p=l("canvas",{width:s.cells,height:i.cells});
-return V(p).putImageData(a,0,0),{picture:p,header:e,values:t,x:[s.from,s.to],y:[i.from,i.to],low:h,high:r}}function wi(o,t){let e=(i,n)=>i[0]>=n[0]-1e-300&&i[1]<=
-n[1]+1e-300;return[...o.filter(i=>!(e(i.x,t.x)&&e(i.y,t.y))),t].slice(-fn)}function yi({header:o,low:t,high:e,values:s}){let{classes:i}=o;if(!i){let h=l("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),r=V(h);for(let d=0;d<120;d++)r.fillStyle=`rgb(${dt[Math.floor(255*d/119)].join(",")})`,r.fillRect(d,0,1,10);
-let[c,p]=mi(o);return[l("span",{},`${o.label}: ${e>=t?x(t*c,3):"none"} `),h,l("span",{},e>=t?$(x(e*c,3),p):""),s.some(d=>!Number.isFinite(d))?l("span",{},l("i",
-{class:"blank"}),"none"):""]}let n=new Map;for(let h of s)n.set(h,(n.get(h)??0)+1);let a=[...n].filter(([h])=>h>=0).sort((h,r)=>r[1]-h[1]);return[...a.slice(0,10).
-map(([h])=>{let{color:r,text:c}=i[h];return l("span",{},l("i",{style:`background:${r}`,"aria-hidden":"true"}),c)}),a.length>10?l("span",{},`and ${a.length-10} m\
-ore`):""]}function bi(o,t){for(let{header:e,values:s}of[...o].reverse()){let{x:i,y:n,classes:a}=e,h=Math.floor((t.x-i.from)/(i.to-i.from)*i.cells),r=Math.floor(
-(t.y-n.from)/(n.to-n.from)*n.cells);if(h<0||r<0||h>=i.cells||r>=n.cells)continue;let c=s[r*i.cells+h];if(a)return a[c]?.text??"not allowed";let[p,d]=mi(e);return Number.
-isFinite(c)?$(x(c*p,4),d):"none"}return"…"}var vi=[[24,16],[72,48],[216,144]],ce=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(t,e,{take:s,say:i,changed:n}){this.backend=
-t,this.onmotion=s,this.say=i,this.changed=n;let a=e.controls.map_axes;this.axes=new le(a),this.what="sequence",this.layers=[],this.canvas=l("canvas",{class:"plo\
-t-canvas"}),this.tip=l("div",{class:"tip",hidden:!0}),this.body=l("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
-ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=l("div",{class:"map-keys"}),this.state=l("span",{class:"hint"});
-let h=r=>{let c=l("select",{"data-axis":r,onchange:()=>this.setAxis(r,c.value)},a.map(({path:p,label:d})=>l("option",{value:p},d)));return c};this.selects={x:h(
-"x"),y:h("y")},this.quantity=l("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},e.map_quantities.map(([r,
-c])=>l("option",{value:r},c))),this.element=l("section",{class:"map","aria-label":"Map of motions"},l("div",{class:"map-head"},l("h2",{},"Map"),l("label",{},"of",
-this.quantity),l("label",{},"Across",this.selects.x),l("label",{},"Up",this.selects.y),l("span",{class:"buttons"},l("button",{type:"button","aria-label":"Zoom i\
-nto the map",onclick:()=>this.zoom(.5)},"+"),l("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),l("button",{type:"but\
-ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,l("p",{class:"hint"},`Click to take that motion into the player; ${gt("drag to move")}\
-.`)),ui(this),this.soon=U(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([r])=>{this.seen=r.isIntersecting,this.seen&&this.stale&&this.
-refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let t of G)this.selects[t].value=
-this.axes.paths[t]}setAxis(t,e){this.axes.choose(t,e),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(t){let e=structuredClone(t);
-for(let s of Object.values(this.axes.paths)){let[i,n]=s.split(".");e[i]&&delete e[i][n]}return JSON.stringify(e)}mark(t,e){this.film=t,this.look=e;let s=this.key_of(
-t.scenario);s!==this.key_now&&(this.key_now=s,this.soon()),this.redraw()}shown(){let{paths:t,windows:e}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&
-t.x==="start.speed"&&t.y==="plane.mu")return;let s=i=>[t[i],...e[i]];return{what:this.what,x:s("x"),y:s("y")}}restore(t){![...this.quantity.options].some(({value:e})=>e===
-t.what)||!this.axes.restore(t)||(this.quantity.value=this.what=t.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.
-stale=!0;return}this.stale=!1,this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked,e=this.film.scenario,s=e.contact.model==="rigid"?[]:[[
-"contact.model","rigid"]];this.computing=!0;let i=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;i!==this.kind&&(this.layers=[]),this.
-kind=i,this.redraw();try{for(let[n,a]of vi){this.state.textContent=`computing ${n*a} motions …`;let h={x:this.axes.asked("x",n),y:this.axes.asked("y",a)},r={scenario:e,
-changes:s,...h,what:this.what},c=await zs(()=>this.backend.call("map",r,t),u=>{this.state.textContent=u},t),p=gi(c);this.layers=wi(this.layers,p),this.keys.replaceChildren(
-...yi(p));let d=fi(e,Object.values(this.axes.paths));this.state.textContent=`${n*a} motions${s.length?", with rigid contact":""}${d&&`; ${d}`}`,this.redraw()}this.
-level=vi.length}catch(n){let{name:a,message:h}=n;if(a==="AbortError")return;this.state.textContent=h}this.computing=!1}redraw(){if(!this.film)return;let{look:t}=this,
-{context:e,width:s,height:i}=I(this.canvas);this.axes.fit(s,i),e.clearRect(0,0,s,i),e.save(),this.axes.clip(e),e.imageSmoothingEnabled=!1;let{axes:n}=this;for(let h of this.
-layers){let[r,c]=h.x.map(u=>n.x(u)),[p,d]=h.y.map(u=>n.y(u));e.drawImage(h.picture,r,d,c-r,p-d)}let a=this.here();a&&Qe(e,n.x(a.x),n.y(a.y),t.ink,t.paper),this.
-pointed&&Bt(this.body)&&Qe(e,n.x(this.pointed.x),n.y(this.pointed.y),"#D55E00",t.paper),e.restore(),n.draw(e,i,t)}here(){let t=s=>{let[i,n]=s.split(".");return this.
-film.values[s]??this.film.scenario[i]?.[n]},e={x:t(this.axes.paths.x),y:t(this.axes.paths.y)};return typeof e.x=="number"&&typeof e.y=="number"?e:null}said(t){return`${this.
-axes.said(t)}: ${bi(this.layers,t)}`}take(t){this.onmotion([[this.axes.paths.x,t.x],[this.axes.paths.y,t.y]])}zoom(t,e){this.tip.hidden=!0,this.axes.zoom(t,e)&&
-(this.redraw(),this.soon())}};var pe=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(t,e="",s=performance.now()){let i=this.now;if(this.now=t,i===
-null||es(i,t))return"same";let n=e!==""&&e===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=e,this.when=s,this.future=[],n?"again":(this.past.push(
-i),this.past.length>500&&this.past.shift(),"step")}next(t){return(t<0?this.past:this.future).at(-1)??null}step(t){let[e,s]=t<0?[this.past,this.future]:[this.future,
-this.past],i=e.pop();!i||!this.now||(s.push(this.now),this.now=i,this.what="")}arrive(t){if(!(this.now&&es(this.now,t))){for(let e of[-1,1]){let s=e<0?this.past:
-this.future,i=s.length-s.findLastIndex(n=>es(n,t));if(!(i>s.length)){for(let n=0;n<i;n++)this.step(e);return}}Object.assign(this,{past:[],future:[],now:t,what:""})}}},
-es=(o,t)=>JSON.stringify(o)===JSON.stringify(t);var de=class{constructor(t,e){this.backend=t,this.listener=e,this.history=new pe,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(t=this.active){return this.
-lanes[t].film}films(){return this.lanes.map(t=>t.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([t])=>t))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(t){this.lanes=t.map(e=>({film:new tt(e)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(t){this.set(await Promise.
-all(t.map(e=>this.backend.call("film",{query:e}))))}change(t,e){let s=this.lanes[this.active];s.since??=performance.now(),s.pending=[...(s.pending??[]).filter(([
-i])=>!t.some(([n])=>n===i)),...t],s.commit||=e,s.what=t.map(([i])=>i).join(),this.pump(s)}async pump(t){if(t.busy||!this.lanes.includes(t))return;if(!t.pending){
-t.commit&&this.settle(t);return}let e=t.pending,{since:s}=t;t.pending=null,t.since=null,t.busy=!0;try{t.film=new tt(await this.backend.call("film",{scenario:t.film.
-scenario,changes:e})),this.lanes.includes(t)&&this.listener.shown(s)}catch(i){this.lanes.includes(t)&&this.listener.failed(i,e)}finally{t.busy=!1}this.pump(t)}settle(t){
-t.commit=!1,this.note(t.what),this.listener.settled()}queries(){return this.films().map(t=>t.query)}note(t){this.listener.noted(this.history.note(this.queries(),
-t))}replace(t){this.lanes[this.active]={film:new tt(t)},this.listener.shown(),this.note()}travel(t){return this.inTurn(async()=>{let e=this.history.next(t);e&&(await this.
-load(e),this.history.step(t),await this.listener.travelled(t),this.listener.shown(),this.listener.noted("travelled"))})}arrive(t){return this.inTurn(async()=>{await this.
-load(t),this.history.arrive(t),this.listener.shown(),this.listener.noted("travelled")})}inTurn(t){return this.going=this.going.then(t).then(()=>!0,e=>(this.listener.
-failed(e),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=
-0),this.listener.shown(),this.note()}choose(t){this.active=t,this.listener.shown(),this.listener.noted("same")}link(t=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(
-this.film(1).query)}`:"",t].filter(Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var wn=6e3,ue=class{constructor(){this.message=l("p",{class:"message",role:"alert",hidden:!0}),this.toast=l("div",{class:"toast",role:"status",hidden:!0}),this.
-timer=0}fail(t){this.message.textContent=t.message,this.message.hidden=!1,this.seen()||this.say(t.message,this.message.isConnected)}seen(){let{top:t,bottom:e,height:s}=this.
-message.getBoundingClientRect();return this.message.isConnected&&s>0&&t>=0&&e<=innerHeight}clear(){this.message.hidden=!0}say(t,e=!1){this.toast.setAttribute("r\
-ole",e?"presentation":"status"),this.toast.textContent=t,this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},wn)}};var H=52,ss=10,F=8,yn=30,bn={solid:[],dash:[6,4],dot:[2,3]},wt=class{films;active;look;box;range;heights;picked;named;values;constructor({key:t,title:e,unit:s,curves:i,
-limits:n,symmetric:a=!1},h){this.key=t,this.title=e,this.unit=s,this.curves=i,this.limits=n,this.symmetric=a,this.shared=h,this.canvas=l("canvas",{class:"plot-c\
-anvas"}),this.over=l("canvas",{class:"plot-canvas plot-over"}),this.keys=l("div",{class:"plot-keys"}),this.body=l("div",{class:"plot-body",tabindex:"0",role:"im\
-g","aria-label":e},this.canvas,this.over),this.element=l("section",{class:"plot","data-plot":t},l("header",{},l("h3",{},e),this.keys),this.body),this.body.addEventListener(
-"pointerdown",r=>this.press(r)),this.pinched=D(this.body,{zoom:(r,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/r),home:()=>this.zoomTo(null),
-keys:!0}),this.onseek=()=>{}}abscissa(t){return N[this.shared.axis].values(t)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.
-duration),1e-9)];let[t,e]=[1/0,-1/0];for(let s of this.films)for(let i of this.abscissa(s))i<t&&(t=i),i>e&&(e=i);return e>t?[t,e]:[t-1,e+1]}draw(t,e,s,i){this.films=
-t,this.active=e,this.look=s;let{context:n,width:a,height:h}=I(this.canvas);this.box={width:a-H-ss,height:h-F-yn},n.clearRect(0,0,a,h),this.range=this.shared.range??
-this.fullRange();let r=t.flatMap((c,p)=>this.shades(c).map(d=>({...d,film:c,lane:p})));this.heights=this.limits??this.findHeights(r),this.shared.axis==="time"&&
-this.bands(n,t[e],i),this.grid(n,s,a,h),n.save(),n.beginPath(),n.rect(H,F,this.box.width,this.box.height),n.clip();for(let c of r)this.curve(n,c,t.length>1);n.restore(),
-this.legend(this.shades(t[e]),s.dark),this.describe(r)}shades(t){return this.curves(t).map(e=>({...e,color:e.color&&Ot(e.color,this.look.dark)}))}x(t){return H+
-(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return F+(1-(t-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(t){
-let e=[];for(let{film:p,values:d}of t){let u=this.abscissa(p);for(let f=0;f<d.length;f++)u[f]>=this.range[0]&&u[f]<=this.range[1]&&Number.isFinite(d[f])&&e.push(
-d[f])}if(!e.length)return[0,1];let s=Float64Array.from(e).sort(),[i,n]=[s[0],s[s.length-1]],[a,h]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],r=Math.
-max(h-a,1e-12);n>h+4*r&&(n=h+.6*r),i<a-4*r&&(i=a-.6*r),i=Math.min(i,0),n=Math.max(n,0),this.symmetric&&([i,n]=[-Math.max(-i,n),Math.max(-i,n)]);let c=.06*(n-i)||
-1;return[i<0?i-c:i,n+c]}bands(t,e,s){for(let i of e.phases){let n=b(this.x(i.from),H,H+this.box.width),a=b(this.x(i.to),H,H+this.box.width);a<=n||(t.fillStyle=Mt(
-s.modes[i.mode],.14),t.fillRect(n,F,a-n,this.box.height))}}grid(t,e,s,i){t.font=`11px ${e.font}`,t.strokeStyle=e.line,t.fillStyle=e.soft,t.lineWidth=1;let n=Math.
-max(this.box.height/28,4);for(;q(this.heights[0],this.heights[1],n).length<3&&n<12;)n+=1;let a=z(this.heights[1]-this.heights[0],n);t.textAlign="right",t.textBaseline=
-"middle";for(let u of q(this.heights[0],this.heights[1],n)){let f=Math.round(this.y(u))+.5;t.globalAlpha=Math.abs(u)<1e-9*a?1:.55,t.beginPath(),t.moveTo(H,f),t.
-lineTo(s-ss,f),t.stroke(),t.globalAlpha=1,t.fillText(B(u,a),H-6,f)}let h=this.box.width/70,r=z(this.range[1]-this.range[0],h);t.textAlign="center",t.textBaseline=
-"alphabetic";let{name:c,unit:p}=N[this.shared.axis],d=p?`${T(c)} [${p}]`:T(c);for(let u of q(this.range[0],this.range[1],h)){let f=this.x(u);t.beginPath(),t.moveTo(
-f,F+this.box.height),t.lineTo(f,F+this.box.height+4),t.stroke(),t.fillText(B(u,r),f,F+this.box.height+15)}t.textAlign="right",t.fillText(d,s-ss,i-3),t.save(),t.
-translate(11,F+.5*this.box.height),t.rotate(-Math.PI/2),t.textAlign="center",t.fillText(this.unit,0,0),t.restore()}curve(t,{film:e,lane:s,values:i,color:n,dash:a},h){
-let r=this.abscissa(e);t.strokeStyle=n??this.look.ink,t.lineWidth=h&&s===1?1.2:1.8,t.setLineDash(h&&s===1?[3,3]:bn[a??"solid"]),t.globalAlpha=h&&s===1?.85:1,t.beginPath();
-let c=!1;for(let p=0;p<i.length;p++){if(!Number.isFinite(i[p])||!Number.isFinite(r[p])){c=!1;continue}let d=this.x(r[p]),u=b(this.y(i[p]),-1e4,1e4);c?t.lineTo(d,
-u):t.moveTo(d,u),c=!0}t.stroke(),t.setLineDash([]),t.globalAlpha=1}legend(t,e){let s=t.map(i=>i.name).join()+e;this.named!==s&&(this.named=s,this.values=t.map(()=>l(
-"span",{class:"value"})),this.keys.replaceChildren(...t.map((i,n)=>l("span",{class:"plot-key"},is(i.color,i.dash),i.name," ",this.values[n]))))}describe(t){let e=t.
-slice(0,6).map(({name:s,values:i,lane:n})=>{let[a,h]=[1/0,-1/0];for(let c of i)c<a&&(a=c),c>h&&(h=c);let r=this.films.length>1?`${"AB"[n]}: `:"";return h>=a?`${r}${s}\
- from ${x(a,3)} to ${x(h,3)}`:""});this.body.setAttribute("aria-label",`${this.title} in ${this.unit}. ${e.filter(Boolean).join("; ")}.`)}cursor(t){if(!this.films)
-return;let{context:e,width:s,height:i}=I(this.over);if(e.clearRect(0,0,s,i),this.films.forEach((n,a)=>{let h=n.at(t),r=n.index(h.t),c=Math.min(r+1,n.length-1),p=n.
-t[c]>n.t[r]?(h.t-n.t[r])/(n.t[c]-n.t[r]):0,d=this.abscissa(n),u=this.x(d[r]+p*(d[c]-d[r])),f=u>=H-1&&u<=H+this.box.width+1;f&&(e.strokeStyle=this.look.soft,e.lineWidth=
-1,e.beginPath(),e.moveTo(u,F),e.lineTo(u,F+this.box.height),e.stroke()),this.shades(n).forEach((g,y)=>{let w=g.values[c],m=Number.isFinite(w)?g.values[r]+p*(w-g.
-values[r]):g.values[r];a===this.active&&this.values?.[y]&&(this.values[y].textContent=x(m,3));let v=this.y(m);!f||!(v>=F-1&&v<=F+this.box.height+1)||(e.fillStyle=
-g.color??this.look.ink,e.beginPath(),e.arc(u,v,3.2,0,2*Math.PI),e.fill())})}),this.picked){let[n,a]=this.picked;e.fillStyle=Mt("#0072B2",.2),e.fillRect(Math.min(
-n,a),F,Math.abs(a-n),this.box.height)}}valueAt(t){let e=this.body.getBoundingClientRect(),s=b((t.clientX-e.left-H)/this.box.width,0,1);return this.range[0]+s*(this.
-range[1]-this.range[0])}press(t){if(!this.films)return;let e=this.body.getBoundingClientRect(),s=t.clientX-e.left,i=this.valueAt(t),n=this.pinched(),a=h=>{if(n||=
-this.pinched(),n)return;let r=h.clientX-e.left;this.picked=t.pointerType==="mouse"&&Math.abs(r-s)>5?[s,r]:null,t.pointerType!=="mouse"&&this.seek(this.valueAt(h)),
-this.cursor(this.shared.clock.time)};R(this.body,t,a,(h,r)=>{let c=this.valueAt(h),{picked:p}=this;this.picked=null,p&&r?this.zoomTo(i<c?[i,c]:[c,i]):p?this.cursor(
-this.shared.clock.time):r&&!n&&this.seek(t.pointerType==="mouse"?i:c)})}seek(t){if(this.shared.axis==="time")return this.onseek(t);let e=this.films[this.active],
-s=this.abscissa(e),i=0;for(let n=0;n<s.length;n++)Math.abs(s[n]-t)<Math.abs(s[i]-t)&&(i=n);return this.onseek(e.t[i])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(t,e){
-let s=this.fullRange(),i=Math.max(t-(t-this.range[0])*e,s[0]),n=Math.min(t+(this.range[1]-t)*e,s[1]);this.zoomTo(i<=s[0]&&n>=s[1]?null:[i,n])}zoomTo(t){this.shared.
-range=t&&t[1]-t[0]>1e-9?t:null,this.shared.changed()}};function is(o,t="solid"){let e=l("i",{class:"swatch","aria-hidden":"true"});return e.style.borderTopColor=
-o??"var(--ink)",e.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted"}[t],e}var et=52,xi=10,_=8,vn=30,xn="RSKHM?",fe=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(t,e,s){this.backend=
-t,this.clock=e,this.colors=s,this.canvas=l("canvas",{class:"plot-canvas"}),this.over=l("canvas",{class:"plot-canvas plot-over"}),this.keys=l("div",{class:"plot-\
-keys"}),this.body=l("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
-ght"},this.canvas,this.over),this.element=l("section",{class:"phase"},l("header",{},l("h3",{},"Plane of θ and θ̇"),this.keys),this.body,l("p",{class:"hint"},
-`Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox. Click to go there; ${gt("")}.`)),this.body.addEventListener(
-"pointerdown",i=>this.seek(i)),this.pinched=D(this.body,{zoom:(i,n)=>this.box&&this.zoomAbout(n?this.point(n):this.middle(),1/i),home:()=>this.zoomTo(null),keys:!0}),
-this.range=[0,2*Math.PI],this.asked="",this.soon=U(()=>this.sharpen(),140)}async fetch(t,e){let s=this.reach(),i=JSON.stringify([t.hoop,t.plane,s]);if(i!==this.
-asked){let n=await this.painted(t,[0,2*Math.PI,-s,s],e);this.asked=i,this.pictures=[n],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
-pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let t=await this.painted(this.films[this.active].scenario,[...this.range,
-...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],t],this.redraw()}catch(t){if(t.name!=="AbortError")throw t}}}async painted(t,e,s){let{header:i,
-arrays:n}=await this.backend.call("regions",{scenario:t,window:e},s);return{window:i.window,paradox:n.paradox,picture:this.paint(n.modes,i.arrays[0].shape)}}reach(){
-return this.reached}findReach(){let t=0;for(let s of this.films??[]){let i=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();t=Math.max(
-t,i[Math.floor(.99*(i.length-1))]??0)}let e=z(Math.max(t,1)*1.15,4);return Math.ceil(Math.max(t,1)*1.12/e)*e}zoomTo(t){this.range=t??[0,2*Math.PI],this.window=null,
-this.pictures?.splice(1),this.redraw()}point(t){let e=this.body.getBoundingClientRect(),s=(t.clientX-e.left-et)/this.box.width,i=1-(t.clientY-e.top-_)/this.box.
-height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
-bottom()+this.top())]}zoomAbout([t,e],s){let i=Math.max(t-(t-this.range[0])*s,0),n=Math.min(t+(this.range[1]-t)*s,2*Math.PI),a=this.reach(),h=Math.max(e-(e-this.
-bottom())*s,-a),r=Math.min(e+(this.top()-e)*s,a);this.range=[i,n],this.window=n-i<2*Math.PI-1e-9||r-h<2*a-1e-9?[h,r]:null,this.redraw(),this.soon()}bottom(){return this.
-window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(t,e,s){this.films=
-t,this.active=e,this.look=s,this.reached=this.findReach(),this.forwards=t.some(i=>i.columns.omega.some(n=>n>.3)),this.backwards=t.some(i=>i.columns.omega.some(n=>n<
--.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(t){return et+(t-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(t){return _+
-(1-(t-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(t,[e,s]){let{modes:i}=this.colors,n=l("canvas",{width:s,height:e}),a=new ImageData(s,e);for(let h=0;h<
-e;h++)for(let r=0;r<s;r++){let c=xn[t[h*s+r]],p=X(i[c]??"#6E6E6E"),d=4*((e-1-h)*s+r);a.data.set([...p,255],d)}return V(n).putImageData(a,0,0),n}redraw(){if(!this.
-films)return;let{colors:t,look:e}=this,{context:s,width:i,height:n}=I(this.canvas);if(this.box={width:i-et-xi,height:n-_-vn},s.clearRect(0,0,i,n),s.save(),s.beginPath(),
-s.rect(et,_,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:h}of this.pictures){let[r,c,p,d]=h,u=[this.
-x(r),this.y(d),this.x(c)-this.x(r),this.y(p)-this.y(d)];s.fillStyle=e.panel,s.fillRect(u[0],u[1],u[2],u[3]),s.globalAlpha=.35,s.drawImage(a,u[0],u[1],u[2],u[3]),
-s.globalAlpha=1}this.hatch(s)}for(let[a,h]of this.films.entries())this.way(s,h,a);if(s.restore(),this.axes(s,i,n),this.keyed!==e.dark){this.keyed=e.dark;let a=Object.
-entries(t.mode_names).filter(([h])=>"RSKH".includes(h));this.keys.replaceChildren(...a.map(([h,r])=>l("span",{class:"plot-key"},is(t.modes[h]),r)))}this.cursor(
-this.clock.time)}hatch(t){let{paradox:e}=this.pictures[0],s=e.length;t.strokeStyle=Mt(this.look.dark?"#ffffff":"#000000",.28),t.lineWidth=1;for(let i=0;i<s;i++){
-if(!e[i])continue;let n=i;for(;n<s&&e[n]===e[i];)n++;let a=this.x(i*2*Math.PI/s),h=this.x(n*2*Math.PI/s);t.save(),t.beginPath(),t.rect(a,_,h-a,this.box.height),
-t.clip(),t.beginPath();let r=e[i];for(let c=-this.box.height;c<h-a+this.box.height;c+=7)t.moveTo(a+c,r>0?_+this.box.height:_),t.lineTo(a+c+this.box.height,r>0?_:
-_+this.box.height);t.stroke(),t.restore(),i=n}}way(t,e,s){let{angle:i,omega:n,mode:a}=e.columns,h=2*Math.PI;t.lineWidth=s?1.2:1.8,t.setLineDash(s?[4,3]:[]),t.strokeStyle=
-this.look.ink,t.beginPath();let r=null;for(let c=0;c<e.length;c++){if(!Number.isFinite(n[c])){r=null;continue}let p=Math.floor(i[c]/h),d=i[c]-p*h;if(r===null)t.
-moveTo(this.x(d),this.y(n[c]));else if(p!==r.lap){let u=p>r.lap?h:0;t.lineTo(this.x(u),this.y(n[c])),t.moveTo(this.x(h-u),this.y(n[c])),t.lineTo(this.x(d),this.
-y(n[c]))}else t.lineTo(this.x(d),this.y(n[c]));r={lap:p,mode:a[c]}}t.stroke(),t.setLineDash([])}axes(t,e,s){let{look:i}=this;t.font=`11px ${i.font}`,t.strokeStyle=
-i.soft,t.fillStyle=i.soft,t.lineWidth=1,t.strokeRect(et+.5,_+.5,this.box.width-1,this.box.height-1),t.textAlign="center";let n=this.range[0]*180/Math.PI,a=this.
-range[1]*180/Math.PI,h=a-n>200?45:z(a-n,6);for(let c=Math.ceil(n/h-1e-9);c*h<=a+1e-9;c++){let p=this.x(c*h*Math.PI/180);t.beginPath(),t.moveTo(p,_+this.box.height),
-t.lineTo(p,_+this.box.height+4),t.stroke(),t.fillText(B(c*h,h),p,_+this.box.height+15)}t.textAlign="right",t.fillText("angle θ within a turn [°]",e-xi,s-3),t.
-textBaseline="middle";let r=this.top()-this.bottom();for(let c of q(this.bottom(),this.top(),5))t.fillText(B(c,z(r,5)),et-6,this.y(c));t.textBaseline="alphabeti\
-c",t.save(),t.translate(11,_+.5*this.box.height),t.rotate(-Math.PI/2),t.textAlign="center",t.fillText("θ̇ [rad/s]",0,0),t.restore()}cursor(t){if(!this.films||
-!this.box)return;let{context:e,width:s,height:i}=I(this.over);e.clearRect(0,0,s,i),this.films.forEach((n,a)=>{let h=n.at(t),r=2*Math.PI,c=h.angle-Math.floor(h.angle/
-r)*r,p=this.x(c),d=this.y(h.omega);p>=et&&p<=et+this.box.width&&d>=_&&d<=_+this.box.height&&(e.beginPath(),e.arc(p,d,a?4:5.5,0,2*Math.PI),e.fillStyle=this.colors.
-modes[h.mode],e.fill(),e.lineWidth=2,e.strokeStyle=this.look.ink,e.stroke())})}seek(t){let e=this.body.getBoundingClientRect(),[s,i]=[t.clientX-e.left,t.clientY-
-e.top];if(this.pinched())return;let n=this.films[this.active],{angle:a,omega:h}=n.columns,r=2*Math.PI,c={distance:1/0,t:0};for(let p=0;p<n.length;p++){let d=a[p]-
-Math.floor(a[p]/r)*r,u=Math.hypot(this.x(d)-s,this.y(h[p])-i);u<c.distance&&(c={distance:u,t:n.t[p]})}c.distance<40&&this.clock.seek(b(c.t,0,n.duration))}};var os=o=>Object.entries(N).map(([t,e])=>l("option",{value:t},o(e)));function ki(o){let t="height",e=new wt({key:"own",title:"Your choice",unit:"",curves:n=>[{name:T(
-N[t].name),values:N[t].values(n)}]},o),s=()=>{let{symbol:n,unit:a}=N[t];e.unit=a?`${n} [${a}]`:n},i=l("select",{"aria-label":"What your diagram shows",onchange:()=>{
-t=i.value,s(),o.changed()}},os(Zs));return i.value=t,s(),e.element.querySelector("h3")?.after(i),e}function kn(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:t=>[{name:"v (centre)",color:o.center_speed,values:t.columns.vx},{name:"\
-R θ̇",color:o.rotation_speed,dash:"dash",values:t.derived("spin",({omega:e})=>Float64Array.from(e,s=>s*t.radius))}]},{key:"energies",title:"Energies and losse\
-s",unit:"energy [J]",curves:t=>[{name:"kinetic",color:o.kinetic,values:t.columns.kinetic},{name:"potential",color:o.potential,values:t.columns.potential},{name:"\
-total",values:t.derived("total",({t:e,kinetic:s,potential:i})=>Float64Array.from(e,(n,a)=>s[a]+i[a])),dash:"dash"},{name:"lost to friction",color:o.friction_loss,
-values:t.columns.friction_loss},{name:t.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:o.impact_loss,values:t.columns.
-normal_loss,dash:"dot"},...t.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:t.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
-orces",title:"Contact forces",unit:"force [N]",curves:t=>[{name:"normal N",color:o.normal_force,values:t.columns.normal_force},{name:"friction F",color:o.friction_force,
-dash:"dash",values:t.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:t=>[{name:"|F| / μN",color:o.
-friction_force,values:t.columns.utilization}]}]}var me=class{films;active;look;constructor(t,e){this.colors=e,this.shared={axis:"time",range:null,clock:t,changed:()=>this.
-redraw()},this.plots=[...kn(e).map(i=>new wt(i,this.shared)),ki(this.shared)];for(let i of this.plots)i.onseek=n=>t.seek(n);this.seen=new Map(this.plots.map(i=>[
-i.element,!0]));let s=new IntersectionObserver(i=>{for(let{target:n,isIntersecting:a}of i)this.seen.set(n,a);this.redraw()},{rootMargin:"400px"});for(let i of this.
-plots)s.observe(i.element);this.axis=l("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
-null,this.redraw()}},os(({name:i})=>`over ${i}`)),this.back=l("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
-l("span",{class:"hint"}),this.element=l("div",{class:"plots"},l("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(t,e,s){
-this.films=t,this.active=e,this.look=s;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${gt("")}`;
-this.hint.textContent=t.length>1?`A full, B dotted; numbers and colours of ${"AB"[e]}; ${i}`:i,this.redraw()}redraw(){if(this.films?.length){this.back.hidden=!this.
-shared.range;for(let t of this.visible())t.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.plots.filter(
-t=>this.seen.get(t.element))}cursor(t){for(let e of this.visible())e.cursor(t)}};var Mn=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],ge=class{constructor(t){this.lab=t,this.menu=l("details",{class:"menu"},l("summary",{class:"button"},"Keep"),l("div",{class:"menu-body"},t.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),Mn.map(([e,s])=>this.item(s,()=>this.download(e))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
-d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=l("dialog",{class:"code-dialog","aria-label":"The same mo\
-tion in Python"}),t.root.addEventListener("pointerdown",e=>{this.menu.contains(e.target)||(this.menu.open=!1)})}item(t,e){return l("button",{type:"button",onclick:async()=>{
-this.menu.open=!1;try{await e()}catch(s){this.lab.notice.fail(s)}}},t)}async copyLink(){let t=this.lab.link()??"";try{await navigator.clipboard.writeText(t),this.
-lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",t)}}async download(t){let e=this.lab.film();this.lab.notice.say(t.endsWith("mp4")?
-"The film is being made; this takes a while …":`Fetching ${t} …`),ut(await this.lab.backend.file(t,e.query),`hophoop-${t}`),this.lab.notice.say(`${t} is the\
-re.`)}picture(){this.lab.drawStage();let t=this.lab.stage.canvas(),e=l("canvas",{width:t.width,height:t.height});return this.copyInto(e),new Promise(s=>{e.toBlob(
-i=>{i&&ut(i,"hophoop.png"),s()},"image/png")})}copyInto(t){let{lab:e}=this,s=e.stage.canvas(),i=V(t);i.fillStyle=e.theme.look.paper,i.fillRect(0,0,t.width,t.height),
-i.drawImage(s,0,0,t.width,t.height);let n=t.width/Math.max(s.getBoundingClientRect().width,1);i.textBaseline="top",i.textAlign="left";let a=e.films();for(let[h,
-r]of a.entries()){let c=r.at(e.clock.time),p=[a.length>1?`${"AB"[h]}: `:"",`${e.theme.colors.mode_names[c.mode]}, t = ${c.t.toFixed(3)} s, θ = ${P(c.angle)}, v\
- = ${x(c.vx,3)} m/s`].join(""),d=e.stage.options.three?10+20*h:10+h*s.getBoundingClientRect().height/a.length;i.fillStyle=e.theme.colors.modes[c.mode],i.fillRect(
-12*n,(d+2)*n,11*n,11*n),i.fillStyle=e.theme.look.ink,i.font=`${13*n}px ${e.theme.look.font}`,i.fillText(p,30*n,d*n)}}async record(){let{lab:t}=this,e=t.stage.canvas();
-if(!e.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 instead.");let s=l("canvas",{width:2*Math.ceil(
-e.width/2),height:2*Math.ceil(e.height/2)}),i=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),n=[];i.ondataavailable=r=>n.push(r.data);let a=new Promise(
-r=>i.onstop=r),h=t.clock.loop;t.clock.loop=!1,t.clock.seek(0),t.notice.say("Recording one run …"),t.afterFrame=()=>{this.copyInto(s),!t.clock.playing&&i.state===
-"recording"&&i.stop()},i.start(),t.clock.play(!0),await a,t.afterFrame=null,t.clock.loop=h,ut(new Blob(n,{type:i.mimeType}),"hophoop.webm"),t.notice.say("The fi\
-lm is there.")}async code(){let{header:t}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",t.python,
-"The scenario as a file",t.toml)}show(...t){let e=[];for(let s=0;s<t.length;s+=2){let i=t[s+1],n=l("button",{type:"button"},"Copy");n.onclick=async()=>{await navigator.
-clipboard?.writeText(i).catch(()=>{}),n.textContent="Copied"},e.push(l("header",{},l("h2",{},t[s]),n),l("pre",{tabindex:"0"},l("code",{},i)))}this.dialog.replaceChildren(
-...e,l("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};function Mi(o,t){let e=l("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([i])=>{let n=!i.isIntersecting&&i.boundingClientRect.top<0;if(n===
-o.classList.contains("stuck"))return;let a=o.offsetHeight;o.style.marginBottom="",o.classList.toggle("stuck",n),n&&(o.style.marginBottom=`${a-o.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=n?`${o.offsetHeight}px`:"",t()});return s.observe(e),{edge:e,close:()=>s.disconnect()}}var Ti=120,we=class{constructor(t,e){this.canvas=t,this.onview=e,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,t.addEventListener("pointerdown",s=>this.
-drag(s)),this.pinched=D(t,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>t.parentElement})}reset(){this.zoom=1,this.shift=[0,0],this.onview()}zoomBy(t){
-this.zoom=b(this.zoom*t,.05,60),this.onview()}drag(t){let e=[t.clientX,t.clientY],s=this.shift;R(this.canvas,t,i=>{this.pinched()||(this.shift=[s[0]+i.clientX-e[0],
-s[1]+i.clientY-e[1]],this.onview())})}draw(t,e,s,i,n){let{context:a,width:h,height:r}=I(this.canvas);if(a.clearRect(0,0,h,r),h<40||r<40)return;let c=r/t.length,
-p={top:Math.max(...t.map(d=>d.extent.top)),radius:Math.max(...t.map(d=>d.radius)),speed:Math.max(...t.map(d=>d.extent.speed))};t.forEach((d,u)=>{a.save(),a.beginPath(),
-a.rect(0,u*c,h,c),a.clip(),a.translate(0,u*c);let f=new ns(a,h,c,d,e,s,i,n,this.zoom,this.shift,p);f.top=u*c,f.scale=this.fixed??f.scale,f.draw(),this.views[u]=
-f,t.length>1&&(a.fillStyle=i.soft,a.font=`600 15px ${i.font}`,a.textAlign="left",a.fillText("AB"[u],12,c-12)),a.restore(),u>0&&(a.fillStyle=i.line,a.fillRect(0,
-u*c-.5,h,1))})}},ns=class{top=0;constructor(t,e,s,i,n,a,h,r,c,p,d){this.context=t,this.width=e,this.height=s,this.film=i,this.options=a,this.look=h,this.colors=
-r,this.common=d,this.pose=i.at(n);let u=i.radius,{left:f,right:g}=i.extent,{top:y}=d;this.cosine=Math.cos(i.slope),this.sine=Math.sin(i.slope);let w=2*d.radius+
-Math.min(y,6*d.radius),m=Math.min(.66*s/w,.36*e/d.radius);if(a.whole){let v=(g-f)*this.cosine+2.6*u,k=(g-f)*Math.abs(this.sine)+2.6*u+y;this.scale=Math.min(e/v,
-.86*s/k,m)*c,this.focus=[.5*(f+g),0],this.place=[.5*e+p[0],(i.slope?.62:.8)*s+p[1]]}else this.scale=m*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],
-this.place=[(e<520?.6:.46)*e+p[0],.82*s+p[1]]}point(t,e){let s=t-this.focus[0],i=e-this.focus[1];return[this.place[0]+this.scale*(s*this.cosine+i*this.sine),this.
-place[1]-this.scale*(i*this.cosine-s*this.sine)]}unpoint(t,e){let s=(t-this.place[0])/this.scale,i=-(e-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-
-i*this.sine,this.focus[1]+s*this.sine+i*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&
-this.forces()}ground(){let{context:t,look:e,width:s,height:i}=this,n=(Math.hypot(s,i)*1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,h]=this.
-point(this.focus[0]-n,0),[r,c]=this.point(this.focus[0]+n,0),p=[-this.sine*4e3,this.cosine*4e3];t.fillStyle=e.ground,t.beginPath(),t.moveTo(a,h),t.lineTo(r,c),t.
-lineTo(r+p[0],c+p[1]),t.lineTo(a+p[0],h+p[1]),t.fill(),t.strokeStyle=e.soft,t.lineWidth=1.5,t.beginPath(),t.moveTo(a,h),t.lineTo(r,c),t.stroke();let d=z(s/this.
-scale,s/90);t.fillStyle=e.soft,t.font=`11px ${e.font}`,t.textAlign="center",t.lineWidth=1;let u=Math.ceil((this.focus[0]-n)/d),f=Math.min(Math.floor((this.focus[0]+
-n)/d),u+400);for(let g=u;g<=f;g++){let[y,w]=this.point(g*d,0);y<-40||y>s+40||(t.beginPath(),t.moveTo(y,w),t.lineTo(y-6*this.sine,w+6*this.cosine),t.stroke(),t.fillText(
-`${B(g*d,d)} m`,y-18*this.sine,w+8+10*this.cosine))}}traces(){let{film:t,context:e,look:s,colors:i}=this,n=this.options.ahead?t.length-1:t.index(this.pose.t),a=t.
-radius,{x:h,height:r,angle:c,mode:p}=t.columns,d=(u,f,g,y)=>{e.strokeStyle=f,e.lineWidth=g,e.lineJoin="round",e.beginPath();let w=!1,m=(v,k,M)=>{let[A,E]=this.point(
-v+u*Math.sin(M),a+k+u*Math.cos(M));w?e.lineTo(A,E):e.moveTo(A,E),w=!0};for(let v=0;v<=n;v++)y===void 0||p[v]===3===y?m(h[v],r[v],c[v]):w=!1;!this.options.ahead&&
-(y===void 0||this.pose.mode==="H"===y)&&m(this.pose.x,this.pose.height,this.pose.angle),e.stroke()};e.globalAlpha=this.options.ahead?.45:1,d(a,s.ink,1.3),d(t.eccentricity*
-a,i.gravity_center,1.8,!1),d(t.eccentricity*a,i.airborne,2.4,!0),e.globalAlpha=1}hoop(){let{film:t,pose:e,context:s,look:i,colors:n,scale:a}=this,h=t.radius,r=b(
-.07*h*a,2,14),c=h-.5*r/a,p=[e.x,h+e.height],d=(w,m=c)=>this.point(p[0]+m*Math.sin(w),p[1]+m*Math.cos(w));if(s.lineCap="butt",i.dark&&(s.strokeStyle=i.soft,s.lineWidth=
-r+2,s.beginPath(),s.arc(...this.point(p[0],p[1]),c*a,0,2*Math.PI),s.stroke()),this.options.speed){let w=this.common.speed;s.lineWidth=r;let m=2*Math.PI/Ti;for(let v=0;v<
-Ti;v++){let k=e.angle+v*m,M=Math.hypot(e.vx+h*e.omega*Math.cos(k+.5*m),e.vy-h*e.omega*Math.sin(k+.5*m));s.strokeStyle=Ft[b(Math.round(255*M/w)||0,0,255)],s.beginPath(),
-s.moveTo(...d(k-.04*m)),s.lineTo(...d(k+1.04*m)),s.stroke()}}else s.strokeStyle=n.modes[e.mode],s.lineWidth=r,s.beginPath(),s.arc(...this.point(p[0],p[1]),c*a,0,
-2*Math.PI),s.stroke();s.strokeStyle=i.soft,s.lineWidth=1,s.beginPath(),s.moveTo(...this.point(p[0],p[1])),s.lineTo(...d(e.angle)),s.stroke();let u=(w,m,v,k)=>{s.
-beginPath(),s.arc(...w,m,0,2*Math.PI),s.fillStyle=v,s.fill(),s.lineWidth=1.5,s.strokeStyle=k,s.stroke()};u(this.point(p[0],p[1]),2.5,i.soft,i.soft);let f=t.scenario.
-hoop.parts;f?this.parts(f,p):u(d(e.angle),b(.1*h*a,4,16),i.ink,i.paper);let g=t.eccentricity*h,y=this.point(p[0]+g*Math.sin(e.angle),p[1]+g*Math.cos(e.angle));u(
-y,b(.05*h*a,3.5,7),e.mode==="H"?n.airborne:n.gravity_center,i.paper)}parts(t,e){let{film:s,pose:i,context:n,look:a,scale:h}=this,c=t.reduce((p,d)=>p+d.mass*(d.at??
-0),0)<0?-1:1;n.strokeStyle=a.ink;for(let p of t){let d=c*(p.at??0),u=this.point(e[0]+d*Math.sin(i.angle),e[1]+d*Math.cos(i.angle));if(n.fillStyle=a.ink,n.lineWidth=
-1,n.beginPath(),p.shape==="ring")n.globalAlpha=.22,n.arc(...u,p.outer_radius*h,0,2*Math.PI),n.arc(...u,p.inner_radius*h,0,2*Math.PI,!0),n.fill(),n.globalAlpha=1;else if(p.
-shape==="rod"){let f=.5*p.length,g=y=>this.point(e[0]+y*Math.sin(i.angle),e[1]+y*Math.cos(i.angle));n.lineWidth=4,n.moveTo(...g(d-f)),n.lineTo(...g(d+f)),n.stroke()}else{
-let f=p.shape==="disk"?p.radius*h:b(.08*s.radius*h,3,12);n.globalAlpha=p.shape==="disk"?.55:1,n.arc(...u,f,0,2*Math.PI),n.fill(),n.globalAlpha=1}}}forces(){let{
-film:t,pose:e,colors:s}=this,i=t.radius,n=t.mass*(t.gravity||9.81),a=r=>.55*i*r/n;if(e.mode==="H"||!(e.normal_force>0))return;let h=[e.x,e.height];this.arrow(h,
-[0,a(e.normal_force)],s.normal_force,`N = ${x(e.normal_force,3)} N`,!1),this.arrow(h,[a(e.friction_force),0],s.friction_force,`F = ${x(e.friction_force,3)} N`,!0)}arrow([
-t,e],[s,i],n,a,h){let{context:r,look:c,width:p}=this,d=2.2*this.film.radius,u=Math.abs(s)>d||Math.abs(i)>d;[s,i]=[b(s,-d,d),b(i,-d,d)];let f=this.point(t,e),g=this.
-point(t+s,e+i),y=Math.hypot(g[0]-f[0],g[1]-f[1]);if(y<2)return;let w=(g[0]-f[0])/y,m=(g[1]-f[1])/y,v=Math.min(11,y);for(let[A,E]of[[c.paper,6],[n,3]])r.strokeStyle=
-A,r.fillStyle=A,r.lineWidth=E,r.beginPath(),r.moveTo(...f),r.lineTo(g[0]-w*v,g[1]-m*v),r.stroke();if(r.beginPath(),r.moveTo(...g),r.lineTo(g[0]-w*v-m*v*.5,g[1]-
-m*v+w*v*.5),r.lineTo(g[0]-w*v+m*v*.5,g[1]-m*v-w*v*.5),r.fill(),u){let[A,E]=[f[0]+.55*w*y,f[1]+.55*m*y];r.strokeStyle=c.paper,r.lineWidth=2,r.beginPath();for(let S of[
--3,3])r.moveTo(A+w*(S-3)-m*7,E+m*(S-3)+w*7),r.lineTo(A+w*(S+3)+m*7,E+m*(S+3)-w*7);r.stroke()}r.font=`600 12px ${c.font}`;let k=r.measureText(a).width;r.lineWidth=
-3,r.strokeStyle=h?c.ground:c.paper,r.textAlign="left";let M=h?[f[0]-.5*k-32*this.sine,f[1]+32*this.cosine]:[g[0]+12,b(g[1]+4,16,f[1]-.36*this.film.radius*this.scale)];
-M[0]=b(M[0],4,p-k-4),r.strokeText(a,M[0],M[1]),r.fillText(a,M[0],M[1])}};function rs(o,t){let e=new Float32Array(16);for(let s=0;s<4;s++)for(let i=0;i<4;i++){let n=0;for(let a=0;a<4;a++)n+=o[4*a+i]*t[4*s+a];e[4*s+i]=n}return e}function Si(o,t,e,s){
-let i=1/Math.tan(o/2),n=1/(e-s);return new Float32Array([i/t,0,0,0,0,i,0,0,0,0,(s+e)*n,-1,0,0,2*s*e*n,0])}function Ei(o,t){let e=rt(hs(o,t)),s=rt(ye([0,1,0],e)),
-i=ye(e,s);return new Float32Array([s[0],i[0],e[0],0,s[1],i[1],e[1],0,s[2],i[2],e[2],0,-as(s,o),-as(i,o),-as(e,o),1])}var hs=(o,t)=>[o[0]-t[0],o[1]-t[1],o[2]-t[2]],
-as=(o,t)=>o[0]*t[0]+o[1]*t[1]+o[2]*t[2],ye=(o,t)=>[o[1]*t[2]-o[2]*t[1],o[2]*t[0]-o[0]*t[2],o[0]*t[1]-o[1]*t[0]];function rt(o){let t=Math.hypot(...o)||1;return[
-o[0]/t,o[1]/t,o[2]/t]}function be(o,t,e,s){let i=rt(t),n=rt(ye(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=ye(n,i);return new Float32Array([...n.map(h=>h*s),0,...i.
-map(h=>h*e),0,...a.map(h=>h*s),0,...o,1])}function ls(o){let[t,e]=[Math.cos(o),Math.sin(o)];return new Float32Array([t,-e,0,0,e,t,0,0,0,0,1,0,0,0,0,1])}function W(o){let t=Number.parseInt(o.slice(1,7),16);
-return[(t>>16)/255,(t>>8&255)/255,(t&255)/255]}function yt(o,t,e){let s=o.createProgram(),i=[[o.VERTEX_SHADER,t],[o.FRAGMENT_SHADER,e]];for(let[a,h]of i){let r=o.createShader(a);if(o.shaderSource(r,h),o.compileShader(
-r),!o.getShaderParameter(r,o.COMPILE_STATUS))throw new Error(String(o.getShaderInfoLog(r)));o.attachShader(s,r)}if(o.linkProgram(s),!o.getProgramParameter(s,o.LINK_STATUS))
-throw new Error(String(o.getProgramInfoLog(s)));let n={program:s,uniforms:{},attributes:{}};for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_UNIFORMS);a++){let{name:h}=o.
-getActiveUniform(s,a);n.uniforms[h]=o.getUniformLocation(s,h)}for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_ATTRIBUTES);a++){let{name:h}=o.getActiveAttrib(s,a);
-n.attributes[h]=o.getAttribLocation(s,h)}return n}function ht(o,t,e,s){let i=o.createBuffer();o.bindBuffer(o.ARRAY_BUFFER,i),o.bufferData(o.ARRAY_BUFFER,new Float32Array(
-t),o.STATIC_DRAW);let n=s?o.createBuffer():null;s&&(o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,n),o.bufferData(o.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),o.STATIC_DRAW));
-let a=4*Object.values(e).reduce((h,r)=>h+r,0);return{vertices:i,elements:n,parts:e,stride:a,count:s?s.length:4*t.length/a}}function bt(o,t,e){o.bindBuffer(o.ARRAY_BUFFER,
-e.vertices);let s=0;for(let[i,n]of Object.entries(e.parts)){let a=t.attributes[i];a!==void 0&&(o.enableVertexAttribArray(a),o.vertexAttribPointer(a,n,o.FLOAT,!1,
-e.stride,s)),s+=4*n}e.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,e.elements)}function cs(o,t){let e=[];for(let s=0;s<o;s++)for(let i=0;i<t;i++){let n=s*(t+1)+
-i,a=n+t+1;e.push(n,a,n+1,a,a+1,n+1)}return e}function Ai(o,t=120,e=14){let s=[];for(let i=0;i<=t;i++)for(let n=0;n<=e;n++)s.push(2*Math.PI*i/t,2*Math.PI*n/e);return ht(
-o,s,{bend:2},cs(t,e))}function Pi(o,t=28,e=18){let s=[];for(let i=0;i<=t;i++)for(let n=0;n<=e;n++){let[a,h]=[2*Math.PI*i/t,Math.PI*n/e],r=[Math.sin(h)*Math.cos(
-a),Math.cos(h),Math.sin(h)*Math.sin(a)];s.push(...r,...r)}return ht(o,s,{position:3,normal:3},cs(t,e))}function ps(o,t,e=20){let s=[];for(let i=0;i<=e;i++){let n=2*
-Math.PI*i/e,a=[Math.cos(n),1-t,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...a,t*Math.cos(n),1,t*Math.sin(n),...a)}return ht(o,s,{position:3,normal:3},cs(e,1))}var Ri=`
+p:()=>o.share.code(),"?":()=>o.help.showModal()});function sl(o,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.preventDefault(),o.travel(t==="y"||
+e.shiftKey?1:-1))}function ol(o){let e=o.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ns=class{constructor(e){this.on=!e||ie(fi)!=="of\
+f";let t=c("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&ae(fi,this.on?"on":"off")}});this.element=c("label",{class:"check"},t,"Si\
+ngle keys (letters, digits, signs) do what the table says")}};function nl(o,e){let t=e.target;if(o.root.querySelector("dialog[open]"))return;if(e.key==="Escape"){
+ol(o);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){sl(o,e);return}if(e.altKey||t.matches?.("selec\
+t")&&!(e.key===" "&&o.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button, summary, input[ty\
+pe=checkbox]")||!o.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let n=tl(o,e.shiftKey)[e.key];n&&(e.preventDefault(),n())}function gi(o,e){let t=e?document:
+o.root,s=n=>{nl(o,n),e||n.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var il={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function $e(o){let e=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),t=new Uint8Array(e.buffer,
+e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),n=JSON.parse(new TextDecoder().decode(t.subarray(
+4,4+s))),i={};for(let{name:a,type:r,shape:l,place:h}of n.arrays){let d=l.reduce((u,m)=>u*m,1);i[a]=new il[r](t.buffer,t.byteOffset+4+s+h,d)}return{header:n,arrays:i}}var yt=class extends Error{},al=500,rl=4,ll="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function wi(o,e,t){
+for(;;)try{return await o()}catch(s){if(!(s instanceof yt))throw s;e(s.message),await new Promise(n=>setTimeout(n,al)),t.throwIfAborted()}}var is=class{constructor(e){
+this.base=e,this.shares=!0}async call(e,t,s){let n={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},i=await this.answered(
+new URL(`lab/${e}`,this.base),n);if(i.status===202)throw new yt((await i.json()).detail);return $e(await i.arrayBuffer())}async answered(e,t){for(let s=rl;;s--){
+let n=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(ll)});if(n.ok)return n;let i=Number(n.headers.get("Retry-After"));if(n.status!==503||!(i>
+0)||s<=1){let a=await n.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${n.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),
+t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
+"",this.base)}${t}`}},hl=2e4,cl=3e5,as=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
+slice(2),this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(
+s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new yt(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve($e(t[0])))}call(e,t,s){let n=++this.
+number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(n),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
+"file"?cl:hl);this.waiting.set(n,{resolve:i,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(n),a(new DOMException("super\
+seded","AbortError"))}),this.model.send({view:this.view,number:n,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("file",{query:t,name:e});return new Blob(
+[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[bi,dl]=[62,92],ul=12,Ae=10,ml=36,yi=Math.PI/180,he=["x","y"],rs=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
+y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=bi}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of he)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+let[s,n]=this.windows[e];return{path:this.paths[e],from:s,to:n,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),n=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
+n),Math.min(s[1],t[1]+n)]}zoom(e,t){let s={x:[],y:[]};for(let n of he){let[i,a]=this.windows[n],r=t?.[n]??.5*(i+a);s[n]=ze([r-(r-i)*e,r+(a-r)*e],this.bounds(n));
+let l=Math.max(Math.abs(s[n][0]),Math.abs(s[n][1]),1e-9);if(s[n][1]-s[n][0]<400*Number.EPSILON*l)return!1}return he.every(n=>s[n].every((i,a)=>i===this.windows[n][a]))?
+!1:(this.windows=s,!0)}drag(e,t,s){let n=(i,a)=>ze(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:n("x",-t/this.box.width),y:n("y",s/this.box.
+height)}}restore(e){if(!he.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of he)this.paths[t]=e[t][0];for(let t of he)this.windows[t]=ze(
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return he.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?dl:bi,this.box={width:e-this.left-ul,height:t-Ae-ml}}clip(e){e.beginPath(),e.rect(this.
+left,Ae,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return Ae+
+(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([n,i],a)=>n+y(a,0,1)*(i-n);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-Ae)/
+this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let n=this.info(s),[i,a]=this.windows[s],
+r=Math.max(Math.abs(i),Math.abs(a)),l=y(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(n.label)} = ${F(_(n.degrees?e[s]/yi:e[s],l),n.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ae+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
+font}`;for(let n of he){let i=this.info(n),a=i.degrees?1/yi:1,[r,l]=this.windows[n].map(w=>w*a),h=n==="x"?this.box.width/80:this.box.height/40,d=U(l-r,h),u=this.
+deep(n),m=u?Number((.5*(r+l)).toPrecision(12)):0,p=u?ee(r-m,l-m,h).map(w=>w+m):ee(r,l,h);for(let w of p){let f=u?_(w-m,3):J(w,d);n==="x"?(e.textAlign="center",e.
+fillText(f,this.x(w/a),Ae+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(w/a)),e.textBaseline="alphabetic")}let g=u?
+` − ${String(m).replace("-","−")}`:"",b=`${x(i.label)}${g}${i.unit?` [${i.unit}]`:""}`;e.save(),e.textAlign="center",n==="x"?e.translate(this.left+.5*this.box.
+width,t-5):(e.translate(12,Ae+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(b,0,0),e.restore()}}};function ze([o,e],[t,s]){let n=Math.min(e-o,s-t);return o<
+t?[t,t+n]:e>s?[s-n,s]:[o,e]}function ho(o,e,t,s,n){for(let[i,a]of[[n,4],[s,1.8]])o.strokeStyle=i,o.lineWidth=a,o.beginPath(),o.arc(e,t,7,0,2*Math.PI),o.moveTo(e-
+13,t),o.lineTo(e-4,t),o.moveTo(e+4,t),o.lineTo(e+13,t),o.moveTo(e,t-13),o.lineTo(e,t-4),o.moveTo(e,t+4),o.lineTo(e,t+13),o.stroke()}var Be=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,pl=.0018,vi=200,
+[fl,gl]=[1/.6,1/1.7];function Y(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ot(s()))&&(i.preventDefault(),
+e(Math.exp(-Math.min(Math.max(i.deltaY,-vi),vi)*pl),i))},{passive:!1}),o.addEventListener("dblclick",t),n&&o.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
+"=")e(fl);else if(i.key==="-")e(gl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),si(o,e)}var ki={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},xi=48;function _i(o){let{body:e}=o,t=!1,s=Y(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?co(
+o,i):o.pointed??void 0),home:()=>o.home(),keys:!0});e.addEventListener("pointerdown",n=>bl(o,n,s,i=>t=i)),e.addEventListener("pointermove",n=>{o.axes.box&&!t&&n.
+pointerType!=="touch"&&wl(o,n)}),e.addEventListener("pointerleave",()=>o.tip.hidden=!0),e.addEventListener("keydown",n=>yl(o,n))}function co(o,e){let t=o.body.getBoundingClientRect();
+return o.axes.place(e.clientX-t.left,e.clientY-t.top)}function wl(o,e){o.tip.textContent=o.said(co(o,e)),o.tip.hidden=!1;let t=o.body.getBoundingClientRect();o.
+tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,o.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function bl(o,e,t,s){e.preventDefault(),
+o.body.focus({preventScroll:!0});let n=[e.clientX,e.clientY],i={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=co(o,e);let a=!1,r=t(),l=h=>{if(r||=t(),
+r)return;let[d,u]=[h.clientX-n[0],h.clientY-n[1]];Math.hypot(d,u)<5&&!a||(a=!0,s(!0),o.tip.hidden=!0,o.axes.drag(i,d,u),o.redraw(),o.soon())};W(o.body,e,l,(h,d)=>{
+d&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function yl(o,e){let t=o.pointed??o.here()??o.axes.middle();if(o.pointed=t,ki[e.key]){let[s,n]=ki[e.key],{x:i,y:a}=o.
+axes.windows;o.pointed={x:y(t.x+s*(i[1]-i[0])/xi,i[0],i[1]),y:y(t.y+n*(a[1]-a[0])/xi,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(e.
+key==="Enter")o.take(t);else return;e.preventDefault(),e.stopPropagation(),o.redraw()}var vl=["start.height","start.vx","start.vy","start.omega"];function Ti(o,e){let t="speed"in o.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(s=>vl.includes(s))?"of starts in any state, though this motion starts rolling":""}var kl=Math.PI/180,xl=12,_l=["hop_height","flight_time","energy_lost","greatest_utilization"];function Si(o){return o.unit==="rad"?[1/kl,"°"]:[1,o.unit==="1"?"":
+o.unit]}function Tl({classes:o,what:e},t){let[s,n]=[1/0,-1/0];if(o)return[s,n];for(let i of t)i<s&&(s=i),i>n&&(n=i);return[_l.includes(e)?Math.min(s,0):s,n]}function Mi(o){
+let{values:e}=o.arrays,t=o.header,{x:s,y:n,classes:i}=t,a=new ImageData(s.cells,n.cells),[r,l]=Tl(t,e),h=i?.map(({color:u})=>ce(u));for(let u=0;u<n.cells;u++)for(let m=0;m<
+s.cells;m++){let p=e[u*s.cells+m],g=4*((n.cells-1-u)*s.cells+m);if(!Number.isFinite(p))continue;let b=h&&(m+1<s.cells&&e[u*s.cells+m+1]!==p||u+1<n.cells&&e[(u+1)*
+s.cells+m]!==p),w=h?h[p].map(f=>b?.72*f:f):De[y(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...w,255],g)}let d=c("canvas",{width:s.cells,height:n.cells});
+return me(d).putImageData(a,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[n.from,n.to],low:r,high:l}}function Ei(o,e){let t=(n,i)=>n[0]>=i[0]-1e-300&&n[1]<=
+i[1]+1e-300;return[...o.filter(n=>!(t(n.x,e.x)&&t(n.y,e.y))),e].slice(-xl)}function Ai({header:o,low:e,high:t,values:s}){let{classes:n}=o;if(!n){let r=c("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${De[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
+10);let[h,d]=Si(o);return[c("span",{},o.label,": ",t>=e?_(e*h,3):"none"," "),r,c("span",{},t>=e?F(_(t*h,3),d):""),s.some(u=>!Number.isFinite(u))?c("span",{},c("\
+i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
+0,10).map(([r])=>{let{color:l,text:h}=n[r];return c("span",{},c("i",{style:`background:${l}`,"aria-hidden":"true"}),h)}),a.length>10?c("span",{},`and ${a.length-
+10} more`):""]}function zi(o,e){for(let{header:t,values:s}of[...o].reverse()){let{x:n,y:i,classes:a}=t,r=Math.floor((e.x-n.from)/(n.to-n.from)*n.cells),l=Math.floor(
+(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=n.cells||l>=i.cells)continue;let h=s[l*n.cells+r];if(a)return x(a[h]?.text??"not allowed");let[d,u]=Si(t);return Number.
+isFinite(h)?F(_(h*d,4),u):x("none")}return"…"}var Ri=[[24,16],[72,48],[216,144]],ls=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:s,say:n,changed:i}){this.backend=
+e,this.onmotion=s,this.say=n,this.changed=i;let a=t.controls.map_axes;this.axes=new rs(a),this.what="sequence",this.layers=[],this.canvas=c("canvas",{class:"plo\
+t-canvas"}),this.tip=c("div",{class:"tip",hidden:!0}),this.body=c("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
+ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=c("div",{class:"map-keys"}),this.state=c("span",{class:"hint"});
+let r=l=>{let h=c("select",{"data-axis":l,onchange:()=>this.setAxis(l,h.value)},a.map(({path:d,label:u})=>c("option",{value:d},u)));return h};this.selects={x:r(
+"x"),y:r("y")},this.quantity=c("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,
+h])=>c("option",{value:l},h))),this.element=c("section",{class:"map","aria-label":"Map of motions"},c("div",{class:"map-head"},c("h2",{},"Map"),c("label",{},"of",
+this.quantity),c("label",{},"Across",this.selects.x),c("label",{},"Up",this.selects.y),c("span",{class:"buttons"},c("button",{type:"button","aria-label":"Zoom i\
+nto the map",onclick:()=>this.zoom(.5)},"+"),c("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),c("button",{type:"but\
+ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,c("p",{class:"hint"},`Click to take that motion into the player; ${Be("drag to move")}\
+.`)),_i(this),this.soon=re(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
+refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of he)this.selects[e].value=
+this.axes.paths[e]}setAxis(e,t){this.axes.choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);
+for(let s of Object.values(this.axes.paths)){let[n,i]=s.split(".");t[n]&&delete t[n][i]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(
+e.scenario);s!==this.key_now&&(this.key_now=s,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&
+e.x==="start.speed"&&e.y==="plane.mu")return;let s=n=>[e[n],...t[n]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===
+e.what)||!this.axes.restore(e)||(this.quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.
+stale=!0;return}this.stale=!1,this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,s=t.contact.model==="rigid"?[]:[[
+"contact.model","rigid"]];this.computing=!0;let n=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;n!==this.kind&&(this.layers=[]),this.
+kind=n,this.redraw();try{for(let[i,a]of Ri){M(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,
+changes:s,...r,what:this.what},h=await wi(()=>this.backend.call("map",l,e),p=>{M(this.state,p)},e),d=Mi(h);this.layers=Ei(this.layers,d),this.keys.replaceChildren(
+...Ai(d));let u=Ti(t,Object.values(this.axes.paths)),m=x(s.length?"{count} motions, with rigid contact":"{count} motions",{count:i*a});M(this.state,u?`${m}; ${x(
+u)}`:m),this.redraw()}this.level=Ri.length}catch(i){let{name:a,message:r}=i;if(a==="AbortError")return;M(this.state,r)}this.computing=!1}redraw(){if(!this.film)
+return;let{look:e}=this,{context:t,width:s,height:n}=D(this.canvas);this.axes.fit(s,n),t.clearRect(0,0,s,n),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
+let{axes:i}=this;for(let r of this.layers){let[l,h]=r.x.map(m=>i.x(m)),[d,u]=r.y.map(m=>i.y(m));t.drawImage(r.picture,l,u,h-l,d-u)}let a=this.here();a&&ho(t,i.x(
+a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Ot(this.body)&&ho(t,i.x(this.pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,n,e)}here(){let e=s=>{
+let[n,i]=s.split(".");return this.film.values[s]??this.film.scenario[n]?.[i]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
+y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${zi(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
+this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var hs=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",s=performance.now()){let n=this.now;if(this.now=e,n===
+null||uo(n,e))return"same";let i=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],i?"again":(this.past.push(
+n),this.past.length>500&&this.past.shift(),"step")}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,
+this.past],n=t.pop();!n||!this.now||(s.push(this.now),this.now=n,this.what="")}arrive(e){if(!(this.now&&uo(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:
+this.future,n=s.length-s.findLastIndex(i=>uo(i,e));if(!(n>s.length)){for(let i=0;i<n;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
+uo=(o,e)=>JSON.stringify(o)===JSON.stringify(e);var cs=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new hs,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new ye(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.since??=performance.now(),s.pending=[...(s.pending??[]).filter(([
+n])=>!e.some(([i])=>i===n)),...e],s.commit||=t,s.what=e.map(([n])=>n).join(),this.pump(s)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
+e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new ye(await this.backend.call("film",{scenario:e.film.
+scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(n){this.lanes.includes(e)&&this.listener.failed(n,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){
+for(let s of this.lanes){let{film:n}=s,i=s.refining||s.coarse===n?null:n.wanted(e,t);i&&(s.refining=!0,this.backend.call("samples",{scenario:n.scenario,window:i}).
+then(({arrays:a})=>{n.refine(a),this.listener.refined()}).catch(()=>{s.coarse=n}).finally(()=>{s.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
+settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new ye(
+e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.
+travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(e),this.listener.
+shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.
+lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
+this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
+Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var Sl=6e3,ds=class{constructor(){this.message=c("p",{class:"message",role:"alert",hidden:!0}),this.toast=c("div",{class:"toast",role:"status",hidden:!0}),this.
+timer=0}fail(e){M(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
+message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
+ole",t?"presentation":"status"),M(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Sl)}};var Z=52,mo=10,H=8,Ml=30,Pi={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},He=class{films;active;look;box;range;heights;picked;named;values;constructor({
+key:e,title:t,unit:s,curves:n,limits:i,symmetric:a=!1},r){this.key=e,this.title=t,this.unit=s,this.curves=n,this.limits=i,this.symmetric=a,this.shared=r,this.canvas=
+c("canvas",{class:"plot-canvas"}),this.over=c("canvas",{class:"plot-canvas plot-over"}),this.keys=c("div",{class:"plot-keys"}),this.body=c("div",{class:"plot-bo\
+dy",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=c("section",{class:"plot","data-plot":e},c("header",{},c("h3",{},t),this.keys),this.
+body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=Y(this.body,{zoom:(l,h)=>this.films&&this.zoomAbout(h?this.valueAt(h):this.middle(),
+1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return B[this.shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,
+Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let n of this.abscissa(s))n<e&&(e=n),n>t&&(t=n);return t>e?[e,t]:
+[e-1,t+1]}draw(e,t,s,n){this.films=e,this.active=t,this.look=s;let{context:i,width:a,height:r}=D(this.canvas);this.box={width:a-Z-mo,height:r-H-Ml},i.clearRect(
+0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((h,d)=>this.shades(h,d).map((u,m)=>({...u,film:h,lane:d,number:m})));this.heights=this.limits??
+this.findHeights(l),this.shared.axis==="time"&&this.bands(i,e[t],n),this.grid(i,s,a,r),i.save(),i.beginPath(),i.rect(Z,H,this.box.width,this.box.height),i.clip();
+for(let h of l)this.curve(i,h);if(e.length>1)for(let h of l)h.number===0&&this.letter(i,h);i.restore(),this.legend(this.shades(e[t],t),s.dark),this.describe(l)}shades(e,t){
+let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.color&&it(i.color,s)}));let n=Object.keys(Pi);return this.curves(e).map(
+(i,a)=>({...i,color:ne(t,s),dash:n[a%n.length]}))}x(e){return Z+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return H+(1-(e-this.heights[0])/
+(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:d,values:u}of e){let m=this.abscissa(d);for(let p=0;p<u.length;p++)m[p]>=
+this.range[0]&&m[p]<=this.range[1]&&Number.isFinite(u[p])&&t.push(u[p])}if(!t.length)return[0,1];let s=Float64Array.from(t).sort(),[n,i]=[s[0],s[s.length-1]],[a,
+r]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],l=Math.max(r-a,1e-12);i>r+4*l&&(i=r+.6*l),n<a-4*l&&(n=a-.6*l),n=Math.min(n,0),i=Math.max(i,0),this.
+symmetric&&([n,i]=[-Math.max(-n,i),Math.max(-n,i)]);let h=.06*(i-n)||1;return[n<0?n-h:n,i+h]}bands(e,t,s){for(let n of t.phases){let i=y(this.x(n.from),Z,Z+this.
+box.width),a=y(this.x(n.to),Z,Z+this.box.width);a<=i||(e.fillStyle=nt(s.modes[n.mode],.14),e.fillRect(i,H,a-i,this.box.height))}}grid(e,t,s,n){e.font=`11px ${t.
+font}`,e.strokeStyle=t.line,e.fillStyle=t.soft,e.lineWidth=1;let i=Math.max(this.box.height/28,4);for(;ee(this.heights[0],this.heights[1],i).length<3&&i<12;)i+=
+1;let a=U(this.heights[1]-this.heights[0],i);e.textAlign="right",e.textBaseline="middle";for(let m of ee(this.heights[0],this.heights[1],i)){let p=Math.round(this.
+y(m))+.5;e.globalAlpha=Math.abs(m)<1e-9*a?1:.55,e.beginPath(),e.moveTo(Z,p),e.lineTo(s-mo,p),e.stroke(),e.globalAlpha=1,e.fillText(J(m,a),Z-6,p)}let r=this.box.
+width/70,l=U(this.range[1]-this.range[0],r);e.textAlign="center",e.textBaseline="alphabetic";let{name:h,unit:d}=B[this.shared.axis],u=d?`${x(h)} [${d}]`:x(h);for(let m of ee(
+this.range[0],this.range[1],r)){let p=this.x(m);e.beginPath(),e.moveTo(p,H+this.box.height),e.lineTo(p,H+this.box.height+4),e.stroke(),e.fillText(J(m,l),p,H+this.
+box.height+15)}e.textAlign="right",e.fillText(u,s-mo,n-3),e.save(),e.translate(11,H+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(x(this.
+unit),0,0),e.restore()}curve(e,{film:t,color:s,dash:n,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Pi[n??"solid"]),e.beginPath();let a=!1;
+for(let r of t.pieces()){let l=this.abscissa(r.film),{values:h}=this.curves(r.film)[i];for(let d=r.from;d<r.to;d++){if(!Number.isFinite(h[d])||!Number.isFinite(
+l[d])){a=!1;continue}let u=this.x(l[d]),m=y(this.y(h[d]),-1e4,1e4);a?e.lineTo(u,m):e.moveTo(u,m),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,lane:s,values:n,
+color:i}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(u=>u>=r);if(l<0||!Number.isFinite(n[l]))return;let[h,d]=[
+this.x(a[l]),y(this.y(n[l])-8,H+10,H+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.look.panel,e.
+strokeText("AB"[s],h,d),e.fillStyle=i??this.look.ink,e.fillText("AB"[s],h,d)}legend(e,t){let s=e.map(n=>n.name+n.color+n.dash).join()+t;this.named!==s&&(this.named=
+s,this.values=e.map(()=>c("span",{class:"value"})),this.keys.replaceChildren(...e.map((n,i)=>c("span",{class:"plot-key"},po(n.color,n.dash),n.name," ",this.values[i]))))}describe(e){
+let t=e.slice(0,6).map(({name:n,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let u of i)u<r&&(r=u),u>l&&(l=u);let h=this.films.length>1?`${"AB"[a]}: `:"",d={name:x(
+n),low:_(r,3),high:_(l,3)};return l>=r?`${h}${x("{name} from {low} to {high}",d)}`:""}),s=x("Diagram: {title} in {unit}.",{title:x(this.title),unit:x(this.unit)});
+this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,width:s,height:n}=D(this.over);if(t.clearRect(
+0,0,s,n),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),h=r.index(l.t),d=Math.min(h+1,r.length-1),u=r.t[d]>r.t[h]?(l.t-r.t[h])/(r.t[d]-r.t[h]):0,m=this.
+abscissa(r),p=this.x(m[h]+u*(m[d]-m[h])),g=p>=Z-1&&p<=Z+this.box.width+1;g&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(p,H),t.lineTo(p,H+
+this.box.height),t.stroke()),this.shades(r,a).forEach((b,w)=>{let f=b.values[d],k=Number.isFinite(f)?b.values[h]+u*(f-b.values[h]):b.values[h];a===this.active&&
+this.values?.[w]&&(this.values[w].textContent=_(k,3));let T=this.y(k);!g||!(T>=H-1&&T<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
+arc(p,T,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=nt("#0072B2",.2),t.fillRect(Math.min(i,a),H,Math.abs(a-i),this.box.height)}}valueAt(e){
+let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-Z)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
+return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,n=this.valueAt(e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=r.clientX-t.left;
+this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};W(this.
+body,e,a,(r,l)=>{let h=this.valueAt(r),{picked:d}=this;this.picked=null,d&&l?this.zoomTo(n<h?[n,h]:[h,n]):d?this.cursor(this.shared.clock.time):l&&!i&&this.seek(
+e.pointerType==="mouse"?n:h)})}seek(e){if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),n=0;for(let i=0;i<s.length;i++)
+Math.abs(s[i]-e)<Math.abs(s[n]-e)&&(n=i);return this.onseek(t.t[n])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),n=Math.
+max(e-(e-this.range[0])*t,s[0]),i=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(n<=s[0]&&i>=s[1]?null:[n,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:
+null,this.shared.changed()}};function po(o,e="solid"){let t=c("i",{class:"swatch","aria-hidden":"true"});return t.style.borderTopColor=o??"var(--ink)",t.style.borderTopStyle=
+{solid:"solid",dash:"dashed",dot:"dotted",long:"double",mixed:"groove"}[e],t}var ve=52,Ii=10,C=8,El=30,Al="RSKHM?",us=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
+e,this.clock=t,this.colors=s,this.canvas=c("canvas",{class:"plot-canvas"}),this.over=c("canvas",{class:"plot-canvas plot-over"}),this.keys=c("div",{class:"plot-\
+keys"}),this.body=c("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
+ght"},this.canvas,this.over),this.element=c("section",{class:"phase"},c("header",{},c("h3",{},"Plane of θ and θ̇"),this.keys),this.body,c("p",{class:"hint"},
+"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${Be("")}.`)),this.body.addEventListener(
+"pointerdown",n=>this.seek(n)),this.pinched=Y(this.body,{zoom:(n,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/n),home:()=>this.zoomTo(null),keys:!0}),
+this.range=[0,2*Math.PI],this.asked="",this.soon=re(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),n=JSON.stringify([e.hoop,e.plane,s]);if(n!==this.
+asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=n,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
+pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,
+...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:n,
+arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,n.arrays[0].shape)}}reach(){
+return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
+e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
+this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-ve)/this.box.width,n=1-(e.clientY-t.top-C)/this.box.
+height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+n*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
+bottom()+this.top())]}zoomAbout([e,t],s){let n=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.
+bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-n<2*Math.PI-1e-9||l-r<2*a-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
+window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
+e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.some(n=>n.columns.omega.some(i=>i<
+-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return ve+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+
+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:n}=this.colors,i=c("canvas",{width:s,height:t}),a=new ImageData(s,t);for(let r=0;r<
+t;r++)for(let l=0;l<s;l++){let h=Al[e[r*s+l]],d=ce(n[h]??"#6E6E6E"),u=4*((t-1-r)*s+l);a.data.set([...d,255],u)}return me(i).putImageData(a,0,0),i}redraw(){if(!this.
+films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-ve-Ii,height:i-C-El},s.clearRect(0,0,n,i),s.save(),s.beginPath(),
+s.rect(ve,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,h,d,u]=r,m=[this.
+x(l),this.y(u),this.x(h)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),
+s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.
+entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>c("span",{class:"plot-key"},po(e.modes[r]),l)))}this.cursor(
+this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let n=0;n<s;n++){
+if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),e.rect(a,C,r-a,this.box.height),
+e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?C+this.box.height:C),e.lineTo(a+h+this.box.height,l>0?C:
+C+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=
+this.films.length>1?ne(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(i[h])){l=null;continue}let d=Math.
+floor(n[h]/r),u=n[h]-d*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.x(m),this.y(i[h])),e.moveTo(this.x(r-m),
+this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:d,mode:a[h]}}e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:n}=this;
+e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(ve+.5,C+.5,this.box.width-1,this.box.height-1),e.textAlign="center";let i=this.
+range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){let d=this.x(h*r*Math.PI/180);e.beginPath(),
+e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(J(h*r,r),d,C+this.box.height+15)}e.textAlign="right",e.fillText(x("angle θ w\
+ithin a turn [°]"),t-Ii,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of ee(this.bottom(),this.top(),5))e.fillText(J(h,U(l,5)),ve-6,this.
+y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){
+if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-
+Math.floor(r.angle/l)*l,d=this.x(h),u=this.y(r.omega);d>=ve&&d<=ve+this.box.width&&u>=C&&u<=C+this.box.height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=
+this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ne(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=
+`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[
+e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let d=0;d<
+i.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[d])-n);m<h.distance&&(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(
+h.t,0,i.duration))}};var fo=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function Li(o){let e="height",t=new He({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=c("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=n.value,s(),o.changed()}},fo(ri));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function zl(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
+R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
+s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:o.kinetic,values:e.columns.kinetic},{name:"potential",color:o.potential,values:e.columns.potential},{name:"\
+total",values:e.derived("total",({t,kinetic:s,potential:n})=>Float64Array.from(t,(i,a)=>s[a]+n[a])),dash:"dash"},{name:"lost to friction",color:o.friction_loss,
+values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:o.impact_loss,values:e.columns.
+normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
+orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:o.normal_force,values:e.columns.normal_force},{name:"friction F",color:o.friction_force,
+dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:o.
+friction_force,values:e.columns.utilization}]}]}var ms=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
+redraw()},this.plots=[...zl(t).map(n=>new He(n,this.shared)),Li(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
+n.element,!0]));let s=new IntersectionObserver(n=>{for(let{target:i,isIntersecting:a}of n)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let n of this.
+plots)s.observe(n.element);this.axis=c("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
+null,this.redraw()}},fo(({name:n})=>`over ${n}`)),this.back=c("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
+c("span",{class:"hint"}),this.element=c("div",{class:"plots"},c("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(n=>n.element))}draw(e,t,s){
+this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${Be("")}`,
+i=e.length>1;M(this.hint,i?`A violet, B green; the dashes tell the quantities; numbers of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.
+back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.
+plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Rl=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+)"]],ps=class{constructor(e){this.lab=e,this.menu=c("details",{class:"menu"},c("summary",{class:"button"},"Keep"),c("div",{class:"menu-body"},e.backend.shares&&
+this.item("Copy the link",()=>this.copyLink()),Rl.map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
+d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=c("dialog",{class:"code-dialog","aria-label":"The same mo\
+tion in Python"}),e.root.addEventListener("pointerdown",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return c("button",{type:"button",onclick:async()=>{
+this.menu.open=!1;try{await t()}catch(s){this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link()??"";try{await navigator.clipboard.writeText(e),this.
+lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith("mp4")?
+"The film is being made; this takes a while …":`Fetching ${e} …`),Fe(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
+re.`)}picture(){this.lab.drawStage();let e=this.lab.stage.canvas(),t=c("canvas",{width:e.width,height:e.height});return this.copyInto(t),new Promise(s=>{t.toBlob(
+n=>{n&&Fe(n,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),n=me(e);n.fillStyle=t.theme.look.paper,n.fillRect(0,0,e.width,e.height),
+n.drawImage(s,0,0,e.width,e.height);let i=e.width/Math.max(s.getBoundingClientRect().width,1);n.textBaseline="top",n.textAlign="left";let a=t.films();for(let[r,
+l]of a.entries()){let h=l.at(t.clock.time),d=[a.length>1?`${"AB"[r]}: `:"",`${x(t.theme.colors.mode_names[h.mode])}, t = ${h.t.toFixed(3)} s, θ = ${q(h.angle)}\
+, v = ${_(h.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/a.length;n.fillStyle=t.theme.colors.modes[h.mode],n.fillRect(
+12*i,(u+2)*i,11*i,11*i),n.fillStyle=t.theme.look.ink,n.font=`${13*i}px ${t.theme.look.font}`,n.fillText(d,30*i,u*i)}}async record(){let{lab:e}=this,t=e.stage.canvas();
+if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 instead.");let s=c("canvas",{width:2*Math.ceil(
+t.width/2),height:2*Math.ceil(t.height/2)}),n=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),i=[];n.ondataavailable=l=>i.push(l.data);let a=new Promise(
+l=>n.onstop=l),r=e.clock.loop;e.clock.loop=!1,e.clock.seek(0),e.notice.say("Recording one run …"),e.afterFrame=()=>{this.copyInto(s),!e.clock.playing&&n.state===
+"recording"&&n.stop()},n.start(),e.clock.play(!0),await a,e.afterFrame=null,e.clock.loop=r,Fe(new Blob(i,{type:n.mimeType}),"hophoop.webm"),e.notice.say("The fi\
+lm is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,
+"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let n=e[s+1],i=c("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.
+clipboard?.writeText(n).catch(()=>{}),M(i,"Copied")},t.push(c("header",{},c("h2",{},e[s]),i),c("pre",{tabindex:"0"},c("code",{},document.createTextNode(n))))}this.
+dialog.replaceChildren(...t,c("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};function Ni(o,e){let t=c("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([n])=>{let i=!n.isIntersecting&&n.boundingClientRect.top<0;if(i===
+o.classList.contains("stuck"))return;let a=o.offsetHeight;o.style.marginBottom="",o.classList.toggle("stuck",i),i&&(o.style.marginBottom=`${a-o.offsetHeight}px`),
+document.documentElement.style.scrollPaddingTop=i?`${o.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var qi=120,fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=Y(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
+this.onview()}zoomBy(e){this.zoom=y(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;let t=[e.clientX,e.clientY],s=this.shift;W(this.canvas,e,n=>{
+this.pinched()||(this.shift=[s[0]+n.clientX-t[0],s[1]+n.clientY-t[1]],this.onview())})}draw(e,t,s,n,i){let{context:a,width:r,height:l}=D(this.canvas);if(a.clearRect(
+0,0,r,l),r<40||l<40)return;let h=l/e.length,d={top:Math.max(...e.map(u=>u.extent.top)),radius:Math.max(...e.map(u=>u.radius)),speed:Math.max(...e.map(u=>u.extent.
+speed))};e.forEach((u,m)=>{a.save(),a.beginPath(),a.rect(0,m*h,r,h),a.clip(),a.translate(0,m*h);let p=new go(a,r,h,u,t,s,n,i,this.zoom,this.shift,d);p.top=m*h,p.
+scale=this.fixed??p.scale,p.draw(),this.views[m]=p,e.length>1&&(p.mark("AB"[m],ne(m,n.dark)),a.fillStyle=ne(m,n.dark),a.font=`700 17px ${n.font}`,a.textAlign="l\
+eft",a.fillText("AB"[m],12,h-12)),a.restore(),m>0&&(a.fillStyle=n.line,a.fillRect(0,m*h-.5,r,1))})}},go=class{top=0;constructor(e,t,s,n,i,a,r,l,h,d,u){this.context=
+e,this.width=t,this.height=s,this.film=n,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=n.at(i);let m=n.radius,{left:p,right:g}=n.extent,{top:b}=u;
+this.cosine=Math.cos(n.slope),this.sine=Math.sin(n.slope);let w=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/w,.36*t/u.radius);if(a.whole){let k=(g-p)*this.
+cosine+2.6*m,T=(g-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/T,f)*h,this.focus=[.5*(p+g),0],this.place=[.5*t+d[0],(n.slope?.62:.8)*s+d[1]]}else
+this.scale=f*h,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=[(t<520?.6:.46)*t+d[0],.82*s+d[1]]}point(e,t){let s=e-this.focus[0],n=t-this.
+focus[1];return[this.place[0]+this.scale*(s*this.cosine+n*this.sine),this.place[1]-this.scale*(n*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/
+this.scale,n=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-n*this.sine,this.focus[1]+s*this.sine+n*this.cosine]}draw(){this.ground(),(this.options.
+traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.forces()}ground(){let{context:e,look:t,width:s,height:n}=this,i=(Math.hypot(s,n)*
+1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(this.focus[0]-i,0),[l,h]=this.point(this.focus[0]+i,0),d=[-this.sine*4e3,this.cosine*
+4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.lineTo(l+d[0],h+d[1]),e.lineTo(a+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,
+e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.stroke();let u=U(s/this.scale,s/90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let m=Math.
+ceil((this.focus[0]-i)/u),p=Math.min(Math.floor((this.focus[0]+i)/u),m+400);for(let g=m;g<=p;g++){let[b,w]=this.point(g*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
+b,w),e.lineTo(b-6*this.sine,w+6*this.cosine),e.stroke(),e.fillText(`${J(g*u,u)} m`,b-18*this.sine,w+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:n}=this,
+i=e.radius,a=this.options.ahead?e.duration:this.pose.t,r=(l,h,d,u)=>{t.strokeStyle=h,t.lineWidth=d,t.lineJoin="round",t.beginPath();let m=!1,p=(g,b,w)=>{let[f,k]=this.
+point(g+l*Math.sin(w),i+b+l*Math.cos(w));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let g of e.pieces()){let{x:b,height:w,angle:f,mode:k}=g.film.columns;for(let T=g.
+from;T<g.to&&g.film.t[T]<=a;T++)u===void 0||k[T]===3===u?p(b[T],w[T],f[T]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
+pose.height,this.pose.angle),t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,s.ink,1.3),r(e.eccentricity*i,n.gravity_center,1.8,!1),r(e.eccentricity*i,n.
+airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,film:n,pose:i,scale:a}=this,[r,l]=this.point(i.x,n.radius+i.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),
+s.arc(r,l,Math.max(n.radius*a-y(.07*n.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(
+e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:n,colors:i,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),h=r-.5*l/a,d=[t.x,r+t.height],u=(w,f=h)=>this.point(d[0]+
+f*Math.sin(w),d[1]+f*Math.cos(w));if(s.lineCap="butt",n.dark&&(s.strokeStyle=n.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),h*a,0,2*Math.PI),
+s.stroke()),this.options.speed){let w=this.common.speed;s.lineWidth=l;let f=2*Math.PI/qi;for(let k=0;k<qi;k++){let T=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
+cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=qt[y(Math.round(255*E/w)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
+stroke()}}else s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),h*a,0,2*Math.PI),s.stroke();s.strokeStyle=n.soft,s.lineWidth=
+1,s.beginPath(),s.moveTo(...this.point(d[0],d[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(w,f,k,T)=>{s.beginPath(),s.arc(...w,f,0,2*Math.PI),s.fillStyle=k,s.
+fill(),s.lineWidth=1.5,s.strokeStyle=T,s.stroke()};m(this.point(d[0],d[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,d):m(u(t.angle),y(.1*r*
+a,4,16),n.ink,n.paper);let g=e.eccentricity*r,b=this.point(d[0]+g*Math.sin(t.angle),d[1]+g*Math.cos(t.angle));m(b,y(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,
+n.paper)}parts(e,t){let{film:s,pose:n,context:i,look:a,scale:r}=this,h=e.reduce((d,u)=>d+u.mass*(u.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let d of e){let u=h*
+(d.at??0),m=this.point(t[0]+u*Math.sin(n.angle),t[1]+u*Math.cos(n.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),d.shape==="ring")i.globalAlpha=.22,i.
+arc(...m,d.outer_radius*r,0,2*Math.PI),i.arc(...m,d.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(d.shape==="rod"){let p=.5*d.length,g=b=>this.
+point(t[0]+b*Math.sin(n.angle),t[1]+b*Math.cos(n.angle));i.lineWidth=4,i.moveTo(...g(u-p)),i.lineTo(...g(u+p)),i.stroke()}else{let p=d.shape==="disk"?d.radius*r:
+y(.08*s.radius*r,3,12);i.globalAlpha=d.shape==="disk"?.55:1,i.arc(...m,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,n=e.radius,
+i=e.mass*(e.gravity||9.81),a=l=>.55*n*l/i;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N \
+= ${_(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${_(t.friction_force,3)} N`,!0)}arrow([e,t],[s,n],i,a,r){let{context:l,
+look:h,width:d}=this,u=2.2*this.film.radius,m=Math.abs(s)>u||Math.abs(n)>u;[s,n]=[y(s,-u,u),y(n,-u,u)];let p=this.point(e,t),g=this.point(e+s,t+n),b=Math.hypot(
+g[0]-p[0],g[1]-p[1]);if(b<2)return;let w=(g[0]-p[0])/b,f=(g[1]-p[1])/b,k=Math.min(11,b);for(let[N,I]of[[h.paper,6],[i,3]])l.strokeStyle=N,l.fillStyle=N,l.lineWidth=
+I,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-w*k,g[1]-f*k),l.stroke();if(l.beginPath(),l.moveTo(...g),l.lineTo(g[0]-w*k-f*k*.5,g[1]-f*k+w*k*.5),l.lineTo(g[0]-w*
+k+f*k*.5,g[1]-f*k-w*k*.5),l.fill(),m){let[N,I]=[p[0]+.55*w*b,p[1]+.55*f*b];l.strokeStyle=h.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(N+w*(z-
+3)-f*7,I+f*(z-3)+w*7),l.lineTo(N+w*(z+3)+f*7,I+f*(z+3)-w*7);l.stroke()}l.font=`600 12px ${h.font}`;let T=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
+ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*T-32*this.sine,p[1]+32*this.cosine]:[g[0]+12,y(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
+d-T-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function bo(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Ci(o,e,t,s){
+let n=1/Math.tan(o/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function ji(o,e){let t=Re(yo(o,e)),s=Re(gs([0,1,0],t)),
+n=gs(t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-wo(s,o),-wo(n,o),-wo(t,o),1])}var yo=(o,e)=>[o[0]-e[0],o[1]-e[1],o[2]-e[2]],
+wo=(o,e)=>o[0]*e[0]+o[1]*e[1]+o[2]*e[2],gs=(o,e)=>[o[1]*e[2]-o[2]*e[1],o[2]*e[0]-o[0]*e[2],o[0]*e[1]-o[1]*e[0]];function Re(o){let e=Math.hypot(...o)||1;return[
+o[0]/e,o[1]/e,o[2]/e]}function ws(o,e,t,s){let n=Re(e),i=Re(gs(n,Math.abs(n[2])>.9?[1,0,0]:[0,0,1])),a=gs(i,n);return new Float32Array([...i.map(r=>r*s),0,...n.
+map(r=>r*t),0,...a.map(r=>r*s),0,...o,1])}function vo(o){let[e,t]=[Math.cos(o),Math.sin(o)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function te(o){let e=Number.parseInt(o.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function Ke(o,e,t){let s=o.createProgram(),n=[[o.VERTEX_SHADER,e],[o.FRAGMENT_SHADER,t]];for(let[a,r]of n){let l=o.createShader(a);if(o.shaderSource(l,r),o.compileShader(
+l),!o.getShaderParameter(l,o.COMPILE_STATUS))throw new Error(String(o.getShaderInfoLog(l)));o.attachShader(s,l)}if(o.linkProgram(s),!o.getProgramParameter(s,o.LINK_STATUS))
+throw new Error(String(o.getProgramInfoLog(s)));let i={program:s,uniforms:{},attributes:{}};for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_UNIFORMS);a++){let{name:r}=o.
+getActiveUniform(s,a);i.uniforms[r]=o.getUniformLocation(s,r)}for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_ATTRIBUTES);a++){let{name:r}=o.getActiveAttrib(s,a);
+i.attributes[r]=o.getAttribLocation(s,r)}return i}function Pe(o,e,t,s){let n=o.createBuffer();o.bindBuffer(o.ARRAY_BUFFER,n),o.bufferData(o.ARRAY_BUFFER,new Float32Array(
+e),o.STATIC_DRAW);let i=s?o.createBuffer():null;s&&(o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,i),o.bufferData(o.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),o.STATIC_DRAW));
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:n,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function Ue(o,e,t){o.bindBuffer(o.ARRAY_BUFFER,
+t.vertices);let s=0;for(let[n,i]of Object.entries(t.parts)){let a=e.attributes[n];a!==void 0&&(o.enableVertexAttribArray(a),o.vertexAttribPointer(a,i,o.FLOAT,!1,
+t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function ko(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
+n,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Oi(o,e=120,t=14){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++)s.push(2*Math.PI*n/e,2*Math.PI*i/t);return Pe(
+o,s,{bend:2},ko(e,t))}function Di(o,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*n/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Pe(o,s,{position:3,normal:3},ko(e,t))}function xo(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
+Math.PI*n/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Pe(o,s,{position:3,normal:3},ko(t,1))}var Bi=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,Li=`
+  }`,Hi=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,Ni="vec4(0.0, 0.0, 0.0, shadow)",_i=[`attribute vec2 bend;
+  }`,Ki="vec4(0.0, 0.0, 0.0, shadow)",Fi=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${Li}
+   ${Hi}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -756,21 +1929,21 @@ Math.PI*i/e,a=[Math.cos(n),1-t,Math.sin(n)];s.push(Math.cos(n),0,Math.sin(n),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${Ri}
+   ${Bi}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${Ni} : vec4(shaded(color, n), 1.0);
-   }`],Ii=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${Ki} : vec4(shaded(color, n), 1.0);
+   }`],Wi=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${Li}
+   ${Hi}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${Ri}
-   void main() { gl_FragColor = shadow > 0.0 ? ${Ni} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],$i=[`attribute vec3 position, next, tint; attribute \
+   ${Bi}
+   void main() { gl_FragColor = shadow > 0.0 ? ${Ki} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],$i=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -785,28 +1958,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],ve=class{constructor(t,e,s,i,{keep:n=!1}={}){let a=t.getContext(
-"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:n});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
-t,this.sun=rt(s),this.dark=i,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=yt(a,_i[0],_i[1]),this.body=yt(a,Ii[0],Ii[1]),this.line=yt(a,$i[0],$i[1]),this.torus=Ai(
-a),this.sphere=Pi(a),this.cylinder=ps(a,1),this.cone=ps(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let h=new Uint8Array(e.flatMap(
-r=>[...r,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,e.length,1,0,a.RGBA,a.UNSIGNED_BYTE,h);for(let r of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
-a.texParameteri(a.TEXTURE_2D,r,a.CLAMP_TO_EDGE);for(let r of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,r,a.LINEAR);this.view=ls(0),
-this.eye=[0,0,1],this.fastest=1}begin({background:t,eye:e,target:s,slope:i,angle:n,near:a,far:h}){let{gl:r,canvas:c}=this;r.viewport(0,0,c.width,c.height),r.clearColor(
-t[0],t[1],t[2],1),r.clear(r.COLOR_BUFFER_BIT|r.DEPTH_BUFFER_BIT|r.STENCIL_BUFFER_BIT),r.enable(r.DEPTH_TEST);let p=Si(n,c.width/c.height,a,h);this.view=rs(rs(p,
-Ei(e,s)),ls(i)),this.eye=rt(hs(e,s))}use(t,e){let{gl:s}=this;s.useProgram(t.program);let i={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...e};for(let[
-n,a]of Object.entries(i)){let h=t.uniforms[n];h!==void 0&&(typeof a=="number"?s.uniform1f(h,a):a.length===16?s.uniformMatrix4fv(h,!1,a):s[`uniform${a.length}fv`](
-h,a))}}ground(t){let{gl:e}=this;e.depthFunc(e.ALWAYS),t(),e.depthFunc(e.LESS)}shadows(t){let{gl:e}=this;e.enable(e.BLEND),e.blendFuncSeparate(e.SRC_ALPHA,e.ONE_MINUS_SRC_ALPHA,
-e.ZERO,e.ONE),e.enable(e.STENCIL_TEST),e.stencilFunc(e.EQUAL,0,255),e.stencilOp(e.KEEP,e.KEEP,e.INCR),e.depthFunc(e.ALWAYS),e.depthMask(!1),t(),e.depthMask(!0),
-e.depthFunc(e.LESS),e.disable(e.STENCIL_TEST),e.disable(e.BLEND)}solid(t,e,s,{shadow:i=!1,lit:n=!0}={}){let{gl:a}=this;this.use(this.body,{model:e,color:s,shadow:i?
-this.dark:0,lit:Number(n)}),bt(a,this.body,t),a.drawElements(a.TRIANGLES,t.count,a.UNSIGNED_SHORT,0)}ball(t,e,s,i){this.solid(this.sphere,be(t,[0,1,0],e,e),s,{shadow:i})}ring({
-center:t,radius:e,tube:s,broad:i,angle:n,velocity:a,omega:h,plain:r=null},c){let{gl:p}=this;this.use(this.rim,{center:t,size:[e,s,i,n],motion:[...a,h],most:this.
-fastest,shadow:c?this.dark:0,plain:r??[0,0,0],colored:r?0:1}),bt(p,this.rim,this.torus),p.drawElements(p.TRIANGLES,this.torus.count,p.UNSIGNED_SHORT,0)}rod(t,e,s,i,n,a=!1){
-this.solid(this.cylinder,be(t,e,s,i),n,{shadow:a})}arrow(t,e,s,i,n){if(!(s>.02*i))return;let a=Math.min(.18*i,s),h=t.map((r,c)=>r+e[c]*(s-a));s>a&&this.rod(t,e,
-s-a,.029*i,n),this.solid(this.cone,be(h,e,a,Math.min(.075*i,.6*a)),n)}trace(t,e,s){let i=[];for(let n=0;n<t;n++){let a=e(n),h=e(Math.min(n+1,t-1));if(Math.hypot(
-h[0]-a[0],h[1]-a[1])<1e-9&&n>0){let r=e(n-1);h=a.map((c,p)=>2*c-r[p])}for(let r of[-1,1])i.push(...a,0,...h,0,...s(n),r)}return ht(this.gl,i,{position:3,next:3,
-tint:3,side:1})}drawTrace(t,e,{width:s,distance:i=0,shift:n,depth:a}){let{gl:h,canvas:r}=this;this.use(this.line,{pixel:[2/r.width,2/r.height],width:s,distance:i,
-shift:n,depth:a}),bt(h,this.line,t),h.drawArrays(h.TRIANGLE_STRIP,0,2*e)}onScreen([t,e,s]){let i=this.view,[n,a,h]=[0,1,3].map(r=>i[r]*t+i[4+r]*e+i[8+r]*s+i[12+
-r]);return h>0?[(.5+.5*n/h)*this.canvas.width,(.5-.5*a/h)*this.canvas.height]:null}};var Tn=[.35,.85,.4],Sn=.18,zi={azimuth:.5,height:.22,distance:5.2},Ci=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],bs=class{constructor(e,t,s,n,{keep:i=!1}={}){let a=e.getContext(
+"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
+e,this.sun=Re(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Ke(a,Fi[0],Fi[1]),this.body=Ke(a,Wi[0],Wi[1]),this.line=Ke(a,$i[0],$i[1]),this.torus=Oi(
+a),this.sphere=Di(a),this.cylinder=xo(a,1),this.cone=xo(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
+l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
+a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=vo(0),
+this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:n,angle:i,near:a,far:r}){let{gl:l,canvas:h}=this;l.viewport(0,0,h.width,h.height),l.clearColor(
+e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let d=Ci(i,h.width/h.height,a,r);this.view=bo(bo(d,
+ji(t,s)),vo(n)),this.eye=Re(yo(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let n={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
+i,a]of Object.entries(n)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.length}fv`](
+r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
+t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
+t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:n=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:s,shadow:n?
+this.dark:0,lit:Number(i)}),Ue(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,n){this.solid(this.sphere,ws(e,[0,1,0],t,t),s,{shadow:n})}ring({
+center:e,radius:t,tube:s,broad:n,angle:i,velocity:a,omega:r,plain:l=null},h){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,s,n,i],motion:[...a,r],most:this.
+fastest,shadow:h?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),Ue(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,d.UNSIGNED_SHORT,0)}rod(e,t,s,n,i,a=!1){
+this.solid(this.cylinder,ws(e,t,s,n),i,{shadow:a})}arrow(e,t,s,n,i){if(!(s>.02*n))return;let a=Math.min(.18*n,s),r=e.map((l,h)=>l+t[h]*(s-a));s>a&&this.rod(e,t,
+s-a,.029*n,i),this.solid(this.cone,ws(r,t,a,Math.min(.075*n,.6*a)),i)}trace(e,t,s){let n=[];for(let i=0;i<e;i++){let a=t(i),r=t(Math.min(i+1,e-1));if(Math.hypot(
+r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((h,d)=>2*h-l[d])}for(let l of[-1,1])n.push(...a,0,...r,0,...s(i),l)}return Pe(this.gl,n,{position:3,next:3,
+tint:3,side:1})}drawTrace(e,t,{width:s,distance:n=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:n,
+shift:i,depth:a}),Ue(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let n=this.view,[i,a,r]=[0,1,3].map(l=>n[l]*e+n[4+l]*t+n[8+l]*s+n[12+
+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Pl=[.35,.85,.4],Il=.18,Ui={azimuth:.5,height:.22,distance:5.2},Gi=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -814,143 +1987,615 @@ r]);return h>0?[(.5+.5*n/h)*this.canvas.width,(.5-.5*a/h)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],xe=class{constructor(t,e){this.canvas=t,this.onview=e,this.space=new ve(t,dt,Tn,Sn,{keep:!0}),this.floor=yt(this.space.gl,Ci[0],Ci[1]),this.corners=ht(this.
-space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...zi},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,t.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=D(t,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>t.parentElement})}zoomBy(t){t?this.turned.distance=b(
-this.turned.distance/t,1.6,60):this.turned={...zi},this.onview()}drag(t){let e={...this.turned,x:t.clientX,y:t.clientY};R(this.canvas,t,s=>{this.pinched()||(this.
-turned.azimuth=b(e.azimuth-(s.clientX-e.x)*.008,-1.5,1.5),this.turned.height=b(e.height+(s.clientY-e.y)*.006,.02,1.45),this.onview())})}quality(){let t=performance.
-now(),e=t-(this.before||t);return this.before=t,e>0&&e<200&&(this.pace=.9*this.pace+.1*e),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.
-pace=16),this.share}draw(t,e,s,i,n,a){let{canvas:h,space:r}=this,c=Math.min(globalThis.devicePixelRatio||1,2)*(a?this.quality():1),p=h.getBoundingClientRect();h.
-width=Math.max(Math.round(p.width*c),1),h.height=Math.max(Math.round(p.height*c),1);let d=t.map(g=>g.at(e)),u=t[0].radius;r.fastest=Math.max(...t.map(g=>g.extent.
-speed)),this.focus=Number.isFinite(d[0].x)?d[0].x:0,r.begin({background:W(i.paper),...this.camera(t[0],d[0],u,s)}),r.ground(()=>this.drawFloor(u,i));let f=g=>{for(let[
-y,w]of t.entries())g(w,d[y],-2.1*u*y)};r.shadows(()=>f((g,y,w)=>this.drawHoop(g,y,w,s,i,n,!0))),f((g,y,w)=>{this.drawHoop(g,y,w,s,i,n,!1),s.traces&&this.drawTraces(
-g,y,w,i,n,c),s.forces&&this.drawForces(g,y,w,n)})}camera(t,e,s,i){let{azimuth:n,height:a,distance:h}=this.turned,{left:r,right:c}=t.extent,p=i.whole?Math.max(h*
-s,.85*(c-r)+3*s):h*s,[d,u]=[i.whole?.5*(r+c)-this.focus:0,s+.45*(e.height||0)],f=Math.cos(t.slope),g=Math.sin(t.slope),y=[d*f+u*g,-d*g+u*f,0],w=[y[0]+p*Math.sin(
-n)*Math.cos(a),y[1]+p*Math.sin(a),p*Math.cos(n)*Math.cos(a)];return this.reach=12*s+3*p,{eye:w,target:y,slope:t.slope,angle:.75,near:.05*s,far:40*s+6*p}}drawFloor(t,e){
-let{space:s}=this,i=W(e.ground),n=i.map(r=>r*(e.dark?.82:.94)),a=.5*t,h=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:i,dark:n,far:W(e.paper),tile:a,
-shift:h}),bt(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(t,e,s,i,n,a,h){let{space:r}=this,c=t.radius,p=.045*c,d=[e.x-this.focus,
-c+e.height,s];r.ring({center:d,radius:c,tube:p,broad:3.2*p,angle:e.angle,velocity:[e.vx,e.vy],omega:e.omega,plain:i.speed?null:W(a.modes[e.mode])},h);let u=[Math.
-sin(e.angle),Math.cos(e.angle),0],f=y=>d.map((w,m)=>w+y*u[m]);r.ball(f(c-p),.125*c,n.dark?[.9,.91,.94]:[.12,.13,.15],h),r.rod(d,u,c-p,.012*c,[.55,.57,.6],h);let g=e.
-mode==="H";r.ball(f(t.eccentricity*c),.07*c,W(g?a.airborne:a.gravity_center),h)}drawForces(t,e,s,i){if(e.mode==="H"||!(e.normal_force>0))return;let n=t.radius,a=t.
-mass*(t.gravity||9.81),h=[e.x-this.focus,e.height+.03*n,s+.2*n],r=p=>b(.55*n*Math.abs(p)/a,0,3.2*n),c=Math.sign(e.friction_force);this.space.arrow(h,[0,1,0],r(e.
-normal_force),n,W(i.normal_force)),this.space.arrow(h,[c,0,0],r(e.friction_force),n,W(i.friction_force))}linesOf(t,e,s){let i=this.lines.get(t);if(i?.dark===e.dark)
-return i;let n=t.radius,{x:a,height:h,angle:r,mode:c}=t.columns,p=(y,w)=>this.space.trace(t.length,m=>[a[m]+y*Math.sin(r[m]),n+h[m]+y*Math.cos(r[m])],w),[d,u,f]=[
-W(s.gravity_center),W(s.airborne),W(e.ink)],g={dark:e.dark,load:p(n,()=>f),center:p(t.eccentricity*n,y=>c[y]===3?u:d)};return this.lines.set(t,g),g}drawTraces(t,e,s,i,n,a){
-let{load:h,center:r}=this.linesOf(t,i,n),c=Math.min(t.index(e.t)+2,t.length),p={shift:this.focus,depth:s};this.space.drawTrace(h,c,{width:a,...p}),this.space.drawTrace(
-r,c,{width:1.6*a,...p})}};var En=["hoop","mode","time","angle","v","R θ̇","gap"],ke=class{constructor(t,e){this.colors=t,this.onview=e,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=l("canvas",{class:"stage-canvas"}),this.space=l("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new we(this.plane,e),this.deep=
-null,this.outputs=En.map(i=>({name:l("dt",{},i),value:l("dd",{})})),this.outputs[1].value.className="mode",this.fastest=l("span",{}),this.legend=l("div",{class:"\
-legend","aria-hidden":"true"},l("i",{style:`background: linear-gradient(90deg, ${Ft.filter((i,n)=>n%15===0).join(",")})`}),l("span",{},"0"),l("span",{},"rim spe\
-ed"),this.fastest);let s=(i,n)=>l("span",{},l("i",{class:"dot",style:`background:${i}`}),n);this.order=l("span",{hidden:!0},"A in front, B behind"),this.element=
-l("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,l("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
-({name:i,value:n})=>[i,n])),this.legend,l("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(t.gravity_center,"centre of gravity"),s(t.airborne,
-"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(t,e,s,{look:i,inks:n}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&t.length>1),this.fastest.textContent=`≥ ${x(Math.max(...t.map(h=>h.extent.speed)),2)} m/s`,a.three?(this.deep??=new xe(this.
-space,this.onview),this.deep.draw(t,s.time,a,i,n,s.playing)):this.flat.draw(t,s.time,a,i,n),this.read(t,e,s.time)}read(t,e,s){let i=t[e],n=i.at(s),a=[t.length>1?
-"AB"[e]:"",this.colors.mode_names[n.mode],`${n.t.toFixed(3)} s`,P(n.angle),$(x(n.vx,3),"m/s"),$(x(n.omega*i.radius,3),"m/s"),n.height>0?Z(n.height):"0"];for(let[
-c,p]of a.entries()){let{value:d}=this.outputs[c];d.textContent!==p&&(d.textContent=p)}let[h,r]=this.outputs;h.value.hidden=h.name.hidden=t.length<2,r.value.style.
-setProperty("--mode",this.colors.modes[n.mode])}describe(t){this.element.setAttribute("aria-label",`The hoop. ${t.map(e=>e.summary).join(" ")}`)}turn(t){let e=()=>{
-this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,e();try{t()}catch(s){throw this.options.three=
-!1,e(),s}}zoom(t){this.options.three?this.deep?.zoomBy(t):t?this.flat.zoomBy(t):this.flat.reset()}};var Me=class{film;items;current;constructor(t){this.clock=t,this.summary=l("p",{class:"summary"}),this.list=l("ol",{class:"story-list"}),this.heading=l("h2",{},
-"What happens"),this.live=l("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=l("section",{class:"story","aria-label":"The motion in words"},
-this.heading,this.summary,this.list,this.live)}draw(t,e,s){this.film=t[e],this.heading.textContent=t.length>1?`What happens to hoop ${"AB"[e]}`:"What happens",this.
-summary.replaceChildren(...t.flatMap((i,n)=>[t.length>1?l("b",{},`${"AB"[n]}: `):"",i.summary,i.status==="event_limit"||i.shortened?" (not all events are shown)":
-"",n+1<t.length?l("br"):""])),this.items=this.film.story.map(i=>l("li",{},l("button",{type:"button",onclick:()=>this.clock.seek(i.t)},l("i",{class:"dot",style:`\
-background:${s.modes[i.mode]}`,"aria-hidden":"true"}),l("span",{class:"when"},`${x(i.t,4)} s`),l("span",{},i.text)))),this.list.replaceChildren(...this.items),this.
-current=-1,this.cursor(this.clock.time)}say(t){this.live.textContent=t}announce(t){this.say(t.map(e=>e.summary).join(" "))}cursor(t){let{story:e}=this.film,s=-1;
-for(let n=0;n<e.length&&e[n].t<=t+1e-9;n++)s=n;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),
-this.items[this.current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let i=this.items[s];if(i){let n=i.offsetTop-
-this.list.offsetTop;(n<this.list.scrollTop||n+i.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=n-.4*this.list.clientHeight)}}},Te=class{constructor(){
-this.list=l("dl",{}),this.heading=l("h2",{},"What theory says"),this.element=l("section",{class:"theory"},this.heading,this.list)}draw(t,e=""){this.heading.textContent=
-e?`What theory says of hoop ${e}`:"What theory says",this.list.replaceChildren(...t.flatMap(({label:s,text:i})=>[l("dt",{},s),l("dd",{},i)]))}};var Se={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
+   }`],ys=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new bs(e,De,Pl,Il,{keep:!0}),this.floor=Ke(this.space.gl,Gi[0],Gi[1]),this.corners=Pe(this.
+space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Ui},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=Y(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
+this.turned.distance/e,1.6,60):this.turned={...Ui},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};W(this.canvas,e,s=>{this.pinched()||(this.
+turned.azimuth=y(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=y(t.height+(s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.
+now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.
+pace=16),this.share}draw(e,t,s,n,i,a){let{canvas:r,space:l}=this,h=Math.min(globalThis.devicePixelRatio||1,2)*(a?this.quality():1),d=r.getBoundingClientRect();r.
+width=Math.max(Math.round(d.width*h),1),r.height=Math.max(Math.round(d.height*h),1);let u=e.map(g=>g.at(t)),m=e[0].radius;l.fastest=Math.max(...e.map(g=>g.extent.
+speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:te(n.paper),...this.camera(e[0],u[0],m,s)}),l.ground(()=>this.drawFloor(m,n));let p=g=>{
+for(let[b,w]of e.entries())g(w,u[b],-2.1*m*b)};l.shadows(()=>p((g,b,w)=>this.drawHoop(g,b,w,s,n,i,!0))),p((g,b,w)=>{this.drawHoop(g,b,w,s,n,i,!1),s.traces&&this.
+drawTraces(g,b,w,n,i,h),s.forces&&this.drawForces(g,b,w,i)})}camera(e,t,s,n){let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:h}=e.extent,d=n.whole?
+Math.max(r*s,.85*(h-l)+3*s):r*s,[u,m]=[n.whole?.5*(l+h)-this.focus:0,s+.45*(t.height||0)],p=Math.cos(e.slope),g=Math.sin(e.slope),b=[u*p+m*g,-u*g+m*p,0],w=[b[0]+
+d*Math.sin(i)*Math.cos(a),b[1]+d*Math.sin(a),d*Math.cos(i)*Math.cos(a)];return this.reach=12*s+3*d,{eye:w,target:b,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*
+d}}drawFloor(e,t){let{space:s}=this,n=te(t.ground),i=n.map(l=>l*(t.dark?.82:.94)),a=.5*e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:n,dark:i,far:te(
+t.paper),tile:a,shift:r}),Ue(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,s,n,i,a,r){let{space:l}=this,h=e.radius,d=.045*
+h,u=[t.x-this.focus,h+t.height,s];l.ring({center:u,radius:h,tube:d,broad:3.2*d,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,plain:n.speed?null:te(a.modes[t.
+mode])},r);let m=[Math.sin(t.angle),Math.cos(t.angle),0],p=b=>u.map((w,f)=>w+b*m[f]);l.ball(p(h-d),.125*h,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(u,m,h-d,.012*
+h,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*h),.07*h,te(g?a.airborne:a.gravity_center),r)}drawForces(e,t,s,n){if(t.mode==="H"||!(t.normal_force>
+0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,s+.2*i],l=d=>y(.55*i*Math.abs(d)/a,0,3.2*i),h=Math.sign(t.friction_force);this.
+space.arrow(r,[0,1,0],l(t.normal_force),i,te(n.normal_force)),this.space.arrow(r,[h,0,0],l(t.friction_force),i,te(n.friction_force))}linesOf(e,t,s){let n=this.lines.
+get(e);if(n?.dark===t.dark)return n;let i=e.radius,{x:a,height:r,angle:l,mode:h}=e.columns,d=(b,w)=>this.space.trace(e.length,f=>[a[f]+b*Math.sin(l[f]),i+r[f]+b*
+Math.cos(l[f])],w),[u,m,p]=[te(s.gravity_center),te(s.airborne),te(t.ink)],g={dark:t.dark,load:d(i,()=>p),center:d(e.eccentricity*i,b=>h[b]===3?m:u)};return this.
+lines.set(e,g),g}drawTraces(e,t,s,n,i,a){let{load:r,center:l}=this.linesOf(e,n,i),h=Math.min(e.index(t.t)+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(
+r,h,{width:a,...d}),this.space.drawTrace(l,h,{width:1.6*a,...d})}};var Ll=["hoop","mode","time","angle","v","R θ̇","gap"],vs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1},this.plane=c("canvas",{class:"stage-canvas"}),this.space=c("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new fs(this.plane,t),this.deep=
+null,this.outputs=Ll.map(n=>({name:c("dt",{},n),value:c("dd",{})})),this.outputs[1].value.className="mode",this.fastest=c("span",{}),this.legend=c("div",{class:"\
+legend","aria-hidden":"true"},c("i",{style:`background: linear-gradient(90deg, ${qt.filter((n,i)=>i%15===0).join(",")})`}),c("span",{},"0"),c("span",{},"rim spe\
+ed"),this.fastest);let s=(n,i)=>c("span",{},c("i",{class:"dot",style:`background:${n}`}),i);this.order=c("span",{hidden:!0},"A in front, B behind"),this.element=
+c("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,c("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
+({name:n,value:i})=>[n,i])),this.legend,c("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),s(e.airborne,
+"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:n,inks:i}){let{options:a}=this;this.legend.hidden=!a.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${_(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new ys(this.
+space,this.onview),this.deep.draw(e,s.time,a,n,i,s.playing)):this.flat.draw(e,s.time,a,n,i),this.read(e,t,s.time)}read(e,t,s){let n=e[t],i=n.at(s),a=[e.length>1?
+"AB"[t]:"",x(this.colors.mode_names[i.mode]),`${i.t.toFixed(3)} s`,q(i.angle),F(_(i.vx,3),"m/s"),F(_(i.omega*n.radius,3),"m/s"),i.height>0?we(i.height):"0"];for(let[
+h,d]of a.entries()){let{value:u}=this.outputs[h];u.textContent!==d&&(u.textContent=d)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.
+setProperty("--mode",this.colors.modes[i.mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){
+let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.
+three=!1,t(),s}}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var ks=class{film;items;current;constructor(e){this.clock=e,this.summary=c("p",{class:"summary"}),this.list=c("ol",{class:"story-list"}),this.heading=c("h2",{},
+"What happens"),this.live=c("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=c("section",{class:"story","aria-label":"The motion in words"},
+this.heading,this.summary,this.list,this.live)}draw(e,t,s){this.film=e[t],M(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.
+replaceChildren(...e.flatMap((n,i)=>[e.length>1?c("b",{},`${"AB"[i]}: `):"",n.summary,n.status==="event_limit"||n.shortened?" (not all events are shown)":"",i+1<
+e.length?c("br"):""])),this.items=this.film.story.map(n=>c("li",{},c("button",{type:"button",onclick:()=>this.clock.seek(n.t)},c("i",{class:"dot",style:`backgro\
+und:${s.modes[n.mode]}`,"aria-hidden":"true"}),c("span",{class:"when"},`${_(n.t,4)} s`),c("span",{},n.text)))),this.list.replaceChildren(...this.items),this.current=
+-1,this.cursor(this.clock.time)}say(e){M(this.live,e)}announce(e){this.say(ue(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let i=0;i<
+t.length&&t[i].t<=e+1e-9;i++)s=i;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
+current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let n=this.items[s];if(n){let i=n.offsetTop-this.list.
+offsetTop;(i<this.list.scrollTop||i+n.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}},xs=class{constructor(){
+this.list=c("dl",{}),this.heading=c("h2",{},"What theory says"),this.element=c("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){M(this.heading,t?
+`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:n})=>[c("dt",{},s),c("dd",{},n)]))}};var Vi="hophoop-theme",Nl=["gravity_center","airborne","normal_force","friction_force"],_s=class{constructor(e,t,s,n){this.root=e,this.colors=t,this.hosted=s,this.
+changed=n,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
+this.mark(),this.look=Gs(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ie(Vi):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Gs(this.root),this.inks={...this.colors};for(let e of Nl)
+this.inks[e]=it(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
+k",this.hosted&&ae(Vi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ts={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
-energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Oi=o=>o.kind==="takeoff"||o.to==="H"&&o.from!=="H"&&o.kind!=="impact";var Lt={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},Ee=Object.keys(Lt);function Fi(o,t=11){let s=[...o.filter(({kind:n})=>n in Lt)].sort((n,a)=>Ee.indexOf(n.kind)-Ee.indexOf(a.kind)||n.x-a.x),i=[];
-for(let{kind:n,x:a}of s){let h=Ee.indexOf(n)<Ee.indexOf("takeoff"),r=i.filter(c=>Math.abs(c.x-a)<t);r.length?r.length===1&&r[0].rare&&!i.some(c=>Math.abs(c.x-(r[0].
-x+t))<t-1e-9)?r[0].mark!==Lt[n]&&i.push({mark:Lt[n],x:r[0].x+t,rare:!1,hidden:0}):r[0].hidden+=1:i.push({mark:Lt[n],x:a,rare:h,hidden:0})}return i.sort((n,a)=>n.
-x-a.x).map(({mark:n,x:a})=>({mark:n,x:a}))}function Bi(o,t,e){let s=[],i=new Map,n=-1,a=(r,c,p)=>{let d=s.at(-1);d&&d.mode===r&&Math.abs(d.from+d.wide-c)<1e-6?d.
-wide+=p:s.push({mode:r,from:c,wide:p})},h=()=>{i.size&&a([...i].reduce((r,c)=>c[1]>r[1]?c:r)[0],n,1),i=new Map};for(let{mode:r,from:c,to:p}of o){let[d,u]=[Math.
-max(t(c),0),Math.min(t(p),e)];if(u>d)for(let f=d;f<u-1e-9;){if((Math.floor(f+1e-9)!==n||!i.size)&&(h(),n=Math.floor(f+1e-9),u-f>=1&&Math.abs(f-n)<1e-6)){let y=Math.
-floor(u-f+1e-9);a(r,n,y),f=n+y;continue}let g=Math.min(u,n+1);i.set(r,(i.get(r)??0)+g-f),f=g}}return h(),s}var Ae=class{films;said;constructor(t){this.clock=t,this.window=null,this.canvas=l("canvas",{class:"timeline-canvas"}),this.tip=l("div",{class:"tip",hidden:!0}),
-this.element=l("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
-this.element.addEventListener("pointerdown",e=>this.scrub(e)),this.element.addEventListener("pointermove",e=>this.hover(e)),this.element.addEventListener("point\
-erleave",()=>this.tip.hidden=!0),this.pinched=D(this.element,{zoom:(e,s)=>this.zoom(1/e,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
-let t=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=t[1]?t:at(this.window,t)}zoom(t,e){let[s,i]=this.ends(),n=1e-6*this.clock.duration,
-a=Math.max((i-s)*t,n),h=(e-s)/(i-s);this.window=a<this.clock.duration?at([e-h*a,e+(1-h)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
-return;let[t,e]=this.ends(),{time:s,duration:i}=this.clock;if(s>=t&&s<=e)return;let n=e-t;this.window=at(s>e?[s-.1*n,s+.9*n]:[s-.5*n,s+.5*n],[0,i])}timeAt(t){let e=this.
-canvas.getBoundingClientRect(),[s,i]=this.ends();return s+b((t.clientX-e.left)/e.width,0,1)*(i-s)}scrub(t){t.preventDefault(),this.element.focus({preventScroll:!0});
-let e=this.clock.playing;this.clock.playing=!1;let s=i=>!this.pinched()&&this.clock.seek(this.timeAt(i));s(t),R(this.element,t,s,()=>e&&this.clock.play(!0))}hover(t){
-let e=this.timeAt(t),s=this.nearest(e,8),i=s?`${Se[s.kind]??s.kind} · ${x(s.t,5)} s · ${x(s.angle*180/Math.PI,4)}°`:`${x(e,4)} s`;this.tip.textContent=i,this.
-tip.hidden=!1;let n=this.canvas.getBoundingClientRect();this.tip.style.left=`${b(t.clientX-n.left,70,n.width-70)}px`}nearest(t,e){let[s,i]=this.ends(),n=e*(i-s)/
-(this.canvas.getBoundingClientRect().width||1),a=null;for(let h of this.films??[])for(let r of h.events){if(r.kind==="end")continue;let c=Math.abs(r.t-t);c<=n&&
-(!a||c<Math.abs(a.t-t))&&(a=r)}return a}draw(t,e,s){this.films=t;let{context:i,width:n,height:a}=I(this.canvas);this.keep();let[h,r]=this.ends(),c=w=>(w-h)/(r-h)*
-n;i.clearRect(0,0,n,a);let p=15,d=(a-15)/t.length-p;t.forEach((w,m)=>{let v=p+m*(p+d);for(let{mode:k,from:M,wide:A}of Bi(w.phases,c,n)){let E=s.modes[k];i.fillStyle=
-E,i.fillRect(M,v,A,d-2),this.named(i,s.mode_names[k],M,A,v,d-2,E,e)}w.duration<r&&(i.fillStyle=e.line,i.fillRect(Math.max(c(w.duration),0),v,n,d-2)),this.marks(
-i,w,c,v,n,e),t.length>1&&(i.fillStyle=e.soft,i.font=`600 11px ${e.font}`,i.textAlign="left",i.fillText("AB"[m],1,v-4))});let u=z(r-h,n/60);i.fillStyle=e.soft,i.
-font=`10.5px ${e.font}`;let f=q(h,r,n/60);for(let w of f){let m=c(w);i.textAlign=m<14?"left":m>n-14?"right":"center",i.fillText(B(w,u)+(w===f[0]?" s":""),m,a-3)}
-let g=b(c(this.clock.time),6,n-6),y=b(c(this.clock.time),1,n-1);i.fillStyle=e.ink,i.fillRect(y-1,p-4,2,a-p-9),i.beginPath(),i.moveTo(g-6,p-10),i.lineTo(g+6,p-10),
-i.lineTo(y,p-1),i.fill(),this.tell(t,s)}tell(t,e){let{time:s,duration:i,playing:n}=this.clock,h=t.map((r,c)=>{let p=e.mode_names[r.at(s).mode];return t.length>1?
-`${"AB"[c]} ${p}`:p}).join(", ");n&&h===this.said||(this.said=h,this.element.setAttribute("aria-valuemax",i.toFixed(3)),this.element.setAttribute("aria-valuenow",
-s.toFixed(3)),this.element.setAttribute("aria-valuetext",`${x(s,4)} seconds, ${h}`))}named(t,e,s,i,n,a,h,r){t.font=`11px ${r.font}`,!(a<13||t.measureText(e).width+
-8>i)&&(t.fillStyle=Is(h),t.textAlign="center",t.textBaseline="middle",t.fillText(e,s+.5*i,n+.5*a+1),t.textBaseline="alphabetic")}marks(t,e,s,i,n,a){t.font=`11px\
- ${a.font}`,t.textAlign="center";let h=e.events.filter(({kind:r})=>r!=="start"&&r!=="end").map(({kind:r,t:c})=>({kind:r,x:s(c)})).filter(({x:r})=>r>=-1&&r<=n+1);
-if(t.fillStyle=a.panel,h.length<n/6)for(let{x:r}of h)t.fillRect(r-.5,i,1,5);t.fillStyle=a.ink;for(let{mark:r,x:c}of Fi(h))t.fillText(r,b(c,6,n-6),i-4)}};var An=1/60,Pn=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],_n={three:"In space"},st=(o,t,e)=>l(
-"button",{type:"button",title:t,"aria-label":t,onclick:e},o),Di=(o,t)=>l("span",{},l("span",{"aria-hidden":"true"},`${o} `),t),Pe=class{constructor(t,e,s,i,n){this.
-clock=t,this.films=e,this.say=i,this.tell=n,this.playButton=st(L("play"),"Play (space)",()=>t.play()),this.playButton.classList.add("play"),this.speeds=l("selec\
-t",{"aria-label":"Speed of the film",onchange:()=>{t.speed=Number(this.speeds.value)}},St.map(a=>l("option",{value:String(a)},`${a}×`))),this.speeds.value="1",
-this.switches=new Map(Pn.map(([a,h,r])=>{let c=`${a==="three"?_n.three:h} (${r})`;return[a,l("button",{type:"button",class:"switch",title:c,onclick:()=>s(a)},h)]})),
-this.element=l("div",{class:"transport"},l("div",{class:"buttons"},st(L("start"),"To the start (Home)",()=>t.seek(0)),st(L("previous"),"Previous event (Shift ←)",
-()=>this.jump(-1)),st(L("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,st(L("on"),"One frame on (→)",()=>this.nudge(1)),st(L("next"),"Next\
- event (Shift →)",()=>this.jump(1))),l("div",{class:"buttons jumps"},st(Di("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),st(Di("▼","l\
-anding"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,l("div",{class:"buttons switches"},[...this.switches.values()]))}show(t){let{clock:e,
-playButton:s}=this;for(let[n,a]of this.switches)a.setAttribute("aria-pressed",String(t[n]));let i=e.playing?"Pause (space)":"Play (space)";(s.title!==i||!s.firstChild)&&
-(s.replaceChildren(L(e.playing?"pause":"play")),s.title=i,s.setAttribute("aria-label",i)),this.speeds.value!==String(e.speed)&&(this.speeds.value=String(e.speed))}nudge(t){
-this.clock.playing=!1,this.clock.seek(this.clock.time+t*An*Math.min(this.clock.speed,1))}jump(t,e=null){this.clock.playing=!1;let s=this.films().flatMap((c,p)=>c.
-events.map(d=>({event:d,lane:p}))).filter(({event:c})=>!e||(e==="impact"?c.kind===e:Oi(c))).sort((c,p)=>c.event.t-p.event.t),i=this.clock.time,n=t>0?s.find(({event:c})=>c.
-t>i+1e-9):s.findLast(({event:c})=>c.t<i-1e-9);if(!n&&e&&(n=s[0]),!n){e&&this.say(e==="takeoff"?"This motion has no flight.":"This motion has no landing.");return}
-this.clock.seek(n.event.t);let{event:a,lane:h}=n,r=this.films().length>1?`Hoop ${"AB"[h]}: `:"";this.tell(`${r}${Se[a.kind]??a.kind} at ${P(a.angle)}, ${x(a.t,4)}\
- s`)}};var Nt=class{constructor(t,e,s,{hosted:i=!1,panels:n=null,onmotion:a=()=>{}}={}){this.root=t,this.backend=e,this.hosted=i,this.onmotion=a,this.prepareRoot();let{
-colors:h}=s;this.known=s.presets,this.address=i?new Dt(this):null,this.clock=new Wt,this.motions=new de(e,{shown:r=>this.changed(r),settled:()=>this.story.announce(
-this.films()),noted:r=>this.noted(r),travelled:async r=>this.address?.travel(r),failed:(r,c)=>this.failed(r,c)}),this.notice=new ue,this.theme=new re(t,h,i,()=>this.
-show()),this.stage=new ke(h,()=>{this.request(),this.address?.soon()}),this.transport=new Pe(this.clock,()=>this.films(),r=>this.toggle(r),r=>this.notice.say(r),
-r=>this.story.say(r)),this.timeline=new Ae(this.clock),this.story=new Me(this.clock),this.theory=new Te,this.plots=new me(this.clock,h),this.phase=new fe(e,this.
-clock,h),this.map=new ce(e,s,{take:r=>{this.clock.time=0,this.motions.change(r,!0)},say:r=>this.story.say(r),changed:()=>this.address?.soon()}),this.controls=new Yt(
-s.controls,(r,c)=>this.motions.change(r,c)),this.share=new ge(this),this.singleKeys=new he(i),this.help=oi(s.version,h,this.singleKeys.element),this.hoops=new ae(
-r=>this.motions.choose(r)),this.header=new ne(s.presets,this.share.menu,{take:r=>this.take(r),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.
-motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(n),this.extras=new oe(this),this.requested=!1,this.surrounding=!1,this.
-taken=null,this.afterFrame=null,this.asked=null,this.later=U(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=this.frame.bind(this),this.clock.
-listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=ri(this,i),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){this.
-root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
-"true")}layOut(t){let{root:e,notice:s}=this,i=p=>!t||t.includes(p),n=l("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
-element),a=l("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?Mi(a,()=>this.request()):null;let h=l(
-"a",{class:"skip button",href:"#hh-player"},"Skip to the player");h.onclick=p=>{p.preventDefault(),this.timeline.element.focus()};let r=l("div",{class:"middle"},
-this.sticky?.edge,a,l("div",{class:"words"},this.story.element,i("theory")&&this.theory.element),i("map")&&this.map.element),c=l("div",{class:"why"},i("plots")&&
-this.plots.element,i("plots")&&this.phase.element);e.replaceChildren(l("div",{class:"page"},this.hosted&&h,this.header.element,l("div",{class:"columns"},i("cont\
-rols")&&n,r,c)),s.toast,this.share.dialog,this.help),e.classList.toggle("no-controls",!i("controls"))}async open(t,e={}){await this.motions.load(t),this.clock.duration=
-Math.max(...this.films().map(s=>s.duration)),this.restore(e),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.
+energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Ji=o=>o.kind==="takeoff"||o.to==="H"&&o.from!=="H"&&o.kind!=="impact";var vt={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
+↺",apex:"•"},Ss=Object.keys(vt);function Yi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ss.indexOf(i.kind)-Ss.indexOf(a.kind)||i.x-a.x),n=[];
+for(let{kind:i,x:a}of s){let r=Ss.indexOf(i)<Ss.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
+x+e))<e-1e-9)?l[0].mark!==vt[i]&&n.push({mark:vt[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:n.push({mark:vt[i],x:a,rare:r,hidden:0})}return n.sort((i,a)=>i.
+x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Zi(o,e,t){let s=[],n=new Map,i=-1,a=(l,h,d)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-h)<1e-6?u.
+wide+=d:s.push({mode:l,from:h,wide:d})},r=()=>{n.size&&a([...n].reduce((l,h)=>h[1]>l[1]?h:l)[0],i,1),n=new Map};for(let{mode:l,from:h,to:d}of o){let[u,m]=[Math.
+max(e(h),0),Math.min(e(d),t)];if(m>u)for(let p=u;p<m-1e-9;){if((Math.floor(p+1e-9)!==i||!n.size)&&(r(),i=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-i)<1e-6)){let b=Math.
+floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let g=Math.min(m,i+1);n.set(l,(n.get(l)??0)+g-p),p=g}}return r(),s}var Ms=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=c("canvas",{class:"timeline-canvas"}),this.tip=c("div",{class:"tip",hidden:!0}),
+this.element=c("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
+this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
+erleave",()=>this.tip.hidden=!0),this.pinched=Y(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
+let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:ze(this.window,e)}zoom(e,t){let[s,n]=this.ends(),i=1e-6*this.clock.duration,
+a=Math.max((n-s)*e,i),r=(t-s)/(n-s);this.window=a<this.clock.duration?ze([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
+return;let[e,t]=this.ends(),{time:s,duration:n}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=ze(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,n])}timeAt(e){let t=this.
+canvas.getBoundingClientRect(),[s,n]=this.ends();return s+y((e.clientX-t.left)/t.width,0,1)*(n-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+let t=this.clock.playing;this.clock.playing=!1;let s=n=>!this.pinched()&&this.clock.seek(this.timeAt(n));s(e),W(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
+let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(Ts[s.kind]??s.kind)} · ${_(s.t,5)} s · ${_(s.angle*180/Math.PI,4)}°`:`${_(t,4)} s`;this.tip.textContent=n,this.
+tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,n]=this.ends(),i=t*(n-s)/
+(this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let h=Math.abs(l.t-e);h<=i&&
+(!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=w=>(w-r)/(l-r)*
+i;n.clearRect(0,0,i,a);let d=15,u=(a-15)/e.length-d;e.forEach((w,f)=>{let k=d+f*(d+u);for(let{mode:T,from:E,wide:N}of Zi(w.phases,h,i)){let I=s.modes[T];n.fillStyle=
+I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[T]),E,N,k,u-2,I,t)}w.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(w.duration),0),k,i,u-2)),this.marks(
+n,w,h,k,i,t),e.length>1&&(n.fillStyle=ne(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="left",n.fillText("AB"[f],1,k-4))});let m=U(l-r,i/60);n.fillStyle=t.soft,
+n.font=`10.5px ${t.font}`;let p=ee(r,l,i/60);for(let w of p){let f=h(w);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(J(w,m)+(w===p[0]?" s":""),f,a-
+3)}let g=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,d-4,2,a-d-9),n.beginPath(),n.moveTo(g-6,d-10),n.lineTo(g+6,d-
+10),n.lineTo(b,d-1),n.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:n,playing:i}=this.clock,r=e.map((l,h)=>{let d=x(t.mode_names[l.at(s).mode]);return e.length>
+1?`${"AB"[h]} ${d}`:d}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",n.toFixed(3)),this.element.setAttribute("aria-valuen\
+ow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:_(s,4),what:ue(r)})))}named(e,t,s,n,i,a,r,l){e.font=`11px ${l.font}`,
+!(a<13||e.measureText(t).width+8>n)&&(e.fillStyle=Sn(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*n,i+.5*a+1),e.textBaseline="alphabetic")}marks(e,t,s,n,i,a){
+e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,x:s(h)})).filter(({x:l})=>l>=
+-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,n,1,5);e.fillStyle=a.ink;for(let{mark:l,x:h}of Yi(r))e.fillText(l,y(h,6,i-6),n-
+4)}};var ql=1/60,Cl=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],jl={three:"In space"},ke=(o,e,t)=>c(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},o),Xi=(o,e)=>c("span",{},c("span",{"aria-hidden":"true"},`${o} `),e),Es=class{titled="";constructor(e,t,s,n,i){
+this.clock=e,this.films=t,this.say=n,this.tell=i,this.playButton=ke($("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=c("\
+select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},dt.map(a=>c("option",{value:String(a)},`${a}×`))),this.speeds.value=
+"1",this.switches=new Map(Cl.map(([a,r,l])=>{let h=`${a==="three"?jl.three:r} (${l})`;return[a,c("button",{type:"button",class:"switch",title:h,onclick:()=>s(a)},
+r)]})),this.element=c("div",{class:"transport"},c("div",{class:"buttons"},ke($("start"),"To the start (Home)",()=>e.seek(0)),ke($("previous"),"Previous event (S\
+hift ←)",()=>this.jump(-1)),ke($("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,ke($("on"),"One frame on (→)",()=>this.nudge(1)),ke($("n\
+ext"),"Next event (Shift →)",()=>this.jump(1))),c("div",{class:"buttons jumps"},ke(Xi("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),ke(
+Xi("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,c("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
+clock:t,playButton:s}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let n=t.playing?"Pause (space)":"Play (space)";this.titled!==
+n&&(this.titled=n,s.replaceChildren($(t.playing?"pause":"play")),ct(s,"title",n),ct(s,"aria-label",n)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
+t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*ql*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
+flatMap((h,d)=>h.events.map(u=>({event:u,lane:d}))).filter(({event:h})=>!t||(t==="impact"?h.kind===t:Ji(h))).sort((h,d)=>h.event.t-d.event.t),n=this.clock.time,
+i=e>0?s.find(({event:h})=>h.t>n+1e-9):s.findLast(({event:h})=>h.t<n-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
+tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"";this.tell(`${l}${x("{what}\
+ at {angle}, {time} s",{what:x(Ts[a.kind]??a.kind),angle:q(a.angle),time:_(a.t,4)})}`)}};var Ge=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
+colors:r}=s;this.known=s.presets,this.address=n?new Dt(this):null,this.clock=new Ft,this.motions=new cs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
+story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new ds,this.theme=new _s(
+e,r,n,()=>this.show()),this.stage=new vs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Es(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Ms(this.clock),this.story=new ks(this.clock),this.theory=new xs,this.plots=new ms(this.clock,r),this.phase=
+new us(t,this.clock,r),this.map=new ls(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new Bt(s.controls,(l,h)=>this.motions.change(l,h)),this.share=new ps(this),this.singleKeys=new ns(n),this.help=pi(s.version,r,this.singleKeys.element),
+this.hoops=new os(l=>this.motions.choose(l)),this.header=new ss(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(i),this.extras=new ts(this),this.requested=!1,this.
+surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=re(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=this.frame.
+bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=gi(this,n),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
+this.root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
+"true")}layOut(e){let{root:t,notice:s}=this,n=d=>!e||e.includes(d),i=c("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
+element),a=c("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?Ni(a,()=>this.request()):null;let r=c(
+"a",{class:"skip button",href:"#hh-player"},"Skip to the player");r.onclick=d=>{d.preventDefault(),this.timeline.element.focus()};let l=c("div",{class:"middle"},
+this.sticky?.edge,a,c("div",{class:"words"},this.story.element,n("theory")&&this.theory.element),n("map")&&this.map.element),h=c("div",{class:"why"},n("plots")&&
+this.plots.element,n("plots")&&this.phase.element);t.replaceChildren(c("div",{class:"page"},this.hosted&&r,this.header.element,c("div",{class:"columns"},n("cont\
+rols")&&i,l,h)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!n("controls"))}async open(e,t={}){await this.motions.load(e),this.clock.duration=
+Math.max(...this.films().map(s=>s.duration)),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.
 dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.
-close(),this.sizes.disconnect(),this.deaf()}film(t=this.motions.active){return this.motions.film(t)}films(){return this.motions.films()}changed(t=null){this.notice.
-clear(),this.show(t)}failed(t,e=[]){this.controls.refuse(e,t.message)||(this.notice.fail(t),this.controls.restore()),this.showPreset()}noted(t){this.header.show(
-this.motions.history,this.motions.lanes.length>1),this.address?.write(t),this.onmotion(this.film().query)}link(){let{clock:t,stage:e,map:s}=this;return this.motions.
-link(Ls({time:t.time,options:e.options,zoom:e.flat.zoom,map:s.shown()}))}restore({time:t,options:e,zoom:s,map:i}){if(e){let{three:n,...a}=e;Object.assign(this.stage.
-options,a),n&&this.toggle("three")}s&&(this.stage.flat.zoom=s),i&&this.map.restore(i),t&&this.clock.seek(t)}showPreset(){let{query:t}=this.film(),e=this.known.find(
-s=>s.query===t);this.header.presets.value=e?.key??"",this.hoops.text.textContent=e?.text??""}async take(t){this.taken=t;try{let e=await this.backend.call("film",
-{query:t.query});if(this.taken!==t)return;this.clock.time=0,this.motions.replace(e),this.story.announce(this.films())}catch(e){this.failed(e)}}travel(t){return this.
-motions.travel(t)}show(t=null){let{motions:e,clock:s}=this,i=this.films();if(!i.length)return;let n=i.length>1;this.theme.read(),s.duration=Math.max(...i.map(a=>a.
-duration)),s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",n),this.header.show(e.history,n),this.hoops.show(i.length,e.active),this.drawStage(),
-this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),t!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-
-t),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let t=this.
-films(),{active:e}=this.motions,{look:s,colors:i}=this.theme;this.plots.draw(t,e,s),this.phase.draw(t,e,s),this.story.draw(t,e,i),this.drawTime(),this.map.mark(
-this.film(),s),this.stage.describe(t),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){
-let{time:t}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(t),this.phase.cursor(t),this.story.
-cursor(t),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(t){this.requested=!1,this.
-motions.lanes.length&&(this.clock.tick(t),this.drawStage(),this.drawTime(),this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){
-let{scenario:t}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked;try{let s=await this.backend.call("theory",{scenario:t},
-e);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(t,e)}catch(s){let{name:i,message:n}=s;i!=="AbortError"&&this.theory.draw([{label:"\
-–",text:n}])}}toggle(t){let{options:e}=this.stage;if(t!=="three")e[t]=!e[t];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
-this.transport.show(e),this.address?.soon(),this.request()}};async function In(o){let t=new URL("./",document.baseURI.split(/[?#]/)[0]),e=new Ht(t),s;try{s=(await e.call("setup",{})).header}catch(h){o.textContent=h.message;
-return}let i=new Nt(o,e,s,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let n=new URLSearchParams(location.hash.slice(1)).get("with"),a=Ns(location.hash);
-try{await i.open([location.search.slice(1),...n===null?[]:[n]],a)}catch(h){history.replaceState(null,"",t),await i.open([""]),i.notice.fail(h)}}function $n({model:o,
-el:t}){let e=document.createElement("div");t.append(e);let s=new qt(o),i=new Nt(e,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set(
-"query",a),o.save_changes())}});i.motions.set([ft(o.get("film"))]),i.begin();let n=()=>i.motions.replace(ft(o.get("film")));return o.on("change:film",n),()=>{o.
-off("change:film",n),s.close(),i.close()}}var Hi=document.getElementById("hophoop-lab");Hi&&In(Hi);var Gl={render:$n};export{Gl as default};
+close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){this.notice.
+clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(
+this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(){let{clock:e,stage:t,map:s}=this;return this.motions.
+link(Bn({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:n}){if(t){let{three:i,...a}=t;Object.assign(this.stage.
+options,a),i&&this.toggle("three")}s&&(this.stage.flat.zoom=s),n&&this.map.restore(n),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(
+s=>s.query===e);this.header.presets.value=t?.key??"",M(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.
+query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){return this.motions.
+travel(e)}show(e=null){let{motions:t,clock:s}=this,n=this.films();if(!n.length)return;let i=n.length>1;this.theme.read(),s.duration=Math.max(...n.map(a=>a.duration)),
+s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(n.length,t.active),this.drawStage(),this.controls.
+show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.
+surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),
+{active:t}=this.motions,{look:s,colors:n}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,n),this.drawTime(),this.map.mark(this.film(),
+s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){let{
+time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(
+e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.motions.
+lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),
+this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;
+let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(
+e,t)}catch(s){let{name:n,message:i}=s;n!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else
+try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var _o=class extends Error{},To=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:n}=this.waiting;this.waiting=null,t.error?n(new Error(
+t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
+reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let n=new Promise((i,a)=>{this.waiting=
+{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),n}},kt=class{constructor(e,t,s,n){this.start=e,this.compiled=t,this.
+size=s,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
+resolve(new To(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,n=[]){
+s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new _o(`This takes longer than ${this.
+limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),s?.removeEventListener(
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
+events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
+"damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
+"omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","friction","impact_normal","impact_tangential","gain",
+"collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","friction_force","normal_force","friction","impact_norm\
+al","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],compliant:["law","friction_law","stiffness","damping","rest\
+itution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh","linear","bristle"],chosen:["stiffness","tangen\
+tial_stiffness","slip_speed","depth","steps","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_fric\
+tion","needed_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","m\
+assless_loss_by_friction"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","t\
+akeoff_time","takeoff_angle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","\
+hop","painleve"],keys:4,letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{
+angle:6.283185307179586,stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,
+status:0,ending:0,first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,
+takeoff_time:1,takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undet\
+ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stic\
+k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
+"no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
+"slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ve=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Hp=Ve(v.cell),fe=Ve(v.heads),K=Ve(v.events),So=Ve(v.samples),Qi=Ve(v.numbers),Mo=Ve(v.words),Dl={newton:0,poisson:1,
+stronge:2};function Je(o){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:Dl[o.impact_law],
+strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return v.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function Eo(o){let e=t=>t??Number.NaN;return Float64Array.
+of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var As=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
+rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
+n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Fl=150,Wl=240,$l=6e3,[Vp,ea,ta]=[0,1,2],Bl={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ao(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.
+ceil(n*Fl),Wl),$l),a=v.events.length,r=new Set;for(let p=0;p<=i&&n>0;p++)r.add(p===i?n:p*(n/i));let l=new Set;for(let p=0;p<s;p++)l.add(Math.min(t[p*a+K.t],n));
+for(let p of l)r.add(p);let h=Float64Array.from(r).sort(),d=Float64Array.from(l).filter(p=>p>0).sort(),u=o.states(e,h,!1),m=o.states(e,d,!0);return Hl(h,u,d,m)}
+function Hl(o,e,t,s){let n=o.length+t.length,i=v.samples.length,a=new Float64Array(n),r=new Float64Array(n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=
+o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*i),l++;let d={t:a};for(let[u,m]of Object.entries(Bl)){let p=new Float64Array(
+n);for(let g of m)for(let b=0;b<n;b++)p[b]+=r[b*i+So[g]];d[u]=p}return d.mode=Kl(r,n,d.omega),d}function Kl(o,e,t){let s=v.samples.length,n=new Float64Array(e),
+i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(t[a])||i;let r=o[a*s+So.mode],l=r===ea?-1:r===ta?1:0;n[a]=l===0?r:l*i<0?
+ea:ta}return n}function sa(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Ul(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
+get(i);a===void 0&&(a=t.size,t.set(i,a)),s[n]=a}return{values:s,sequences:[...t.keys()]}}function Ul(o){let e="";for(let t of o){let s=t;for(let n=0;n<v.letters_a_key&&
+s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===v.more?"+":v.letters[i-1])}}return e}var Gl=256,Vl=2048,Jl=4096,Yl=2e5,Zl=v.statuses.indexOf("buffer"),Xl=new Set(["turn","apex","kane_gain","rest"]),zo=o=>Number.isFinite(o)?o:null,zs=class{constructor(e){
+this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new As(this.exports),this.mostEvents=Gl,this.mostSegments=Vl,this.mostRows=
+Jl}call(e,...t){let s=this.exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=v.events.length;for(;;){let n=t.
+room("table",8*s*this.mostEvents),i=t.room("heads",8*v.heads.length);e.contact?this.computeCompliant(e,e.contact,n,i):this.computeRigid(e,n,i);let a=t.floats(i,
+v.heads.length).slice(),r=a[fe.events];if(a[fe.status]===Zl)this.makeRoom(e,a[fe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
+let l=t.floats(n,r*s).slice();return{given:e,head:a,rows:l,count:r,duration:a[fe.duration],segments:a[fe.segments]}}}}computeRigid(e,t,s){let{memory:n}=this,i=n.
+put("cell",Je(e)),a=n.room("events",v.event_bytes*this.mostEvents),r=n.room("segments",v.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,
+r,this.mostSegments,t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",Je(e)),r=i.put("contact",Eo(t)),l=i.room("events",v.event_bytes*this.mostEvents),
+h=i.room("rows",v.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Yl,h,this.mostRows,s,n)}makeRoom(e,t){e.contact?this.
+mostRows=t:this.mostSegments*=4}motion(e){return oa(this.compute(e))}film(e){let t=this.compute(e);return{motion:oa(t),columns:Ao(this,t)}}columns(e){return Ao(
+this,this.compute(e))}samples(e,t){let s=this.states(this.compute(e),t,!1),n=v.samples.length;return Object.fromEntries(v.samples.map((i,a)=>[i,Float64Array.from(
+t,(r,l)=>s[l*n+a])]))}states(e,t,s){let{memory:n}=this,i=t.length*v.samples.length,a=n.put("times",t),r=n.room("states",8*Math.max(i,1)),l=n.room("cell",8),h=[e.
+segments,a,t.length,Number(s),r];return e.given.contact?this.call("compliant_samples",l,n.room("contact",8),n.room("rows",8),...h):this.call("samples",l,n.room(
+"segments",8),...h),n.floats(r,i).slice()}thresholds(e){let{memory:t}=this,s=t.put("cell",Je(e)),n=t.room("answers",8*v.thresholds.length),i=e.rolling&&e.angle===
+0;this.call("thresholds",s,i?e.vx:Number.NaN,n);let a=t.floats(n,v.thresholds.length),r=h=>{let d=a[v.thresholds.indexOf(h)];return Number.isNaN(d)?null:d},l=["\
+jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
+"immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(h=>h!==
+null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,n,
+i],a,r){let{memory:l}=this,h=l.put("cell",Je(e)),d=l.room("modes",a*r),u=l.room("sides",a);this.call("regions",h,t,s,n,i,a,r,d,u);let{buffer:m}=this.exports.memory;
+return{modes:new Uint8Array(m,d,a*r).slice(),paradox:Float32Array.from(new Int8Array(m,u,a))}}map({count:e,rows:t},s,n){let{memory:i}=this,a=i.put("cells",t),r=i.
+room("numbers",8*e*v.numbers.length),l=i.room("words",4*e*v.words.length),h=i.room("keys",8*e*v.keys),{angle:d,stop:u,timed:m}=v.spans[n],p=v.wanted[s];this.call(
+"map_cells",a,e,d??Number.NaN,u,m,p,r,l,h);let{buffer:g}=this.exports.memory;if(s==="sequence")return sa(new BigUint64Array(g,h,e*v.keys),e);let b=new Float64Array(
+e);if(s in Mo){let w=new Int32Array(g,l,e*v.words.length);for(let f=0;f<e;f++)b[f]=w[f*v.words.length+Mo[s]]}else{let w=i.floats(r,e*v.numbers.length);for(let f=0;f<
+e;f++)b[f]=w[f*v.numbers.length+Qi[s]]}return{values:b}}ideal(e){let t=this.memory.room("answers",8*v.thresholds.length);return this.call("ideal_hoop",e,t),this.
+memory.floats(t,1)[0]}combine(e,t){let{memory:s}=this,n=s.put("parts",t.flatMap(Ql)),i=s.room("answers",8*v.thresholds.length),a=s.room("reaches",8*t.length);this.
+call("hoop_of_parts",e,n,t.length,i,a);let[r,l,h]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:h,reaches:[...s.floats(a,t.length)]}}compliance(e){let{
+memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let s=t.put("cell",Je(e)),n=t.put("contact",Eo(e.contact)),i=t.room("answers",8*v.thresholds.
+length);this.call("compliance",s,n,i);let a=t.floats(i,v.chosen.length),r=l=>a[v.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tang\
+ential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),steps:r("steps"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Ql(o){
+let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=v.shapes.indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,
+o.mass,o.radius,0,o.at]:o.shape==="rod"?[t,o.mass,o.length,0,o.at]:[t,o.mass,0,0,o.at]}var eh=["friction","impact_normal","impact_tangential","rolling_resistanc\
+e"],th=["kinetic","potential",...eh,"residual"],na=["x","height","angle","vx","vy","omega"];function oa({given:o,head:e,rows:t,count:s,duration:n}){let i=v.events.
+length,a=Array.from({length:s},(h,d)=>sh(t.subarray(d*i,(d+1)*i))),r=a[s-1],l=Object.fromEntries([...th,...o.contact?["spring","damping"]:[]].map(h=>[h,e[fe[h]]]));
+return{status:v.statuses[e[fe.status]],sequence:oh(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(na.map(h=>[h,r[h]]))},energy:l,doubt:zo(e[fe.
+doubt_from])}}function sh(o){let e=v.kinds[o[K.kind]],t=o[K.from_mode],s={t:o[K.t],kind:e,from:t<0?null:v.letters[t],to:v.letters[o[K.to_mode]]};for(let n of na)
+s[n]=zo(o[K[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,zo(o[K[`before_${n}`]])])),s.impulse={normal:o[K.impulse_normal],tangential:o[K.
+impulse_tangential]},o[K.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[K.gain]),o[K.stable]>=0&&(s.stable=o[K.stable]===1),s}function oh(o){let e=o.
+filter(s=>!Xl.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var ia=1e4,Ro=256;function aa(o){let e=URL.createObjectURL(new Blob([o],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var xt=class o{constructor(e,t){
+this.mechanics=new zs(e),this.motions=new kt(t,e,2,ia);let s=navigator.hardwareConcurrency||2;this.maps=new kt(t,e,Math.max(1,Math.min(s-1,8)),ia)}static async load(e){
+let t=new URL(`hophoop.wasm?${v.module}`,e),s=await fetch(t);if(!s.ok)throw new Error(`The kernel is not there: ${t.pathname} gives ${s.status}.`);let i=await(s.
+headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(s):WebAssembly.compile(await s.arrayBuffer())),a=new URL(`kernel.js?${v.module}`,e);
+return a.origin===globalThis.location?.origin?new o(i,()=>new Worker(a,{type:"module"})):new o(i,aa(await(await fetch(a)).text()))}static async unpack(e,t){let s=new Blob(
+[e]).stream().pipeThrough(new DecompressionStream("gzip")),n=await WebAssembly.compile(await new Response(s).arrayBuffer());return new o(n,aa(t))}motion(e,t){return this.
+motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t){return this.motions.ask("columns",[e],t)}samples(e,t,s){return this.motions.
+ask("samples",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,n,i){return this.motions.ask("regions",[e,t,s,n],i)}async map({
+count:e,rows:t},s,n,i){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],h=async u=>{let m=Math.min(Ro,e-u),p=new Float64Array(a*m);for(let w=0;w<
+a;w++)p.set(t.subarray(w*e+u,w*e+u+m),w*m);let g=await this.maps.ask("map",[{count:m,rows:p},s,n],i,[p.buffer]),b=g.sequences?.map(w=>(l.includes(w)||l.push(w),
+l.indexOf(w)));for(let w=0;w<m;w++)r[u+w]=b?b[g.values[w]]??Number.NaN:g.values[w]},d=Array.from({length:Math.ceil(e/Ro)},(u,m)=>m*Ro);return await Promise.all(
+d.map(h)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close()}};function Po(o,e){let[t,s,n]=[0,0,0];for(let i=0;i<o.length;i++)for(let a=0;a<e.length;a++){let r=0;for(;i+r<o.length&&a+r<e.length&&o[i+r]===e[a+r];)r++;r>t&&([
+t,s,n]=[r,i,a])}return t?t+Po(o.slice(0,s),e.slice(0,n))+Po(o.slice(s+t),e.slice(n+t)):0}function ra(o,e){let t=[...o],s,n=0;for(let i of e){let a=[...i],r=a.length+
+t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*Po(a,t)/r;l>=.6&&(l>n||l===n&&s!==void 0&&i>s)&&([s,n]=[i,l])}return s}var la={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
+unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
+{path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e6,also:[0]}},{path:"hoop.radius",label:"Radius",symbol:"R",unit:"m",help:"Rim radius",least:.05,most:3,step:.05,logarithmic:!1,
+degrees:!1,allowed:{least:1e-6,most:1e6,also:[]}},{path:"hoop.mass",label:"Mass",symbol:"m",unit:"kg",help:"Total mass",least:.1,most:10,step:.1,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e12,also:[]}}],plane:[{path:"plane.mu",label:"Friction",symbol:"μ",unit:"",help:"Friction, static and kinetic",least:0,most:1.5,
+step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_static",label:"Static friction",symbol:"μs",unit:"",help:"Static fr\
+iction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_kinetic",label:"Kinetic friction",symbol:"μ\
+k",unit:"",help:"Kinetic friction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.slope",label:"Slope",
+symbol:"β",unit:"°",help:"Slope of the plane, downhill along +x",least:-30,most:30,step:.5,logarithmic:!1,degrees:!0,allowed:{least:-1.57,most:1.57,also:[]}},
+{path:"plane.gravity",label:"Gravity",symbol:"g",unit:"m/s²",help:"Gravity",least:0,most:25,step:.01,logarithmic:!1,degrees:!1,allowed:{least:1e-6,most:1e6,also:[
+0]}},{path:"plane.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution of an impact",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{
+least:0,most:1,also:[]}},{path:"plane.rolling_resistance",label:"Rolling resistance",symbol:"f",unit:"",help:"Rolling resistance: couple against the rotation ov\
+er R N",least:0,most:.2,step:.001,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],start:[{path:"start.speed",label:"Speed",symbol:"v₀",unit:"m/s",
+help:"Velocity of the centre in a rolling start",least:-6,most:6,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.angle",label:"\
+Load angle",symbol:"θ₀",unit:"°",help:"Angle from the plane's normal to the centre of gravity",least:-180,most:180,step:.5,logarithmic:!1,degrees:!0,allowed:{
+least:-1e6,most:1e6,also:[]}},{path:"start.height",label:"Height of the gap",symbol:"y₀",unit:"m",help:"Gap between rim and plane",least:0,most:2,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:0,most:1e6,also:[]}},{path:"start.vx",label:"Speed along",symbol:"ẋ₀",unit:"m/s",help:"Velocity of the centre along the plane",least:-8,
+most:8,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.vy",label:"Speed upwards",symbol:"ẏ₀",unit:"m/s",help:"Velocit\
+y of the centre away from the plane",least:-5,most:5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.omega",label:"Angula\
+r velocity",symbol:"θ̇₀",unit:"rad/s",help:"Angular velocity",least:-15,most:15,step:.05,logarithmic:!1,degrees:!1,allowed:{least:-1e9,most:1e9,also:[]}}],contact:[
+{path:"contact.stiffness",label:"Stiffness",symbol:"k",unit:"N/m",help:"Stiffness of the contact",least:100,most:1e8,step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-6,
+most:1e18,also:[]}},{path:"contact.slip_speed",label:"Slip speed",symbol:"vₛ",unit:"m/s",help:"Slip velocity over which friction builds up",least:1e-7,most:.1,
+step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-12,most:1e6,also:[]}},{path:"contact.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution th\
+at the damping is chosen for",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],motion:[{path:"duration",label:"Duration",symbol:"\
+T",unit:"s",help:"Duration of the motion",least:.5,most:30,step:.5,logarithmic:!1,degrees:!1,allowed:{least:1e-9,most:1e9,also:[]}}]},choices:[{path:"plane.impa\
+ct_law",label:"Law of impact",options:[["stronge","Stronge (energy)"],["poisson","Poisson (impulse)"],["newton","Newton (velocity)"]],help:"Law of restitution"},
+{path:"plane.painleve",label:"Painlevé: two solutions",options:[["flight","flight"],["impact","impact"]],help:"What follows an indeterminate contact"},{path:"c\
+ontact.model",label:"Contact model",options:[["rigid","rigid"],["compliant","compliant"]],help:"Contact model"},{path:"contact.law",label:"Normal force",options:[
+["kelvin-voigt","Kelvin–Voigt"],["hunt-crossley","Hunt–Crossley"]],help:"Normal force"},{path:"contact.friction",label:"Friction law",options:[["tanh","smoo\
+th (tanh)"],["linear","linear"],["bristle","bristle (can hold)"]],help:"Regularised friction"}],gravities:[["Earth",9.81],["Moon",1.62],["Mars",3.71],["Jupiter",
+24.79],["Weightless",0]],map_axes:[{path:"start.speed",label:"Speed v₀",unit:"m/s",degrees:!1,range:[0,5],allowed:[-1e6,1e6]},{path:"start.angle",label:"Angle\
+ of the load θ₀",unit:"°",degrees:!0,range:[-3.141592653589793,3.141592653589793],allowed:[-1e6,1e6]},{path:"start.vx",label:"Speed along ẋ₀",unit:"m/s",
+degrees:!1,range:[-6,6],allowed:[-1e6,1e6]},{path:"start.omega",label:"Angular velocity θ̇₀",unit:"rad/s",degrees:!1,range:[-8,8],allowed:[-1e9,1e9]},{path:"\
+start.height",label:"Height of the gap y₀",unit:"m",degrees:!1,range:[0,1],allowed:[0,1e6]},{path:"hoop.load_fraction",label:"Load fraction γ",unit:"",degrees:!1,
+range:[.05,.99],allowed:[0,1]},{path:"hoop.eccentricity",label:"Eccentricity ε",unit:"",degrees:!1,range:[.05,.95],allowed:[0,1]},{path:"hoop.inertia_ratio",label:"\
+Inertia ratio κ",unit:"",degrees:!1,range:[.05,1],allowed:[0,1e6]},{path:"hoop.radius",label:"Radius R",unit:"m",degrees:!1,range:[.1,2],allowed:[1e-6,1e6]},{path:"\
+plane.mu",label:"Friction μ",unit:"",degrees:!1,range:[0,1.5],allowed:[0,1e6]},{path:"plane.slope",label:"Slope β",unit:"°",degrees:!0,range:[-.35,.35],allowed:[
+-1.57,1.57]},{path:"plane.gravity",label:"Gravity g",unit:"m/s²",degrees:!1,range:[1,20],allowed:[0,1e6]},{path:"plane.restitution",label:"Restitution e",unit:"",
+degrees:!1,range:[0,1],allowed:[0,1]},{path:"plane.rolling_resistance",label:"Rolling resistance f",unit:"",degrees:!1,range:[0,.1],allowed:[0,1]}]},map_quantities:[
+["sequence","what happens in the first turn"],["hop_height","height of the first hop"],["takeoff_angle","angle of take-off"],["flight_time","duration of the fir\
+st hop"],["greatest_utilization","greatest friction utilization"],["energy_lost","energy lost"],["end_angle","angle at the end"],["painleve","Painlevé’s paradox\
+ or jam met"],["ending","how it ends"]],presets:[{key:"hop",group:"The article",title:"It hops: 3.1 m/s",text:"Slips twice, then leaves the plane just before a \
+full turn and flies for 0.76 s.",query:"duration=3"},{key:"slip",group:"The article",title:"It slips: 2.8 m/s",text:"Friction is used up twice a turn; each slip\
+ is weaker than the one before, and none is the last.",query:"duration=4&start.speed=2.8"},{key:"roll",group:"The article",title:"It rolls: 2 m/s",text:"Pure ro\
+lling, faster and more even than after a slow start, and close to the limit of friction.",query:"duration=3.4&start.speed=2"},{key:"slow",group:"The article",title:"\
+The smallest push: 0.1 m/s",text:"Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.",query:"start.speed=0.1"},{key:"slippe\
+ry",group:"The article",title:"Low friction: 0.1 m/s, μ = 0.3",text:"Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",query:"durat\
+ion=15&plane.mu=0.3&start.speed=0.1"},{key:"littlewood",group:"Littlewood's hoop",title:"All mass in the load",text:"A massless ring: at 90° no contact force is\
+ left; the load falls, the rim skims the plane.",query:"duration=3&hoop.load_fraction=1&start.speed=0.1"},{key:"littlewood-fast",group:"Littlewood's hoop",title:"\
+All mass in the load, pushed",text:"With a push the contact force is gone earlier, at cos θ = v₀²/(gR).",query:"duration=3&hoop.load_fraction=1&start.speed=\
+2"},{key:"nearly-massless",group:"Littlewood's hoop",title:"Nearly all mass in the load",text:"γ = 0.99: what a real ring does instead of Littlewood's hop.",query:"\
+hoop.load_fraction=0.99&start.speed=0.1"},{key:"inconsistent",group:"Paradoxes",title:"Painlevé: no solution",text:"No contact force agrees with this slip. An \
+impact without collision stops it at once.",query:"duration=3&plane.mu=1.2&start.angle=-0.7&start.vx=3&start.omega=1"},{key:"indeterminate",group:"Paradoxes",title:"\
+Painlevé: two solutions",text:"Flight and impact both agree with the laws. Choose which with the switch under Plane.",query:"duration=3&plane.mu=1.2&start.angl\
+e=-0.7&start.vx=8&start.omega=5"},{key:"jam",group:"Paradoxes",title:"Dynamic jam",text:"A fast slide after a hop: the contact force grows without bound in fini\
+te time, and no law says what follows.",query:"duration=3&hoop.load_fraction=0.9&start.angle=5.14&start.vx=23&start.omega=5.6"},{key:"kane",group:"Paradoxes",title:"\
+Kane: energy out of nothing",text:"Newton's law of impact with friction creates two joules. Stronge's law does not.",query:"duration=1.5&plane.mu=0.6&plane.rest\
+itution=0.8&plane.impact_law=newton&start.height=0.3&start.angle=1.45&start.vx=2.16&start.omega=-6.44"},{key:"downhill",group:"More",title:"Downhill",text:"On a\
+ slope of 10° the hoop gains speed from turn to turn, until it hops.",query:"duration=5&plane.slope=0.17453292519943295&plane.mu=0.8&start.speed=1.5"},{key:"bo\
+unces",group:"More",title:"Bounces without number",text:"Dropped with spin and restitution 0.5: infinitely many bounces in finite time.",query:"duration=4&plane\
+.mu=0.4&plane.restitution=0.5&start.height=0.5&start.angle=0.4&start.vx=0.2&start.omega=2"},{key:"moon",group:"More",title:"On the Moon",text:"The article's hop\
+ under lunar gravity: everything is slower by a factor of 2.46.",query:"duration=15&plane.gravity=1.62&start.speed=1.2597509583501894"}],colors:{modes:{R:"#0072\
+B2",S:"#E69F00",K:"#CC79A7",H:"#D55E00",M:"#F0E442"},mode_names:{R:"roll",S:"spin",K:"skid",H:"flight",M:"skim"},gravity_center:"#009E73",airborne:"#CC1F1A",center_speed:"\
+#000000",rotation_speed:"#00857A",kinetic:"#1B3A78",potential:"#667300",friction_loss:"#8F3B0A",impact_loss:"#8E1B5F",normal_force:"#5B3FA8",friction_force:"#8F\
+3B0A",limit:"#6E6E6E"}},schema:"hophoop/1",scenario:{sections:{hoop:["Hoop"],plane:["Plane"],start:["Start"],contact:["Rigid","Compliant"]},models:{Scenario:{place:"",
+fields:{duration:{kind:"number",unit:"s",default:6,limits:[["greater_than",0]],range:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09 s"}},hoop:{kind:"section",unit:""},
+plane:{kind:"section",unit:""},start:{kind:"section",unit:""},contact:{kind:"section",unit:""}}},Hoop:{place:"hoop.",fields:{radius:{kind:"number",unit:"m",default:1,
+limits:[["greater_than",0]],range:{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06 m"}},mass:{kind:"number",unit:"kg",default:1,limits:[["greater_than",0]],range:{
+least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},load_fraction:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_th\
+an_equal",1]]},eccentricity:{kind:"number",unit:"1",default:.75,limits:[["greater_than_equal",0],["less_than_equal",1]]},inertia_ratio:{kind:"number",unit:"1",default:.4375,
+limits:[["greater_than_equal",0]],range:{least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]}},parts:{kind:"parts",unit:"",nullable:!0,default:null}}},
+Plane:{place:"plane.",fields:{gravity:{kind:"number",unit:"m/s²",default:9.81,limits:[["greater_than_equal",0]],range:{least:1e-6,most:1e6,words:"0 or from 1e-\
+06 to 1e+06 m/s²",also:[0]}},slope:{kind:"number",unit:"rad",default:0},mu:{kind:"friction",unit:"1",nullable:!0,default:null,range:{least:0,most:1e6,words:"fr\
+om 0 to 1e+06, or inf",also:["inf"]}},mu_static:{kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_kinetic:{
+kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},restitution:{kind:"number",unit:"1",default:0,limits:[
+["greater_than_equal",0],["less_than_equal",1]]},impact_law:{kind:"word",unit:"",default:"stronge",options:["stronge","newton","poisson"],expected:"'stronge', '\
+newton' or 'poisson'"},painleve:{kind:"word",unit:"",default:"flight",options:["flight","impact"],expected:"'flight' or 'impact'"},rolling_resistance:{kind:"num\
+ber",unit:"1",default:0,limits:[["greater_than_equal",0],["less_than_equal",1]]}}},Start:{place:"start.",fields:{x:{kind:"number",unit:"m",default:0,range:{least:-1e9,
+most:1e9,words:"from -1e+09 to 1e+09 m"}},height:{kind:"number",unit:"m",default:0,limits:[["greater_than_equal",0]],range:{least:0,most:1e6,words:"from 0 to 1e\
++06 m"}},angle:{kind:"number",unit:"rad",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 rad"}},speed:{kind:"number",unit:"m/s",nullable:!0,default:null,
+range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},vx:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},
+vy:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},omega:{kind:"number",unit:"rad/s",nullable:!0,default:0,range:{
+least:-1e9,most:1e9,words:"from -1e+09 to 1e+09 rad/s"}}}},Rigid:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"rigid",options:["rigid"],expected:"\
+'rigid'"},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Compliant:{place:"contact.",fields:{model:{
+kind:"word",unit:"",default:"compliant",options:["compliant"],expected:"'compliant'"},stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["gre\
+ater_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},damping:{kind:"number",unit:"N s/m or s/m",nullable:!0,default:null,limits:[["great\
+er_than_equal",0]],range:{least:0,most:1e12,words:"from 0 to 1e+12"}},restitution:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",
+0],["less_than_equal",1]]},law:{kind:"word",unit:"",default:"kelvin-voigt",options:["kelvin-voigt","hunt-crossley"],expected:"'kelvin-voigt' or 'hunt-crossley'"},
+friction:{kind:"word",unit:"",default:"tanh",options:["tanh","linear","bristle"],expected:"'tanh', 'linear' or 'bristle'"},slip_speed:{kind:"number",unit:"m/s",
+nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m/s"}},tangential_stiffness:{kind:"number",unit:"N/m",
+nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},rtol:{kind:"number",unit:"1",nullable:!0,default:null,
+limits:[["greater_than",0]],range:{least:1e-10,most:.1,words:"from 1e-10 to 0.1"}},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],
+["less_than_equal",1e7]]}}},Ring:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"ring",options:["ring"],expected:"'ring'"},mass:{kind:"number",
+unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},inner_radius:{kind:"number",unit:"m",required:!0,
+limits:[["greater_than_equal",0]]},outer_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to\
+ 1e+06 m"}}}},Disk:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"disk",options:["disk"],expected:"'disk'"},mass:{kind:"number",unit:"kg",required:!0,
+limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],
+range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0}}},PointMass:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",
+default:"point_mass",options:["point_mass"],expected:"'point_mass'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,
+words:"from 1e-12 to 1e+12 kg"}},at:{kind:"number",unit:"m",required:!0}}},Rod:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"rod",options:["\
+rod"],expected:"'rod'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},length:{
+kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0},
+direction:{kind:"word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"\
+PointMass",rod:"Rod"},paths:["duration","hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.parts","plane.gravity","pl\
+ane.slope","plane.mu","plane.mu_static","plane.mu_kinetic","plane.restitution","plane.impact_law","plane.painleve","plane.rolling_resistance","start.x","start.h\
+eight","start.angle","start.speed","start.vx","start.vy","start.omega","contact.model","contact.max_events","contact.stiffness","contact.damping","contact.resti\
+tution","contact.law","contact.friction","contact.slip_speed","contact.tangential_stiffness","contact.rtol"],ends:{"hoop.load_fraction":["eccentricity","inertia\
+_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_fraction","parts"],"hoop.parts":["load_fraction","eccentricity","iner\
+tia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kinetic":["mu"],"start.speed":["height","vx","vy","omega"],"start.he\
+ight":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damping":["restitution"],"contact.restitution":["damping"]},ranges:{"\
+hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"},"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]},"plane.s\
+lope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57 rad"}},relative:{stiffness:{least:.01,most:1e15,words:"from 0.01 to 1e+15",of:"m g/R"},tangential_stiffness:{
+least:.01,most:1e15,words:"from 0.01 to 1e+15",of:"m g/R"},slip_speed:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06",of:"√(g R)"}},most_depth:100,touch:1e-12,
+default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"flight"},start:{x:0,angle:0,
+speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"{path} is not a known key; {hint}",did_you_mean:"did you mean {close}?",known_are:"known\
+ are {known}.",missing:"{path} is missing.",together:"{section}.{other} cannot be given together with {section}.{way}.",finding:"{path} = {shown} {allowed}.",number:"\
+must be a number",friction:"must be at least 0 (inf is allowed)",whole:"must be a whole number",finite_number:"must be a finite number",greater_than:"must be gr\
+eater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"must be less than {limit:g}",less_than_equal:"must be at most {limit:g}",range:"\
+must be {words}",literal_error:"must be {expected}",table:"must be a table of keys",list:"must be a list",word:"must be a word",other_problem:"{first} (and {cou\
+nt} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"the scenario",no_parts:"hoop.parts must not be empty.",half_a_hoop:"ho\
+op.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"hoop.inertia_ratio = 0 needs hoop.eccentricity = 1 (all mass in\
+ a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"hoop.parts give hoop.inertia_ratio = {inertia_rati\
+o!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r}, which must be {words}.",ring_radii:"\
+ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.{index} ({shape}) reaches {reach!r} m from the centre, \
+beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must not exceed plane.mu_static = {mu_static!r}.",vertical:"p\
+lane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be {words}.",no_omega:"start.omega = None must be a numbe\
+r.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"plane.rolling_resistance = {given!r}\
+ must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {most:.6g} for this hoop, whose inert\
+ia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio =\
+ 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.{name} = {value!r} is {relative:.3g}\
+ {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e} radii into the plane, at the spe\
+ed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known are {known}.",no_section_parts:"{pa\
+th} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r} cannot be given together.",not_there:"\
+{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",beside_a_value:"{path} cannot stand be\
+side a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: parts are numbered from 0 without a gap."},
+words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"flies",skim:"skims the plane"},events:{
+start:"starts",slip_start:"slips",stick:"rolls",slip_reversal:"slips the other way",takeoff:"hops",impact:"lands",turn:"turns back",apex:"is highest",bounce_limit:"\
+has bounced out",painleve_inconsistent:"meets Painlevé's paradox",painleve_indeterminate:"meets Painlevé's indeterminacy",jam:"jams",kane_gain:"gains energy (\
+Kane)",skim:"skims",rest:"rests",end:"ends"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grows without bound (dynamic jam): r\
+igid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit of events (contact.max_events),\
+ or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"hop",M:"skim","+":"…"},story:{start:"It {started} with\
+ the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"starts skimming",slip_start:"I\
+t {verb} at {where}; friction is used up: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction is used up: the rim turns too fast for the way \
+it goes.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip turns round at {where}; it {verb}.",takeoff:"It hops at {where}.",takeoff_and_landing:"\
+It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s downwards and {verb}.",impact_bounce:"It lands at {w\
+here} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {where} stops the slip; then it {verb}.",turn:"It turns \
+back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {where}: the gap is {gap}.",bounce_limit:"Bounces with\
+out number end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agrees with this slip.",painleve_indeterminate:"Painle\
+vé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact force grows without bound.",kane_gain:"Newton's law of\
+ impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls freely and the rim skims the plane.",rest:"It rests at\
+ {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"It bounces {count} more times.",left_out:"…\
+ and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at once",more_bounces:"and {count} more times",more_changes:"\
+, … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"Hops at once",needed_friction:"Friction for pur\
+e rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"at {where} friction is used up",loss_of_contact:"\
+at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"would hop at once",any_push:"{would}: a\
+ny push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"no friction keeps it rolling",
+friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is)",never:"never",paradox_here:"\
+from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip at {places}",rest_at:"with the l\
+oad at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it"},least_speed:1e-9},
+classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0072B2",reversal:"#009E73",takeoff:"\
+#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"\
+#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",takeoff:"#D55E00",stick:"#0072B2",turn:"#009E73",end:"#56B4E9",impact:"#F0E442",slip_reversal:"\
+#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},hops:"#D55E00",rolls:"#0072B2",
+other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
+"angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{
+label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
+label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
+label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
+label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
+label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
+ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
+t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
+ the lab; the library itself has no such limit.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.pa\
+th are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compl\
+iant' must be 'rigid' for a map.",not_a_pair:"changes holds {change}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,
+cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"\
+J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},degrees:["plane.slope","start.an\
+gle"]};var S=la,_t=o=>o==="inf"?1/0:o;var Ie=class{constructor(e){this.text=e}};function Le(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
+"-":"",[t,s]=Math.abs(o).toExponential().split("e"),n=t.replace(".",""),i=Number(s);return i<-4||i>=16?`${e}${t}e${Io(i)}`:e+(i<0?`0.${"0".repeat(-i-1)}${n}`:da(
+n,i+1))}function da(o,e){let t=o.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var Io=o=>`${o<0?"-":"+"}${String(Math.abs(o)).padStart(2,"0")}`;function ua(o,e){
+let[t,s]=o.toExponential(e-1).split("e"),n=t.replace(".",""),i=o.toExponential(100).split("e")[0].replace(".","");return i[e]==="5"&&/^0*$/.test(i.slice(e+1))&&
+Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function Lo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
+0||Object.is(o,-0)?"-":"";function Ne(o,e=6){if(!Number.isFinite(o))return Lo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=ua(Math.abs(o),e),i=s.replace(/0+$/,
+"")||"0";if(n<-4||n>=e)return`${t}${i[0]}${i.length>1?`.${i.slice(1)}`:""}e${Io(n)}`;if(n<0)return`${t}0.${"0".repeat(-n-1)}${i}`;let[a,r]=da(s,n+1).split("."),
+l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function ih(o,e){if(!Number.isFinite(o))return Lo(o);let[t,s]=o===0?["0".repeat(e+1),0]:ua(Math.abs(o),e+1),
+n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${Io(s)}`}function No(o,e){if(!Number.isFinite(o))return Lo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
+t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),n=t.toFixed(100),i=n.slice(n.indexOf(".")+1+e),a=n.slice(0,n.indexOf(".")+(e?1+e:0));return/^50*$/.test(i)&&Number(
+a.at(-1))%2===0?Tt(o)+a:Tt(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Ie?r.text:n?
+se(r):a==="g"?Ne(r,i===""?6:Number(i)||1):a==="e"?ih(r,Number(i)):a==="f"?No(r,Number(i)):String(r)})}function se(o,e=!0){return o==null?"None":o===!0?"True":o===
+!1?"False":typeof o=="number"?e?Le(o):ma(o):typeof o=="string"?ha(o):Array.isArray(o)?`[${o.map(s=>se(s,e)).join(", ")}]`:`{${Object.entries(o).map(([s,n])=>`${ha(
+s)}: ${se(n,e)}`).join(", ")}}`}function ma(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Le(o)}function St(o){return typeof o=="number"?ma(o):
+typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${Rs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(St).join(", ")}]`:o&&typeof o=="obj\
+ect"?`{${Object.entries(o).map(([e,t])=>`${St(e)}: ${St(t)}`).join(", ")}}`:String(o)}var Rs=(o,e)=>o.toString(16).padStart(e,"0"),ah=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+pa=o=>o===" "||!ah.test(o);function fa(o){if(o===`
+`)return"\\n";if(o==="\r")return"\\r";if(o==="	")return"\\t";let e=o.codePointAt(0);return e<256?`\\x${Rs(e,2)}`:e<65536?`\\u${Rs(e,4)}`:`\\U${Rs(e,8)}`}function ha(o){
+let e=o.includes("'")&&!o.includes('"')?'"':"'",t=[...o].map(s=>s===e||s==="\\"?`\\${s}`:pa(s)?s:fa(s));return e+t.join("")+e}var ga=o=>[...o].map(e=>pa(e)?e:fa(
+e)).join("");function Ps(o){let e=[...o];return e.length<=60?o:`${e.slice(0,57).join("")}...`}var ca="[\\s\\x1c-\\x1f\\x85]*",rh=new RegExp(`^${ca}([+-]?)(?:(in\
+f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${ca}$`,"i");function wa(o){let e=rh.exec(o);if(!e||o.includes(
+"\uFEFF"))return;let[,t,s,n]=e,i=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(n.replaceAll("_",""));return t==="-"?-i:i}var{texts:ba,scenario:ya}=S,A=class extends Error{constructor(e){super(ga(e)),this.name="InputError"}},xe=class extends A{},R=(o,e={})=>P(ba[o],e),oe=o=>o!==null&&
+typeof o=="object"&&!Array.isArray(o);function qe(o=()=>!1,e=""){return{said:[],above:e,float:o}}function j(o,e,t,s,n){let i=typeof t=="bigint"?String(t):se(t,o.
+float(e)),a=o.above+e||ba.whole_scenario;o.said.push(R("finding",{path:a,shown:Ps(i),allowed:R(s,n)}))}function qo(o,e,t,s){let{fields:n,place:i}=ya.models[o];if(!oe(
+e))return j(s,t,e,"table"),null;for(let l of Object.keys(e))if(!Object.hasOwn(n,l))return s.said.push(Co(i,l,Object.keys(n))),null;let a=s.said.length,r={};for(let[
+l,h]of Object.entries(n))h.kind!=="section"&&(Object.hasOwn(e,l)?r[l]=jo(h,e[l],`${t}.${l}`,s):h.required?s.said.push(R("missing",{path:`${s.above}${t}.${l}`})):
+r[l]=_t(h.default));return s.said.length===a?{values:r,given:new Set(Object.keys(e))}:null}function Co(o,e,t){let s=ra(e,t),n=s?R("did_you_mean",{close:s}):R("k\
+nown_are",{known:t.join(", ")});return R("unknown_key",{path:`${o}${Ps(e)}`,hint:n})}function jo(o,e,t,s){if(e===null&&o.nullable)return null;if(o.kind==="parts")
+return hh(e,t,s);if(o.kind==="word")return o.options.includes(e)||j(s,t,e,"literal_error",o),e;let n=o.kind==="friction",i=n&&e==="inf"?1/0:e;if(typeof i!="numb\
+er")return j(s,t,e,"number");if(n&&!(i>=0))return j(s,t,e,"friction");if(o.kind==="whole"&&!Number.isInteger(i))return j(s,t,e,"whole");if(!n&&!Number.isFinite(
+i))return j(s,t,e,"finite_number");for(let[a,r]of o.limits??[])if(!lh(a,i,r))return j(s,t,o.kind==="whole"?BigInt(i):e,a,{limit:r});return o.range&&!Ye(o.range,
+i)?j(s,t,e,"range",o.range):i+0}function lh(o,e,t){return o==="greater_than"?e>t:o==="greater_than_equal"?e>=t:o==="less_than"?e<t:e<=t}var Ye=({least:o,most:e,
+also:t=[]},s)=>o<=s&&s<=e||t.some(n=>_t(n)===s);function hh(o,e,t){return Array.isArray(o)?o.map((s,n)=>ch(s,`${e}.${n}`,t)):j(t,e,o,"list")}function ch(o,e,t){
+let s=Oo(o,"shape",ya.parts,e,t),n=s&&qo(s,o,e,t);if(!n)return null;let{inner_radius:i,outer_radius:a}=n.values;return i>a&&t.said.push(R("ring_radii",{inner:i,
+outer:a})),n.values}function Oo(o,e,t,s,n,i){if(!oe(o))return j(n,s,o,"table"),null;let a=Object.hasOwn(o,e)?o[e]:i;if(a===void 0||a===null&&i)return n.said.push(
+R("missing",{path:`${n.above}${s}.${e}`})),null;if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:se(a,n.float(`${s}.${e}`)),l=Object.
+keys(t).map(m=>`'${m}'`),h=`${l.slice(0,-1).join(", ")} or ${l.at(-1)}`,d=R("literal_error",{expected:h}),u={path:`${n.above}${s}.${e}`,shown:Ps(se(r)),allowed:d};
+return n.said.push(R("finding",u)),null}function Mt(o){let e=o.length-1;return e?R(e===1?"other_problem":"other_problems",{first:o[0].replace(/\.$/,""),count:e}):
+o[0]}var{codes:dh,families:uh,hops:mh,rolls:ph,other:fh}=S.classes,{sequence:gh}=S.words,va="sequence";function wh(o){let e=-1;for(let t of o){e^=t.charCodeAt(0);for(let s=0;s<
+8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function ka(o,e){if(e!==va)return dh[e]?.[o]??fh;let t=[...o].find(u=>"SKM".includes(u))??"R",s=o.endsWith("H")?mh:
+uh[t+o.slice(-1)]??ph,n=[1,3,5].map(u=>Number.parseInt(s.slice(u,u+2),16)/255),i=(n[0]+n[1]+n[2])/3,a=Math.min(o.length-1,9)/9,r=wh(o)%1e3/1e3,l=.62-.62*Math.min(
+2*a,1),h=Math.max(2*a-1,0)*.5;return`#${n.map(u=>{let m=(1-.2*r)*u+.2*r*i,p=Math.min(Math.max((m+(1-m)*l)*(1-h),0),1);return Math.round(255*p).toString(16).padStart(
+2,"0")}).join("")}`}function xa(o,e){return e!==va?o.replaceAll("_"," "):[...o].map(t=>gh[t]).join(" → ")}function X({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:d,rolling_resistance:u,mu_static:m,
+mu_kinetic:p,restitution:g,impact_law:b,painleve:w}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Ze(s,i),{max_events:Q,model:Ws,...Lt}=n;return{radius:i,mass:a,
+eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:d,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:g,impact_law:b,painleve:w,
+x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:Ws==="rigid"?null:Lt}}function Ze({x:o,height:e,angle:t,speed:s,
+vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var _a=S.scenario.ends,Do=o=>Object.hasOwn(_a,o)?_a[o]:[];function Wo(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
+let[t]=Wo(e),s=Do(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ta=new Set(S.scenario.paths);function $o(o){
+if(!(Ta.has(o)||/^hoop\.parts\.\d+\.\w+$/.test(o)))throw new A(R("no_parameter",{path:o,known:[...Ta].join(", ")}))}function Sa(o){let[e,t]=Wo(o);return(e==="st\
+art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Bo=o=>e=>!o.some(t=>e===t||e.startsWith(t.endsWith(".")?t:`${t}.`));function Ma(o,e,t,s){let n=[
+...t.keys()],i=Et(n);if(i){let[l,h]=i,[d,u]=i.map(m=>new Ie(se(t.get(m),!1)));throw new A(R("two_ways",{one:l,other:h,one_value:d,other_value:u}))}let a=new Set,
+r=Bo(n);for(let l of n.sort((h,d)=>Sa(h)-Sa(d))){let h=structuredClone(t.get(l)),[d,u]=Wo(l);if(u==="")Fo(e,d,h);else if(l==="contact.model")e.contact={model:h};else{
+Object.hasOwn(e,d)||Fo(e,d,{});let m=e[d];if(!oe(m))throw new A(R("no_section_parts",{path:l,section:d}));if(!a.has(d)&&Do(l).some(p=>Object.hasOwn(m,p))){a.add(
+d);let p=bh(o,l,()=>s(e.hoop,r));for(let[g,b]of Object.entries(p))t.has(`${d}.${g}`)||(m[g]=b)}for(let p of Do(l))delete m[p];yh(m,u.split("."),h,l)}}return e}function Fo(o,e,t){
+Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function bh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
+if(s==="hoop.eccentricity"||s==="hoop.inertia_ratio")return{mass:i,eccentricity:a,inertia_ratio:r};if(s==="hoop.load_fraction")return{mass:i};if(s==="plane.mu_s\
+tatic"||s==="plane.mu_kinetic"){let l=h=>h===1/0?"inf":h;return{mu_static:l(e.mu_static),mu_kinetic:l(e.mu_kinetic)}}if(s.startsWith("start.")&&s!=="start.speed"){
+let{height:l,vx:h,vy:d,omega:u}=Ze(t,n().radius);return{height:l,vx:h,vy:d,omega:u}}return{}}function yh(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
+step:l})),r=l=>Array.isArray(n)&&/^\d+$/.test(l)&&Number(l)<n.length;for(let l of e)if(r(l))n=n[Number(l)];else if(oe(n)&&Object.hasOwn(n,l))n=n[l];else throw a(
+l);if(oe(n))Fo(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var vh=1e3;function Ea(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>vh)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
+ded"}));let t=new Map;for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),h=t;for(let d of r)if(h.has(d)||h.set(d,new Map),h=h.get(d),!(h instanceof
+Map))throw new A(R("beside_a_value",{path:i,above:i.slice(0,i.lastIndexOf("."))}));if(h.has(l))throw new A(R("given_twice",{path:i}));h.set(l,wa(a)??a)}let s=t.
+get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",kh(n)),Ho(t)}function kh(o){let e=Array.from({length:o.size},(s,n)=>String(
+n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_order",{name:s}));return e.map(s=>o.get(s))}function Ho(o){return Array.isArray(
+o)?o.map(Ho):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Ho(t)])):o}function Aa(o){return za(o,"").map(([e,t])=>`${e}=${xh(e,t)}`).join("&")}function za(o,e){
+return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>za(s,e?`${e}.${t}`:t))}function xh(o,e){return Is(o,e).replace("e+","e").replace(
+/\.0$/,"")}function Is(o,e){return typeof e=="string"?e:_h.has(o.slice(o.lastIndexOf(".")+1))?String(e):Le(e)}var _h=new Set(Object.values(S.scenario.models).flatMap(
+({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:Xe}=S,Th=["load_fraction","eccentricity","inertia_ratio"],Ra=["mu_static","mu_kinetic"],Sh=["height","vx","vy","omega"],At=class extends Error{};function L(o,e){
+throw new At(R(o,e))}function Ls(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Ko({values:o,given:e},t){let s={...o},n=Th.filter(
+d=>e.has(d)&&o[d]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Ls("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,Mh(s.radius,s.parts,
+t))):s.load_fraction!==null||!n.length?(Ls("hoop","load_fraction",n),s.load_fraction??=Xe.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
+s.inertia_ratio=t.ideal(s.load_fraction)):n.length===1&&L("half_a_hoop",{missing:n[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:n[0]});let{mass:i,inertia_ratio:a,
+load_fraction:r,eccentricity:l}=s,h=Xe.ranges;if(Ye(h["hoop.mass"],i)||L("hoop_mass",{mass:i,words:h["hoop.mass"].words}),!Ye(h["hoop.inertia_ratio"],a)){let{words:d}=h["\
+hoop.inertia_ratio"];L(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:d})}return a===0&&l!==1&&L("massless_eccentricity",{eccentricity:l}),
+s}function Mh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+Xe.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
+radius:o}),n}function Pa({values:o,given:e}){let t={...o};t.apart=Ra.some(r=>e.has(r)),t.mu!==null?(Ls("plane","mu",Ra.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
+t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:n,slope:i}=t;n>s&&L("kinetic_above_static",{mu_kinetic:n,mu_static:s}),Math.abs(
+i)<.5*Math.PI||L("vertical",{slope:i});let a=Xe.ranges["plane.slope"];return Ye(a,i)||L("slope",{slope:i,words:a.words}),t}function Ia({values:o,given:e}){let t={
+...o};return t.speed!==null?(Ls("start","speed",Sh.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function La({values:o}){let e=o;
+return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&L("together",{section:"contact",other:"restitution",way:"damping"}),e}function Na(o,e,t){let{
+hoop:s,plane:n,contact:i}=o,a=s.inertia_ratio===0,r=i.model==="compliant";a&&n.slope!==0&&L("massless_slope",{slope:n.slope});let l=n.rolling_resistance;l!==0&&
+a&&L("massless_resistance",{given:l});let h=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);h!==void 0&&!(l<h)&&L("resistance",{given:l,most:h}),a&&
+r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Eh(i,e.compliance(t(o)))}function Eh(o,e){for(let[n,{of:i,...a}]of Object.
+entries(Xe.relative)){let r=o[n];if(r===null)continue;let l=e[n];Ye(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
+s=_t(Xe.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:_e}=S,Ah={rigid:"Rigid",compliant:"Compliant"};function Uo(o,e,t=qe()){let s=Go(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Go(o,e,t){let{
+fields:s,place:n}=_e.models.Scenario;if(!oe(o))return j(t,"",o,"table"),null;let i=Object.keys(o).find(g=>!Object.hasOwn(s,g));if(i!==void 0)return t.said.push(
+Co(n,i,Object.keys(s))),null;let a=g=>Object.hasOwn(o,g)?o[g]:_e.default[g],r=jo(s.duration,a("duration"),"duration",t),l=zt("Hoop",a("hoop"),"hoop",t,g=>Ko(g,e)),
+h=zt("Plane",a("plane"),"plane",t,Pa),d=zt("Start",a("start"),"start",t,Ia),u=Oo(a("contact"),"model",Ah,"contact",t,"rigid"),m=u&&zt(u,a("contact"),"contact",t,
+La);if(t.said.length||!l||!h||!d||!m)return null;let p={duration:r,hoop:l,plane:h,start:d,contact:m};return Ca(t,()=>(Na(p,e,X),p))}function zt(o,e,t,s,n){let i=qo(
+o,e,t,s);return i&&Ca(s,()=>n(i))}function Ca(o,e){try{return e()}catch(t){if(!(t instanceof At))throw t;return o.said.push(t.message),null}}function Vo(o,e){return Uo(
+Ea(o),e,qe(()=>!0))}function Qe(o,e,t){let s=Ma(o,Te(o),e,(n,i)=>zh(n,t,i));return Uo(s,t,qe(Bo([...e.keys()])))}function zh(o,e,t){let s=qe(t),n=zt("Hoop",o,"h\
+oop",s,i=>Ko(i,e));if(!n)throw new A(Mt(s.said));return n}var Rh=o=>o===1/0?"inf":o,Rt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Rh(o[t])])),
+Jo=o=>Object.keys(_e.models[o].fields);function Te({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Ph(e),plane:Ih(t),start:Lh(s),contact:Rt(
+n,Jo(n.model==="rigid"?"Rigid":"Compliant"))}}function Ph(o){if(o.parts){let t=o.parts.map(s=>Rt(s,Jo(_e.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.
+load_fraction===null?["eccentricity","inertia_ratio"]:["load_fraction"];return Rt(o,["radius","mass",...e])}function Ih(o){let e=o.apart?["mu"]:["mu_static","mu\
+_kinetic"];return o.rolling_resistance===0&&e.push("rolling_resistance"),Rt(o,Jo("Plane").filter(t=>!e.includes(t)))}function Lh(o){return Rt(o,o.speed===null?[
+"x","height","angle","vx","vy","omega"]:["x","angle","speed"])}function Yo(o,e){let{Hoop:t,Start:s}=_e.models;if(o==="hoop"){let{radius:n,mass:i,eccentricity:a}=t.
+fields;return{radius:n.default,mass:i.default,load_fraction:a.default}}return o==="plane"?_e.default.plane:o==="start"?{...qa(s),speed:void 0}:qa(_e.models[e===
+"compliant"?"Compliant":"Rigid"])}var qa=({fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function Zo(o){let e={};for(let[
+t,s]of Object.entries(Te(o))){let n=_e.default[t];if(Pt(s,n))continue;if(!oe(s)){e[t]=s;continue}let i=Yo(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="mo\
+del"||!Pt(i[r],l));e[t]=a.length?Object.fromEntries(a):s}return Aa(e)}function Pt(o,e){if(o===e)return!0;if(o===null||e===null||typeof o!="object"||typeof e!="o\
+bject")return!1;let t=Object.keys(o);return t.length===Object.keys(e).length&&t.every(s=>Pt(o[s],e[s]))}var{lab:Nh,limits:et}=S,Se=(o,e={})=>P(Nh[o],e);function Ns({scenario:o,query:e=null,changes:t=[]},s){let n=qe(),i=null;if(o!==void 0&&!oe(o)?j(n,"scenario",o,"\
+table"):o!==void 0&&(i=Go(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&j(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!qh(r)).
+map(Ch)):j(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Vo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Qe(
+i,a,s),a=new Map),a.set(r,l);return a.size?Qe(i,a,s):i}var qh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Ch=o=>Se("not_a_pair",{change:new Ie(St(o).
+slice(0,60))});function tt(o){let{duration:e,hoop:t,contact:s}=o;if(e>et.duration)throw new xe(Se("too_long",{duration:e,most:et.duration}));let n=t.parts?.length??
+0;if(n>et.parts)throw new xe(Se("too_many_parts",{parts:n,most:et.parts}));return s.max_events<=et.events?o:{...o,contact:{...s,max_events:et.events}}}var{cell:Xo,laws:jh,events:Oh,quantities:qs}=S.map,ja=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function Qo(o,{x:e,y:t}){if($o(e.
+path),$o(t.path),e.path===t.path)throw new A(Se("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new xe(Se("too_many_cells",{cells:s,
+most:S.limits.cells}));if(o.contact.model!=="rigid")throw new A(Se("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Se("two_axes",{one:n[0],other:n[1]}));
+let{contact:i,...a}=tt(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,Oh)}}}function en(o,{x:e,y:t},s){let n=ja(e),i=ja(t),a=n.length*i.length,r=new Float64Array(
+Xo.length*a),l=0;for(let h of i)for(let d of n){let u=Dh(o,e.path,d,t.path,h,s);if(u)for(let m=0;m<Xo.length;m++)r[m*a+l]=u[Xo[m]];l++}return{count:a,rows:r}}function Dh(o,e,t,s,n,i){
+let a=new Map([[s,n],[e,t]]);try{let r=X(Qe(o,a,i));return{...r,law:jh[r.impact_law],strike:r.painleve==="impact"?1:0,ideal:r.ideal?1:0,allowed:1}}catch(r){if(!(r instanceof
+A))throw r;return null}}function tn(o){if(Object.hasOwn(qs,o))return qs[o].span;throw new A(`what = ${o} must be one of ${Object.keys(qs).join(", ")}.`)}function sn({
+x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=qs[t],{values:r,names:l}=Fh(s,i===""?a:null),h=i===""?l.map(d=>({name:d,text:xa(d,t),color:ka(d,t)})):null;return{
+header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Fh({values:o,sequences:e},t){if(!t)return{values:o,names:[]};let s=e?[...e].sort((a,r)=>a.
+length-r.length||(a<r?-1:a>r?1:0)):t,n=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(o,a=>a>=0?n?.[a]??a:Number.NaN),names:s}}var{scenario:js}=S,Wh=30;function Oa(o,e){for(let t of js.sections[o]??["Scenario"]){let s=js.models[t].fields[e];if(s)return s.unit}return""}function Fa(o,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):Is(o,e)}function Da(o,e,t){let s=`${o} = ${Fa(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Wh)} # ${t}`}function Os(o){
+let{duration:e,...t}=Te(o),s=[Da("duration",e,Oa("","duration"))];for(let[n,i]of Object.entries(t)){s.push("",`[${n}]`);for(let[a,r]of Object.entries(i))if(!Array.
+isArray(r))s.push(Da(a,r,Oa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h=Object.entries(l).map(([d,u])=>`${d} = ${Fa(d,u)}`);s.push(`  { ${h.join(", ")}\
+ },`)}s.push("]")}}return`${s.join(`
+`)}
+`}var $h={hoop:"Hoop",plane:"Plane",start:"Start"},Bh=["load_fraction","mu"];function on(o){let e=Te(o),t=Pt(e.contact,js.default.contact)?"":`    contact=${Cs(
+"contact",e.contact)},
+`;return[`import hophoop as hh
+
+`,`motion = hh.simulate(
+`,`    ${Cs("hoop",e.hoop)},
+`,`    ${Cs("plane",e.plane)},
+`,`    ${Cs("start",e.start)},
+`,`    duration=${nn("duration",e.duration)},
+`,t,`)
+`,`print(motion.sequence, motion.status)
+`,`for event in motion.events:
+`,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
+`].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":$h[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:Yo(
+o,t.model),a=Object.entries(t).filter(([r,l])=>Bh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${nn(r,l)}`);return e&&a.push(`parts=[${e.map(Hh).join(", ")}]`),`hh\
+.${n}(${a.join(", ")})`}function Hh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${nn(s,n)}`);return`hh.${js.parts[o]}(${t.join(", ")})`}function nn(o,e){
+return e==="inf"?'float("inf")':typeof e=="string"?se(e):Is(o,e)}var{letters:$a,modes:rn,verbs:ln,events:Kh,statuses:Uh,story:Ce,summary:st}=S.words,Gh=["turn","apex","end"],Vh=400,[,an,Wa,Jh,Yh]=rn,Zh="⁰¹²³⁴⁵⁶⁷⁸⁹";
+function Ba(o,e){let{omega:t,to:s}=o[e];return t===0&&(s==="S"||s==="K")&&e+1<o.length}var hn=o=>[...o.keys()].filter(e=>Ba(o,e)),cn=(o,e)=>.5*(o[e].t+o[e+1].t);
+function dn(o,e=Vh){let t=[],s=0,n=Ka(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?Qh(o,i,a):P(Ce.more_bounces,
+{count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:$a[rn.indexOf(Ds(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Ce.left_out,
+{count:s})}),t}var Ha=o=>o.kind==="impact"&&o.to==="H"&&o.collision!==!1;function Ka(o,e=3,t=6){let s=new Map,n=[];for(let i=0;i<=o.length;i++){let a=o[i];if(a&&
+(Ha(a)||n.length&&a.kind==="apex")){n.push(i);continue}let r=n.filter(l=>o[l].kind==="impact");if(r.length>=t){for(let l of n.slice(n.indexOf(r[e])))s.set(l,0);
+s.set(r[e],r.length-e)}n=[]}return s}function un(o,e=6){let t=[],s=0,n=Ka(o.events,1);for(let[l,h]of o.events.entries()){let d=n.get(l);if(d!==void 0){d&&t.push(
+P(st.more_bounces,{count:d}));continue}if(h.kind==="start"||!t.length){t.push(ln[Ds(o,l)]);continue}let u=Xh(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Oe(
+h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Uh[o.
+status]};return P(st.sentence,r).trim()}function Xh(o,e,t){return t.collision===!1?st.without_collision:Ha(t)?st.bounces:["slip_start","slip_reversal"].includes(
+t.kind)||Ua(t)?ln[Ds(o,e)]:Gh.includes(t.kind)?"":Kh[t.kind]}function Qh(o,e,t){let s=Ds(o,e),n={where:Oe(t.angle),verb:ln[s],kind:t.kind.replaceAll("_"," ")},i=ec(
+o.events,e,s,n);return P(Ce[i]??Ce.other,n)}function ec(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=je(n.vx),s.started=P(t===Jh?Ce.started_flight:
+t===Yh?Ce.started_skim:Ce.started,s)),i==="slip_start"&&t===an?"slip_start_spin":i==="takeoff"?tc(o,e,s):i==="impact"?(s.speed=je(n.before.vy===null?null:Math.abs(
+n.before.vy)),n.collision===!1?"impact_without_collision":n.to==="H"?"impact_bounce":i):i==="turn"&&Ua(n)?"turn_in_slip":(i==="apex"&&(s.gap=Ga(n.height)),i==="\
+kane_gain"&&(s.gain=je(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function tc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
+height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t;a++)n=Math.max(n,o[a].height);if(!n)break;return t.top=Ga(n),t.time=je(o[i].t-s),
+"takeoff_and_landing"}return"takeoff"}function Ds(o,e){let t=o.events[e];return sc(t.to,Ba(o.events,e)?o.omega(e):t.omega)}function sc(o,e){return o==="S"?e>0?an:
+Wa:o==="K"?e<0?an:Wa:rn[$a.indexOf(o)]}var Ua=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Oe=o=>`${No(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ga(o){
+return o>=.995?`${je(o)} m`:o>=.00995?`${je(o*100)} cm`:`${je(o*1e3)} mm`}function je(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=Ne(o,3).split("e"),s=t===
+void 0?"":`·10${oc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var oc=o=>[...String(o)].map(e=>e==="-"?"⁻":Zh[Number(e)]).join("");var Va=2e3,mn=o=>o===1/0?"inf":o;function Fs(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:Te(
+o),status:e,sequence:t,events:s,final:n,energy:i}}function pn(o,e,t,s){let{hoop:n,plane:i,start:a}=o,{height:r,vx:l,vy:h,omega:d}=Ze(a,n.radius),u={events:e.events,
+status:e.status,omega:t};return{...Fs(o,e),events:e.events.slice(0,Va),query:Zo(o),duration:e.duration,values:{"hoop.radius":n.radius,"hoop.mass":n.mass,"hoop.l\
+oad_fraction":n.load_fraction,"hoop.eccentricity":n.eccentricity,"hoop.inertia_ratio":n.inertia_ratio,"plane.mu":mn(i.mu),"plane.mu_static":mn(i.mu_static),"pla\
+ne.mu_kinetic":mn(i.mu_kinetic),"plane.rolling_resistance":i.rolling_resistance,"start.speed":a.speed,"start.height":r,"start.vx":l,"start.vy":h,"start.omega":d},
+automatic:nc(o,s),massless:n.inertia_ratio===0,summary:un(u),story:dn(u),ending:S.words.statuses[e.status],shortened:e.events.length>Va}}function nc(o,e){if(o.contact.
+model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(X(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.\
+restitution":o.plane.restitution}}var{rate:ic,variables:fn}=S.table,ac="mode",gn=(o,e)=>JSON.stringify(Fs(o,e),null,1);function wn(o){let e=Math.min(Math.max(Math.floor(o*ic)+1,2),S.limits.samples),
+t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function bn(o,e){let t=Object.keys(fn),s=t.map(l=>fn[l]==="1"?l:`${l} [${fn[l]}]`),{kinetic:n,
+potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let d=t.map(u=>u===ac?String(a[u][l]):
+Le(a[u][l]));r.push([Le(h),...d].join(","))}return`${r.join(`\r
+`)}\r
+`}var{theory:O}=S.words;function vn({hoop:o,plane:e},t){let s=[],n=(r,l,h,d)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:d(l)})},
+i=()=>n("painleve",t.painleve_friction,"1",r=>lc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
+O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:Oe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:d,
+any_speed:u}=O;n("first_slip",t.first_slip_speed,"m/s",m=>yn(m,r,d)),n("first_hop",t.first_hop_speed,"m/s",m=>yn(m,l,d)),n("immediate_hop",t.immediate_hop_speed,
+"m/s",m=>yn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>rc(r,e)),i();
+let a=t.jam_angles.map(Oe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
+O.rest_at,{where:Oe(r)})),s}function yn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:Ne(o,4)}):O.no_speed}function rc(o,{
+mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:Ne(o,3)}):O.no_friction}function lc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:Ne(o,3),where:Oe(e)})}var cc=360,dc=240,uc=[0,2*Math.PI,-12,12],kn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},mc=["mot\
+ion.nc","motion.mp4","motion.gif"],It=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
+s!==null,this.files=[...Object.keys(kn),...n?mc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=Ns(t,this.mechanics);
+if(e==="film")return this.film(n,s);if(e==="code")return{header:{python:on(n),toml:Os(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(X(n),s);
+return{header:{thresholds:vn(n,i)},arrays:{}}}if(e==="regions"){let i=t.window??uc,a=X(n),r=await this.kernel.regions(a,i,cc,dc,s);return{header:{window:i},arrays:r}}
+if(e==="map")return this.map(n,t,s);throw new A(`call = '${e}' is not one that the page answers.`)}async film(e,t){let s=X(tt(e)),{motion:n,columns:i}=this.kernel.
+film?await this.kernel.film(s,t):{motion:await this.kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:pn(e,n,
+a,this.mechanics),arrays:i}}async turning(e,{events:t},s){let n=hn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>cn(t,r)),{omega:a}=await this.kernel.
+samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,y:s,what:n="sequence"},i){let a=tn(n),r=Qo(e,{x:t,y:s,what:n}),l=en(r,{x:t,y:s},this.mechanics);return sn(
+{x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){if(!(e in kn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run \
+hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:kn[e]})}async fileText(e,t){let s=Ns({query:t},this.mechanics);if(e==="motion.toml")return Os(s);
+let n=tt(s),i=X(n),a=await this.kernel.motion(i);if(e==="motion.json")return gn(n,a);let r=wn(a.duration);return bn(r,await this.kernel.samples(i,r))}link(e,t){
+return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function xn(o,e,t){let s=e&&new is(e);try{let n=await xt.load(o);return new It(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Ja(o){
+navigator.serviceWorker?.register(o).catch(()=>{})}async function Ya(o){let e=new as(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new It(
+t,t.mechanics,{server:e})}catch{return e}}var pc=new URL("./",import.meta.url);async function fc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,n;try{s=await xn(pc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Ja(t.getAttribute("content")??"");let i=new Ge(
+o,s,n,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Hn(location.hash);try{await i.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Fg(o,e,t,s){let n=await xn(
+e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Ge(o,n,i,{panels:s});return await a.open([t]),a}async function gc({model:o,el:e}){let t=document.
+createElement("div");e.append(t);let s=await Ya(o),n=new Ge(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
+n.motions.set([$e(o.get("film"))]),n.begin();let i=()=>n.motions.replace($e(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
+n.close()}}var Za=document.getElementById("hophoop-lab");Za&&fc(Za);var Wg={render:gc};export{Wg as default,Fg as mount};
