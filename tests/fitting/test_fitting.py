@@ -463,3 +463,16 @@ def test_data_that_do_not_suffice(hop):
         hh.plan(hop.scenario, rate=2.0)
     with pytest.raises(ValueError, match="sigma = 0"):
         hh.plan(hop.scenario, sigma=0.0)
+
+
+def test_rolling_resistance_can_be_freed():
+    """A hoop that slows down: it is found, and without it the fit is not good."""
+    plane = hh.Plane(mu=0.5, rolling_resistance=0.02)
+    motion = hopping(plane=plane, start=hh.Start.rolling(1.2), duration=1.2)
+    track = filmed(motion, rate=120.0)
+    fixed = {"mu_kinetic": 0.5, "mu_excess": 0.0, "restitution": 0.0}
+    fit = hh.fit(track, free=["rolling_resistance"], fixed=fixed)
+    assert fit.good
+    assert abs(fit.values["rolling_resistance"] - 0.02) < 5.0 * fit.error("rolling_resistance")
+    assert fit.error("rolling_resistance") < 2e-3
+    assert not hh.fit(track, fixed=fixed).good
