@@ -1,6 +1,7 @@
 """Tests run with one change of the source after the other, each in a process of its own that is forked when all is imported.
 
-A first run without a change notes which test calls which function. A change within a function is then made by giving
+A first run without a change notes which test calls which function. A module of tests may have a function `before_changes`,
+which computes once what it compares with, and calls nothing that is changed. A change within a function is then made by giving
 the function other code, and only the tests that call it are run, the quickest first. A change outside of functions is made
 as the module is imported, with all tests.
 """
@@ -93,6 +94,8 @@ class Runner:
             return True
         calls, took = _noted(session, {str(mutant.path) for mutant in self.made})
         functions = _functions({str(mutant.path) for mutant in self.made})
+        for module in {item.module for item in session.items if hasattr(item, "module")}:
+            getattr(module, "before_changes", lambda: None)()
         gc.collect()
         gc.freeze()
         for mutant in self.made:

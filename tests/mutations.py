@@ -93,6 +93,8 @@ def try_room(name: str, modules: list[str], sample: int | None, results: Path) -
 
     def report(mutant: Mutant, status: str) -> None:
         explained = status != SEEN and mutant.key in EXPLAINED
+        if status == SEEN and mutant.key in EXPLAINED:
+            print(f"{mutant.path.name}:{mutant.line} is seen, and needs no explanation: {mutant.changed}", flush=True)
         found.append({"module": mutant.path.stem, "status": status, "explained": explained})
         if status != SEEN and not explained:
             words = "no test comes here" if status == UNREACHED else "not seen"

@@ -22,8 +22,9 @@ LATEST = 100.0
 FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
-MOST_STEPS = 4000  # of one longer computation, some seconds: what needs more is left as the doubles have it
-ALL_STEPS = 5000  # of all of one motion
+# Steps of all longer computations of one motion, some 2 ms each, so that it ends within 5 s. Motions beside a border need
+# less than a thousand; what needs more is left as the doubles have it.
+ALL_STEPS = 2000
 # Bits below 1 of the smallest number of a scenario up to which a step costs what it usually does; from there on it grows as
 # the fourth power of all bits. A scenario with numbers below 1e-30 is left as the doubles have it.
 USUAL_BITS, PLAIN_BITS, MOST_BITS = 20, 106, 100
@@ -112,8 +113,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
     budget = Budget(whole) if budget is None else budget
     if budget.steps <= 0 or whole == 0:
         return NO_SCRIPT
-    most = whole * MOST_STEPS // ALL_STEPS
-    allowed = min(most, budget.steps)
+    allowed = budget.steps
     for _ in range(8):
         try:
             solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=allowed)
@@ -121,7 +121,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
             budget.steps = 0
             return NO_SCRIPT
         budget.steps -= int(allowed - solution.body.steps_left)
-        allowed = min(most, max(budget.steps, 0))
+        allowed = max(budget.steps, 0)
         records = list(solution.records)
         if solution.status != Status.COMPLETED:
             break
@@ -154,6 +154,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
         row["impulse_normal"], row["impulse_tangential"] = float(record.p_n), float(record.p_t)
         row["friction"], row["gain"] = float(state.friction), float(record.gain)
         row["impact_normal"], row["impact_tangential"] = float(state.impact_n), float(state.impact_t)
+        row["rolling_resistance"] = float(state.resisted)
         row["kind"] = record.kind
         row["before_mode"] = -1 if record.before_mode is None else record.before_mode
         row["after_mode"] = record.after_mode

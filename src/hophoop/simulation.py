@@ -14,9 +14,8 @@ from hophoop._jit import precompile
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT, first_rows
-from hophoop.records.scratch import new_scratch, thread_scratch
+from hophoop.records.scratch import MOST_PANELS, new_scratch, thread_scratch
 from hophoop.records.state import State, start_state
-from hophoop.records.writing import MOST_PANELS
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
@@ -110,8 +109,24 @@ def simulate(
     if digits is not None:
         motion: PreciseMotion = import_module("hophoop.precise").simulate_precisely(scenario, digits, hophoop.__version__)
         return motion
+    return simulate_watched(scenario)
+
+
+def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> Trajectory:
+    """`simulate`, for who shows from another thread how far a compliant motion is.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    reached : ndarray, shape (1,), optional
+        Is given the share of the duration that is computed, again and again, with a compliant contact [1].
+
+    Returns
+    -------
+    motion : Trajectory
+    """
     if isinstance(scenario.contact, Compliant):
-        status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario)
+        status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario, reached)
     else:
         status, events, segments, _ = _simulate_rigid(scenario, scenario.contact)
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
@@ -227,7 +242,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
             segments_size = min(16 * segments_size, MOST_PANELS)
         elif scratch.written[0] < 0 and events_size < contact.max_events:  # not where the panels are used up
             events_size = min(4 * events_size, contact.max_events)
-        elif scratch.written[2] >= MOST_PANELS:
+        elif scratch.written[2] >= scratch.written[3]:
             if not script.size:
                 break
             script, decisions = NO_SCRIPT, MOST  # the last of its events may lie beyond what the panels reach

@@ -386,3 +386,35 @@ def test_the_work_of_a_compliant_motion_is_told_before_it_starts(tmp_path, monke
     assert run("run", path, "--quiet").stderr == ""
     monkeypatch.setattr("hophoop.compliant.kernel.MAX_STEPS", 30)
     assert "of which 30 are computed; a shorter duration" in run("run", path, "--json").stderr
+
+
+@pytest.mark.parametrize(("terminal", "soon", "shown"), [(True, 0.0, True), (True, 60.0, False), (False, 0.0, False)])
+def test_a_long_compliant_motion_shows_how_far_it_is(monkeypatch, terminal, soon, shown):
+    """On a terminal, once it has taken a second; the same motion as without."""
+    import io
+
+    from rich.console import Console
+
+    from hophoop.cli import _work
+
+    monkeypatch.setattr(_work, "SOON", soon)
+    monkeypatch.setattr(_work, "LOOKS", 0.01)
+    screen = Console(file=io.StringIO(), force_terminal=terminal, width=80)
+    scenario = hh.Scenario(contact=hh.Compliant(), duration=0.5)
+    motion = _work.with_progress(scenario, screen)
+    written = screen.file.getvalue()
+    assert ("motion" in written and "%" in written) == shown
+    assert motion.tables["segments"].tobytes() == hh.simulate(scenario).tables["segments"].tobytes()
+
+
+def test_what_goes_wrong_beside_is_raised(monkeypatch):
+    from rich.console import Console
+
+    from hophoop.cli import _work
+
+    def breaks(scenario, reached=None):
+        raise ValueError("hoop.radius is wrong.")
+
+    monkeypatch.setattr("hophoop.simulation.simulate_watched", breaks)
+    with pytest.raises(ValueError, match=r"^hoop\.radius is wrong\.$"):
+        _work.with_progress(hh.Scenario(contact=hh.Compliant()), Console(quiet=True, force_terminal=True))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import signal
 import subprocess
 import sys
 
@@ -97,3 +98,19 @@ def test_forty_columns_without_colours():
     assert not re.search(r"\x1b\[[0-9;]*(3|4|9|10)[0-7]m", said)
     said = in_terminal(40, "theory", TERM="xterm-256color", NO_COLOR="1", COLUMNS=None)
     assert not re.search(r"\d…", said)
+
+
+@linux
+@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+@pytest.mark.parametrize("moment", ["hophoop.cli._work.work_ahead", "hophoop.cli.Commands.parse_args"])
+def test_stopped_it_says_so(number, status, moment):
+    """Ctrl-C and SIGTERM, while a command computes and while its options are read. Once both ended with 130 and no word."""
+    module, _, name = moment.rpartition(".")
+    code = (
+        "import os\nfrom pydoc import locate\nimport hophoop.cli._work\nfrom hophoop.cli import app\n"
+        f"setattr(locate({module!r}), {name!r}, lambda *_: os.kill(os.getpid(), {int(number)}))\napp()"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, "run"], capture_output=True, text=True, env=environment(), check=False, timeout=60
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (status, "", "Stopped.\n")

@@ -49,6 +49,16 @@ def test_json_for_scripts(table):
     assert "track" not in answer
 
 
+def test_a_chain_on_request(table):
+    done = call(
+        "fit", table, "--radius", 0.3, "--fix", "restitution=0.2", "--fix", "mu_excess=0", "--sample", 20, "--quiet", "--json"
+    )
+    assert done.exit_code == 0, done.output
+    posterior = json.loads(done.stdout)["posterior"]
+    assert posterior["steps"] == 20
+    assert sum(posterior["shares"].values()) == pytest.approx(1.0)
+
+
 def test_no_good_fit_is_status_1(table):
     done = call("fit", table, "--radius", 0.3, "--sigma", 1e-4, "--fix", "gamma=0.2")
     assert done.exit_code == 1
@@ -62,6 +72,7 @@ def test_no_good_fit_is_status_1(table):
         (["--fix", "restitution=much"], "--fix restitution=much must be a number"),
         (["--bound", "gamma=1"], "--bound gamma=1 must be two numbers"),
         (["--free", "t0"], "t0 is no parameter of a fit: the time of the start says the same as its place"),
+        (["--sample", "3"], "steps = 3 must be from 10"),
         (["--film", "film.mp4"], "--film needs --out"),
         (["--save", "fit.txt"], "--save = fit.txt must end in .json"),
         (["--hoop", "absent.toml"], "absent.toml"),

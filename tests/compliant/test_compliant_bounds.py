@@ -18,7 +18,9 @@ def test_steps_are_used_up(steps):
     body, comp, t_end, rtol = to_compliance(scenario)
     start, touching = to_start(scenario, body, comp)
     events = np.empty(64, EVENT)
-    status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, steps, events, np.empty(0, SEGMENT))
+    reached = np.zeros(1)
+    status, count, rows, pieces = run(body, comp, start, touching, t_end, rtol, steps, events, np.empty(0, SEGMENT), reached)
+    assert reached[0] == events[count - 1]["t"] / t_end  # what somebody who looks on is told
     assert status == Status.EVENT_LIMIT
     assert pieces < steps
     assert events[count - 1]["kind"] == Event.END

@@ -15,7 +15,7 @@ import numpy as np
 
 import hophoop as hh
 
-PATIENCE = 20.0  # s of the processor, which may be busy with other things; decisions in more digits take up to some 8
+PATIENCE = 5.0  # s of the processor; the longest are decisions in more digits
 LEDGER, LEDGER_OF_LIGHT, LIGHT = 1e-9, 1e-8, 1e-6  # of the energy range, with rigid contact; with a ring below that κ
 LEDGER_OF_STEPS = 1e3  # times rtol, with compliant contact
 ROUGH = 100.0  # friction beyond which a compliant contact, as with a light ring, is a thousand times less exact

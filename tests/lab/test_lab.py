@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import hophoop as hh
-from hophoop.lab import calls, controls, files, film, limits, packing, page, presets, regions, thresholds, words
+from hophoop.lab import calls, controls, files, film, limits, packing, page, presets, regions, site, thresholds, words
 from hophoop.scenario import InputError, paths
 
 HOP = hh.Scenario()
@@ -404,4 +404,6 @@ def test_the_page_asks_for_nothing_from_elsewhere():
 
 def test_every_file_of_the_page_is_used():
     folder = files.Path(page.__file__).parent / "static"
-    assert {path.name for path in folder.iterdir()} == {"index.html", "pick.html", "style.css", "icon.svg", "lab.js"}
+    assert {path.name for path in folder.iterdir()} == {
+        "index.html", "pick.html", "service_worker.js", *site.STATIC, *site.PAGES,
+    }  # fmt: skip

@@ -158,3 +158,19 @@ def test_critical_damping_is_the_limit_from_both_sides():
     assert compliant.ratio_restitution(1.0) == pytest.approx(math.exp(-2.0), rel=1e-15)
     for ratio in (1.0 - 1e-6, 1.0 + 1e-6):
         assert compliant.ratio_restitution(ratio) == pytest.approx(math.exp(-2.0), rel=1e-5)
+
+
+@pytest.mark.parametrize("comp", SOFT)
+def test_at_the_edge_itself_a_contact_sticks_or_creeps(comp):
+    if comp.friction == FrictionLaw.BRISTLE:
+        assert compliant.first_regime(comp, 0.0, 0.0, 0.0) == 0  # nothing presses, and nothing moves
+    else:
+        edge = compliant.creep_speed(comp)
+        assert [compliant.first_regime(comp, 1.0, 0.0, vt) for vt in (edge, -edge)] == [0, 0]
+
+
+@pytest.mark.parametrize("restitution", [0.04, 1e-3, 1e-9])
+def test_damping_beyond_twice_the_critical(restitution):
+    ratio = compliant.damping_ratio(restitution)
+    assert ratio > 2.0
+    assert compliant.ratio_restitution(ratio) == pytest.approx(restitution, rel=1e-12)

@@ -2,9 +2,10 @@
 
 import math
 
+import mpmath as mp
 import pytest
 
-from hophoop.physics.flight import flight_displacement, flight_gap
+from hophoop.physics.flight import MANY_TURNS, flight_displacement, flight_gap
 from newton_euler import BODIES, STATES, accelerations
 
 CASES = [(body, *state, tau) for body in BODIES for state in STATES for tau in (0.05, 1.7)]
@@ -26,3 +27,24 @@ def test_flight(body, th, om, tau):
     way = gx - eps * math.sin(end)
     slip = rates[0] + body.gt * tau - eps * math.cos(end) * om - om
     assert flight_displacement(body, vt, om, s, c, tau) == pytest.approx((way, slip), rel=1e-12, abs=1e-13)
+
+
+@pytest.mark.parametrize("turned", [MANY_TURNS - 0.5, MANY_TURNS + 0.5, -MANY_TURNS - 0.5, 1e5, -3e7])
+@pytest.mark.parametrize("body", BODIES)
+def test_flight_of_many_turns(body, turned):
+    """Where G is and how the hoop has turned, in 40 digits."""
+    th, om, y, vn = 0.4, math.copysign(50.0, turned), 0.3, 0.8
+    tau = turned / om
+    s, c = math.sin(th), math.cos(th)
+    with mp.workdps(40):
+        eps, gn, t = mp.mpf(body.eps), mp.mpf(body.gn), mp.mpf(tau)
+        rise = vn - eps * om * s
+        angle = mp.atan2(s, c) + om * t
+        gap = y + eps * c + rise * t - gn * t**2 / 2 - eps * mp.cos(angle)
+        rate = rise - gn * t + eps * om * mp.sin(angle)
+    f_n = accelerations(body, th, om, "free")[1]
+    found = flight_gap(body, s, c, om, y, vn, f_n, tau)
+    size = abs(rise) * tau + body.gn * tau**2
+    lost = 2e-16 * (turned**2 if abs(turned) <= MANY_TURNS else abs(turned)) + 1e-14  # as MANY_TURNS says
+    assert found[0] == pytest.approx(float(gap), abs=4e-15 * float(size) + lost)
+    assert found[1] == pytest.approx(float(rate), abs=4e-15 * float(size) / tau + 50.0 * lost)

@@ -126,7 +126,7 @@ def test_singular_slip(sigma, th, vt, om, exact):
     p = ends[which]
     if math.isinf(p):
         pytest.skip("no end")
-    jams, after, spun, p_n, loss = impact.singular_slip(body, math.sin(at), math.cos(at), exact, ahead, vt, om)
+    jams, after, spun, p_n, loss = impact.singular_slip(body, math.sin(at), math.cos(at), exact, ahead, vt, om, 0.0)
     assert jams == (which == "jams")
     assert p_n == pytest.approx(p, rel=1e-8)
     assert spun == pytest.approx(om + turn * p, rel=1e-8, abs=1e-10)
@@ -141,7 +141,7 @@ def test_singular_angle(sigma, th):
     def at(distance, u):
         place = th - distance
         s, c = math.sin(place), math.cos(place)
-        return impact.singular_angle(STEEP, s, c, u, sigma, *exact_slip_stiffness(STEEP, place, 0.0, sigma))
+        return impact.singular_angle(STEEP, s, c, u, sigma, *exact_slip_stiffness(STEEP, place, 0.0, sigma, 0.0))
 
     for distance in (3e-12, -3e-12):
         found, exact, ahead = at(distance, 0.5)
@@ -153,3 +153,56 @@ def test_singular_angle(sigma, th):
         assert at(1e-6, STEEP.gn / pull) == (True, False, 0.0)
         assert at(-1e-6, STEEP.gn / pull) == (True, False, 0.0)
         assert at(1e-4, STEEP.gn / pull) == (False, False, 0.0)
+
+
+def test_a_stick_at_the_edge_of_the_cone_holds():
+    body = Body(0.5, 1.0, 0.25, 0.125, 1.0, 0.0, 0.0, 2, False, 0.0)
+    # (1, 1/2) about G: the impulse that keeps v_t is 1/4 of the normal one, exactly
+    for lever, ratio in ((0.5, 0.25), (-0.5, -0.25)):
+        assert impact.impulse_ratio(body, 1.0, lever, 0.0) == (ratio, True)
+
+
+@pytest.mark.parametrize("law", [0, 1, 2])
+@pytest.mark.parametrize("rest", [0.0, 0.5])
+def test_a_collision_at_painleves_threshold_itself(law, rest):
+    """κ p_σ = κ + ε sin θ (ε sin θ + μ (1 + ε cos θ)) = 1/4 − 1/2 · 1/2: a push while it slips changes no v_n."""
+    body = Body(0.5, 0.25, 1.0, 1.0, 1.0, 0.0, rest, law, False, 0.0)
+    at, beside = (impact.impact(body._replace(kap=kap), rest, -1.0, 0.0, 0.3, -1.0) for kap in (0.25, 0.25 * (1.0 + 1e-9)))
+    assert at == pytest.approx(beside, rel=1e-7)
+    assert at[0] == 0.0
+
+
+def test_singular_slip_where_nothing_can_lift_the_hoop():
+    """At θ = 90° itself the centrifugal force is along the plane: θ̇ grows until the slip has stopped, without a jam."""
+    body = Body(0.5, 0.25, 1.0, 1.0, 1.0, 0.0, 0.0, 2, False, 0.0)
+    along, up = responses(body, -0.5 * math.pi)
+    turn, rate = (up[k] - along[k] for k in (2, 0))
+    om = math.copysign(0.3, turn)
+    assert rate < 0.0
+    p = 0.7 / -rate
+    jams, vt, after, p_n, loss = impact.singular_slip(body, -1.0, 0.0, False, 0.0, 0.7, om)
+    assert (jams, vt) == (False, 0.0)
+    assert (after, p_n, loss) == pytest.approx((om + turn * p, p, 0.5 * 0.7 * p), rel=1e-12)
+
+
+@pytest.mark.parametrize(("sigma", "th"), PLACES)
+@pytest.mark.parametrize("side", [1, -1])
+def test_how_near_counts_as_there(sigma, th, side):
+    """10⁻¹⁰ rad from p_σ = 0, and for the jam 10⁻⁵ rad and 10⁻⁵ of f_n's parts, whatever the slope of p_σ is."""
+
+    def at(distance, u, body=STEEP):
+        place = th - side * distance
+        s, c = math.sin(place), math.cos(place)
+        return impact.singular_angle(body, s, c, u, sigma, *exact_slip_stiffness(body, place, 0.0, sigma))
+
+    assert at(0.9e-10, 0.5)[:2] == (True, True)
+    assert at(1.1e-10, 0.5)[:2] == (False, False)
+    pull = STEEP.eps * math.cos(th)
+    if pull > 0.0:
+        u = STEEP.gn / pull  # where f_n = 0
+        assert at(0.9e-5, u)[:2] == (True, False)
+        assert at(1.1e-5, u)[:2] == (False, False)
+        parts = STEEP.gn + STEEP.eps * u
+        for off, found in ((0.9e-5, True), (1.1e-5, False)):
+            for sign in (1.0, -1.0):
+                assert at(1e-9, u + sign * off * parts / pull)[0] == found

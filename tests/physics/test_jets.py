@@ -1,6 +1,7 @@
 """Taylor coefficients along a candidate motion, against the motion itself in 30 digits."""
 
 import math
+from functools import lru_cache
 
 import mpmath as mp
 import numpy as np
@@ -8,8 +9,10 @@ import pytest
 
 from hophoop.physics.body import Body
 from hophoop.physics.jets import TERMS, candidate_series, leading_sign
+from newton_euler import BODIES
 
 
+@lru_cache
 def coefficients_of_motion(body, th0, om0, sigma):
     """The same four series by mpmath: from the motion that its solver finds."""
     eps, kap, mu_s, mu_k, gn, gt = (mp.mpf(value) for value in body[:6])
@@ -44,8 +47,8 @@ def coefficients_of_motion(body, th0, om0, sigma):
     return [mp.lu_solve(powers, mp.matrix([at(t, what) for t in times]))[:TERMS] for what in range(4)]
 
 
-@pytest.mark.parametrize("sigma", [0, 1, -1])
-def test_coefficients_are_derivatives_of_the_motion(sigma):
+def cases(sigma):
+    """Bodies and states with the series that they should have, in doubles."""
     random = np.random.default_rng(5)
     with mp.workdps(30):
         for _ in range(2):
@@ -54,14 +57,36 @@ def test_coefficients_are_derivatives_of_the_motion(sigma):
                         math.cos(beta), math.sin(beta), 0.0, 2, False, beta)  # fmt: skip
             th, om = random.normal(), random.normal()
             expected = coefficients_of_motion(body, th, om, sigma)
-            found = candidate_series(body, th, om, sigma)
-            wanted = (0, 1, 2) if sigma == 0 else (0, 3)
-            for what in wanted:
-                series = np.array([float(value) for value in expected[what]])
-                np.testing.assert_allclose(found[what], series, rtol=0, atol=1e-12 * np.abs(series).max())
+            yield body, th, om, [np.array([float(value) for value in series]) for series in expected]
+
+
+def before_changes():
+    """What `tests/mutations.py` computes once and not for every change: the motions that take long."""
+    for sigma in (0, 1, -1):
+        list(cases(sigma))
+
+
+@pytest.mark.parametrize("sigma", [0, 1, -1])
+def test_coefficients_are_derivatives_of_the_motion(sigma):
+    for body, th, om, expected in cases(sigma):
+        found = candidate_series(body, th, om, sigma)
+        for what in (0, 1, 2) if sigma == 0 else (0, 3):
+            series = expected[what]
+            np.testing.assert_allclose(found[what], series, rtol=0, atol=1e-12 * np.abs(series).max())
 
 
 def test_first_coefficient_beyond_rounding_has_the_say():
     assert leading_sign((0.0, 0.0, -1e-3, 5.0, 0.0), 1.0) == -1
     assert leading_sign((1e-14, -1e-13, 0.0, 2e-6, -1.0), 1.0) == 1
     assert leading_sign((1e-14, -1e-14, 0.0, 0.0, 1e-12), 1.0) == 0
+
+
+def test_zero_is_measured_by_the_scale():
+    assert leading_sign((0.0,) * 5, 0.0) == 0
+    assert leading_sign((5e-10, 0.0, 0.0, -1.0, 0.0), 100.0) == -1
+    assert leading_sign((5e-13, 0.0, 0.0, -1.0, 0.0), 0.01) == 1
+
+
+def test_rolling_stays_without_slip():
+    body = BODIES[0]
+    assert candidate_series(body, 0.4, 1.3, 0)[3] == (0.0,) * TERMS

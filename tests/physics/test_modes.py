@@ -268,3 +268,51 @@ def test_at_painleves_threshold_the_plane_cannot_tell():
         ):
             at = body._replace(mu_s=mu * (1.0 + nudge), mu_k=mu * (1.0 + nudge))
             assert modes.next_mode(at, th, 0.0, 0.1, sigma) == expected
+
+
+def test_at_the_threshold_itself_no_slip_can_start():
+    body = Body(0.5, 0.25, 1.0, 1.0, 1.0, 0.0, 0.0, 2, False, 0.0)
+    assert modes.can_start_slip(body, -0.5 * math.pi, 0.1, 1) is False
+
+
+def test_where_a_push_has_no_answer_at_all():
+    """A ring without mass and its load above it: p_σ = 0 exactly. Rule 4: pressed it is inconsistent, lifted it flies."""
+    body = Body(1.0, 0.0, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+    for vt in (0.3, -0.3):
+        assert modes.next_mode(body, 0.0, 0.0, 0.5, vt) == modes.INCONSISTENT
+        assert modes.next_mode(body, 0.0, 0.0, 2.0, vt) == FLIGHT
+
+
+def test_a_disk_on_a_slope_whose_slip_neither_grows_nor_ends():
+    """μ = tan β κ/(1 + κ): friction along the slope is just what rolling needs."""
+    body = Body(0.0, 1.0, 0.25, 0.25, 1.0, 0.5, 0.0, 2, False, 0.0)
+    ax, _, alpha, _, _ = accelerations(body, 0.3, 1.0, 1)
+    assert ax == alpha
+    assert modes.can_start_slip(body, 0.3, 1.0, 1) is False
+    assert modes.can_start_slip(body, 0.3, 1.0, -1) is False
+    assert modes.next_mode(body, 0.3, 0.0, 1.0, 0.0) == ROLL
+
+
+def test_the_edge_of_the_cone_at_many_turns_a_second():
+    """At θ̇² = 10⁵ g/R the rounding of forces is 10⁻¹¹ of gravity, and a tie is still one."""
+    seen = set()
+    for body, random in bodies(400, 8):
+        th, om = 6.0 * random.random() - 3.0, 300.0 * random.normal()
+        _, _, _, friction, normal = accelerations(body, th, om, "roll")
+        size = om * om
+        if normal < 0.05 * size or abs(friction) < 0.02 * size:
+            continue
+        mu = abs(friction) / normal
+        body = body._replace(mu_s=mu, mu_k=mu)
+        _, _, _, later, presses = accelerations(body, *a_little_later(body, th, om, "roll", 1e-5 / abs(om)), "roll")
+        margin = (mu * presses - abs(later)) / size
+        if abs(margin) < 1e-7:
+            continue
+        assert modes.can_roll(body, th, om) == (margin > 0.0)
+        along, up = responses(body, th)
+        sigma = -1 if friction > 0.0 else 1
+        if up[1] - sigma * mu * along[1] > 1e-3:
+            ax, _, alpha, _, _ = accelerations(body, *a_little_later(body, th, om, sigma, 1e-5 / abs(om)), sigma)
+            assert modes.can_start_slip(body, th, om, sigma) == (sigma * (ax - alpha) > 0.0)
+        seen.add((friction > 0.0, margin > 0.0))
+    assert len(seen) == 4

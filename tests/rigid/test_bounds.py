@@ -12,7 +12,10 @@ import hophoop as hh
 from hophoop import arbitration
 from hophoop.numerics import roots
 from hophoop.panels import landing
-from hophoop.records.writing import MOST_PANELS
+from hophoop.panels.panel import LEVELS, RESOLVED
+from hophoop.records.scratch import MOST_PANELS, new_scratch
+from hophoop.records.state import start_state
+from hophoop.rigid import panel_choice
 
 MASSLESS = hh.Hoop(eccentricity=1.0, inertia_ratio=0.0)
 SMOOTH = hh.Plane(gravity=0.0)
@@ -150,3 +153,72 @@ def test_the_longer_computation_has_a_budget():
     budget = arbitration.Budget(arbitration.ALL_STEPS)
     assert arbitration.script_until(ordinary, 0.3, budget).size
     assert 0 < budget.steps < arbitration.ALL_STEPS
+
+
+def solving(monkeypatch, change):
+    """The sizes of the panels that are solved, with what `change` makes of each result."""
+    solved = []
+    solve = panel_choice.solve.py_func
+
+    def changed(body, panel, work):
+        solved.append(panel.extent)
+        return change(solve(body, panel, work), len(solved))
+
+    monkeypatch.setattr(panel_choice, "solve", changed)
+    return solved
+
+
+def choose(state, body):
+    scratch = new_scratch()
+    state = panel_choice.anchored.py_func(body, 0, state, scratch)
+    return panel_choice.choose_panel.py_func(
+        body, 0, state, panel_choice.START_LEVEL, panel_choice.FIRST_EXTENT, scratch
+    ), scratch
+
+
+@pytest.mark.parametrize("omega", [0.0, 1.0, 1e-10, 1e-150])
+def test_a_panel_that_is_never_resolved_is_given_up(monkeypatch, omega):
+    """Narrower and narrower ones are tried, each counted, down to the smallest that is allowed; then it is said so."""
+    solved = solving(monkeypatch, lambda totals, _: totals._replace(tail=1.0))
+    (panel, totals, level), scratch = choose(start_state(0.0, 0.0, 1.0, 0.0, 0.0, omega), hh.Scenario().to_body())
+    assert totals.tail > RESOLVED
+    tried = scratch.written[2]
+    if omega == 0.0:
+        # halved from 0.4 rad until it is below the smallest
+        assert len(solved) == tried == math.ceil(math.log2(panel_choice.FIRST_EXTENT / panel_choice.SMALLEST_EXTENT)) + 1
+        assert panel.extent < panel_choice.SMALLEST_EXTENT
+    else:
+        # below a speed of 10⁻³ a hoop turns within θ̇²/θ̈, for which there are levels beyond the tables
+        finest = LEVELS + max(0, math.ceil(2.0 * math.log2(panel_choice.SLOW**2 / omega**2)))
+        assert tried <= finest
+        assert level >= finest
+        assert len(solved) <= (5 + 1 + panel_choice.MOST_MOVES) * tried
+
+
+def test_a_motion_whose_panels_are_not_resolved_says_so(monkeypatch):
+    """It ends without an answer where the panels end, and not with one that is wrong."""
+    monkeypatch.setenv("HOPHOOP_KERNELS", "interpreted")
+    solving(monkeypatch, lambda totals, count: totals._replace(tail=1.0) if count > 5 else totals)
+    # infinite friction: no more digits are asked for
+    motion = hh.simulate(hh.Scenario(plane=hh.Plane(mu=math.inf), start=hh.Start.rolling(3.1)))
+    assert motion.status == "undetermined"
+    assert 0.0 < motion.duration < 1.0
+    assert is_finite(motion)
+
+
+def test_a_turning_point_is_moved_so_often_and_no_more(monkeypatch):
+    """Where moving it never brings θ̇² to what it is at the start."""
+    body = hh.Scenario().to_body()
+    begin = panel_choice.Begin(-1.0, 0.0, math.sin(-1.0), math.cos(-1.0), 0.5, 1.0, 1.0, 0.0)
+    before = panel_choice.linear_panel(0, 0, 1.0, begin)
+    scratch = new_scratch()
+    solved = solving(monkeypatch, lambda totals, count: totals._replace(tail=0.0, u=1.1 if count % 2 else 0.9))
+    panel_choice.solve_arrival.py_func(body, before, 0.1, scratch.work)
+    assert len(solved) == 1 + panel_choice.MOST_MOVES
+    # with the true solutions a few moves are enough
+    monkeypatch.undo()
+    motion = hh.simulate(hh.Scenario(start=hh.Start.rolling(0.5, angle=math.pi)))
+    turn = motion.find("turn")[0]
+    # ½ v² (2 + 2 γ cos π) = γ g (1 + cos θ) R of height
+    height = (1.0 - 0.75) * 0.25 / (0.75 * 9.81)
+    assert abs(math.pi - turn.angle) == pytest.approx(math.acos(1.0 - height), rel=1e-12)

@@ -13,8 +13,10 @@ from scipy import integrate, optimize
 
 import hophoop as hh
 from hophoop import theory
+from hophoop.physics.roll import rolling_u
 from hophoop.scenario import to_body
 from hophoop.theory._columns import body_from
+from hophoop.theory.kernels import arcs
 from oracles import elliptic, mechanics
 from oracles.cases import case_of
 from strategies import hoops
@@ -119,6 +121,24 @@ def test_uphill_the_hoop_turns_back():
 
 
 # --- friction that rolling needs -------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_far_uphill_no_hilltop_is_looked_at_one_by_one(way):
+    """Each hilltop is higher than the last: once the search took a step a turn, and 10¹⁸ rad had no end."""
+    hoop, gentle, speed = hh.Hoop.ideal(0.3), hh.Plane(slope=-way * 1e-12), 3.0
+    reach = 1.3 * speed**2 / (9.81 * 1e-12)  # R = 1 m: so far on, all of v² (1 + γ) has become height
+    angles = way * np.array([0.9 * reach, 1.1 * reach, 1e6 * reach])
+    found = theory.rolling_speed(angles, hoop, way * speed, gentle)
+    np.testing.assert_array_equal(np.isnan(found), [False, True, True])
+    # where they are few, one by one
+    body, w = to_body(hoop, hh.Plane(slope=-way * 1e-3)), speed**2 / 9.81
+    place = arcs.next_of.py_func(arcs.first_hilltop.py_func(body), 0.0, way)
+    while rolling_u(body, 0.0, w, place) >= 0.0:
+        place += way * TURN
+    for end in (1e5, 1e9):
+        assert arcs.blocking.py_func(body, 0.0, w, way * end) == pytest.approx(place, rel=1e-12)
+    assert math.isnan(arcs.blocking.py_func(body, 0.0, w, place - way * TURN))
 
 
 def test_needed_friction_of_the_literature():

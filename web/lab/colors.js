@@ -23,7 +23,7 @@ const channel = (value) => {
 };
 
 /** @param {string} color */
-function luminance(color) {
+export function luminance(color) {
   const [r, g, b] = parsed(color).map(channel);
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }

@@ -1,6 +1,7 @@
 // A computed motion: what Python has sent, and the state at any time in it.
 
 import { clamp } from "./numbers.js";
+import { told } from "./words.js";
 
 export const MODE_LETTERS = "RSKHM";
 
@@ -29,7 +30,7 @@ export class Film {
     /** @type {Record<string, number>} */
     this.automatic = header.automatic;
     /** @type {string} */
-    this.summary = header.summary;
+    this.said = header.summary;
     /** @type {Sentence[]} */
     this.story = header.story;
     /** @type {boolean} */
@@ -53,6 +54,11 @@ export class Film {
     this.extent = this.findExtent();
     /** @type {Map<string, Column>} */
     this.cache = new Map();
+  }
+
+  // What happens, in one sentence.
+  get summary() {
+    return told(this.said);
   }
 
   findPhases() {

@@ -4,7 +4,8 @@ import { faded, parsed } from "./colors.js";
 import { fitted, h, once, pen } from "./dom.js";
 import { clamp, niceStep, tickText, ticks } from "./numbers.js";
 import { swatch } from "./plot.js";
-import { zoomable } from "./zoom.js";
+import { zoomable, zoomHint } from "./zoom.js";
+import { t } from "./words.js";
 
 const LEFT = 52;
 const RIGHT = 10;
@@ -67,10 +68,9 @@ export class PhasePlane {
       h(
         "p",
         { class: "hint" },
-        "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox. " +
-          (matchMedia("(hover: none)").matches
-            ? "Tap to go there, two fingers zoom."
-            : "Click to go there; with Ctrl or Shift the wheel zooms, double-click for all."),
+        "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
+        " ",
+        `Click to go there; ${zoomHint("")}.`,
       ),
     );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
@@ -371,7 +371,7 @@ export class PhasePlane {
       context.fillText(tickText(k * step, step), x, TOP + this.box.height + 15);
     }
     context.textAlign = "right";
-    context.fillText("angle θ within a turn [°]", width - RIGHT, height - 3);
+    context.fillText(t("angle θ within a turn [°]"), width - RIGHT, height - 3);
     context.textBaseline = "middle";
     const span = this.top() - this.bottom();
     for (const value of ticks(this.bottom(), this.top(), 5)) {

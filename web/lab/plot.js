@@ -4,6 +4,8 @@ import { faded, readable } from "./colors.js";
 import { fitted, h } from "./dom.js";
 import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
 import { follow } from "./pointer.js";
+import { QUANTITIES } from "./quantities.js";
+import { t } from "./words.js";
 import { zoomable } from "./zoom.js";
 
 const LEFT = 52;
@@ -29,7 +31,7 @@ export class Plot {
   picked;
   /** @type {string} */
   named;
-  /** @type {HTMLOutputElement[]} */
+  /** @type {HTMLElement[]} */
   values;
 
   /**
@@ -72,8 +74,7 @@ export class Plot {
 
   /** @param {Film} film */
   abscissa(film) {
-    if (this.shared.axis === "time") return film.columns.t;
-    return film.derived("degrees", ({ angle }) => Float64Array.from(angle, (value) => (value * 180) / Math.PI));
+    return QUANTITIES[this.shared.axis].values(film);
   }
 
   fullRange() {
@@ -209,7 +210,8 @@ export class Plot {
     const across = niceStep(this.range[1] - this.range[0], wide);
     context.textAlign = "center";
     context.textBaseline = "alphabetic";
-    const unit = this.shared.axis === "time" ? "time [s]" : "angle [°]";
+    const { name, unit: inUnit } = QUANTITIES[this.shared.axis];
+    const unit = inUnit ? `${t(name)} [${inUnit}]` : t(name);
     for (const value of ticks(this.range[0], this.range[1], wide)) {
       const x = this.x(value);
       context.beginPath();
@@ -224,7 +226,7 @@ export class Plot {
     context.translate(11, TOP + 0.5 * this.box.height);
     context.rotate(-Math.PI / 2);
     context.textAlign = "center";
-    context.fillText(this.unit, 0, 0);
+    context.fillText(t(this.unit), 0, 0);
     context.restore();
   }
 
@@ -265,7 +267,7 @@ export class Plot {
     const names = curves.map((curve) => curve.name).join() + dark;
     if (this.named !== names) {
       this.named = names;
-      this.values = curves.map(() => h("output", {}));
+      this.values = curves.map(() => h("span", { class: "value" }));
       this.keys.replaceChildren(
         ...curves.map((curve, i) =>
           h("span", { class: "plot-key" }, swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),
@@ -283,9 +285,11 @@ export class Plot {
         if (value > high) high = value;
       }
       const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
-      return high >= low ? `${which}${name} from ${show(low, 3)} to ${show(high, 3)}` : "";
+      const found = { name: t(name), low: show(low, 3), high: show(high, 3) };
+      return high >= low ? `${which}${t("{name} from {low} to {high}", found)}` : "";
     });
-    this.body.setAttribute("aria-label", `${this.title} in ${this.unit}. ${parts.filter(Boolean).join("; ")}.`);
+    const head = t("Diagram: {title} in {unit}.", { title: t(this.title), unit: t(this.unit) });
+    this.body.setAttribute("aria-label", `${head} ${parts.filter(Boolean).join("; ")}.`);
   }
 
   /** @param {number} time */
@@ -295,11 +299,12 @@ export class Plot {
     context.clearRect(0, 0, width, height);
     this.films.forEach((film, lane) => {
       const pose = film.at(time);
-      const x = this.x(this.shared.axis === "time" ? pose.t : (pose.angle * 180) / Math.PI);
-      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
       const i = film.index(pose.t);
       const j = Math.min(i + 1, film.length - 1);
       const share = film.t[j] > film.t[i] ? (pose.t - film.t[i]) / (film.t[j] - film.t[i]) : 0;
+      const across = this.abscissa(film);
+      const x = this.x(across[i] + share * (across[j] - across[i]));
+      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
       if (inside) {
         context.strokeStyle = this.look.soft;
         context.lineWidth = 1;

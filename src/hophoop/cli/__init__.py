@@ -46,10 +46,19 @@ class Commands(TyperGroup):
         )(getattr(module, cmd_name))
         return typer.main.get_command(one)
 
+    def make_context(self, *args: Any, **extra: Any) -> Any:
+        """Read the options."""
+        try:
+            return super().make_context(*args, **extra)
+        except KeyboardInterrupt as error:
+            raise Stopped from error
+
     def invoke(self, ctx: Any) -> Any:
         """Run the command; bad input, files that cannot be used and missing extras end with status 2."""
         try:
             return super().invoke(ctx)
+        except KeyboardInterrupt as error:
+            raise Stopped from error
         except BrokenPipeError:
             raise  # the reader of a pipe has gone; handled where it has always been
         except (ValueError, OSError, ImportError) as error:
@@ -81,7 +90,7 @@ class Commands(TyperGroup):
         except Failed as error:
             say(f"Error: {error}")
             status = BAD_INPUT
-        except (typer.Abort, KeyboardInterrupt) as error:
+        except (typer.Abort, Stopped, KeyboardInterrupt) as error:
             say("Stopped.")
             status = stopped_by(error.__cause__ or error)
         except Exception as error:
@@ -97,6 +106,10 @@ class Commands(TyperGroup):
                 say(f"Error: {text.rstrip('.')}. See {command} --help.")
             status = int(getattr(error, "exit_code", BAD_INPUT))
         sys.exit(status if isinstance(status, int) else DONE)
+
+
+class Stopped(Exception):
+    """Ctrl-C or SIGTERM, by a name of ours: of a KeyboardInterrupt Typer makes status 130 without a word."""
 
 
 class Terminated(KeyboardInterrupt):

@@ -1,14 +1,19 @@
-"""How much work a motion with compliant contact is, told before it starts."""
+"""How much work a motion with compliant contact is, told before it starts, and how far it is."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from hophoop.scenario import Scenario
+    from hophoop.trajectory import Trajectory
 
 PART = 0.05  # of the motion is tried
 MANY = 100_000  # steps, about a second: fewer are not worth a word
+SOON = 1.0  # s after which a motion that is not there yet shows how far it is
+LOOKS = 0.1  # s between two looks
 
 
 def work_ahead(scenario: Scenario) -> str | None:
@@ -28,3 +33,41 @@ def work_ahead(scenario: Scenario) -> str | None:
         return words + "."
     fewer = "a shorter duration, a lower contact.stiffness or more damping needs fewer"
     return f"{words}, of which {MAX_STEPS:,} are computed; {fewer}."
+
+
+def with_progress(scenario: Scenario, console: Console) -> Trajectory:
+    """The motion; one with compliant contact that takes more than a second shows a bar on a terminal."""
+    from hophoop.simulation import simulate_watched
+
+    if scenario.contact.model != "compliant" or not console.is_terminal:
+        return simulate_watched(scenario)
+    import threading
+
+    import numpy as np
+
+    reached = np.zeros(1)
+    motions: list[Trajectory] = []
+    errors: list[BaseException] = []
+
+    def compute() -> None:
+        try:
+            motions.append(simulate_watched(scenario, reached))
+        except BaseException as error:
+            errors.append(error)
+
+    # in a thread beside, which compiled code lets go on: Ctrl-C is heard here, and ends both
+    thread = threading.Thread(target=compute, daemon=True)
+    thread.start()
+    thread.join(SOON)
+    if thread.is_alive():
+        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+        columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
+        with Progress(*columns, console=console, transient=True) as bars:
+            task = bars.add_task("motion", total=1.0)
+            while thread.is_alive():
+                bars.update(task, completed=float(reached[0]))
+                thread.join(LOOKS)
+    if errors:
+        raise errors[0]
+    return motions[0]

@@ -63,6 +63,10 @@ def fit(
     ] = None,
     gravity: Annotated[float, typer.Option(help="m/s².", rich_help_panel=MODEL)] = 9.81,
     law: Annotated[str, typer.Option(help="Of impacts: stronge, newton or poisson.", rich_help_panel=MODEL)] = "stronge",
+    sample: Annotated[
+        int | None,
+        typer.Option(metavar="STEPS", help="Walk through the posterior, some 1000 steps (emcee).", rich_help_panel=MODEL),
+    ] = None,
     squares: Annotated[
         bool, typer.Option("--squares", help="Plain squares: outliers count in full.", rich_help_panel=MODEL)
     ] = False,
@@ -95,6 +99,8 @@ def fit(
         sigma_angle,
         not squares,
     )
+    if sample is not None:
+        found = _sampled(found, sample, quiet)
     _show(found, json)
     if save is not None:
         found.save(save)
@@ -102,6 +108,16 @@ def fit(
         _write(found, out, film, quiet)
     if not found.good:
         raise typer.Exit(NO_ANSWER)
+
+
+def _sampled(found: Any, steps: int, quiet: bool) -> Any:
+    from contextlib import nullcontext
+
+    from hophoop.animate.export import bar
+    from hophoop.fitting import sample
+
+    with nullcontext(None) if quiet else bar("sampling") as progress:
+        return sample(found, steps, progress=progress)
 
 
 def _hoop(text: str) -> Any:

@@ -26,13 +26,13 @@ COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 
 
 @jit
-def set_tolerances(comp, work):
+def set_tolerances(body, comp, work):
     """Sizes of the variables beside which errors are measured."""
     work.atol[Y] = min(1.0, 1.0 / comp.k)
     work.atol[TH] = 1.0
     work.atol[VT] = min(1.0, comp.v_s)
     work.atol[VN] = min(1.0, 1.0 / math.sqrt(comp.k))
-    work.atol[OM] = 1.0
+    work.atol[OM] = min(1.0, comp.om_s) if body.resist > 0.0 else 1.0
     work.atol[Z] = 1.0
     if comp.friction == BRISTLE:
         work.atol[Z] = min(1.0, 1.0 / comp.k_t)
@@ -54,7 +54,7 @@ def begin(comp, touching, log, work):
 
 
 @jit
-def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments):
+def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments, reached):
     """The motion from a state to the end of time.
 
     Parameters
@@ -72,6 +72,8 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
         Filled.
     no_segments : ndarray of records.SEGMENT
         Of length 0.
+    reached : ndarray, shape (1,)
+        The share of the time that is computed, for who looks on from another thread.
 
     Returns
     -------
@@ -82,8 +84,8 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     armed = np.zeros(GUARDS, np.bool_)
     for m in range(SIZE):
         work.state[m] = start[m]
-    set_tolerances(comp, work)
-    log = Log(events, no_segments, np.zeros(3, np.int64))
+    set_tolerances(body, comp, work)
+    log = Log(events, no_segments, np.array([0, 0, 0, max_steps + 1]))
     phase = begin(comp, touching, log, work)
     while phase.status == GOING and phase.t < t_end and has_room(log):
         count_panel(log)  # also of a step that failed
@@ -93,6 +95,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
             phase, rows = flight_step(body, comp, phase, t_end, log, rows, work)
         else:
             phase, rows = contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work)
+        reached[0] = phase.t / t_end
     note(log, END, phase.mode, phase.mode, phase.t, work.state)
     if log.written[0] < 0:
         return EVENT_LIMIT, events.shape[0], rows, log.written[1]
@@ -103,13 +106,15 @@ FIRST_EVENTS = 256
 MAX_STEPS = 500_000  # some seconds, and some 240 MB
 
 
-def simulate_compliant(scenario: Scenario) -> tuple[int, np.ndarray, np.ndarray]:
+def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) -> tuple[int, np.ndarray, np.ndarray]:
     """Compute the motion of a scenario with compliant contact.
 
     Parameters
     ----------
     scenario : Scenario
         Its contact is Compliant.
+    reached : ndarray, shape (1,), optional
+        Is given the share of the duration that is computed, again and again [1].
 
     Returns
     -------
@@ -123,10 +128,11 @@ def simulate_compliant(scenario: Scenario) -> tuple[int, np.ndarray, np.ndarray]
     start, touching = to_start(scenario, body, comp)
     limit = scenario.contact.max_events
     size = min(FIRST_EVENTS, limit)
+    reached = np.zeros(1) if reached is None else reached
     while True:
         events = np.empty(size, EVENT)
         status, count, rows, pieces = run(
-            body, comp, start, touching, t_end, rtol, MAX_STEPS, events, np.empty(0, RIGID_SEGMENT)
+            body, comp, start, touching, t_end, rtol, MAX_STEPS, events, np.empty(0, RIGID_SEGMENT), reached
         )
         if status != EVENT_LIMIT or count < size or size == limit:
             break

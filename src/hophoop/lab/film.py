@@ -112,6 +112,7 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
             "hoop.eccentricity": hoop.eccentricity,
             "hoop.inertia_ratio": hoop.inertia_ratio,
             "plane.mu": _finite(plane.mu),
+            "plane.rolling_resistance": plane.rolling_resistance,
             "plane.mu_static": _finite(plane.mu_static),
             "plane.mu_kinetic": _finite(plane.mu_kinetic),
             "start.speed": scenario.start.speed,

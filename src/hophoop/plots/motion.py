@@ -134,6 +134,15 @@ def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = N
             ls=(0, (3, 1.2, 1, 1.2, 1, 1.2)),
             label=axis_labels.normal_loss(motion.scenario.contact.model),
         )
+    if np.any(sample.rolling_resistance > 0.0):
+        ax.plot(
+            across,
+            sample.rolling_resistance,
+            color=colors.GRAY,
+            lw=LINE,
+            ls=(0, (2, 1, 1, 1)),
+            label="lost to rolling resistance",
+        )
     if np.any(sample.spring > 0.0):
         ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")
     _frame(ax, motion, against, axis_labels.ENERGY, modes)

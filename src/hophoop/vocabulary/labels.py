@@ -34,6 +34,7 @@ VARIABLES: Final[dict[str, tuple[str, str]]] = {
     "friction": ("J", "Energy lost in slip so far"),
     "impact_normal": ("J", "Energy lost in the normal part of impacts so far"),
     "impact_tangential": ("J", "Energy lost in the tangential part of impacts so far"),
+    "rolling_resistance": ("J", "Energy lost to rolling resistance so far"),
     "spring": ("J", "Energy stored in the compliant contact"),
     "damping": ("J", "Energy lost in the damper of the compliant contact so far"),
 }

@@ -293,7 +293,7 @@ def test_two_hoops_are_told_apart(visit):
     assert heading.inner_text() == "What happens to hoop B"
     assert page.locator(".story-list li").count() > 10
     wait_for(page, "lab.theory.heading.textContent === 'What theory says of hoop B'")
-    told = page.locator("[data-plot=velocities] output").first
+    told = page.locator("[data-plot=velocities] .value").first
     assert told.inner_text() == "3.1"
     page.get_by_role("button", name="Hoop A").click()
     wait_for(page, "!lab.surrounding")

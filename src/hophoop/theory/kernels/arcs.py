@@ -83,12 +83,20 @@ def blocking(body, ref, u_ref, end):
     hilltop = first_hilltop(body)
     if not math.isnan(hilltop):
         place = next_of(hilltop, ref, way)
-        while way * (end - place) > 0.0:
+        if way * (end - place) > 0.0:
             if rolling_u(body, ref, u_ref, place - ref) < 0.0:
                 return place
-            if way * body.gt >= 0.0:  # downhill or on the level the first is the highest
-                break
-            place += way * TURN
+            # downhill or on the level the first is the highest; uphill the last, and the search halves the turns between
+            low, high = 0.0, math.ceil(way * (end - place) / TURN) - 1.0
+            if way * body.gt < 0.0 and rolling_u(body, ref, u_ref, place + way * high * TURN - ref) < 0.0:
+                middle = math.floor(0.5 * high)
+                while low < middle < high:
+                    if rolling_u(body, ref, u_ref, place + way * middle * TURN - ref) < 0.0:
+                        high = middle
+                    else:
+                        low = middle
+                    middle = math.floor(0.5 * (low + high))
+                return place + way * high * TURN
     if rolling_u(body, ref, u_ref, end - ref) < 0.0:
         return end
     return math.nan

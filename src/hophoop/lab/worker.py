@@ -1,0 +1,217 @@
+"""A process that computes for the lab and can be stopped: jobs come on standard input, answers go to standard output.
+
+The kernel cannot be stopped from within its process: a motion runs to its end. A process can. It is asked first, by an
+interrupt, which ends a map, a film or a file at once and keeps the process; one that is deep in a motion is ended.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import signal
+import struct
+import subprocess
+import sys
+import traceback
+from dataclasses import dataclass
+from typing import Any, BinaryIO
+
+from hophoop._processes import python_beside
+
+ANSWER, ERROR, FAILED, STOPPED = "answer", "error", "failed", "stopped"
+_IDLE, _COMPUTING, _WRITING = range(3)
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is to be computed.
+
+    Attributes
+    ----------
+    request : hophoop.lab.calls.Request
+        A checked request.
+    limits : hophoop.lab.limits.Limits
+    form : str
+        How it is answered: packed, json, or the name of a file.
+    """
+
+    request: Any
+    limits: Any
+    form: str
+
+
+class Ended(RuntimeError):
+    """The process has ended, since it was stopped or the system has ended it."""
+
+
+class Worker:
+    """Another process that computes one job at a time."""
+
+    def __init__(self) -> None:
+        # in a session of its own: Ctrl-C is for the server, which ends it, and whatever it has started ends with it
+        self._process = python_beside(
+            "from hophoop.lab.worker import main; main()",
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            start_new_session=True,
+        )
+
+    def exchange(self, job: Job) -> tuple[str, Any]:
+        """Hand over a job and wait for its answer.
+
+        Raises
+        ------
+        Ended
+            If the process has ended.
+        """
+        try:
+            _write(self._process.stdin, job)  # type: ignore[arg-type]
+        except (OSError, ValueError):  # its pipe is broken, or closed
+            raise Ended from None
+        return self.read()
+
+    def read(self) -> tuple[str, Any]:
+        """Wait for what the process says next.
+
+        Raises
+        ------
+        Ended
+            If the process has ended.
+        """
+        try:
+            said: tuple[str, Any] = _read(self._process.stdout)  # type: ignore[arg-type]
+        except (EOFError, OSError, ValueError):
+            raise Ended from None
+        return said
+
+    def interrupt(self) -> bool:
+        """Ask it to stop what it computes; False where that is not possible."""
+        if os.name != "posix":
+            return False
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(self._process.pid, signal.SIGINT)
+        return True
+
+    def end(self) -> None:
+        """End the process, and all that it has started."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            if os.name == "posix":
+                os.killpg(self._process.pid, signal.SIGKILL)
+            else:
+                self._process.kill()
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    @property
+    def running(self) -> bool:
+        """Whether it is there."""
+        return self._process.poll() is None
+
+
+class _Stopped(KeyboardInterrupt):
+    """What is being computed is not wanted any more."""
+
+
+class _Loop:
+    """Takes jobs one by one; to every interrupt it says `STOPPED` exactly once."""
+
+    def __init__(self, inward: BinaryIO, outward: BinaryIO) -> None:
+        self.inward, self.outward = inward, outward
+        self.state = _IDLE
+        self.owed = 0
+
+    def interrupted(self, *_: Any) -> None:
+        if self.state == _COMPUTING:
+            self.state = _WRITING
+            raise _Stopped
+        if self.state == _IDLE:
+            _write(self.outward, (STOPPED, None))
+        else:
+            self.owed += 1
+
+    def run(self) -> None:
+        while True:
+            try:
+                job = _read(self.inward)
+            except EOFError:
+                return
+            try:
+                self.state = _COMPUTING
+                said = outcome(job)
+                self.state = _WRITING
+            except _Stopped:
+                said = (STOPPED, None)
+            _write(self.outward, said)
+            while self.owed:
+                self.owed -= 1
+                _write(self.outward, (STOPPED, None))
+            self.state = _IDLE
+
+
+def outcome(job: Job) -> tuple[str, Any]:
+    """Compute a job.
+
+    Parameters
+    ----------
+    job : Job
+
+    Returns
+    -------
+    said : (str, object)
+        `ANSWER` with bytes, `ERROR` with an exception that the asker must be told, or `FAILED` with a traceback.
+    """
+    from hophoop.lab import calls, files
+
+    try:
+        if job.form in files.KINDS:
+            return ANSWER, files.KINDS[job.form].make(job.request.scenario, job.limits)
+        answered = calls.answer(job.request, job.limits)
+        return ANSWER, answered.packed() if job.form == "packed" else answered.json()
+    except (ValueError, ImportError) as error:
+        return ERROR, error
+    except Exception:
+        return FAILED, traceback.format_exc()
+
+
+def main() -> None:
+    """Compute jobs until standard input ends."""
+    inward = sys.stdin.buffer
+    outward = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
+    loop = _Loop(inward, outward)
+    signal.signal(signal.SIGINT, loop.interrupted)
+    loop.state = _WRITING  # an interrupt meanwhile is answered with the first job
+    _prepare()
+    loop.state = _IDLE
+    loop.run()
+
+
+def _prepare() -> None:
+    """Load what most jobs need, before the first one waits for it."""
+    from hophoop import maps  # noqa: F401
+    from hophoop.lab import calls
+    from hophoop.scenario import Scenario
+
+    with contextlib.suppress(ValueError, ImportError):
+        calls.film_of(calls.computed(Scenario()))
+
+
+def _write(stream: BinaryIO, value: Any) -> None:
+    block = pickle.dumps(value, pickle.HIGHEST_PROTOCOL)
+    stream.write(struct.pack("<Q", len(block)) + block)
+    stream.flush()
+
+
+def _read(stream: BinaryIO) -> Any:
+    head = stream.read(8)
+    if len(head) < 8:
+        raise EOFError
+    (length,) = struct.unpack("<Q", head)
+    block = stream.read(length)
+    if len(block) < length:
+        raise EOFError
+    return pickle.loads(block)
