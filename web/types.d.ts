@@ -155,6 +155,7 @@ interface Backend {
   call(name: string, body: object, signal?: AbortSignal): Promise<Reply>;
   file(name: string, query: string): Promise<Blob>;
   link(query: string, hash: string): string | null;
+  files?: string[]; // which files it makes; all where it does not say
 }
 
 // What is drawn of the hoop.
@@ -372,10 +373,10 @@ interface Given {
   ideal: boolean; // given by its load fraction: κ = 1 − ε²
   gravity: number;
   slope: number;
-  rolling_resistance: number;
   mu_static: number; // may be Infinity, as μk
   mu_kinetic: number;
   restitution: number;
+  rolling_resistance: number;
   impact_law: "stronge" | "newton" | "poisson";
   painleve: "flight" | "impact";
   x: number;
@@ -458,6 +459,8 @@ interface MapValues {
 
 // The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
 interface Kernel {
+  /** A motion and its columns at once. */
+  film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
   columns(given: Given, signal?: AbortSignal): MaybeLater<Record<string, Column>>;

@@ -47,6 +47,15 @@ function definitions(colors) {
           values: film.columns.normal_loss,
           dash: "dot",
         },
+        ...(film.scenario.plane.rolling_resistance
+          ? [
+              {
+                name: "lost to rolling resistance",
+                values: film.columns.rolling_resistance,
+                dash: /** @type {const} */ ("dot"),
+              },
+            ]
+          : []),
       ],
     },
     {

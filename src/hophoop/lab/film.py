@@ -15,7 +15,7 @@ from hophoop.vocabulary.words import MODES, STATUSES, coming_rotation, mode_word
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
-    "friction_loss", "normal_loss", "utilization", "mode",
+    "friction_loss", "normal_loss", "rolling_resistance", "utilization", "mode",
 )  # fmt: skip
 
 
@@ -115,6 +115,7 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
             "plane.rolling_resistance": plane.rolling_resistance,
             "plane.mu_static": _finite(plane.mu_static),
             "plane.mu_kinetic": _finite(plane.mu_kinetic),
+            "plane.rolling_resistance": plane.rolling_resistance,
             "start.speed": scenario.start.speed,
             "start.height": state.height,
             "start.vx": state.vx,
