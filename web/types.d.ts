@@ -215,7 +215,7 @@ interface MapLayer {
 interface Curve {
   name: string;
   color?: string;
-  dash?: "solid" | "dash" | "dot";
+  dash?: "solid" | "dash" | "dot" | "long" | "mixed";
   values: Column;
 }
 

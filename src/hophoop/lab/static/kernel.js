@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources cf19a87ba3c1210c845352634f8560f2 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources f05e7472a96b0f9c330566bbc6b47ca5 */
 var l={sources:"3139167f05f885e0d904e890c18e0282",module:"ea38310512919946",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
