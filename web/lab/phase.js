@@ -1,6 +1,6 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
-import { faded, parsed } from "./colors.js";
+import { faded, hoopInk, parsed } from "./colors.js";
 import { fitted, h, once, pen } from "./dom.js";
 import { clamp, niceStep, tickText, ticks } from "./numbers.js";
 import { swatch } from "./plot.js";
@@ -129,7 +129,7 @@ export class PhasePlane {
     return {
       window: header.window,
       paradox: arrays.paradox,
-      picture: this.paint(arrays.modes, header.arrays[0].shape),
+      picture: this.paint(arrays.modes, arrays.paradox.length),
     };
   }
 
@@ -226,10 +226,11 @@ export class PhasePlane {
   }
 
   /**
-   * @param {Column} codes
-   * @param {number[]} shape
+   * @param {Column} codes by rows
+   * @param {number} columns
    */
-  paint(codes, [rows, columns]) {
+  paint(codes, columns) {
+    const rows = codes.length / columns;
     const { modes } = this.colors;
     const picture = h("canvas", { width: columns, height: rows });
     const image = new ImageData(columns, rows);
@@ -322,7 +323,7 @@ export class PhasePlane {
     const turn = 2 * Math.PI;
     context.lineWidth = lane ? 1.2 : 1.8;
     context.setLineDash(lane ? [4, 3] : []);
-    context.strokeStyle = this.look.ink;
+    context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
     context.beginPath();
     let last = null;
     for (let i = 0; i < film.length; i++) {
@@ -403,8 +404,13 @@ export class PhasePlane {
       context.fillStyle = this.colors.modes[pose.mode];
       context.fill();
       context.lineWidth = 2;
-      context.strokeStyle = this.look.ink;
+      context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
       context.stroke();
+      if (this.films.length < 2) return;
+      context.font = `700 12px ${this.look.font}`;
+      context.textAlign = "left";
+      context.fillStyle = context.strokeStyle;
+      context.fillText("AB"[lane], x + 8, y - 6);
     });
   }
 

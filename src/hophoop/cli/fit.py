@@ -23,11 +23,15 @@ def fit(
         Path | None, typer.Option(metavar="DIR", help="Folder for index.html, fit.json, scenario.toml.", rich_help_panel=OUTPUT)
     ] = None,
     film: Annotated[
-        Path | None, typer.Option(metavar="VIDEO", help="The film, to lay the motion over; with --out.", rich_help_panel=OUTPUT)
+        Path | None,
+        typer.Option(metavar="VIDEO", help="The film, to lay the motion over; with --out or --lab.", rich_help_panel=OUTPUT),
     ] = None,
     save: Annotated[
         Path | None, typer.Option(metavar="FILE", help="The fit with its data, .json.", rich_help_panel=OUTPUT)
     ] = None,
+    lab: Annotated[
+        bool, typer.Option("--lab", help="Open the lab with what was found, and over --film if given.", rich_help_panel=OUTPUT)
+    ] = False,
     json: Annotated[bool, typer.Option("--json", help="Print it as JSON, without the data.", rich_help_panel=OUTPUT)] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
     radius: Annotated[float | None, typer.Option(help="Of the rim, m, if the data do not say.", rich_help_panel=DATA)] = None,
@@ -83,8 +87,8 @@ def fit(
             check_folder(option, path)
     if save is not None:
         check_ending("--save", save, (".json",))
-    if film is not None and out is None:
-        raise InputError("--film needs --out, the folder of the page that shows it.")
+    if film is not None and out is None and not lab:
+        raise InputError("--film needs --out, the folder of the page that shows it, or --lab.")
     track = read_track(data, Reading(centre, marker, angle_unit, radius, sigma, sigma_angle))
     found = find(
         track,
@@ -106,6 +110,10 @@ def fit(
         found.save(save)
     if out is not None:
         _write(found, out, film, quiet)
+    if lab:
+        from hophoop.cli.lab import open_fit
+
+        open_fit(found, film)
     if not found.good:
         raise typer.Exit(NO_ANSWER)
 

@@ -81,7 +81,7 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
     """
     problem = fit.problem
     places = problem.places(fit.motion, fit.values)
-    first = len(fit.track.t) - int(np.searchsorted(-fit.track.t[::-1], -_first_time(fit), side="right"))
+    first = first_row(fit)
     count = len(problem.t)
     centre, angle = np.full((len(fit.track.t), 2), np.nan), np.full(len(fit.track.t), np.nan)
     centre[first : first + count] = np.stack([places["x"], places["y"]], axis=-1)
@@ -89,9 +89,31 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
     return centre, angle
 
 
-def _first_time(fit: Fit) -> float:
+def first_row(fit: Fit) -> int:
+    """The first row of the track in which something is known, where the motion begins [1]."""
     known = np.isfinite(fit.track.centre[:, 0]) | np.isfinite(fit.track.marker[:, 0]) | np.isfinite(fit.track.angle)
-    return float(fit.track.t[np.flatnonzero(known)[0]])
+    return int(np.flatnonzero(known)[0])
+
+
+def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> tuple[Floats, Floats]:
+    """Places or velocities of the data along the plane and away from it: tilt and scale undone.
+
+    Parameters
+    ----------
+    values : dict
+        Of a fit.
+    x, y : ndarray, shape (n,)
+        In the data's axes [m or m/s].
+    ground : float
+        Height of the plane in the data, 0 for velocities [m].
+
+    Returns
+    -------
+    along, away : ndarray, shape (n,)
+        [m or m/s]
+    """
+    cos, sin = np.cos(values["tilt"]) / values["scale"], np.sin(values["tilt"]) / values["scale"]
+    return cos * x + sin * (y - ground), -sin * x + cos * (y - ground)
 
 
 def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
@@ -115,13 +137,9 @@ def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
     t = angle.t
     turn, offset = fit.values["tilt"], fit.values["marker_angle"]
     theta, omega = angle.value + turn - offset, angle.rate
-    cos, sin = np.cos(turn), np.sin(turn)
-    flat = [np.interp(t, one.t, part) / fit.values["scale"] for one in (x, y) for part in (one.value, one.rate)]
-    place_x, place_y = (
-        cos * flat[0] + sin * (flat[2] - fit.values["origin_y"]),
-        -sin * flat[0] + cos * (flat[2] - fit.values["origin_y"]),
-    )
-    speed_x, speed_y = cos * flat[1] + sin * flat[3], -sin * flat[1] + cos * flat[3]
+    flat = [np.interp(t, one.t, getattr(one, part)) for part in ("value", "rate") for one in (x, y)]
+    place_x, place_y = on_plane(fit.values, flat[0], flat[1], fit.values["origin_y"])
+    speed_x, speed_y = on_plane(fit.values, flat[2], flat[3], 0.0)
     arm = hoop.eccentricity * hoop.radius
     vx, vy = speed_x + arm * omega * np.cos(theta), speed_y - arm * omega * np.sin(theta)
     kinetic = 0.5 * (vx**2 + vy**2 + hoop.inertia_ratio * (hoop.radius * omega) ** 2)

@@ -13,7 +13,7 @@ import gzip
 import json
 import re
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from anyio import to_thread
 from fastapi import Body, FastAPI, HTTPException, Path, Query, Request, Response
@@ -32,12 +32,17 @@ from hophoop.lab.workers import FILM, HEAVY, Workers, while_there
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.sentences import findings_sentence
 
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
+
 WAIT = 0.5  # seconds between two looks whether the kernel of maps is compiled
 PACK = 1000  # bytes from which on an answer is compressed
 GONE = 499  # what nginx writes down where the asker has gone; nobody reads it
 
 
-def create_app(limits: Limits = USUAL, names: Iterable[str] = (), workers: Workers | None = None) -> FastAPI:
+def create_app(
+    limits: Limits = USUAL, names: Iterable[str] = (), workers: Workers | None = None, backdrop: Backdrop | None = None
+) -> FastAPI:
     """The whole lab as an ASGI application.
 
     Parameters
@@ -48,6 +53,8 @@ def create_app(limits: Limits = USUAL, names: Iterable[str] = (), workers: Worke
         Names under which it is reached, besides addresses, localhost and this machine's own.
     workers : Workers, optional
         What computes; processes of its own by default.
+    backdrop : Backdrop, optional
+        A film to lay under the hoop.
 
     Returns
     -------
@@ -94,7 +101,7 @@ def create_app(limits: Limits = USUAL, names: Iterable[str] = (), workers: Worke
 
     app.add_middleware(Guard, names=names)
     app.include_router(router)
-    page.mount(app)
+    page.mount(app, backdrop)
     return app
 
 

@@ -10,6 +10,7 @@ import time
 import webbrowser
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 from urllib.request import urlopen
 
 from hophoop._extras import need
@@ -18,6 +19,9 @@ from hophoop._jit.beside import launch
 from hophoop.lab.limits import USUAL
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.simulation import simulate
+
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
 
 LOOPBACK = "127.0.0.1"
 PORT = 8765
@@ -58,6 +62,7 @@ def serve(
     browser: bool = False,
     query: str = "",
     names: Sequence[str] = (),
+    backdrop: Backdrop | None = None,
 ) -> None:
     """Serve the lab until it is stopped.
 
@@ -76,6 +81,8 @@ def serve(
     names : sequence of str, optional
         Names under which it is reached, such as that of a proxy in front of it; addresses and this machine's own name
         are known. Under any other name it refuses to answer.
+    backdrop : Backdrop, optional
+        A film to lay under the hoop.
 
     Raises
     ------
@@ -110,7 +117,7 @@ def serve(
     from hophoop.lab.connections import Connection
 
     uvicorn.run(
-        create_app(replace(USUAL, processes=workers), [host, *names]),
+        create_app(replace(USUAL, processes=workers), [host, *names], backdrop=backdrop),
         host=host,
         port=port,
         http=Connection,

@@ -12,11 +12,15 @@ from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from fastapi import FastAPI, Request, Response
+from fastapi.responses import FileResponse, JSONResponse
 
 from hophoop.lab.site import POLICY, site_files
+
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
 
 SECURITY_HEADERS = {
     "Content-Security-Policy": f"{POLICY}; frame-ancestors 'self'",
@@ -55,9 +59,21 @@ def _assets() -> dict[str, tuple[bytes, str, str]]:
     return found
 
 
-def html() -> str:
-    """The document; the names of its assets change with their content, so that caches may keep them."""
+def html(filmed: bool = False) -> str:
+    """The document; the names of its assets change with their content, so that caches may keep them.
+
+    Parameters
+    ----------
+    filmed : bool, default False
+        Whether a film lies under the hoop.
+
+    Returns
+    -------
+    text : str
+    """
     text = static_text("index.html")
+    if filmed:
+        text = text.replace("</head>", '<script type="module" src="backdrop.js"></script>\n</head>')
     for name, (_, _, tag) in _assets().items():
         text = text.replace(f"static/{name}", f"static/{tag}/{name}")
     return text
@@ -94,12 +110,14 @@ def _sent(request: Request, content: bytes, kind: str, headers: dict[str, str]) 
     return Response(_compressed(content), media_type=kind, headers={**headers, "Content-Encoding": "gzip"})
 
 
-def mount(app: FastAPI) -> None:
-    """Add the page to the application."""
+def mount(app: FastAPI, backdrop: Backdrop | None = None) -> None:
+    """Add the page to the application, and the film under its hoop."""
+    if backdrop is not None:
+        _mount_film(app, backdrop)
 
     @app.get("/", include_in_schema=False)
     async def index(request: Request) -> Response:
-        return _sent(request, html().encode(), "text/html; charset=utf-8", {"Cache-Control": "no-cache"})
+        return _sent(request, html(backdrop is not None).encode(), "text/html; charset=utf-8", {"Cache-Control": "no-cache"})
 
     # A table of names, not a folder: no other file can be reached.
     @app.get("/static/{tag}/{name}", include_in_schema=False)
@@ -114,3 +132,17 @@ def mount(app: FastAPI) -> None:
     async def icon(request: Request) -> Response:
         content, kind, _ = _assets()["icon.svg"]
         return _sent(request, content, kind, {"Cache-Control": "public, max-age=86400"})
+
+
+def _mount_film(app: FastAPI, backdrop: Backdrop) -> None:
+    @app.get("/film.json", include_in_schema=False)
+    async def place() -> JSONResponse:
+        return JSONResponse(backdrop.to_dict())
+
+    @app.get("/film.mp4", include_in_schema=False)
+    async def film() -> FileResponse:
+        return FileResponse(backdrop.film, media_type="video/mp4")
+
+    @app.get("/backdrop.js", include_in_schema=False)
+    async def following(request: Request) -> Response:
+        return _sent(request, static_text("backdrop.js").encode(), "text/javascript; charset=utf-8", {})
