@@ -22,7 +22,7 @@ from hophoop.vocabulary.words import mode_words
 Floats = NDArray[np.float64]
 
 UNITS = {"x": ("m", 1e3, "mm"), "y": ("m", 1e3, "mm"), "angle": ("rad", 1e3, "mrad")}
-MEASURED, COMPUTED = "#0b6", "#222"
+MEASURED, COMPUTED = "#0a6", "currentColor"
 
 
 def report(
@@ -169,11 +169,11 @@ def _page(fit: Fit, film: str | None) -> str:
     if film is not None:
         parts.append(
             f"<h2>Film</h2><p>Yellow is the hoop as tracked, dashed magenta the fitted motion.</p>"
-            f"<video controls loop muted src='{escape(film, quote=True)}'></video>"
+            f"<video controls loop muted playsinline src='{escape(film, quote=True)}'></video>"
         )
-    parts.append("<h2>Residuals</h2><p>Data less motion; the ribbon is the motion's mode.</p>")
     t, problem = fit.problem.t, fit.problem
     ribbon = _ribbon(fit)
+    parts.append(f"<h2>Residuals</h2><p>Data less motion; the ribbon under each is what the motion does.</p>{_key(fit)}")
     for channel in problem.channels:
         _, factor, unit = UNITS.get(channel.name, ("m", 1e3, "mm"))
         off = fit.residuals[channel.name] * channel.errors * factor
@@ -187,6 +187,14 @@ def _page(fit: Fit, film: str | None) -> str:
             parts.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
     parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
     return "".join(parts)
+
+
+def _key(fit: Fit) -> str:
+    """Colours of what the motion does, with their words."""
+    state = fit.motion.at(fit.motion.times(600))
+    words = dict.fromkeys(mode_words(state.mode, state.omega).tolist())
+    spans = "".join(f"<span><i style='background:{colors.mode_color(word)}'></i>{escape(word)}</span>" for word in words)
+    return f"<p class='key'>{spans}</p>"
 
 
 def _ribbon(fit: Fit) -> list[tuple[float, float, str]]:
