@@ -204,7 +204,7 @@ def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> st
         f"</head><body><h1>Track of {escape(track.source)}</h1><p>{escape(' '.join(words))}</p>",
     ]
     if film is not None:
-        parts.append(f"<video controls loop muted playsinline src='{escape(film, quote=True)}'></video>")
+        parts.append(f"<video controls loop muted playsinline src='{escape(film, quote=True)}#t=0.001'></video>")
     parts.append("<h2>Stills</h2><div class='stills'>")
     for row, image in stills:
         caption = f"t = {track.t[row]:.3f} s, {track.state[row]}"

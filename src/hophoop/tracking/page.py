@@ -28,7 +28,12 @@ td.value { font-variant-numeric: tabular-nums; white-space: nowrap; } th { borde
 .key span { margin-right: 1.2em; white-space: nowrap; }
 .key i { display: inline-block; width: 1em; height: 0.6em; margin-right: 0.4em; }
 code { overflow-wrap: anywhere; }
-@media (max-width: 600px) { td, th { padding-right: 0.7rem; font-size: 0.9rem; } body { margin: 1rem auto; } }
+summary { cursor: pointer; } details { margin: 0.5rem 0; }
+@media (max-width: 600px) {
+  body { margin: 1rem auto; } thead { display: none; }
+  tr { display: grid; grid-template-columns: 1fr auto; border-top: 1px solid var(--line); }
+  td { padding: 0.1rem 0; } td:nth-child(3) { grid-column: 1 / -1; color: var(--soft); font-size: 0.9rem; }
+}
 """
 WIDE, TALL, LEFT, FOOT, HEAD = 900, 170, 70, 20, 22
 
