@@ -39,6 +39,7 @@ extensions = [
     "accessible",
     "matplotlib.sphinxext.plot_directive",
     "generated",
+    "slides",
     "gallery",
     "sphinx_gallery.gen_gallery",
     "numpydoc",
@@ -90,4 +91,5 @@ html_theme = "furo"
 html_title = f"hophoop {version}"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = [("print.js", {"defer": ""})]
 html_logo = html_favicon = "_static/logo.svg"

@@ -47,7 +47,7 @@ def main() -> None:
             page.goto(f"{address}#t={MOMENT}")
             page.wait_for_selector("[data-ready]")
             page.wait_for_function("() => hophoopLab.theory.list.children.length > 4")
-            page.evaluate(f"() => {{ hophoopLab.clock.pause?.(); hophoopLab.clock.seek({MOMENT}); }}")
+            page.evaluate(f"() => {{ hophoopLab.clock.play(false); hophoopLab.clock.seek({MOMENT}); }}")
             page.wait_for_timeout(600)
             picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
             picture.quantize(192, dither=Image.Dither.NONE).save(folder / f"lab-{scheme}.png", optimize=True)

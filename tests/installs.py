@@ -30,7 +30,6 @@ EXTRAS = {
     "cluster": "from hophoop.maps.distributed import compute_on_cluster as c; c(None, [], None, 1, print)",
     "gpu": "from hophoop.maps.gpu import require_gpu; require_gpu()",
 }
-NOBODY = 65534
 
 
 def sh(*words: str | Path, **options: object) -> subprocess.CompletedProcess[str]:
@@ -66,14 +65,26 @@ class Clean:
 
     def run(self, *words: str, **changed: str | None) -> subprocess.CompletedProcess[str]:
         """`hophoop` with some variables of the environment changed, in an empty folder that everyone may write to."""
-        options: dict[str, object] = {}
-        if changed.pop("as_nobody", None):
-            options["user"] = NOBODY
+        before = changed.pop("before", None)
         whole = {"PATH": os.environ["PATH"], "HOME": str(self.folder / "home"), **changed}
         work = Path(tempfile.mkdtemp(dir=self.folder))
         work.chmod(0o777)
         environment = {name: value for name, value in whole.items() if value is not None}
-        return sh(self.bin / "hophoop", *words, env=environment, cwd=work, **options)
+        return sh(*(before or "").split(), self.bin / "hophoop", *words, env=environment, cwd=work)
+
+    def read_only(self) -> subprocess.CompletedProcess[str]:
+        """A motion where nothing in the environment, and no home, can be written to; root has to give up its right to."""
+        before = "setpriv --bounding-set=-dac_override,-fowner" if os.getuid() == 0 else None
+        home = self.folder / "home"
+        home.mkdir(exist_ok=True)
+        python = [*(before or "").split(), str(self.bin / "python"), "-c", "open(__import__('numpy').__file__, 'a')"]
+        sh("chmod", "-R", "a-w", self.folder / "lib", home)
+        try:
+            tried = sh(*python)
+            assert "PermissionError" in tried.stderr, "The environment could be written to."
+            return self.run("run", "--json", before=before)
+        finally:
+            sh("chmod", "-R", "u+w", self.folder / "lib", home)
 
 
 def check_extras(clean: Clean) -> str:
@@ -100,9 +111,8 @@ def check_surroundings(clean: Clean) -> dict[str, str]:
         "LANG=C": lambda: clean.run("run", "--json", LANG="C", LC_ALL="C"),
         "NO_COLOR, 40 columns": lambda: clean.run("run", "--json", NO_COLOR="1", COLUMNS="40"),
     }
-    if hasattr(os, "getuid") and os.getuid() == 0:
-        clean.folder.chmod(0o755)
-        trials["site-packages and HOME read-only (another user)"] = lambda: clean.run("run", "--json", as_nobody="yes")
+    if hasattr(os, "getuid") and (os.getuid() != 0 or shutil.which("setpriv")):
+        trials["site-packages and HOME read-only"] = clean.read_only
     for name, trial in trials.items():
         _same(trial(), whole)
         came[name] = "the same output"

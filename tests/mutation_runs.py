@@ -26,7 +26,10 @@ from typing import Any
 
 from mutants import Mutant, codes
 
-SECONDS = 20  # that tests may take with one change, beside ten times what they took without; what never ends has been seen
+# s of the processor, which others may share, that tests may take with one change, beside ten times what they took without: what
+# never ends has been seen. What waits without computing is given more of the clock's.
+SECONDS = 4.0
+WAITS = 30.0  # times more
 MEMORY = 8 * 2**30  # bytes; what eats more has been seen
 WORDS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", "-s", "-W", "ignore")
 
@@ -62,7 +65,7 @@ def run_anew(made: Sequence[Mutant], names: dict[Path, str], tests: Sequence[str
             def seen(mutant: Mutant = mutant, some: list[str] = some) -> int:
                 import pytest
 
-                signal.alarm(4 * SECONDS)
+                _limit(4.0 * SECONDS)
                 sys.meta_path.insert(0, Found(names[mutant.path], mutant))
                 return int(pytest.main([*WORDS, *some]))
 
@@ -70,14 +73,45 @@ def run_anew(made: Sequence[Mutant], names: dict[Path, str], tests: Sequence[str
         report(mutant, UNSEEN if status == 0 else SEEN)
 
 
+def _limit(seconds: float) -> None:
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    signal.setitimer(signal.ITIMER_REAL, WAITS * seconds)
+
+
 def run_within(made: Sequence[Mutant], tests: Sequence[str], report: Report) -> None:
-    """Changes within functions."""
+    """Changes within functions, from a process that keeps what is imported there to itself."""
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        status = 1
+        with os.fdopen(writing, "w") as stream:
+            numbers = {id(mutant): k for k, mutant in enumerate(made)}
+
+            def tell(mutant: Mutant, status: str) -> None:
+                stream.write(f"{numbers[id(mutant)]} {status}\n")
+                stream.flush()
+
+            with contextlib.suppress(SystemExit):
+                _run_within(made, tests, tell)
+                status = 0
+        os._exit(status)
+    os.close(writing)
+    with os.fdopen(reading) as stream:
+        for line in stream:
+            number, status = line.split()
+            report(made[int(number)], status)
+    if os.waitpid(child, 0)[1] != 0:
+        raise SystemExit("The tests do not run or do not pass without a change.")
+
+
+def _run_within(made: Sequence[Mutant], tests: Sequence[str], report: Report) -> None:
     import pytest
 
     runner = Runner(made, report)
     status = pytest.main([*WORDS, *tests], plugins=[runner])
     if status != 0 or not runner.ran:
-        raise SystemExit(f"The tests do not run or do not pass without a change: pytest ends with {status}.")
+        print(f"pytest ends with {status}.", file=sys.stderr)
+        raise SystemExit(1)
 
 
 class Runner:
@@ -105,7 +139,7 @@ class Runner:
                 continue
 
             def seen(mutant: Mutant = mutant, items: list[int] = items) -> int:
-                signal.alarm(SECONDS + round(10 * sum(took[k] for k in items)))
+                _limit(SECONDS + 10.0 * sum(took[k] for k in items))
                 _change(mutant, functions[str(mutant.path), mutant.function])
                 return _run(session, items)
 
@@ -192,9 +226,9 @@ def _note(session: Any, files: set[str]) -> tuple[list[float], list[tuple[str, s
         for k, item in enumerate(items):
             own: set[tuple[str, str]] = set()
             now.append(own)
-            began = time.perf_counter()
+            began = time.process_time()
             item.config.hook.pytest_runtest_protocol(item=item, nextitem=items[k + 1] if k + 1 < len(items) else None)
-            took.append(time.perf_counter() - began)
+            took.append(time.process_time() - began)
             now.pop()
             for key in own:
                 called[key].add(k)

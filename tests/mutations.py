@@ -100,11 +100,11 @@ def try_room(name: str, modules: list[str], sample: int | None, results: Path) -
             words = "no test comes here" if status == UNREACHED else "not seen"
             print(f"{mutant.path.name}:{mutant.line} in {mutant.function or 'the module'}: {words}", flush=True)
             print(f"    {mutant.text}\n    {mutant.changed}", flush=True)
-        if len(found) % 200 == 0:
+        if len(found) % 50 == 0:
             print(f"... {len(found)} of {len(made)} changes tried in {time.monotonic() - began:.0f} s", flush=True)
 
-    run_anew([one for one in made if not one.function], names, tests, report)
     run_within([one for one in made if one.function], tests, report)
+    run_anew([one for one in made if not one.function], names, tests, report)
     text = {"room": name, "there": there, "seconds": time.monotonic() - began, "found": found}
     results.write_text(json.dumps(text), encoding="utf-8")
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 # fmt: off
 _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "an equality of two rounded numbers, where both sides give the same or the model has a tie": (
-        ("compliant", "first_regime", "if abs(bristle_force) <= comp.mu_s * normal:", "if abs(bristle_force) < comp.mu_s * normal:"),
         ("compliant", "first_regime", "return 1 if bristle_force > 0.0 else -1", "return 1 if bristle_force >= 0.0 else -1"),
-        ("compliant", "first_regime", "if abs(vt) <= creep_speed(comp):", "if abs(vt) < creep_speed(comp):"),
         ("compliant", "first_regime", "return 1 if vt > 0.0 else -1", "return 1 if vt >= 0.0 else -1"),
         ("compliant", "ratio_restitution", "if ratio < 1.0:", "if ratio <= 1.0:"),
         ("compliant", "ratio_restitution", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(-2.0)", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root >= 0.0 else math.exp(-2.0)"),
@@ -98,6 +96,12 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("jets", "candidate_series", "rate = (om, 0.0, 0.0, 0.0, 0.0)", "rate = (om, 0.0, 0.0, -1.0, 0.0)"),
         ("jets", "candidate_series", "rate = (om, 0.0, 0.0, 0.0, 0.0)", "rate = (om, 0.0, 0.0, 0.0, 1.0)"),
         ("jets", "candidate_series", "rate = (om, 0.0, 0.0, 0.0, 0.0)", "rate = (om, 0.0, 0.0, 0.0, -1.0)"),
+    ),
+    "a case that never comes: below 1 the root of (1 − ζ)(1 + ζ) is above 0": (
+        ("compliant", "ratio_restitution", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(-2.0)", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(+2.0)"),
+        ("compliant", "ratio_restitution", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(-2.0)", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(- 3.0)"),
+        ("compliant", "ratio_restitution", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(-2.0)", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(- 1.0)"),
+        ("compliant", "ratio_restitution", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > 0.0 else math.exp(-2.0)", "return math.exp(-2.0 * ratio * math.acos(ratio) / root) if root > -1.0 else math.exp(-2.0)"),
     ),
     "a bound on a loop that ends before": (
         ("impact", "impact", "for _ in range(8):", "for _ in range( 9):"),

@@ -155,6 +155,7 @@ interface Backend {
   call(name: string, body: object, signal?: AbortSignal): Promise<Reply>;
   file(name: string, query: string): Promise<Blob>;
   link(query: string, hash: string): string | null;
+  files?: string[]; // which files it makes; all where it does not say
 }
 
 // What is drawn of the hoop.
@@ -214,7 +215,7 @@ interface MapLayer {
 interface Curve {
   name: string;
   color?: string;
-  dash?: "solid" | "dash" | "dot";
+  dash?: "solid" | "dash" | "dot" | "long" | "mixed";
   values: Column;
 }
 
@@ -458,6 +459,8 @@ interface MapValues {
 
 // The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
 interface Kernel {
+  /** A motion and its columns at once. */
+  film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
   columns(given: Given, signal?: AbortSignal): MaybeLater<Record<string, Column>>;

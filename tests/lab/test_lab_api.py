@@ -231,6 +231,7 @@ class Here:
     """Computes in this process."""
 
     running = True
+    compiling = False
 
     def exchange(self, job):
         return worker.outcome(job)

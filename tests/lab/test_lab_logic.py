@@ -29,7 +29,7 @@ def js():
             f"const plain = (_, value) => typeof value === 'number' && !Number.isFinite(value) ? String(value) : value;"
             f"console.log(JSON.stringify((() => {{ {code} }})() ?? null, plain));"
         )
-        done = subprocess.run(["node", "--input-type=module", "-e", program], capture_output=True, text=True, check=False)
+        done = subprocess.run(["node", "--input-type=module"], input=program, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         return json.loads(done.stdout)
 
@@ -204,3 +204,54 @@ def test_a_flight_is_found_also_where_no_take_off_begins_it(js):
         found = js("events.js", "return events.filter(lab.leaves).map(({ kind }) => kind)", events=events)
         assert found, key
         assert (found[0] == "takeoff") == (key == "hop")
+
+
+# A film that is too long to be sent as densely as it is seen
+
+
+def test_a_long_film_is_made_finer_where_one_looks(js):
+    """Of 600 s come 6,000 samples; between two of them a fast hoop turns by a radian, and lines between them say nothing."""
+    import numpy as np
+
+    import hophoop as hh
+    from hophoop.lab import calls
+
+    scenario = hh.Scenario(start=hh.Start.rolling(2.0), duration=600.0)
+    answered = calls.answer(calls.read("film", {"scenario": scenario.to_dict()}))
+    whole = {name: column.tolist() for name, column in answered.arrays.items()}
+    part = calls.answer(calls.read("samples", {"scenario": scenario.to_dict(), "window": [299.0, 308.0]}))
+    assert (part.arrays["t"][0], part.arrays["t"][-1]) == (299.0, 308.0)
+    motion = hh.simulate(scenario)
+    dense = np.linspace(300.0, 306.0, 3001)
+    times = dense[np.argsort(-motion.at(dense).vx)[[0, 40, 900]]].tolist()  # where it is fastest
+    code = """
+      const film = new lab.Film({ header, arrays: whole });
+      const before = [film.wanted(300), times.map((t) => film.at(t).vx)];
+      film.refine(part);
+      return [before, [film.wanted(300), film.wanted(307, 4)], times.map((t) => [film.at(t).vx, film.at(t).angle]),
+              film.pieces().map((piece) => [piece.film === film, piece.from, piece.to]), film.at(20).t];
+    """
+    columns = {name: column.tolist() for name, column in part.arrays.items()}
+    header = json.loads(json.dumps(calls.finite(answered.header)))
+    before, wanted, after, pieces, outside = js("film.js", code, header=header, whole=whole, part=columns, times=times)
+    sample = motion.at(times)
+    assert before[0] == [298.0, 306.0]
+    assert max(abs(np.array(before[1]) - sample.vx)) > 0.1  # what is seen without it
+    assert [vx for vx, _ in after] == pytest.approx(sample.vx.tolist(), abs=0.01)
+    assert [angle for _, angle in after] == pytest.approx(sample.angle.tolist(), abs=1e-5)
+    assert wanted[0] is None
+    assert wanted[1] == [305.0, 317.0]
+    assert [own for own, *_ in pieces] == [True, False, True]
+    t = np.array(whole["t"])
+    assert t[pieces[0][2] - 1] < 299.0 <= t[pieces[0][2]]
+    assert t[pieces[2][1]] > 308.0 >= t[pieces[2][1] - 1]
+    assert outside == 20
+
+
+def test_a_short_film_asks_for_nothing(js):
+    from hophoop.lab import calls
+
+    answered = calls.answer(calls.read("film", {"query": "duration=6"}))
+    whole = {name: column.tolist() for name, column in answered.arrays.items()}
+    header = json.loads(json.dumps(calls.finite(answered.header)))
+    assert js("film.js", "return new lab.Film({ header, arrays: whole }).wanted(3, 4)", header=header, whole=whole) is None

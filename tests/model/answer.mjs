@@ -2,13 +2,15 @@
 
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
+import { LocalBackend } from "../../web/lab/local_backend.js";
 import * as model from "../../web/model/index.js";
 
 const [script, binary] = process.argv.slice(2);
 const { HoopModule } = await import(script);
+// the module answers at once what a page has answered by workers
 const mechanics = new HoopModule(new WebAssembly.Module(readFileSync(binary)));
 
-const infinite = (key, value) => (value === Infinity ? "inf" : value);
+const infinite = (key, value) => (value === Infinity ? "inf" : Number.isNaN(value) ? "nan" : value);
 
 /** @type {Record<string, (body: any) => any>} */
 const CALLS = {
@@ -36,11 +38,18 @@ const CALLS = {
   },
 };
 
+const local = new LocalBackend(mechanics, mechanics);
+CALLS.local = async ({ name, body }) => {
+  const { header, arrays } = await local.call(name, body);
+  return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };
+};
+CALLS.file = ({ name, query }) => local.fileText(name, query);
+
 for await (const line of createInterface({ input: process.stdin })) {
   const { call, body } = JSON.parse(line);
   let answer;
   try {
-    answer = { value: CALLS[call](body) };
+    answer = { value: await CALLS[call](body) };
   } catch (error) {
     if (!(error instanceof model.InputError)) throw error;
     answer = { error: error.message };

@@ -74,6 +74,17 @@ def test_creeping_friction(comp):
     ]
 
 
+@pytest.mark.parametrize("regime", [1, -1])
+@pytest.mark.parametrize("beyond", [0.0, 0.4, 1.0, 2.5])
+def test_the_linear_law_beyond_its_slip_speed(regime, beyond):
+    """From μs where its line ends it falls to μk, as exp(−ξ²) of the slip speeds ξ beyond."""
+    comp = next(one for one in SOFT if one.friction == FrictionLaw.LINEAR)
+    phi, rate = compliant.traction(comp, regime, regime * (1.0 + beyond) * comp.v_s)
+    decay = (MU_S - MU_K) * math.exp(-(beyond**2))
+    assert phi == pytest.approx(regime * (MU_K + decay), rel=1e-13)
+    assert rate == pytest.approx(-2.0 * beyond * decay / comp.v_s, rel=1e-12, abs=1e-13)
+
+
 def test_creep_speed():
     tanh, linear = SOFT[0], SOFT[1]
     assert math.tanh(compliant.creep_speed(tanh) / tanh.v_s) == pytest.approx(0.9993, abs=1e-4)
@@ -99,6 +110,8 @@ def test_bristle(comp):
     assert compliant.first_regime(comp, normal, z, vt) == 0
     assert compliant.first_regime(comp, 0.1, z, vt) == 1
     assert compliant.first_regime(comp, 0.1, -z, -vt) == -1
+    assert compliant.first_regime(comp, 0.1, 0.1 * z, 0.0) == 1  # 0.12 of 0.06: forces below 1 as well
+    assert compliant.first_regime(comp, 0.1, -0.1 * z, 0.0) == -1
     # just inside and just outside the cone: spring and damper together decide
     edge = (comp.k_t * z + comp.c_t * vt) / MU_S
     assert compliant.first_regime(comp, edge * 1.001, z, vt) == 0
@@ -117,7 +130,7 @@ def bounce(force):
     return done.y_events[0][0][1]
 
 
-@pytest.mark.parametrize("ratio", [0.05, 0.4, 0.9, 1.0, 1.5])
+@pytest.mark.parametrize("ratio", [0.05, 0.4, 0.9, 1.0, 1.2, 1.5])
 def test_restitution_of_kelvin_and_voigt(ratio):
     rebound = bounce(lambda y, v: -y - 2.0 * ratio * v)
     assert compliant.ratio_restitution(ratio) == pytest.approx(rebound, rel=1e-6)

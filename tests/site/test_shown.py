@@ -8,7 +8,7 @@ import pytest
 WIDTHS = (1280, 375)
 # in a page: formulas that are wider than their place, or stick out of the text
 CUT_OFF = """() => {
-  const right = document.querySelector('article').getBoundingClientRect().right + 1;
+  const right = (document.querySelector('article') ?? document.body).getBoundingClientRect().right + 1;
   const shown = element => element.getClientRects().length > 0;
   const wide = [...document.querySelectorAll('div.math')].filter(box => box.scrollWidth > box.clientWidth + 1);
   const out = [...document.querySelectorAll('span.math')].filter(
@@ -52,10 +52,56 @@ def test_a_formula_that_is_too_wide_is_found(browser):
     assert len(found) == 2
 
 
-@pytest.mark.parametrize("name", ["index.html", "learn/first-hop.html", "learn/why.html", "model.html"])
+PAPER = 718  # A4 less its margins, in pixels
+STICKS_OUT = """() => [...document.querySelectorAll('article *, section *')].filter(
+  element => element.getClientRects().length && element.getBoundingClientRect().right > innerWidth + 0.5
+    && !element.closest('math, video')).map(element => element.tagName + ' ' + element.textContent.trim().slice(0, 40))"""
+
+
+@pytest.mark.parametrize("name", ["worksheet", "solutions", "exercises", "lesson-45", "lesson-90", "build", "slides/index"])
+def test_pages_for_teaching_fit_on_paper(browser, address, name):
+    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+    page.emulate_media(media="print")
+    page.goto(f"{address}teach/{name}.html")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.evaluate(STICKS_OUT) == []
+    assert page.locator("details:not([open])").count() == 0  # solutions are printed
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert page.locator("details[open]").count() == 0
+    page.close()
+
+
+def test_what_sticks_out_of_the_paper_is_found(browser):
+    page = browser.new_page(viewport={"width": PAPER, "height": 400})
+    page.set_content("<body style='margin: 0'><article><h1 style='margin: 0 -8px'>Wide</h1><p>Good</p></article>")
+    assert page.evaluate(STICKS_OUT) == ["H1 Wide"]
+    page.close()
+
+
+PAGES = [
+    "index",
+    "learn/first-hop",
+    "learn/why",
+    "learn/real-hoop",
+    "model",
+    "howto/commands",
+    "gallery/index",
+    "teach/slides/index",
+]
+
+
+@pytest.mark.parametrize("name", [f"{page}.html" for page in PAGES])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_nothing_serious(browser, site, address, name, scheme):
     assert serious(browser, address + name, scheme) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious_in_the_report(browser, scheme):
+    report = os.environ.get("HOPHOOP_REPORT")
+    if report is None:
+        pytest.skip("HOPHOOP_REPORT names no report of hophoop reproduce (.ci/run main does one)")
+    assert serious(browser, Path(report).resolve().as_uri(), scheme) == []
 
 
 def test_axe_finds_what_is_serious(browser, tmp_path):

@@ -22,6 +22,7 @@ const COLUMNS = {
   potential: ["potential"],
   friction_loss: ["friction", "impact_tangential"],
   normal_loss: ["impact_normal", "damping"],
+  rolling_resistance: ["rolling_resistance"],
   utilization: ["utilization"],
 };
 

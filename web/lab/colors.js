@@ -67,3 +67,12 @@ function viridis() {
 export const SPEED_COLORS = viridis();
 
 export const SPEED_TEXTS = SPEED_COLORS.map((color) => `rgb(${color.join(",")})`);
+
+// What tells two hoops apart, beside their letters; neither is the colour of a mode or of a quantity.
+export const HOOP_INKS = ["#6a3d9a", "#33702a"];
+
+/**
+ * @param {number} lane
+ * @param {boolean} dark
+ */
+export const hoopInk = (lane, dark) => readable(HOOP_INKS[lane], dark);

@@ -48,6 +48,7 @@ export class Lab {
     this.clock = new Clock();
     this.motions = new Motions(backend, {
       shown: (since) => this.changed(since),
+      refined: () => this.request(),
       settled: () => this.story.announce(this.films()),
       noted: (step) => this.noted(step),
       travelled: async (way) => this.address?.travel(way),
@@ -355,6 +356,7 @@ export class Lab {
     this.requested = false;
     if (!this.motions.lanes.length) return;
     this.clock.tick(now);
+    this.motions.refine(this.clock.time, this.clock.playing ? 2 * this.clock.speed : 0);
     this.drawStage();
     this.drawTime();
     this.extras.frame();

@@ -1,10 +1,9 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
 import { readShown } from "./address.js";
-import { KernelBackend } from "./backend.js";
 import { Lab } from "./lab.js";
 import { unpack } from "./packing.js";
-import { backendOf, keepOffline } from "./start.js";
+import { backendOf, keepOffline, widgetBackend } from "./start.js";
 
 const here = new URL("./", import.meta.url);
 
@@ -55,10 +54,10 @@ export async function mount(root, folder, query, panels) {
  * anywidget: the motion travels with the notebook, so that it plays without a kernel as well.
  * @param {{ model: import("./backend.js").Model, el: HTMLElement }} widget
  */
-function render({ model, el }) {
+async function render({ model, el }) {
   const root = document.createElement("div");
   el.append(root);
-  const backend = new KernelBackend(model);
+  const backend = await widgetBackend(model);
   const lab = new Lab(root, backend, model.get("setup"), {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
@@ -74,7 +73,7 @@ function render({ model, el }) {
   model.on("change:film", replaced);
   return () => {
     model.off("change:film", replaced);
-    backend.close();
+    backend.close?.();
     lab.close();
   };
 }

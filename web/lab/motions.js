@@ -7,10 +7,12 @@ import { History } from "./history.js";
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under way.
  * @typedef {{
  *   film: Film, busy?: boolean, pending?: Change[] | null, commit?: boolean, since?: number | null, what?: string,
+ *   refining?: boolean, coarse?: Film,
  * }} Lane
  *
  * @typedef {object} Listener
  * @property {(since?: number | null) => void} shown another motion is there; `since` is when the hand moved that asked for it
+ * @property {() => void} refined a film has become finer
  * @property {() => void} settled a change is complete
  * @property {(step: "same" | "step" | "again" | "travelled") => void} noted what is shown is a step that can be undone, or was one
  * @property {(way: -1 | 1) => Promise<void>} travelled it has gone back or on by a step
@@ -97,6 +99,32 @@ export class Motions {
       lane.busy = false;
     }
     this.pump(lane);
+  }
+
+  /**
+   * Make films finer where one looks, if they are too long to be sent so densely.
+   * @param {number} time
+   * @param {number} ahead
+   */
+  refine(time, ahead) {
+    for (const lane of this.lanes) {
+      const { film } = lane;
+      const window = lane.refining || lane.coarse === film ? null : film.wanted(time, ahead);
+      if (!window) continue;
+      lane.refining = true;
+      this.backend
+        .call("samples", { scenario: film.scenario, window })
+        .then(({ arrays }) => {
+          film.refine(arrays);
+          this.listener.refined();
+        })
+        .catch(() => {
+          lane.coarse = film; // it stays as it is, and plays on
+        })
+        .finally(() => {
+          lane.refining = false;
+        });
+    }
   }
 
   /** @param {Lane} lane */

@@ -1,6 +1,6 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
-import { faded, parsed } from "./colors.js";
+import { faded, hoopInk, parsed } from "./colors.js";
 import { fitted, h, once, pen } from "./dom.js";
 import { clamp, niceStep, tickText, ticks } from "./numbers.js";
 import { swatch } from "./plot.js";
@@ -322,7 +322,7 @@ export class PhasePlane {
     const turn = 2 * Math.PI;
     context.lineWidth = lane ? 1.2 : 1.8;
     context.setLineDash(lane ? [4, 3] : []);
-    context.strokeStyle = this.look.ink;
+    context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
     context.beginPath();
     let last = null;
     for (let i = 0; i < film.length; i++) {
@@ -403,8 +403,13 @@ export class PhasePlane {
       context.fillStyle = this.colors.modes[pose.mode];
       context.fill();
       context.lineWidth = 2;
-      context.strokeStyle = this.look.ink;
+      context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
       context.stroke();
+      if (this.films.length < 2) return;
+      context.font = `700 12px ${this.look.font}`;
+      context.textAlign = "left";
+      context.fillStyle = context.strokeStyle;
+      context.fillText("AB"[lane], x + 8, y - 6);
     });
   }
 

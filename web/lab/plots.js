@@ -47,6 +47,15 @@ function definitions(colors) {
           values: film.columns.normal_loss,
           dash: "dot",
         },
+        ...(film.scenario.plane.rolling_resistance
+          ? [
+              {
+                name: "lost to rolling resistance",
+                values: film.columns.rolling_resistance,
+                dash: /** @type {const} */ ("dot"),
+              },
+            ]
+          : []),
       ],
     },
     {
@@ -137,7 +146,10 @@ export class Plots {
       ? "slide to go there, two fingers zoom"
       : `click to go there, drag to zoom; ${zoomHint("")}`;
     const two = films.length > 1;
-    say(this.hint, two ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands);
+    say(
+      this.hint,
+      two ? `A violet, B green; the dashes tell the quantities; numbers of ${"AB"[active]}; ${hands}` : hands,
+    );
     this.redraw();
   }
 

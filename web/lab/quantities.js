@@ -69,6 +69,12 @@ export const QUANTITIES = {
   },
   friction_loss: { name: "lost to friction", symbol: "W_f", unit: "J", values: plain("friction_loss") },
   normal_loss: { name: "lost in impacts, normal part", symbol: "W_i", unit: "J", values: plain("normal_loss") },
+  rolling_resistance: {
+    name: "lost to rolling resistance",
+    symbol: "W_r",
+    unit: "J",
+    values: plain("rolling_resistance"),
+  },
 };
 
 /** @param {Quantity} quantity */

@@ -1,6 +1,6 @@
 // The hoop on its plane, drawn on a canvas.
 
-import { SPEED_TEXTS } from "./colors.js";
+import { hoopInk, SPEED_TEXTS } from "./colors.js";
 import { fitted } from "./dom.js";
 import { clamp, niceStep, show, tickText } from "./numbers.js";
 import { follow } from "./pointer.js";
@@ -86,8 +86,9 @@ export class Stage2D {
       scene.draw();
       this.views[i] = scene;
       if (films.length > 1) {
-        context.fillStyle = look.soft;
-        context.font = `600 15px ${look.font}`;
+        scene.mark("AB"[i], hoopInk(i, look.dark));
+        context.fillStyle = hoopInk(i, look.dark);
+        context.font = `700 17px ${look.font}`;
         context.textAlign = "left";
         context.fillText("AB"[i], 12, each - 12);
       }
@@ -219,9 +220,8 @@ export class Scene {
 
   traces() {
     const { film, context, look, colors } = this;
-    const last = this.options.ahead ? film.length - 1 : film.index(this.pose.t);
     const R = film.radius;
-    const { x, height, angle, mode } = film.columns;
+    const until = this.options.ahead ? film.duration : this.pose.t;
     /** @type {(distance: number, color: string, width: number, wanted?: boolean) => void} */
     const path = (distance, color, width, wanted) => {
       context.strokeStyle = color;
@@ -235,10 +235,13 @@ export class Scene {
         else context.moveTo(px, py);
         open = true;
       };
-      for (let i = 0; i <= last; i++) {
-        const here = wanted === undefined || (mode[i] === 3) === wanted;
-        if (here) add(x[i], height[i], angle[i]);
-        else open = false;
+      for (const piece of film.pieces()) {
+        const { x, height, angle, mode } = piece.film.columns;
+        for (let i = piece.from; i < piece.to && piece.film.t[i] <= until; i++) {
+          const here = wanted === undefined || (mode[i] === 3) === wanted;
+          if (here) add(x[i], height[i], angle[i]);
+          else open = false;
+        }
       }
       if (!this.options.ahead && (wanted === undefined || (this.pose.mode === "H") === wanted)) {
         add(this.pose.x, this.pose.height, this.pose.angle);
@@ -250,6 +253,25 @@ export class Scene {
     path(film.eccentricity * R, colors.gravity_center, 1.8, false);
     path(film.eccentricity * R, colors.airborne, 2.4, true);
     context.globalAlpha = 1;
+  }
+
+  /**
+   * Which of two hoops it is: a ring within the rim and a letter in its colour.
+   * @param {string} letter
+   * @param {string} color
+   */
+  mark(letter, color) {
+    const { context, film, pose, scale } = this;
+    const [x, y] = this.point(pose.x, film.radius + pose.height);
+    context.strokeStyle = color;
+    context.lineWidth = 3;
+    context.beginPath();
+    context.arc(x, y, Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2), 0, 2 * Math.PI);
+    context.stroke();
+    context.fillStyle = color;
+    context.font = `700 17px ${this.look.font}`;
+    context.textAlign = "center";
+    context.fillText(letter, x - 14, y + 20);
   }
 
   hoop() {

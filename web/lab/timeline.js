@@ -1,6 +1,6 @@
 // The bar of time: modes as coloured stretches, events as marks, the hand that scrubs; it zooms as all pictures do.
 
-import { writing } from "./colors.js";
+import { hoopInk, writing } from "./colors.js";
 import { fitted, h } from "./dom.js";
 import { EVENT_WORDS } from "./events.js";
 import { within } from "./map_axes.js";
@@ -159,8 +159,8 @@ export class Timeline {
       }
       this.marks(context, film, place, y, width, look);
       if (films.length > 1) {
-        context.fillStyle = look.soft;
-        context.font = `600 11px ${look.font}`;
+        context.fillStyle = hoopInk(i, look.dark);
+        context.font = `700 12px ${look.font}`;
         context.textAlign = "left";
         context.fillText("AB"[i], 1, y - 4);
       }

@@ -17,6 +17,7 @@ const TABLES = { de, es, fr, zh };
 const COMMAS = new Set(["de", "es", "fr"]); // where decimals follow a comma
 const KEY = "hophoop-language";
 const MOST = 4000; // sentences that are remembered
+const NAMES = /^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u;
 const PLACE = /\{(\w+)\}/g;
 
 /** @typedef {{ key: string, pattern: RegExp, names: string[] }} Sentence */
@@ -117,10 +118,12 @@ export function utter(text) {
 export const english = (text, values) => text.replace(PLACE, (_, name) => String(values[name]));
 
 /**
+ * Words of the scenario's own, such as 'flight', stay as they are.
  * @param {string} template
  * @param {Record<string, string | number>} values
  */
-const filled = (template, values) => template.replace(PLACE, (_, name) => t(String(values[name])));
+const filled = (template, values) =>
+  template.replace(PLACE, (_, name) => (name.startsWith("word") ? String(values[name]) : t(String(values[name]))));
 
 /**
  * @param {string} text
@@ -161,8 +164,8 @@ export function told(summary) {
 
 /** @param {string} text */
 function missing(text) {
-  // symbols, units, paths and names of files are the same everywhere
-  const words = /\p{L}{3,}/u.test(text) && !/^([\w.[\]]+\.\w+|rad\/s|hophoop.*)$/u.test(text);
+  // symbols, units, and names of the scenario's keys and of its words are the same everywhere
+  const words = /\p{L}{3,}/u.test(text) && !NAMES.test(text);
   if (language !== "en" && words && untranslated.size < 200) untranslated.add(text);
   return local(text);
 }

@@ -36,6 +36,9 @@ export function thresholds({ hoop, plane }, known) {
     add("first_slip", known.first_slip_speed, "m/s", (speed) => above(speed, would_slip, any_push));
     add("first_hop", known.first_hop_speed, "m/s", (speed) => above(speed, would_hop, any_push));
     add("immediate_hop", known.immediate_hop_speed, "m/s", (speed) => above(speed, would_hop_at_once, any_speed));
+  } else {
+    // uphill the speed changes with every turn: there is no one speed from which on it happens in the first
+    found.push({ key: "uphill", label: THEORY.uphill, value: null, unit: "", text: THEORY.no_threshold });
   }
   add("needed_friction", known.needed_friction, "1", (mu) => needed(mu, plane));
   paradox();
@@ -53,7 +56,7 @@ export function thresholds({ hoop, plane }, known) {
  * @param {string} always
  */
 function above(speed, would, always) {
-  if (speed === 0) return fill(always, { would });
+  if (speed < tables.words.least_speed) return fill(always, { would });
   return Number.isFinite(speed) ? fill(THEORY.above, { would, speed: general(speed, 4) }) : THEORY.no_speed;
 }
 

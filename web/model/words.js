@@ -15,11 +15,20 @@ const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
  */
 
 /**
- * Numbers of the events at which the hoop does not turn: what follows is told by how it turns halfway to the next.
+ * Whether the hoop slips but does not turn yet: the word for what follows is that of how it turns halfway to the next event.
+ * @param {MotionEvent[]} events
+ * @param {number} number
+ */
+function isStill(events, number) {
+  const { omega, to } = events[number];
+  return omega === 0 && (to === "S" || to === "K") && number + 1 < events.length;
+}
+
+/**
+ * Numbers of the events after which it has to be asked how the hoop turns.
  * @param {MotionEvent[]} events
  */
-export const stills = (events) =>
-  events.flatMap((event, number) => (event.omega === 0 && number + 1 < events.length ? [number] : []));
+export const stills = (events) => [...events.keys()].filter((number) => isStill(events, number));
 
 /**
  * The time halfway from an event to the next.
@@ -197,8 +206,7 @@ function takeoff(events, number, values) {
  */
 function wordAfter(motion, number) {
   const event = motion.events[number];
-  const still = event.omega === 0 && number + 1 < motion.events.length;
-  return modeWord(event.to, still ? motion.omega(number) : event.omega);
+  return modeWord(event.to, isStill(motion.events, number) ? motion.omega(number) : event.omega);
 }
 
 /**

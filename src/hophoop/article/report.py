@@ -20,6 +20,9 @@ from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import FLIGHT, ROLL, SKID, SPIN
 
+# wide tables scroll by themselves, by the keyboard too
+SCROLL = "<div class='scroll' tabindex='0' role='group' aria-label='table'>"
+
 SECTIONS = {
     "The Problem": "A thin ring of radius 1 m carries three quarters of its mass, 1 kg in all, in one point. "
     "It starts with the load at the top and rolls along a level plane with friction μ = 1. Does it hop?",
@@ -152,7 +155,7 @@ def _runs() -> str:
             f"<td class='l'>{_ribbon(motion)}</td>{numbers}</tr>"
         )
     return (
-        "<h2 id='motions'>The five motions</h2><div class='scroll'><table class='runs'><thead><tr>"
+        f"<h2 id='motions'>The five motions</h2>{SCROLL}<table class='runs'><thead><tr>"
         "<th>v₀ (m/s)</th><th>μ</th><th class='l'>phases</th><th>slips at</th><th>takes off at</th>"
         "<th>lost to friction (J)</th><th>in impacts, normal part (J)</th><th>unaccounted for (J)</th></tr></thead><tbody>"
         + "".join(rows)
@@ -186,7 +189,7 @@ def _table(statements: Sequence[Statement]) -> str:
             f"<td><span class='badge {CLASSES[one.verdict]}'>{escape(one.verdict)}</span></td></tr>"
         )
     return (
-        "<h2 id='statements'>What the article says, and what we find</h2><div class='scroll'>"
+        f"<h2 id='statements'>What the article says, and what we find</h2>{SCROLL}"
         "<table "
         "class='statements'><thead><tr><th>Statement</th><th>Article</th><th>Ours</th><th>Verdict</th></tr>"
         "</thead><tbody>" + "".join(rows) + "</tbody></table></div>"

@@ -96,6 +96,12 @@ def _film(request: Request, limits: Limits) -> Reply:
     return film_of(computed(request.scenario, limits), request.scenario)
 
 
+def _samples(request: Request, limits: Limits) -> Reply:
+    """A part of a motion, for a film that is too long to be sent as densely as it is seen."""
+    window = request.body.window
+    return Reply({"window": list(window)}, film.columns(computed(request.scenario, limits), window=window))
+
+
 def _setup(request: Request, limits: Limits) -> Reply:
     return Reply(setup())
 
@@ -150,6 +156,7 @@ class Call(NamedTuple):
 CALLS: dict[str, Call] = {
     "setup": Call(requests.SetupRequest, _setup),
     "film": Call(requests.ScenarioRequest, _film),
+    "samples": Call(requests.SamplesRequest, _samples),
     "code": Call(requests.ScenarioRequest, _code),
     "simulate": Call(requests.SimulateRequest, _simulate),
     "theory": Call(requests.ScenarioRequest, _theory),

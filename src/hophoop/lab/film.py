@@ -15,11 +15,13 @@ from hophoop.vocabulary.words import MODES, STATUSES, coming_rotation, mode_word
 
 DRAWN = (
     "vx", "vy", "omega", "slip", "friction_force", "normal_force", "kinetic", "potential",
-    "friction_loss", "normal_loss", "utilization", "mode",
+    "friction_loss", "normal_loss", "rolling_resistance", "utilization", "mode",
 )  # fmt: skip
 
 
-def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[str, Floats]:
+def columns(
+    motion: Trajectory, rate: float = 150.0, most: int = 6000, window: tuple[float, float] | None = None
+) -> dict[str, Floats]:
     """The motion at a steady rate and at both sides of each event, in order of time.
 
     Parameters
@@ -29,6 +31,8 @@ def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[s
         Samples a second of motion [1/s].
     most : int, default 6000
         Most samples between events [1].
+    window : (float, float), optional
+        From when to when; the whole motion by default [s].
 
     Returns
     -------
@@ -36,10 +40,12 @@ def columns(motion: Trajectory, rate: float = 150.0, most: int = 6000) -> dict[s
         Equal lengths; `mode` is the code of the mode's word, see `codes_of`: words and colours follow it.
     """
     duration = motion.duration
-    count = min(max(math.ceil(duration * rate), 240), most)
-    steady = np.linspace(0.0, duration, count + 1) if duration > 0.0 else np.zeros(1)
+    begin, end = (0.0, duration) if window is None else (min(max(t, 0.0), duration) for t in window)
+    count = min(max(math.ceil((end - begin) * rate), 240), most)
+    steady = np.linspace(begin, end, count + 1) if end > begin else np.array([begin])
     # the end of the last piece can lie a rounding beyond the duration
     marks = np.unique(np.minimum([event.t for event in motion.events], duration))
+    marks = marks[(marks >= begin) & (marks <= end)]
     times = np.union1d(steady, marks)
     after = motion.at(times)
     before = motion.at(marks[marks > 0.0], side="left")

@@ -68,7 +68,7 @@ class Guard:
         await self.app(scope, receive, send)
 
     def refusal(self, headers: Headers, path: str) -> str:
-        """Why a request is refused; empty where it is not. Pages and scripts are for everybody, calls for the lab's own page."""
+        """Why a request is refused; empty where it is not. Pages and scripts are for everybody, calls for its own page."""
         host = headers.get("host", "")
         if not self._known(host_name(host)):
             return f"Host = {host[:80]!r} is not a name of this lab; `hophoop lab --name` says under which it is reached."

@@ -135,6 +135,18 @@ class SimulateRequest(ScenarioRequest):
             raise TooMuch(f"samples = {self.samples} must be at most {limits.samples} in the lab.")
 
 
+def _times(window: tuple[float, float]) -> tuple[float, float]:
+    if not 0.0 <= window[0] < window[1]:
+        raise PydanticCustomError("value", "must be two times, from and to [s], rising from 0")
+    return window
+
+
+class SamplesRequest(ScenarioRequest):
+    """Asks for a part of a motion, as densely as the player shows it."""
+
+    window: Annotated[tuple[Number, Number], AfterValidator(_times)] = Field(description="Times from and to [s]")
+
+
 class RegionsRequest(ScenarioRequest):
     """Asks for the regions of the (θ, θ̇) plane."""
 

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import gzip
 import hashlib
 import json
+from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
 import hophoop
 from hophoop._files import replacing
-from hophoop.module.stamp import MODULE
+from hophoop.module.stamp import MODULE, built
 from hophoop.scenario import InputError
 
 # Nothing may come from, or go, anywhere else. What a frame may hold it only takes as a header, not from the page itself.
@@ -28,6 +30,12 @@ def static_bytes(name: str) -> bytes:
     return (files("hophoop.lab") / "static" / name).read_bytes()
 
 
+@cache
+def packed_module() -> bytes:
+    """The module, compressed by gzip, for what travels with a notebook."""
+    return gzip.compress((files("hophoop.module") / MODULE).read_bytes(), 9, mtime=0)
+
+
 def site_files() -> dict[str, bytes]:
     """The files of the site by their path.
 
@@ -39,7 +47,8 @@ def site_files() -> dict[str, bytes]:
     made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in STATIC}
     made[f"static/{MODULE}"] = (files("hophoop.module") / MODULE).read_bytes()
     for name in PAGES:
-        made[NAMES.get(name, name)] = static_bytes(name).replace(b"{policy}", POLICY.encode())
+        page = static_bytes(name).replace(b"{policy}", POLICY.encode())
+        made[NAMES.get(name, name)] = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
     for name, content in sorted(made.items()):

@@ -32,7 +32,7 @@ from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, REL
 from hophoop.scenario.texts import TEXTS
 from hophoop.vocabulary import classes, colors, words
 from hophoop.vocabulary.labels import VARIABLES
-from hophoop.vocabulary.sentences import LAB, STORY, SUMMARY, THEORY
+from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
 
 FILE: Final = Path(__file__).parent / "static" / "tables.json"
 
@@ -65,6 +65,7 @@ def tables() -> dict[str, Any]:
             "story": STORY,
             "summary": SUMMARY,
             "theory": THEORY,
+            "least_speed": LEAST_SPEED,
         },
         "classes": {"codes": classes.CODES, "families": classes.FAMILIES, "hops": classes.HOPS, "rolls": classes.ROLLS}
         | {"other": colors.GRAY},

@@ -9,7 +9,7 @@ from typing import Any
 from hophoop import theory
 from hophoop.lab.words import degrees
 from hophoop.scenario import Plane, Scenario
-from hophoop.vocabulary.sentences import THEORY
+from hophoop.vocabulary.sentences import LEAST_SPEED, THEORY
 
 
 def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
@@ -47,6 +47,9 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
         add("first_slip", "first_slip_speed", lambda speed: _above(speed, "would_slip", "any_push"))
         add("first_hop", "first_hop_speed", lambda speed: _above(speed, "would_hop", "any_push"))
         add("immediate_hop", "immediate_hop_speed", lambda speed: _above(speed, "would_hop_at_once", "any_speed"))
+    else:
+        # uphill the speed changes with every turn: there is no one speed from which on it happens in the first
+        found.append({"key": "uphill", "label": THEORY["uphill"], "value": None, "unit": "", "text": THEORY["no_threshold"]})
     add("needed_friction", "needed_friction", lambda mu: _needed(mu, plane))
     add("painleve", "painleve_friction", lambda mu: _painleve(mu, known, plane))
     jams = [quantity for key, quantity in known.items() if key.startswith("jam_angle")]
@@ -58,7 +61,7 @@ def thresholds(scenario: Scenario) -> list[dict[str, Any]]:
 
 
 def _above(speed: float, would: str, always: str) -> str:
-    if speed == 0.0:
+    if speed < LEAST_SPEED:  # a number that is no speed but the least that doubles hold
         return THEORY[always].format(would=THEORY[would])
     if not math.isfinite(speed):
         return THEORY["no_speed"]

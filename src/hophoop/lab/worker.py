@@ -7,19 +7,24 @@ interrupt, which ends a map, a film or a file at once and keeps the process; one
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import pickle
 import signal
 import struct
 import subprocess
 import sys
+import threading
+import time
 import traceback
 from dataclasses import dataclass
 from typing import Any, BinaryIO
 
+from hophoop._jit.beside import busy
 from hophoop._processes import python_beside
 
-ANSWER, ERROR, FAILED, STOPPED = "answer", "error", "failed", "stopped"
+ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
+REPORT = 0.25  # seconds between two reports that code is compiled
 _IDLE, _COMPUTING, _WRITING = range(3)
 
 
@@ -56,6 +61,12 @@ class Worker:
             stdout=subprocess.PIPE,
             start_new_session=True,
         )
+        self._compiled = -math.inf
+
+    @property
+    def compiling(self) -> bool:
+        """Whether it compiles code, which is no fault of what it was asked."""
+        return time.monotonic() - self._compiled < 4.0 * REPORT
 
     def exchange(self, job: Job) -> tuple[str, Any]:
         """Hand over a job and wait for its answer.
@@ -79,11 +90,14 @@ class Worker:
         Ended
             If the process has ended.
         """
-        try:
-            said: tuple[str, Any] = _read(self._process.stdout)  # type: ignore[arg-type]
-        except (EOFError, OSError, ValueError):
-            raise Ended from None
-        return said
+        while True:
+            try:
+                said: tuple[str, Any] = _read(self._process.stdout)  # type: ignore[arg-type]
+            except (EOFError, OSError, ValueError):
+                raise Ended from None
+            if said[0] != COMPILING:
+                return said
+            self._compiled = time.monotonic()
 
     def interrupt(self) -> bool:
         """Ask it to stop what it computes; False where that is not possible."""
@@ -123,13 +137,26 @@ class _Loop:
         self.inward, self.outward = inward, outward
         self.state = _IDLE
         self.owed = 0
+        self.lock = threading.Lock()
+
+    def say(self, said: tuple[str, Any]) -> None:
+        with self.lock:
+            _write(self.outward, said)
+
+    def report(self) -> None:
+        """Say now and then that code is compiled."""
+        while True:
+            time.sleep(REPORT)
+            if self.state == _COMPUTING and busy():
+                with contextlib.suppress(OSError):
+                    self.say((COMPILING, None))
 
     def interrupted(self, *_: Any) -> None:
         if self.state == _COMPUTING:
             self.state = _WRITING
             raise _Stopped
         if self.state == _IDLE:
-            _write(self.outward, (STOPPED, None))
+            self.say((STOPPED, None))
         else:
             self.owed += 1
 
@@ -145,10 +172,10 @@ class _Loop:
                 self.state = _WRITING
             except _Stopped:
                 said = (STOPPED, None)
-            _write(self.outward, said)
+            self.say(said)
             while self.owed:
                 self.owed -= 1
-                _write(self.outward, (STOPPED, None))
+                self.say((STOPPED, None))
             self.state = _IDLE
 
 
@@ -184,6 +211,7 @@ def main() -> None:
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
     loop = _Loop(inward, outward)
     signal.signal(signal.SIGINT, loop.interrupted)
+    threading.Thread(target=loop.report, daemon=True).start()
     loop.state = _WRITING  # an interrupt meanwhile is answered with the first job
     _prepare()
     loop.state = _IDLE

@@ -17,6 +17,7 @@ from hophoop.lab.worker import ERROR, FAILED, STOPPED, Ended, Job, Worker
 logger = logging.getLogger("hophoop.lab")
 
 LIGHT, HEAVY, FILM = "light", "heavy", "film"
+LOOK = 0.5  # seconds between two looks whether code is compiled meanwhile
 GRACE = 0.08  # seconds in which a process that is asked to stop must have stopped
 USUAL_SECONDS = {LIGHT: 0.05, HEAVY: 1.0, FILM: 15.0}  # until it is known better
 TRIES = 2  # a process that the system has ended is replaced, once
@@ -169,12 +170,17 @@ class Workers:
                 raise TooBusy.after(self.lanes[HEAVY].seconds) from None
             worker = self._take()
             exchange = self._beside(worker.exchange, job)
+            left = patience
             try:
-                async with asyncio.timeout(patience):
-                    said: tuple[str, Any] = await asyncio.shield(exchange)
-            except TimeoutError:
-                self._stop(worker, exchange)
-                raise TooMuch(f"This takes longer than {patience:g} s; ask for a shorter motion or fewer cells.") from None
+                while not exchange.done() and left > 0.0:
+                    look = min(left, LOOK)
+                    await asyncio.wait({exchange}, timeout=look)
+                    if not worker.compiling:
+                        left -= look
+                if not exchange.done():
+                    self._stop(worker, exchange)
+                    raise TooMuch(f"This takes longer than {patience:g} s; ask for a shorter motion or fewer cells.")
+                said: tuple[str, Any] = exchange.result()
             except asyncio.CancelledError:
                 self._stop(worker, exchange)
                 raise

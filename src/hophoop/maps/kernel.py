@@ -67,7 +67,7 @@ FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and of
 # Stands for no limit of time: a motion that slides for ever must end too. In kernel units.
 FOREVER = 1e9
 SAMPLES_A_RADIAN = 24
-RESISTED_SAMPLES_A_RADIAN = 240
+RESISTED_SAMPLES_A_RADIAN = 120
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 START, SLIP_START, TAKEOFF, IMPACT, TURN = (
@@ -222,26 +222,45 @@ def resisted_u(body, th, u, rho, step):
 
 
 @jit
+def resisted_use(body, th, u, rho, step):
+    """abs(F)/N a short way on from a state of rolling with rolling resistance."""
+    u = max(resisted_u(body, th, u, rho, step), 0.0)
+    friction, normal = resisted_forces(body, math.sin(th + step), math.cos(th + step), u, rho)
+    return abs(friction) / normal if normal > 0.0 else math.inf
+
+
+@jit
 def resisted_need(body, th0, om0, turned):
-    """Greatest abs(F)/N of a rolling arc with rolling resistance: samples, and a parabola through the greatest three."""
+    """Greatest abs(F)/N of a rolling arc with rolling resistance: samples, then golden section beside the greatest."""
     rho = math.copysign(body.resist, turned)
     count = 4 + int(abs(turned) * RESISTED_SAMPLES_A_RADIAN)
     step = turned / count
+    th = th0
     u = om0 * om0
-    before = -1.0
-    here = -1.0
-    greatest = -1.0
-    for i in range(count + 1):
-        th = th0 + step * i
-        friction, normal = resisted_forces(body, math.sin(th), math.cos(th), max(u, 0.0), rho)
-        after = abs(friction) / normal if normal > 0.0 else math.inf
-        greatest = max(greatest, after)
-        if i > 1 and here > before and here > after:
-            bend = before - 2.0 * here + after
-            greatest = max(greatest, here - (after - before) ** 2 / (8.0 * bend))
-        before = here
-        here = after
+    greatest = resisted_use(body, th, u, rho, 0.0)
+    low_th = th0
+    low_u = u
+    for i in range(1, count + 1):
+        need = resisted_use(body, th, u, rho, step)
+        if need > greatest:
+            greatest = need
+            low_th = th
+            low_u = u
         u = resisted_u(body, th, u, rho, step)
+        th = th0 + step * i
+    low = 0.0
+    high = 2.0 * step if abs(low_th + 2.0 * step - th0) <= abs(turned) else step
+    part = 0.5 * (math.sqrt(5.0) - 1.0)
+    for _ in range(44):
+        a = high - part * (high - low)
+        b = low + part * (high - low)
+        at_a = resisted_use(body, low_th, low_u, rho, a)
+        at_b = resisted_use(body, low_th, low_u, rho, b)
+        if at_a > at_b:
+            high = b
+        else:
+            low = a
+        greatest = max(greatest, at_a, at_b)
     return greatest
 
 

@@ -23,7 +23,7 @@ class Columns:
     `body` has a row of `Body` fields for each; `length`, `time` and `mass` are the kernels' units in SI.
     """
 
-    def __init__(self, hoop: Hoops, plane: Planes, *, resisted: bool = False, **numbers: ArrayLike) -> None:
+    def __init__(self, hoop: Hoops, plane: Planes, resisted: bool = False, /, **numbers: ArrayLike) -> None:
         hoops, planes = _models(hoop, Hoop, "hoop"), _models(plane, Plane, "plane")
         if not resisted:
             for one in planes.ravel():

@@ -179,7 +179,7 @@ def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     >>> round(hh.theory.immediate_hop_speed(hh.Hoop.ideal(0.75)), 9)
     3.616628264
     """
-    cases = Columns(hoop, plane)
+    cases = Columns(hoop, plane, True)  # there is no contact force in it
     speeds = cases.new()
     lift_off_speeds(cases.body, np.zeros_like(speeds), speeds)
     return cases.shaped(speeds * cases.speed)

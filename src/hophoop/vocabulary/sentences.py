@@ -74,8 +74,13 @@ THEORY: Final[dict[str, str]] = {
     "paradox_not_here": "from μ = {mu} on, at {where}: not here",
     "jam_at": "can end a slip at {places}",
     "rest_at": "with the load at {where}",
+    "uphill": "Slips, hops",
+    "no_threshold": "no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it",
 }
 """What theory says of a hoop: the names of its thresholds and what is said of each."""
+
+LEAST_SPEED: Final = 1e-9
+"""Below this a critical speed is the least number that doubles hold, and is not told as a speed [m/s]."""
 
 LAB: Final[dict[str, str]] = {
     "too_long": "duration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",

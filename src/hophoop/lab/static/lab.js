@@ -1,10 +1,10 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 8dda6340007e55a9fe4536fcb9466212 */
-function Z(i){let e=Number.parseInt(i.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var bs=i=>xe(i)>.2?"#111111":"#ffffff",Te=(i,e)=>`rgba(${Z(i).join(",")},${e}\
-)`,Go=i=>{let e=i/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function xe(i){let[e,t,s]=Z(i).map(Go);return .2126*e+.7152*t+.0722*s}function _e(i,e){if(!e||
-!/^#[0-9a-f]{6}$/i.test(i))return i;if(xe(i)<.002)return"#eceef2";let t=i;for(let s=0;xe(t)<.2&&s<1;s+=.05)t=`#${Z(i).map(o=>Math.round(o+(255-o)*s).toString(16).
-padStart(2,"0")).join("")}`;return t}var je=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Vo(){let i=[];for(let e=0;e<
-256;e++){let t=e/255*(je.length-1),s=Math.min(Math.floor(t),je.length-2),o=Z(je[s]),a=Z(je[s+1]);i.push(o.map((n,r)=>Math.round(n+(a[r]-n)*(t-s))))}return i}var me=Vo(),
-He=me.map(i=>`rgb(${i.join(",")})`);var ys={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 959b031913fd9ce586022e978cb49716 */
+function ce(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Sn=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ce(o).join(",")}\
+,${e})`,Xa=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ce(o).map(Xa);return .2126*e+.7152*t+.0722*s}function it(o,e){
+if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ce(o).map(n=>Math.round(n+(255-n)*s).toString(
+16).padStart(2,"0")).join("")}`;return t}var Nt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Qa(){let o=[];
+for(let e=0;e<256;e++){let t=e/255*(Nt.length-1),s=Math.min(Math.floor(t),Nt.length-2),n=ce(Nt[s]),i=ce(Nt[s+1]);o.push(n.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
+return o}var De=Qa(),qt=De.map(o=>`rgb(${o.join(",")})`),er=["#6a3d9a","#33702a"],ne=(o,e)=>it(er[o],e);var Mn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
 spins:"dreht durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {ang\
 le} durch","skids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {\
 angle}":"hüpft bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"glei\
@@ -106,182 +106,203 @@ e} = {value} muss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.
 bis {most}","from {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {l\
 east} to {most}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.iner\
 tia_ratio = 0)":"für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rig\
-id“ (hoop.inertia_ratio = 0)","plane.mu_kinetic = {one} must not exceed plane.mu_static = {other}.":"plane.mu_kinetic = {one} darf plane.mu_static = {other} n\
-icht übersteigen.","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht. Was hier i\
-st, läuft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The notebook’s ke\
-rnel does not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",time:"Zeit",
-angle:"Winkel",gap:"Spalt","rim speed":"Geschwindigkeit des Randes",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug",airborne:"\
-in der Luft","A in front, B behind":"A vorn, B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, \
-{what}","Traces (t)":"Spuren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum\
- (3)",Traces:"Spuren",Forces:"Kräfte","Rim speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertast\
-e)","Speed of the film":"Tempo des Films","To the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (\
-Shift →)":"Nächstes Ereignis (Umschalt →)","One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","\
-To the next flight (h)":"Zum nächsten Flug (h)","To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen F\
-lug.","This motion has no landing.":"Diese Bewegung hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip begins":"\
-Schlupf beginnt","slip ends":"Schlupf endet","slip turns round":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster P\
-unkt","bounces end":"Sprünge enden","Painlevé: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming begins":"\
-Streifen beginnt","at rest":"in Ruhe",end:"Ende","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in w\
-ords":"Die Bewegung in Worten","(not all events are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says o\
-f hoop {hoop}":"Was die Theorie zu Reifen {hoop} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","E\
-nergies and losses":"Energien und Verluste","energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibu\
-ng verloren","lost in the damper":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","\
-force [N]":"Kraft [N]","normal N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What you\
-r diagram shows":"Was dein Diagramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole moti\
-on":"Ganze Bewegung","slide to go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clic\
-ked, or with Ctrl, the wheel zooms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick\
-: alles","A full, B dotted; numbers and colours of {hoop}; {hands}":"A durchgezogen, B gepunktet; Zahlen und Farben von {hoop}; {hands}","{name} from {low} to {\
-high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{na\
-me} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand","\
-height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit",
-"speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal forc\
-e":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenziel\
-le Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip\
- and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer \
-Umdrehung [°]","no answer":"keine Antwort","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die \
-Phase, die auf Kontakt ohne Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Tap to go there, two fingers zoom.":"Tippen: dorthin \
-gehen; zwei Finger vergrößern.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergrößern.","Click to go there; once clicked, or\
- with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles.",Map:"Karte",of:"\
-von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegungen","Map of motions. Arrow keys move the \
-mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe übernimmt die Bewegung, Plus und Minus zoomen.",
-"Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganze Karte","Click to take that motion into the\
- player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to take that motion into the player; once clicke\
-d, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Abspieler; nach einem Klick oder mit Strg zoomt \
-das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechnet …","{count} motions":"{count} Bewegungen",
-"{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this motion starts otherwise":"rollender Starts, obwo\
-hl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zustand, obwohl diese Bewegung rollend beginnt","c\
-ompiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Karten wird einmalig übersetzt: {done} von {all} Funktionen",Keep:"Behal\
-ten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)","Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"\
-Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hier einen Film aufnehmen (WebM)","Show me the Python":"D\
-as Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link ist kopiert.","The link to this motion":"Der Li\
-nk zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine Weile …","Fetching {name} …":"{name} wird ge\
-holt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser Browser kann die Zeichenfläche nicht aufnehme\
-n; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"Der Film ist da.","The scenario as a file":"Das\
- Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on a plane. Friction can only hold so much, and th\
-e plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.":"Ein Ring mit einer Last \
-am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, landet – oder tut etwas, das die Mechanik star\
-rer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"\
-Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previous, next event":"voriges, nächstes Ereignis","n\
-ext flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos1 Ende","start, end":"Anfang, Ende","traces, forc\
-es, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom back":"zoomen, zurück","leave a field, a menu, a\
- picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y  Strg Z","undo, redo":"rückgängig, wiederholen",
-"dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim turns too fast for the way it goes (slip −, for a \
-hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen vorwärts rollt)","slip: the rim slides ahead (sl\
-ip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts rollt)","the hop: from take-off to landing":"der Hüp\
-fer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kraft berührt","take-off, landing":"Abheben, Landu\
-ng","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces without number end":"unzählige Sprünge enden","skimmi\
-ng begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was\
- die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","Tilt the plane: drag, or arrow keys":"Ebene neigen\
-: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or throw the hoop: drag, or arrow keys":"Reifen hebe\
-n, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or arrow keys":"Last drehen: ziehen oder Pfeiltasten",
-"gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow motion: a tenth of the speed":"Zeitlupe: ein Zehntel \
-des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf dem ganzen Bildschirm","Guided visit":"Geführter Bes\
-uch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",Presentation:"Vorführung","For teachers":"Für Lehr\
-kräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count} rows.":"Die ersten {count} Zeilen.",Challenges:"Her\
-ausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderung",Score:"Punkte","Begin again":"Von vorn beginnen",
-"Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","Your best: {points} points.":"Deine beste: {points} P\
-unkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. How high can t\
-he hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beginnt, und die Reibung. Wie hoch kann der Reifen in 6 \
-s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high\
-.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mindestens 5 cm hoch sein.","Hop without skidding":"Hüpf\
-en ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not\
- skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last unten, mit höchstens 10 m/s, und μ ist höchstens 1,5.\
- Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"Nur starrer Kontakt.","The plane must be level.":"Die \
-Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"Die Stoßzahl muss 0 sein.","The radius must stay 1 m\
-, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"Höchstens 90 % der Masse dürfen in der Last sein.",
-"The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sein.","It must start rolling.":"Er muss rollend beginne\
-n.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchstens 6 s.","It does not hop.":"Er hüpft nicht.","It r\
-ises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.","It lands {off} away from the top.":"Er landet {off}\
- neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction must be at most 1.5.":"Die Reibungszahl darf höchst\
-ens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight short questions: guess, then play.":"Acht kurze Fragen: \
-erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before it is let go.":"Der Reifen, bevor er losgelassen wird\
-.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} von {all}","Leave the visit":"Besuch verlassen","First\
- say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{points} of 100 points.":"{points} von 100 Punkten.","Y\
-ou have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{what} mit der Last bei {angle}","Draw the curve: pull t\
-he points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoods Frage","A hoop without mass has a weight on its ri\
-m. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Ein R\
-eifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J. E. Littlewood fragte 1953, was geschieht, wenn das \
-Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt weiter.","It hops: the hoop leaves the plane.":"Er h\
-üpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"Das Gewicht fällt frei, und der Reifen streift darunt\
-er die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft mehr.","Littlewood said that the hoop hops. But the cont\
-act force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlew\
-ood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt frei, und ein Rand ohne Masse folgt ihm die Ebene entl\
-ang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a quarter of the mass is in the ring. Again the load is a\
-t the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist die Last oben, und der Reifen bekommt den kleinsten Sto\
-ß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt in der ersten Umdrehung ist.","Speed of the centre":"\
-Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last unten hat der Mittelpunkt {speed} m/s.","The lowest po\
-int of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: it is faster than a stone that \
-falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kinetische Energie, und der leichte Ring hat alles, was di\
-e schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slips":"Warum er gleitet","A harder push: 2.8 m/s at the t\
-op. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s oben. Rollen braucht Reibung, und Reibung hat eine Gre\
-nze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Wo ist die Last, wenn die Reibung zum ersten Mal \
-nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten beginnt","It begins to slip at {angle}. There the plan\
-e carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share} des Gewichts.","The load on its way down and round \
-presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the diagram ‘Use of friction’: it comes to 1.":"\
-Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring schneller werden muss: Das braucht Reibung. Sieh das Diagra\
-mm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn \
-is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung vorbei ist.","Where is the load when the hoop takes off? \
-Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it takes off":"Winkel der Last beim Abheben","It takes off a\
-t {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m/s gleitet.","A rolling hoop would be braked by the plane\
- while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the t\
-op.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung zu schwach: Der Rand dreht durch, der Reifen dreht schne\
-ll weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The hoop is in the air. Its centre of gravity goes on a parab\
-ola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und er dreht sich gleichmäßig.","What does it do just after\
- it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids: the rim slides ahead.":"Er rutscht: Der Rand gleitet vo\
-raus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounces.":"Er springt wieder ab.","It was in the air for {time}\
- s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg um {height} cm; er landet mit der Last bei {angle}.","An \
-impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would \
-be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie sein Druck: Hier genügt sie, um allen Schlupf zu beenden. \
-Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.","More friction, more hop?":"Mehr Reibung, mehr Hüpfen?","\
-Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bekommen denselben Stoß von 3,1 m/s, auf Ebenen mit der Reibu\
-ngszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise by {low} cm, {middle} cm and {high} cm. (The first two are A\
- and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On ice nothing drives the rotation; with endless friction not\
-hing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the way up.":"Auf Eis treibt nichts \
-die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den Reifen auf dem Weg hinab schnell zu drehen, und nicht so v\
-iel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper nicht entscheiden","A hoop is thrown so that it slides fas\
-t over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein Reifen wird so geworfen, dass er schnell über eine raue Eb\
-ene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht.","What do they say?":"Was sagen sie?","It flies off.":"\
-Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both agree with the laws.":"Beides passt zu den Gesetzen.","Hoop\
- A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, und beide Bewegungen befolgen jedes Gesetz.","Painlevé foun\
-d this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contac\
-t under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei Antworten, in anderen Zuständen keine. Wirkliche Körper g\
-eben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du bist dran","Take the hoop: turn the load, lift the hoop and \
-let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the motion itself.":"Nimm den Reifen: Dreh die Last, heb\
- ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sieh, wie deine Punkte aus der Bewegung selbst berechnet werde\
-n.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den Reifen einmal in voller Geschwindigkeit zeigen, ohne Kommen\
-tar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Alle sagen voraus, wo\
- die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in pairs: who has the energy when the load is at rest?":"Ener\
-gie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which speed is the force of the floor zero?":"Abheben oben: Bei \
-welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.":"Der Film no\
-ch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each group takes one speed of the worksheet; results on the board\
-.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What has to brake the rotation on the way up, how strong can it be\
-, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kann es sein, und was, wenn es zu schwach ist?","One sentence \
-each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The load pulls the hoop up at the top, so it hops there.":"Die L\
-ast zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Nur wenn er sehr schnell ist.\
- Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where it is fastest.":"Er hüpft unten, wo er am schnellsten ist.",
-"There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stärksten: Die Last muss nach oben umgelenkt werden.","Nothing \
-can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring can: it gets the energy of a load that has come to rest.":"\
-Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brakes.":"Reibung bremst immer.","It acts against slip. On the h\
-oop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach vorn.","More friction, more hop.":"Mehr Reibung, mehr Hüpfen\
-.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier hoop behaves otherwise.":"Ein schwererer Reifen verhält sich \
-anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: where is the load when the hoop leaves the floor? Mark the pla\
-ce and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Markiere die Stelle und nenne einen Grund.","The hoop gets only th\
-e smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Der Reifen bekommt nur den kleinsten Stoß und rollt. Wi\
-e viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic en\
-ergy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Teil des Reifens hat dann kinetische Energie, und wie schnell ist\
- der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"Wie schnell ist ein Stein, der aus der Höhe der La\
-st fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"Bestimme die Kr\
-aft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: what does the hoop do in its first 1.5 s, and at which angle does\
- it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem Winkel hüpft er? Fülle die Tabelle aus.","Find the smallest sp\
-eed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen hüpft, auf 1 cm/s genau.","At 2.2 m/s the hoop leaves the flo\
-or while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den Boden, während sein Rand gleitet. Warum hilft ihm das Gleiten zu\
- hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbeitsblatt",Solutions:"Lösungen",Exercises:"Aufgaben","A lesson of\
- 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What students often think":"Was Lernende oft denken",Idea:"Vorstellung",
-"What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Reifen","A thin ring of radius 0.40 m has a mass of 0.25 kg. A lo\
-ad of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Ein\
- dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0,75 kg befestigt. Der Reifen steht mit der Last oben auf ebenem\
- Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","does it hop?":"hüpft er?","at which angle?":"bei welchem Winkel?",
-Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student.":"Der Besuch fragt, bevor er zeigt\
-; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen."};var vs={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
+id“ (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht\
+. Was hier ist, läuft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The n\
+otebook’s kernel does not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",
+time:"Zeit",angle:"Winkel",gap:"Spalt","rim speed":"Geschwindigkeit des Randes",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im \
+Flug","A in front, B behind":"A vorn, B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}",
+"Traces (t)":"Spuren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"\
+Spuren",Forces:"Kräfte","Rim speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of \
+the film":"Tempo des Films","To the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"N\
+ächstes Ereignis (Umschalt →)","One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next fl\
+ight (h)":"Zum nächsten Flug (h)","To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This mo\
+tion has no landing.":"Diese Bewegung hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip begins":"Schlupf begi\
+nnt","slip ends":"Schlupf endet","slip turns round":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","boun\
+ces end":"Sprünge enden","Painlevé: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming begins":"Streifen \
+beginnt","at rest":"in Ruhe",end:"Ende","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Di\
+e Bewegung in Worten","(not all events are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {h\
+oop}":"Was die Theorie zu Reifen {hoop} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies a\
+nd losses":"Energien und Verluste","energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verlor\
+en","lost in the damper":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"\
+Kraft [N]","normal N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram sh\
+ows":"Was dein Diagramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze B\
+ewegung","slide to go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with\
+ Ctrl, the wheel zooms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","\
+{name} from {low} to {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc",
+"{name} [{unit}]":"{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"S\
+palt unter dem Rand","height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Um\
+fangsgeschwindigkeit","speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwi\
+ndigkeit","normal force":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potent\
+ial energy":"potenzielle Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the re\
+gions of rolling, slip and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Win\
+kel θ innerhalb einer Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase\
+, die auf Kontakt ohne Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin geh\
+en; zwei Finger vergrößern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick\
+ oder mit Strg zoomt das Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of mo\
+tions":"Karte der Bewegungen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewege\
+n die Marke, Eingabe übernimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herau\
+szoomen","Whole map":"Ganze Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger v\
+ergrößern.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt\
+ die Bewegung in den Abspieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} B\
+ewegungen werden berechnet …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolli\
+ng starts, though this motion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts roll\
+ing":"aus beliebigem Zustand, obwohl diese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Ka\
+rten wird einmalig übersetzt: {done} von {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"\
+Zustände (CSV)","Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film\
+ here (WebM)":"Hier einen Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The li\
+nk is copied.":"Der Link ist kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird g\
+emacht; das dauert eine Weile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take\
+ the MP4 instead.":"Dieser Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …",
+"The film is there.":"Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a loa\
+d on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechani\
+cs cannot decide. Move a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Als\
+o gleitet er, hüpft, landet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Mark\
+s on the bar of time":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"U\
+mschalt ← →","previous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, sch\
+neller","Home End":"Pos1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"\
+im Raum","zoom, zoom back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt",
+"z y  Ctrl Z":"z y  Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nic\
+ht","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf \
+−, wenn der Reifen vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der\
+ Reifen vorwärts rollt)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein massel\
+oser Rand, der ohne Kraft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehr\
+ere","bounces without number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the\
+ table says":"Einzelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"N\
+eigung der Ebene","Tilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigke\
+it","Lift, roll or throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn \
+the load: drag, or arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wi\
+ederholen","Slow motion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"\
+Vorführung auf dem ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der \
+Bewegung, Zeilen",Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten",
+"The first {count} rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"We\
+lche Herausforderung",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points}\
+ Punkte. {what}","Your best: {points} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 \
+m/s: you choose the load, where it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst di\
+e Last, wo sie beginnt, und die Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very\
+ top. Everything is allowed; the first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erst\
+e Hüpfer muss mindestens 5 cm hoch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, \
+at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen \
+zu rollen, die Last unten, mit höchstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","\
+Rigid contact only.":"Nur starrer Kontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Re\
+stitution must be 0.":"Die Stoßzahl muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the ma\
+ss may be in the load.":"Höchstens 90 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenan\
+teil der Last gegeben sein.","It must start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.",
+"At most 6 s.":"Höchstens 6 s.","It does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste H\
+üpfer ist zu niedrig.","It lands {off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss un\
+ten beginnen.","Friction must be at most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"\
+Neu hier?","Eight short questions: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nich\
+t","The hoop, before it is let go.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"\
+Schritt {number} von {all}","Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your gues\
+s":"Dein Tipp","{points} of 100 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the loa\
+d at {angle}":"{what} mit der Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s ques\
+tion":"Littlewoods Frage","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked i\
+n 1953 what happens when the weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten S\
+toß und rollt. J. E. Littlewood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rol\
+ls on.":"Er rollt weiter.","It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the p\
+lane below it.":"Das Gewicht fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es kein\
+e Kontaktkraft mehr.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows i\
+t along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: D\
+as Gewicht fällt frei, und ein Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring m\
+it Masse","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im \
+Ring. Wieder ist die Last oben, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schne\
+ll der Mittelpunkt in der ersten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/\
+s.":"Mit der Last unten hat der Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ri\
+ng has all that the heavy load has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat d\
+ie Last keine kinetische Energie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fäll\
+t.","Why it slips":"Warum er gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigere\
+r Stoß: 2,8 m/s oben. Rollen braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first t\
+ime? Turn the mark.":"Wo ist die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, \
+wo er zu gleiten beginnt","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die\
+ Ebene nur {share} des Gewichts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: tha\
+t takes friction. Watch the diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, \
+während der Ring schneller werden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little\
+ faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor d\
+ie erste Umdrehung vorbei ist.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of\
+ the load where it takes off":"Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein\
+ Rand mit {slip} m/s gleitet.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes\
+ on turning fast, and the load pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Daf\
+ür ist die Reibung zu schwach: Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"\
+Die Landung","The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf e\
+iner Parabel, und er dreht sich gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt \
+sofort.","It skids: the rim slides ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu sc\
+hnell.","It bounces.":"Er springt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in d\
+er Luft und stieg um {height} cm; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to\
+ stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung \
+ist so stark wie sein Druck: Hier genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es n\
+achher aus.","More friction, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Dr\
+ei Reifen bekommen denselben Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?",
+"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A \
+und B.)","On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, an\
+d not so much that it is braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Rei\
+bung, um den Reifen auf dem Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was st\
+arre Körper nicht entscheiden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens\
+ next.":"Ein Reifen wird so geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächs\
+tes geschieht.","What do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofor\
+t.","Both agree with the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginne\
+n gleich, und beide Bewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real\
+ bodies yield a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetz\
+e hier zwei Antworten, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your\
+ turn":"Du bist dran","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are\
+ computed from the motion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung\
+ an, und sieh, wie deine Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?\
+”":"Den Reifen einmal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-\
+off. Count the votes by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the wa\
+y down, in pairs: who has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top\
+: at which speed is the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and\
+ with forces; stop at take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.",
+"Each group takes one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? \
+What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie st\
+ark kann es sein, und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“",
+"The load pulls the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops ho\
+p before the top, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom,\
+ where it is fastest.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden \
+am stärksten: Die Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","T\
+he ring can: it gets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction alwa\
+ys brakes.":"Reibung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt si\
+e nach vorn.","More friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A h\
+eavier hoop behaves otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the\
+ film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt\
+? Markiere die Stelle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at t\
+he bottom?":"Der Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel roll\
+s, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welc\
+her Teil des Reifens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the\
+ hoop be faster?":"Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top \
+for 1.0 m/s, and the speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the \
+lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei we\
+lchem Winkel hüpft er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der\
+ Reifen hüpft, auf 1 cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reife\
+n den Boden, während sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"\
+Arbeitsblatt",Solutions:"Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","Wha\
+t students often think":"Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfen\
+de Reifen","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top\
+ and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last \
+von 0,75 kg befestigt. Der Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen",
+"does it hop?":"hüpft er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the tabl\
+e gives numbers to every student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater \
+than {least}":"größer als {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most\
+ {most}":"höchstens {most}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“",
+"'{word}', '{word2}' or '{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against th\
+e rotation over R N":"Rollwiderstand: Moment gegen die Drehung, geteilt durch R N","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between \
+-pi/2 and pi/2 (radians).":"{name} = {value} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein be\
+kannter Schlüssel; bekannt sind {word2}.","{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {valu\
+e} must not exceed {other} = {limit}.":"{one} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = '\
+compliant'.":"plane.mu_static = inf muss bei contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This\
+ takes longer than {time} s; ask for a shorter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","\
+The lab is busy; try again in {time} seconds.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"\
+Das Labor ist beschäftigt; in 1 Sekunde noch einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has e\
+nded.":"Der Prozess, der dies berechnet hat, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"dura\
+tion = {value} darf im Labor höchstens {most} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {\
+turns} revolutions and must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diese\
+m Radius etwa {turns} Umdrehungen, im Labor höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at mo\
+st {most} in the lab.":"hoop.parts hat {count} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about \
+{steps} steps of integration and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationssch\
+ritte, im Labor höchstens {most}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa \
+{turns} Umdrehungen, im Labor höchstens {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take f\
+ewer cells, lower speeds or a shorter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger \
+Zellen, kleinere Geschwindigkeiten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf fü\
+r einen Film aus dem Labor höchstens {most} s sein.","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips or hops hangs on where it t\
+urns back; the map shows it":"bergauf (β < 0) keine Schwelle: ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","A violet, B green\
+; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violett, B grün; die Strichart nennt die Größe; Zahlen von {hoop}; {hands}"};var En={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
 ueda",spins:"patina",skids:"derrapa",flies:"vuela","skims the plane":"roza el plano","rolls at {angle}":"rueda desde {angle}","spins at {angle}":"patina desde {\
 angle}","skids at {angle}":"derrapa desde {angle}","flies at {angle}":"vuela desde {angle}","skims the plane at {angle}":"roza el plano desde {angle}","hops at \
 {angle}":"salta a {angle}","lands at {angle}":"aterriza a {angle}","bounces at {angle}":"rebota a {angle}","slips the other way at {angle}":"desliza en sentido \
@@ -382,12 +403,11 @@ be a number, such as 2.5.":"{name} = {value} debe ser un número, como 2,5.","{n
 {least} to {most}":"de {least} a {most}","from {least} to {most}, or inf":"de {least} a {most}, o inf","0 or from {least} to {most}":"0 o de {least} a {most}","\
 0 or from {least} to {most}, or inf":"0, de {least} a {most}, o inf","at most {most} in the lab":"como mucho {most} en el laboratorio","0 for the massless hoop \
 (hoop.inertia_ratio = 0)":"0 para el aro sin masa (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"«rigid» para el aro sin ma\
-sa (hoop.inertia_ratio = 0)","plane.mu_kinetic = {one} must not exceed plane.mu_static = {other}.":"plane.mu_kinetic = {one} no debe superar plane.mu_static = {\
-other}.","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"El servidor no responde. Lo que hay aquí sigue fu\
-ncionando; para cambios hay que volver a ejecutar `hophoop lab`.","The server answered {status}.":"El servidor respondió {status}.","The notebook’s kernel does\
- not answer; run the cell again.":"El núcleo del cuaderno no responde; vuelva a ejecutar la celda.",hoop:"aro",mode:"fase",time:"tiempo",angle:"ángulo",gap:"s\
-eparación","rim speed":"velocidad de la llanta",load:"carga","centre of gravity":"centro de gravedad","the same in flight":"el mismo en vuelo",airborne:"en el \
-aire","A in front, B behind":"A delante, B detrás","The hoop":"El aro","The hoop.":"El aro.",Time:"Tiempo","{time} seconds, {what}":"{time} segundos, {what}","\
+sa (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"El servidor no responde. Lo q\
+ue hay aquí sigue funcionando; para cambios hay que volver a ejecutar `hophoop lab`.","The server answered {status}.":"El servidor respondió {status}.","The n\
+otebook’s kernel does not answer; run the cell again.":"El núcleo del cuaderno no responde; vuelva a ejecutar la celda.",hoop:"aro",mode:"fase",time:"tiempo",
+angle:"ángulo",gap:"separación","rim speed":"velocidad de la llanta",load:"carga","centre of gravity":"centro de gravedad","the same in flight":"el mismo en v\
+uelo","A in front, B behind":"A delante, B detrás","The hoop":"El aro","The hoop.":"El aro.",Time:"Tiempo","{time} seconds, {what}":"{time} segundos, {what}","\
 Traces (t)":"Trayectorias (t)","Forces (f)":"Fuerzas (f)","Rim speed (c)":"Velocidad de la llanta (c)","Whole path (w)":"Todo el recorrido (w)","In space (3)":"\
 En el espacio (3)",Traces:"Trayectorias",Forces:"Fuerzas","Rim speed":"Vel. llanta","Whole path":"Recorrido","Play (space)":"Reproducir (espacio)","Pause (space\
 )":"Pausa (espacio)","Speed of the film":"Velocidad de la película","To the start (Home)":"Al principio (Inicio)","Previous event (Shift ←)":"Suceso anterior\
@@ -405,156 +425,178 @@ n impactos, parte normal","Contact forces":"Fuerzas de contacto","force [N]":"fu
 so del rozamiento","Your choice":"A tu elección","What your diagram shows":"Qué muestra tu diagrama","Horizontal axis of the diagrams":"Eje horizontal de los \
 diagramas","over {quantity}":"en función de: {quantity}","Whole motion":"Todo el movimiento","slide to go there, two fingers zoom":"desliza para ir ahí; dos de\
 dos amplían","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"clic para ir ahí, arrastrar para ampliar; tr\
-as un clic, o con Ctrl, la rueda amplía; doble clic para todo","A full, B dotted; numbers and colours of {hoop}; {hands}":"A continua, B punteada; números y co\
-lores de {hoop}; {hands}","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagrama: {title} en {unit}.","θ mod 360°":"\
-θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place of the centre":"posición del centro","g\
-ap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed of the centre":"velocidad del centro","s\
-peed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip velocity":"velocidad de deslizamiento","angula\
-r velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"uso del rozamiento","kinetic energy":"\
-energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano de θ y θ̇","Plane of angle and angu\
-lar velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadura, deslizamiento y vuelo","angle θ w\
-ithin a turn [°]":"ángulo θ dentro de una vuelta [°]","no answer":"sin respuesta","Colours: the mode that follows contact without slip. Hatched: slip that m\
-eets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","Tap to g\
-o there, two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to g\
-o there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",
-Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the map shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow k\
-eys move the mark, Enter takes the motion, plus and minus zoom.":"Mapa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplía\
-n.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"Reducir el mapa","Whole map":"Mapa entero","Click to take that motion into the player; two fing\
-ers zoom.":"Toca para llevar ese movimiento al reproductor; dos dedos amplían.","Click to take that motion into the player; once clicked, or with Ctrl, the whe\
-el zooms; drag to move; double-click for all.":"Un clic lleva ese movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; dobl\
-e clic para todo.","computing {count} motions …":"calculando {count} movimientos…","{count} motions":"{count} movimientos","{count} motions, with rigid cont\
-act":"{count} movimientos, con contacto rígido","of rolling starts, though this motion starts otherwise":"con salidas rodando, aunque este movimiento empieza d\
-e otro modo","of starts in any state, though this motion starts rolling":"desde cualquier estado, aunque este movimiento empieza rodando","compiling the kernel \
-of maps, this once: {done} of {all} functions":"compilando el núcleo de los mapas, solo esta vez: {done} de {all} funciones",Keep:"Guardar","Copy the link":"Co\
-piar el enlace","Scenario (TOML)":"Escenario (TOML)","States (CSV)":"Estados (CSV)","Motion (netCDF)":"Movimiento (netCDF)","Events (JSON)":"Sucesos (JSON)","Fi\
-lm (MP4)":"Película (MP4)","Picture (PNG)":"Imagen (PNG)","Record a film here (WebM)":"Grabar aquí una película (WebM)","Show me the Python":"Ver el código P\
-ython","The same motion in Python":"El mismo movimiento en Python","The link is copied.":"El enlace está copiado.","The link to this motion":"El enlace a este \
-movimiento","The film is being made; this takes a while …":"Se está haciendo la película; tarda un poco…","Fetching {name} …":"Obteniendo {name}…","{n\
-ame} is there.":"{name} ya está.","This browser cannot record a canvas; take the MP4 instead.":"Este navegador no puede grabar el lienzo; use el MP4.","Recordi\
-ng one run …":"Grabando una pasada…","The film is there.":"La película ya está.","The scenario as a file":"El escenario como archivo",Copy:"Copiar",Copied:"\
-Copiado",Close:"Cerrar","A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands –\
- or does something that rigid-body mechanics cannot decide. Move a slider and see.":"Un anillo con una carga en la llanta rueda sobre un plano. El rozamiento ag\
-uanta hasta un límite y el plano solo puede empujar: por eso desliza, salta, aterriza… o hace algo que la mecánica del sólido rígido no puede decidir. Mueve un \
-control y observa.",Modes:"Fases","Marks on the bar of time":"Marcas en la barra de tiempo",Keys:"Teclas",space:"espacio","play, pause":"reproducir, pausa","one\
- frame":"un fotograma","Shift ← →":"Mayús ← →","previous, next event":"suceso anterior, siguiente","next flight, landing":"siguiente vuelo, aterrizaje",
-"slower, faster":"más lento, más rápido","Home End":"Inicio Fin","start, end":"principio, final","traces, forces, rim speed, whole path":"trayectorias, fuerz\
-as, velocidad de la llanta, recorrido","in space":"en el espacio","zoom, zoom back":"ampliar, volver","leave a field, a menu, a picture that the wheel zooms":"s\
-alir de un campo, un menú o una imagen que amplía la rueda","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"deshacer, rehacer","dark, light":"oscuro, claro",Python:"\
-Python","the rim does not slide":"la llanta no desliza","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"deslizamient\
-o: la llanta gira demasiado deprisa para lo que avanza (deslizamiento −, si el aro rueda hacia delante)","slip: the rim slides ahead (slip +, for a hoop that \
-rolls ahead)":"deslizamiento: la llanta desliza hacia delante (deslizamiento +, si el aro rueda hacia delante)","the hop: from take-off to landing":"el salto: d\
-el despegue al aterrizaje","a massless rim that touches without force":"una llanta sin masa que toca sin fuerza","take-off, landing":"despegue, aterrizaje","Pai\
-nlevé’s paradox: no solution, several":"Paradoja de Painlevé: ninguna solución, varias","bounces without number end":"acaban infinitos rebotes","skimming b\
-egins, rest":"empieza el roce, reposo","Single keys (letters, digits, signs) do what the table says":"Las teclas sueltas (letras, cifras, signos) hacen lo que d\
-ice la tabla","The hoop in your hand":"El aro en tu mano","Slope of the plane":"Inclinación del plano","Tilt the plane: drag, or arrow keys":"Inclinar el plano\
-: arrastrar o flechas","The hoop: height and speed":"El aro: altura y velocidad","Lift, roll or throw the hoop: drag, or arrow keys":"Levantar, rodar o lanzar e\
-l aro: arrastrar o flechas","Angle of the load":"Ángulo de la carga","Turn the load: drag, or arrow keys":"Girar la carga: arrastrar o flechas","gap {height}, \
-speed {speed} m/s":"separación {height}, velocidad {speed} m/s",Repeat:"Repetir","Slow motion: a tenth of the speed":"Cámara lenta: una décima parte","Sound \
-of the contact":"Sonido del contacto","Presentation on the whole screen":"Presentación a pantalla completa","Guided visit":"Visita guiada","Table of the motion":"\
-Tabla del movimiento","Table of the motion, rows":"Tabla del movimiento, filas",Presentation:"Presentación","For teachers":"Para docentes",Table:"Tabla",Every:"\
-Cada","Save as CSV":"Guardar como CSV",Columns:"Columnas","The first {count} rows.":"Las primeras {count} filas.",Challenges:"Retos","Leave the challenges":"Sal\
-ir de los retos","Which challenge":"Qué reto",Score:"Puntuación","Begin again":"Empezar de nuevo","Show a best one":"Ver una de las mejores","{stars} {points}\
- points. {what}":"{stars} {points} puntos. {what}","Your best: {points} points.":"Tu mejor: {points} puntos.","Hop highest":"El salto más alto","On level groun\
-d, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. How high can the hoop rise within 6 s?":"En suelo horizontal, rodando, con\
- 3,1 m/s como mucho: eliges la carga, dónde empieza y el rozamiento. ¿Hasta qué altura puede subir el aro en 6 s?","Land upright":"Aterrizar en pie","Let the\
- hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.":"Haz que el aro aterrice con la carga arriba del t\
-odo. Todo vale; el primer salto debe tener al menos 5 cm de altura.","Hop without skidding":"Saltar sin derrapar","On level ground the hoop starts rolling with \
-its load at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"En suelo hor\
-izontal el aro empieza rodando con la carga abajo, a 10 m/s como mucho, y μ no pasa de 1,5. Antes de saltar no debe derrapar; patinar sí puede. ¿Hasta qué altur\
-a salta?","Rigid contact only.":"Solo contacto rígido.","The plane must be level.":"El plano debe ser horizontal.","It must be on Earth.":"Debe ser en la Tierr\
-a.","Restitution must be 0.":"La restitución debe ser 0.","The radius must stay 1 m, without parts.":"El radio debe seguir siendo 1 m, sin piezas.","At most 90\
- % of the mass may be in the load.":"Como mucho el 90 % de la masa puede estar en la carga.","The hoop must be given by its load fraction.":"El aro debe darse p\
-or la fracción de carga.","It must start rolling.":"Debe empezar rodando.","At most 10 m/s.":"Como mucho 10 m/s.","At most 3.1 m/s.":"Como mucho 3,1 m/s.","At \
-most 6 s.":"Como mucho 6 s.","It does not hop.":"No salta.","It rises by {height}.":"Sube {height}.","The first hop is too low.":"El primer salto es demasiado b\
-ajo.","It lands {off} away from the top.":"Aterriza a {off} de lo más alto.","The load must start at the bottom.":"La carga debe empezar abajo.","Friction must\
- be at most 1.5.":"El rozamiento debe ser como mucho 1,5.","It skids before it hops.":"Derrapa antes de saltar.","New here?":"¿Primera vez?","Eight short quest\
-ions: guess, then play.":"Ocho preguntas cortas: adivina y luego reproduce.","Start the visit":"Empezar la visita","Not now":"Ahora no","The hoop, before it is \
-let go.":"El aro, antes de soltarlo.",Play:"Reproducir",Next:"Siguiente",Back:"Atrás",Done:"Hecho","Step {number} of {all}":"Paso {number} de {all}","Leave the\
- visit":"Salir de la visita","First say what you expect, then play.":"Di primero qué esperas y luego reproduce.","Your guess":"Tu respuesta","{points} of 100 p\
-oints.":"{points} de 100 puntos.","You have {sum} of {most} points.":"Tienes {sum} de {most} puntos.","{what} with the load at {angle}":"{what} con la carga a {\
-angle}","Draw the curve: pull the points up and down":"Dibuja la curva: mueve los puntos arriba y abajo","Littlewood’s question":"La pregunta de Littlewood","\
-A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when th\
-e weight is level with the centre.":"Un aro sin masa lleva un peso en la llanta. Con el peso arriba recibe el menor empujón y rueda. J. E. Littlewood preguntó e\
-n 1953 qué ocurre cuando el peso está a la altura del centro.","What do you think?":"¿Qué crees?","It rolls on.":"Sigue rodando.","It hops: the hoop leaves \
-the plane.":"Salta: el aro deja el plano.","The weight falls freely, and the hoop skims the plane below it.":"El peso cae libremente y el aro roza el plano deba\
-jo de él.","At {angle} there is no contact force any more.":"A {angle} ya no hay fuerza de contacto.","Littlewood said that the hoop hops. But the contact forc\
-e is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood dijo\
- que el aro salta. Pero la fuerza de contacto es nula, no hacia arriba: el peso cae libremente y una llanta sin masa lo sigue por el plano. Para saltar, un aro \
-necesita algo de masa en la llanta.","A ring with mass":"Un anillo con masa","Now a quarter of the mass is in the ring. Again the load is at the top, and the ho\
-op gets the smallest push.":"Ahora un cuarto de la masa está en el anillo. De nuevo la carga está arriba y el aro recibe el menor empujón.","Draw how fast th\
-e hoop’s centre goes during the first turn.":"Dibuja la velocidad del centro del aro durante la primera vuelta.","Speed of the centre":"Velocidad del centro",
-"With the load at the bottom the centre has {speed} m/s.":"Con la carga abajo el centro va a {speed} m/s.","The lowest point of a rolling hoop is at rest. There\
- the load has no kinetic energy, and the light ring has all that the heavy load has lost: it is faster than a stone that falls from the same height.":"El punto \
-más bajo de un aro que rueda está en reposo. Ahí la carga no tiene energía cinética, y el anillo ligero tiene toda la que ha perdido la carga pesada: va más ráp\
-ido que una piedra que cae desde la misma altura.","Why it slips":"Por qué desliza","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction ha\
-s a limit: it is at most μ N.":"Un empujón más fuerte: 2,8 m/s arriba. Rodar exige rozamiento, y el rozamiento tiene un límite: como mucho μ N.","Where is \
-the load when friction gives way for the first time? Turn the mark.":"¿Dónde está la carga cuando el rozamiento cede por primera vez? Gira la marca.","Angle \
-of the load where it begins to slip":"Ángulo de la carga donde empieza a deslizar","It begins to slip at {angle}. There the plane carries only {share} of the w\
-eight.":"Empieza a deslizar a {angle}. Ahí el plano soporta solo el {share} del peso.","The load on its way down and round presses little on the plane, so that\
- N is small, while the ring has to be made faster: that takes friction. Watch the diagram ‘Use of friction’: it comes to 1.":"En su camino hacia abajo la ca\
-rga apenas aprieta el plano, así que N es pequeña, mientras que el anillo debe acelerarse: eso exige rozamiento. Mira el diagrama «Uso del rozamiento»: llega a \
-1.","The hop":"El salto","A little faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn is over.":"Un poco más rápido, 3,1 m/s. Esta vez \
-el aro deja el plano antes de acabar la primera vuelta.","Where is the load when the hoop takes off? Turn the mark.":"¿Dónde está la carga cuando el aro despega\
-? Gira la marca.","Angle of the load where it takes off":"Ángulo de la carga al despegar","It takes off at {angle}, while its rim slips at {slip} m/s.":"Despeg\
-a a {angle}, mientras su llanta desliza a {slip} m/s.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the \
-rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the top.":"A un aro que rueda el plano lo frenaría mientras sube l\
-a carga. El rozamiento es demasiado débil para eso: la llanta patina, el aro sigue girando deprisa y la carga lo arranca del plano antes de llegar arriba.","Th\
-e landing":"El aterrizaje","The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"El aro está en el aire. Su centro de graved\
-ad sigue una parábola y gira de manera uniforme.","What does it do just after it has landed?":"¿Qué hace justo después de aterrizar?","It rolls at once.":"R\
-ueda de inmediato.","It skids: the rim slides ahead.":"Derrapa: la llanta desliza hacia delante.","It spins: the rim turns too fast.":"Patina: la llanta gira de\
-masiado deprisa.","It bounces.":"Rebota.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Estuvo {time} s en el ai\
-re y subió {height} cm; aterriza con la carga a {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all sl\
-ip. With less friction, or more restitution, the landing would be another one. Try it afterwards.":"Un impacto no dura nada, pero su rozamiento es tan fuerte co\
-mo su empuje: aquí basta para detener todo deslizamiento. Con menos rozamiento, o más restitución, el aterrizaje sería otro. Pruébalo después.","More fric\
-tion, more hop?":"¿Más rozamiento, más salto?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Tres aros reciben el m\
-ismo empujón de 3,1 m/s, en planos con rozamiento 0,05, 0,2 y 1,0.","Which of them hops highest?":"¿Cuál salta más alto?","They rise by {low} cm, {middle} c\
-m and {high} cm. (The first two are A and B.)":"Suben {low} cm, {middle} cm y {high} cm. (Los dos primeros son A y B.)","On ice nothing drives the rotation; wit\
-h endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the way up.":"\
-Sobre hielo nada impulsa el giro; con rozamiento sin fin nada desliza. El salto necesita ambas cosas: rozamiento bastante para girar deprisa en la bajada, y no \
-tanto que lo frene en la subida.","What rigid bodies cannot decide":"Lo que los sólidos rígidos no pueden decidir","A hoop is thrown so that it slides fast ov\
-er a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Se lanza un aro de modo que deslice deprisa sobre un plano rugoso.\
- Las leyes del sólido rígido con rozamiento seco deben decir qué ocurre después.","What do they say?":"¿Qué dicen?","It flies off.":"Sale volando.","An im\
-pact stops the slide at once.":"Un impacto detiene el deslizamiento de golpe.","Both agree with the laws.":"Ambas cosas cumplen las leyes.","Hoop A and hoop B s\
-tart alike, and both motions obey every law.":"El aro A y el aro B empiezan igual, y ambos movimientos cumplen todas las leyes.","Painlevé found this in 1895. F\
-or a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’\
-.":"Painlevé lo descubrió en 1895. Para un sólido rígido las leyes tienen aquí dos respuestas, y en otros estados ninguna. Los cuerpos reales ceden un poco, y e\
-so decide: elige el contacto flexible en «Contacto».","Your turn":"Te toca a ti","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt \
-the plane. Or accept a challenge, and see how your scores are computed from the motion itself.":"Toma el aro: gira la carga, levántalo y suéltalo, dale un impul\
-so, inclina el plano. O acepta un reto y mira cómo tu puntuación se calcula del propio movimiento.","Show the hoop at full speed, once, without a comment. “I \
-push it. Does it only roll?”":"Mostrar el aro a toda velocidad, una vez, sin comentar. «Lo empujo. ¿Solo rueda?»","Everybody predicts where the load is at \
-take-off. Count the votes by quarters of the turn.":"Todos predicen dónde está la carga al despegar. Contar los votos por cuartos de vuelta.","Energy on the w\
-ay down, in pairs: who has the energy when the load is at rest?":"Energía en la bajada, por parejas: ¿quién tiene la energía cuando la carga está en reposo?",
-"Lift at the top: at which speed is the force of the floor zero?":"Elevación arriba: ¿a qué velocidad es nula la fuerza del suelo?","The film again, in slow \
-motion and with forces; stop at take-off. Compare with the votes.":"La película otra vez, a cámara lenta y con fuerzas; parar al despegar. Comparar con los voto\
-s.","Each group takes one speed of the worksheet; results on the board.":"Cada grupo toma una velocidad de la hoja de trabajo; resultados en la pizarra.","Why? \
-What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"¿Por qué? ¿Qué debe frenar el giro en la subida, qué fuerza pu\
-ede tener y qué pasa si es demasiado débil?","One sentence each: “The hoop hops because …”":"Una frase cada uno: «El aro salta porque…»","The load p\
-ulls the hoop up at the top, so it hops there.":"La carga tira del aro hacia arriba en lo alto, por eso salta ahí.","Only if it is very fast. Slower hoops hop \
-before the top, after slipping.":"Solo si es muy rápido. Los más lentos saltan antes de lo alto, tras deslizar.","It hops at the bottom, where it is fastest.":"\
-Salta abajo, donde es más rápido.","There the floor pushes hardest: the load has to be turned upwards.":"Ahí el suelo empuja más: hay que desviar la carga hac\
-ia arriba.","Nothing can be faster than a falling stone.":"Nada puede ser más rápido que una piedra que cae.","The ring can: it gets the energy of a load that\
- has come to rest.":"El anillo sí: recibe la energía de una carga que ha quedado en reposo.","Friction always brakes.":"El rozamiento siempre frena.","It acts\
- against slip. On the hoop’s way up it points forwards.":"Actúa contra el deslizamiento. En la subida apunta hacia delante.","More friction, more hop.":"Más \
-rozamiento, más salto.","There is a best friction in between.":"Hay un rozamiento óptimo intermedio.","A heavier hoop behaves otherwise.":"Un aro más pesado s\
-e comporta de otro modo.","Only the shares of mass count.":"Solo cuentan las proporciones de masa.","Before the film: where is the load when the hoop leaves the\
- floor? Mark the place and give one reason.":"Antes de la película: ¿dónde está la carga cuando el aro deja el suelo? Marca el lugar y da una razón.","The \
-hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"El aro recibe solo el menor empujón y \
-rueda. ¿Cuánta energía potencial se ha liberado cuando la carga está abajo?","While a wheel rolls, its lowest point is at rest. Which part of the hoop has k\
-inetic energy then, and how fast is the centre?":"Mientras una rueda rueda, su punto más bajo está en reposo. ¿Qué parte del aro tiene entonces energía cinética\
- y a qué velocidad va el centro?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"¿Qué velocidad tiene una piedra qu\
-e cae desde la altura de la carga? ¿Por qué puede ser más rápido el aro?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it bec\
-omes zero.":"Halla la fuerza del suelo arriba para 1,0 m/s y la velocidad a la que se anula.","In the lab: what does the hoop do in its first 1.5 s, and at whic\
-h angle does it hop? Fill in the table.":"En el laboratorio: ¿qué hace el aro en sus primeros 1,5 s y a qué ángulo salta? Completa la tabla.","Find the smal\
-lest speed with which the hoop hops, to 1 cm/s.":"Halla la menor velocidad con la que el aro salta, con 1 cm/s de precisión.","At 2.2 m/s the hoop leaves the f\
-loor while its rim slips. Why does slipping help it to hop?":"A 2,2 m/s el aro deja el suelo mientras su llanta desliza. ¿Por qué le ayuda a saltar el deslizami\
-ento?",Show:"Mostrar","Teaching with the hoop":"Enseñar con el aro",Worksheet:"Hoja de trabajo",Solutions:"Soluciones",Exercises:"Ejercicios","A lesson of 45 m\
-inutes":"Una clase de 45 minutos",Minute:"Minuto",Motion:"Movimiento","What students often think":"Lo que suelen pensar los estudiantes",Idea:"Idea","What is ri\
-ght":"Lo correcto","Worksheet: the hoop that hops":"Hoja de trabajo: el aro que salta","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is\
- fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anillo delgado d\
-e radio 0,40 m tiene una masa de 0,25 kg. En su llanta va fijada una carga de 0,75 kg. El aro está sobre un suelo horizontal con la carga arriba y se empuja hac\
-ia la derecha. Rozamiento: μ = 1; g = 9,81 m/s².",phases:"fases","does it hop?":"¿salta?","at which angle?":"¿a qué ángulo?",Print:"Imprimir","The visit a\
-sks before it shows; the presentation fills the screen; the table gives numbers to every student.":"La visita pregunta antes de mostrar; la presentación llena l\
-a pantalla; la tabla da números a cada estudiante."};var ks={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
+as un clic, o con Ctrl, la rueda amplía; doble clic para todo","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagrama\
+: {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place of\
+ the centre":"posición del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed of\
+ the centre":"velocidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip velocity":"\
+velocidad de deslizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"uso\
+ del rozamiento","kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano de \
+θ y θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadura,\
+ deslizamiento y vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: slip\
+ that meets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","C\
+lick to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for \
+all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the map \
+shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"M\
+apa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"\
+Reducir el mapa","Whole map":"Mapa entero","Click to take that motion into the player; two fingers zoom.":"Toca para llevar ese movimiento al reproductor; dos d\
+edos amplían.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic lleva ese\
+ movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","computing {count} motions …":"calculando {\
+count} movimientos…","{count} motions":"{count} movimientos","{count} motions, with rigid contact":"{count} movimientos, con contacto rígido","of rolling sta\
+rts, though this motion starts otherwise":"con salidas rodando, aunque este movimiento empieza de otro modo","of starts in any state, though this motion starts \
+rolling":"desde cualquier estado, aunque este movimiento empieza rodando","compiling the kernel of maps, this once: {done} of {all} functions":"compilando el nú\
+cleo de los mapas, solo esta vez: {done} de {all} funciones",Keep:"Guardar","Copy the link":"Copiar el enlace","Scenario (TOML)":"Escenario (TOML)","States (CSV\
+)":"Estados (CSV)","Motion (netCDF)":"Movimiento (netCDF)","Events (JSON)":"Sucesos (JSON)","Film (MP4)":"Película (MP4)","Picture (PNG)":"Imagen (PNG)","Recor\
+d a film here (WebM)":"Grabar aquí una película (WebM)","Show me the Python":"Ver el código Python","The same motion in Python":"El mismo movimiento en Pytho\
+n","The link is copied.":"El enlace está copiado.","The link to this motion":"El enlace a este movimiento","The film is being made; this takes a while …":"Se\
+ está haciendo la película; tarda un poco…","Fetching {name} …":"Obteniendo {name}…","{name} is there.":"{name} ya está.","This browser cannot record a\
+ canvas; take the MP4 instead.":"Este navegador no puede grabar el lienzo; use el MP4.","Recording one run …":"Grabando una pasada…","The film is there.":"L\
+a película ya está.","The scenario as a file":"El escenario como archivo",Copy:"Copiar",Copied:"Copiado",Close:"Cerrar","A ring with a load on its rim rolls o\
+n a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Mo\
+ve a slider and see.":"Un anillo con una carga en la llanta rueda sobre un plano. El rozamiento aguanta hasta un límite y el plano solo puede empujar: por eso d\
+esliza, salta, aterriza… o hace algo que la mecánica del sólido rígido no puede decidir. Mueve un control y observa.",Modes:"Fases","Marks on the bar of ti\
+me":"Marcas en la barra de tiempo",Keys:"Teclas",space:"espacio","play, pause":"reproducir, pausa","one frame":"un fotograma","Shift ← →":"Mayús ← →","\
+previous, next event":"suceso anterior, siguiente","next flight, landing":"siguiente vuelo, aterrizaje","slower, faster":"más lento, más rápido","Home End":"\
+Inicio Fin","start, end":"principio, final","traces, forces, rim speed, whole path":"trayectorias, fuerzas, velocidad de la llanta, recorrido","in space":"en el\
+ espacio","zoom, zoom back":"ampliar, volver","leave a field, a menu, a picture that the wheel zooms":"salir de un campo, un menú o una imagen que amplía la rue\
+da","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"deshacer, rehacer","dark, light":"oscuro, claro",Python:"Python","the rim does not slide":"la llanta no desliza","\
+slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"deslizamiento: la llanta gira demasiado deprisa para lo que avanza (d\
+eslizamiento −, si el aro rueda hacia delante)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"deslizamiento: la llanta desliza hacia del\
+ante (deslizamiento +, si el aro rueda hacia delante)","the hop: from take-off to landing":"el salto: del despegue al aterrizaje","a massless rim that touches w\
+ithout force":"una llanta sin masa que toca sin fuerza","take-off, landing":"despegue, aterrizaje","Painlevé’s paradox: no solution, several":"Paradoja de Pa\
+inlevé: ninguna solución, varias","bounces without number end":"acaban infinitos rebotes","skimming begins, rest":"empieza el roce, reposo","Single keys (lett\
+ers, digits, signs) do what the table says":"Las teclas sueltas (letras, cifras, signos) hacen lo que dice la tabla","The hoop in your hand":"El aro en tu mano",
+"Slope of the plane":"Inclinación del plano","Tilt the plane: drag, or arrow keys":"Inclinar el plano: arrastrar o flechas","The hoop: height and speed":"El ar\
+o: altura y velocidad","Lift, roll or throw the hoop: drag, or arrow keys":"Levantar, rodar o lanzar el aro: arrastrar o flechas","Angle of the load":"Ángulo de\
+ la carga","Turn the load: drag, or arrow keys":"Girar la carga: arrastrar o flechas","gap {height}, speed {speed} m/s":"separación {height}, velocidad {speed} \
+m/s",Repeat:"Repetir","Slow motion: a tenth of the speed":"Cámara lenta: una décima parte","Sound of the contact":"Sonido del contacto","Presentation on the w\
+hole screen":"Presentación a pantalla completa","Guided visit":"Visita guiada","Table of the motion":"Tabla del movimiento","Table of the motion, rows":"Tabla \
+del movimiento, filas",Presentation:"Presentación","For teachers":"Para docentes",Table:"Tabla",Every:"Cada","Save as CSV":"Guardar como CSV",Columns:"Columnas",
+"The first {count} rows.":"Las primeras {count} filas.",Challenges:"Retos","Leave the challenges":"Salir de los retos","Which challenge":"Qué reto",Score:"Punt\
+uación","Begin again":"Empezar de nuevo","Show a best one":"Ver una de las mejores","{stars} {points} points. {what}":"{stars} {points} puntos. {what}","Your b\
+est: {points} points.":"Tu mejor: {points} puntos.","Hop highest":"El salto más alto","On level ground, rolling, with at most 3.1 m/s: you choose the load, whe\
+re it starts, and friction. How high can the hoop rise within 6 s?":"En suelo horizontal, rodando, con 3,1 m/s como mucho: eliges la carga, dónde empieza y el r\
+ozamiento. ¿Hasta qué altura puede subir el aro en 6 s?","Land upright":"Aterrizar en pie","Let the hoop land with its load at the very top. Everything is all\
+owed; the first hop has to be at least 5 cm high.":"Haz que el aro aterrice con la carga arriba del todo. Todo vale; el primer salto debe tener al menos 5 cm de\
+ altura.","Hop without skidding":"Saltar sin derrapar","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at\
+ most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"En suelo horizontal el aro empieza rodando con la carga abajo, a 10 m/s \
+como mucho, y μ no pasa de 1,5. Antes de saltar no debe derrapar; patinar sí puede. ¿Hasta qué altura salta?","Rigid contact only.":"Solo contacto rígido.",
+"The plane must be level.":"El plano debe ser horizontal.","It must be on Earth.":"Debe ser en la Tierra.","Restitution must be 0.":"La restitución debe ser 0.",
+"The radius must stay 1 m, without parts.":"El radio debe seguir siendo 1 m, sin piezas.","At most 90 % of the mass may be in the load.":"Como mucho el 90 % de \
+la masa puede estar en la carga.","The hoop must be given by its load fraction.":"El aro debe darse por la fracción de carga.","It must start rolling.":"Debe e\
+mpezar rodando.","At most 10 m/s.":"Como mucho 10 m/s.","At most 3.1 m/s.":"Como mucho 3,1 m/s.","At most 6 s.":"Como mucho 6 s.","It does not hop.":"No salta.",
+"It rises by {height}.":"Sube {height}.","The first hop is too low.":"El primer salto es demasiado bajo.","It lands {off} away from the top.":"Aterriza a {off} \
+de lo más alto.","The load must start at the bottom.":"La carga debe empezar abajo.","Friction must be at most 1.5.":"El rozamiento debe ser como mucho 1,5.","\
+It skids before it hops.":"Derrapa antes de saltar.","New here?":"¿Primera vez?","Eight short questions: guess, then play.":"Ocho preguntas cortas: adivina y l\
+uego reproduce.","Start the visit":"Empezar la visita","Not now":"Ahora no","The hoop, before it is let go.":"El aro, antes de soltarlo.",Play:"Reproducir",Next:"\
+Siguiente",Back:"Atrás",Done:"Hecho","Step {number} of {all}":"Paso {number} de {all}","Leave the visit":"Salir de la visita","First say what you expect, then \
+play.":"Di primero qué esperas y luego reproduce.","Your guess":"Tu respuesta","{points} of 100 points.":"{points} de 100 puntos.","You have {sum} of {most} po\
+ints.":"Tienes {sum} de {most} puntos.","{what} with the load at {angle}":"{what} con la carga a {angle}","Draw the curve: pull the points up and down":"Dibuja \
+la curva: mueve los puntos arriba y abajo","Littlewood’s question":"La pregunta de Littlewood","A hoop without mass has a weight on its rim. With the weight a\
+t the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Un aro sin masa lleva un \
+peso en la llanta. Con el peso arriba recibe el menor empujón y rueda. J. E. Littlewood preguntó en 1953 qué ocurre cuando el peso está a la altura del centro.",
+"What do you think?":"¿Qué crees?","It rolls on.":"Sigue rodando.","It hops: the hoop leaves the plane.":"Salta: el aro deja el plano.","The weight falls free\
+ly, and the hoop skims the plane below it.":"El peso cae libremente y el aro roza el plano debajo de él.","At {angle} there is no contact force any more.":"A {\
+angle} ya no hay fuerza de contacto.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim withou\
+t mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood dijo que el aro salta. Pero la fuerza de contacto es nula, no hacia a\
+rriba: el peso cae libremente y una llanta sin masa lo sigue por el plano. Para saltar, un aro necesita algo de masa en la llanta.","A ring with mass":"Un anill\
+o con masa","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Ahora un cuarto de la masa está en e\
+l anillo. De nuevo la carga está arriba y el aro recibe el menor empujón.","Draw how fast the hoop’s centre goes during the first turn.":"Dibuja la velocida\
+d del centro del aro durante la primera vuelta.","Speed of the centre":"Velocidad del centro","With the load at the bottom the centre has {speed} m/s.":"Con la \
+carga abajo el centro va a {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that t\
+he heavy load has lost: it is faster than a stone that falls from the same height.":"El punto más bajo de un aro que rueda está en reposo. Ahí la carga no tiene\
+ energía cinética, y el anillo ligero tiene toda la que ha perdido la carga pesada: va más rápido que una piedra que cae desde la misma altura.","Why it sli\
+ps":"Por qué desliza","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Un empujón más fuerte: 2,8 m/\
+s arriba. Rodar exige rozamiento, y el rozamiento tiene un límite: como mucho μ N.","Where is the load when friction gives way for the first time? Turn the ma\
+rk.":"¿Dónde está la carga cuando el rozamiento cede por primera vez? Gira la marca.","Angle of the load where it begins to slip":"Ángulo de la carga donde e\
+mpieza a deslizar","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Empieza a deslizar a {angle}. Ahí el plano soporta solo \
+el {share} del peso.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes fric\
+tion. Watch the diagram ‘Use of friction’: it comes to 1.":"En su camino hacia abajo la carga apenas aprieta el plano, así que N es pequeña, mientras que el\
+ anillo debe acelerarse: eso exige rozamiento. Mira el diagrama «Uso del rozamiento»: llega a 1.","The hop":"El salto","A little faster, 3.1 m/s. This time th\
+e hoop leaves the plane, before the first turn is over.":"Un poco más rápido, 3,1 m/s. Esta vez el aro deja el plano antes de acabar la primera vuelta.","Wher\
+e is the load when the hoop takes off? Turn the mark.":"¿Dónde está la carga cuando el aro despega? Gira la marca.","Angle of the load where it takes off":"Á\
+ngulo de la carga al despegar","It takes off at {angle}, while its rim slips at {slip} m/s.":"Despega a {angle}, mientras su llanta desliza a {slip} m/s.","A ro\
+lling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls\
+ it off the plane before it is at the top.":"A un aro que rueda el plano lo frenaría mientras sube la carga. El rozamiento es demasiado débil para eso: la llant\
+a patina, el aro sigue girando deprisa y la carga lo arranca del plano antes de llegar arriba.","The landing":"El aterrizaje","The hoop is in the air. Its centr\
+e of gravity goes on a parabola, and it turns evenly.":"El aro está en el aire. Su centro de gravedad sigue una parábola y gira de manera uniforme.","What doe\
+s it do just after it has landed?":"¿Qué hace justo después de aterrizar?","It rolls at once.":"Rueda de inmediato.","It skids: the rim slides ahead.":"Derra\
+pa: la llanta desliza hacia delante.","It spins: the rim turns too fast.":"Patina: la llanta gira demasiado deprisa.","It bounces.":"Rebota.","It was in the air\
+ for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Estuvo {time} s en el aire y subió {height} cm; aterriza con la carga a {angle}.","\
+An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing wou\
+ld be another one. Try it afterwards.":"Un impacto no dura nada, pero su rozamiento es tan fuerte como su empuje: aquí basta para detener todo deslizamiento. Co\
+n menos rozamiento, o más restitución, el aterrizaje sería otro. Pruébalo después.","More friction, more hop?":"¿Más rozamiento, más salto?","Three hoop\
+s get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Tres aros reciben el mismo empujón de 3,1 m/s, en planos con rozamiento 0,05, 0,2 y\
+ 1,0.","Which of them hops highest?":"¿Cuál salta más alto?","They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Suben {low} cm\
+, {middle} cm y {high} cm. (Los dos primeros son A y B.)","On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough f\
+riction to turn the hoop fast on the way down, and not so much that it is braked on the way up.":"Sobre hielo nada impulsa el giro; con rozamiento sin fin nada \
+desliza. El salto necesita ambas cosas: rozamiento bastante para girar deprisa en la bajada, y no tanto que lo frene en la subida.","What rigid bodies cannot de\
+cide":"Lo que los sólidos rígidos no pueden decidir","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction h\
+ave to say what happens next.":"Se lanza un aro de modo que deslice deprisa sobre un plano rugoso. Las leyes del sólido rígido con rozamiento seco deben decir q\
+ué ocurre después.","What do they say?":"¿Qué dicen?","It flies off.":"Sale volando.","An impact stops the slide at once.":"Un impacto detiene el deslizamie\
+nto de golpe.","Both agree with the laws.":"Ambas cosas cumplen las leyes.","Hoop A and hoop B start alike, and both motions obey every law.":"El aro A y el aro\
+ B empiezan igual, y ambos movimientos cumplen todas las leyes.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states \
+none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé lo descubrió en 1895. Para un sólido rígido las\
+ leyes tienen aquí dos respuestas, y en otros estados ninguna. Los cuerpos reales ceden un poco, y eso decide: elige el contacto flexible en «Contacto».","Yo\
+ur turn":"Te toca a ti","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores a\
+re computed from the motion itself.":"Toma el aro: gira la carga, levántalo y suéltalo, dale un impulso, inclina el plano. O acepta un reto y mira cómo tu puntu\
+ación se calcula del propio movimiento.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Mostrar el aro a toda vel\
+ocidad, una vez, sin comentar. «Lo empujo. ¿Solo rueda?»","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Todos\
+ predicen dónde está la carga al despegar. Contar los votos por cuartos de vuelta.","Energy on the way down, in pairs: who has the energy when the load is at \
+rest?":"Energía en la bajada, por parejas: ¿quién tiene la energía cuando la carga está en reposo?","Lift at the top: at which speed is the force of the fl\
+oor zero?":"Elevación arriba: ¿a qué velocidad es nula la fuerza del suelo?","The film again, in slow motion and with forces; stop at take-off. Compare with \
+the votes.":"La película otra vez, a cámara lenta y con fuerzas; parar al despegar. Comparar con los votos.","Each group takes one speed of the worksheet; res\
+ults on the board.":"Cada grupo toma una velocidad de la hoja de trabajo; resultados en la pizarra.","Why? What has to brake the rotation on the way up, how str\
+ong can it be, and what if it is too weak?":"¿Por qué? ¿Qué debe frenar el giro en la subida, qué fuerza puede tener y qué pasa si es demasiado débil?","\
+One sentence each: “The hoop hops because …”":"Una frase cada uno: «El aro salta porque…»","The load pulls the hoop up at the top, so it hops there.":"\
+La carga tira del aro hacia arriba en lo alto, por eso salta ahí.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Solo si es muy \
+rápido. Los más lentos saltan antes de lo alto, tras deslizar.","It hops at the bottom, where it is fastest.":"Salta abajo, donde es más rápido.","There the\
+ floor pushes hardest: the load has to be turned upwards.":"Ahí el suelo empuja más: hay que desviar la carga hacia arriba.","Nothing can be faster than a fal\
+ling stone.":"Nada puede ser más rápido que una piedra que cae.","The ring can: it gets the energy of a load that has come to rest.":"El anillo sí: recibe la \
+energía de una carga que ha quedado en reposo.","Friction always brakes.":"El rozamiento siempre frena.","It acts against slip. On the hoop’s way up it points \
+forwards.":"Actúa contra el deslizamiento. En la subida apunta hacia delante.","More friction, more hop.":"Más rozamiento, más salto.","There is a best frict\
+ion in between.":"Hay un rozamiento óptimo intermedio.","A heavier hoop behaves otherwise.":"Un aro más pesado se comporta de otro modo.","Only the shares of \
+mass count.":"Solo cuentan las proporciones de masa.","Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"\
+Antes de la película: ¿dónde está la carga cuando el aro deja el suelo? Marca el lugar y da una razón.","The hoop gets only the smallest push and rolls. Ho\
+w much potential energy has been set free when the load is at the bottom?":"El aro recibe solo el menor empujón y rueda. ¿Cuánta energía potencial se ha liberad\
+o cuando la carga está abajo?","While a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"\
+Mientras una rueda rueda, su punto más bajo está en reposo. ¿Qué parte del aro tiene entonces energía cinética y a qué velocidad va el centro?","How fast\
+ is a stone that falls from the height of the load? Why can the hoop be faster?":"¿Qué velocidad tiene una piedra que cae desde la altura de la carga? ¿Por qué \
+puede ser más rápido el aro?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"Halla la fuerza del suelo arriba \
+para 1,0 m/s y la velocidad a la que se anula.","In the lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"En e\
+l laboratorio: ¿qué hace el aro en sus primeros 1,5 s y a qué ángulo salta? Completa la tabla.","Find the smallest speed with which the hoop hops, to 1 cm/s\
+.":"Halla la menor velocidad con la que el aro salta, con 1 cm/s de precisión.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping he\
+lp it to hop?":"A 2,2 m/s el aro deja el suelo mientras su llanta desliza. ¿Por qué le ayuda a saltar el deslizamiento?",Show:"Mostrar","Teaching with the hoo\
+p":"Enseñar con el aro",Worksheet:"Hoja de trabajo",Solutions:"Soluciones",Exercises:"Ejercicios","A lesson of 45 minutes":"Una clase de 45 minutos",Minute:"Mi\
+nuto",Motion:"Movimiento","What students often think":"Lo que suelen pensar los estudiantes",Idea:"Idea","What is right":"Lo correcto","Worksheet: the hoop that\
+ hops":"Hoja de trabajo: el aro que salta","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a leve\
+l floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anillo delgado de radio 0,40 m tiene una masa de 0,25 kg. En\
+ su llanta va fijada una carga de 0,75 kg. El aro está sobre un suelo horizontal con la carga arriba y se empuja hacia la derecha. Rozamiento: μ = 1; g = 9,81 m\
+/s².",phases:"fases","does it hop?":"¿salta?","at which angle?":"¿a qué ángulo?",Print:"Imprimir","The visit asks before it shows; the presentation fills t\
+he screen; the table gives numbers to every student.":"La visita pregunta antes de mostrar; la presentación llena la pantalla; la tabla da números a cada estudi\
+ante.",inf:"inf","greater than {least}":"mayor que {least}","at least {least}":"como mínimo {least}","at least {least} (inf is allowed)":"como mínimo {least} (\
+se admite inf)","at most {most}":"como mucho {most}","a finite number":"un número finito","a whole number":"un número entero","'{word}' or '{word2}'":"«{word}\
+» o «{word2}»","'{word}', '{word2}' or '{word3}'":"«{word}», «{word2}» o «{word3}»","Rolling resistance":"Resistencia a la rodadura","Rolling resistanc\
+e: couple against the rotation over R N":"Resistencia a la rodadura: par contra el giro, dividido por R N","Rolling resistance f":"Resistencia a la rodadura f",
+"{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {value} debe estar entre -pi/2 y pi/2 (radianes).","{word} is not a known key; known are\
+ {word2}.":"{word} no es una clave conocida; las conocidas son {word2}.","{one} cannot be given together with {other}.":"{one} no puede darse junto con {other}.",
+"{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} no debe superar {other} = {limit}.","plane.mu_static = inf must be finite with contact.mod\
+el = 'compliant'.":"plane.mu_static = inf debe ser finito con contact.model = 'compliant'.","hoop.parts must not be empty.":"hoop.parts no debe estar vacío.","\
+This takes longer than {time} s; ask for a shorter motion or fewer cells.":"Esto tarda más de {time} s; pide un movimiento más corto o menos celdas.","The lab\
+ is busy; try again in {time} seconds.":"El laboratorio está ocupado; inténtalo de nuevo en {time} segundos.","The lab is busy; try again in 1 second.":"El la\
+boratorio está ocupado; inténtalo de nuevo en 1 segundo.","The computation failed.":"El cálculo ha fallado.","The process that computed this has ended.":"El \
+proceso que calculaba esto ha terminado.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} de\
+be ser como mucho {most} s en el laboratorio; la biblioteca misma no tiene ese límite.","duration = {value} s at this speed and radius is about {turns} revolut\
+ions and must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s son unas {turns} vueltas a esta velocidad y radio, y en\
+ el laboratorio como mucho {most}; la biblioteca misma no tiene ese límite.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.part\
+s tiene {count} piezas y debe tener como mucho {most} en el laboratorio.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integr\
+ation and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed y duration requieren unos {steps} pasos de integración, y en el laborator\
+io como mucho {most}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Una celda de este mapa son unas {turns} vueltas\
+, y en el laboratorio como mucho {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cel\
+ls, lower speeds or a shorter duration.":"x e y dan {count} celdas con unas {turns} vueltas en total, y en el laboratorio como mucho {most}; toma menos celdas, \
+velocidades menores o una duración más corta.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} debe ser como mucho \
+{most} s para una película del laboratorio.","Slips, hops":"Desliza, salta","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back\
+; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A violet, B green; the dashe\
+s tell the quantities; numbers of {hoop}; {hands}":"A violeta, B verde; el trazo indica la magnitud; números de {hoop}; {hands}"};var An={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
 roule",spins:"patine",skids:"dérape",flies:"vole","skims the plane":"effleure le plan","rolls at {angle}":"roule à partir de {angle}","spins at {angle}":"pati\
 ne à partir de {angle}","skids at {angle}":"dérape à partir de {angle}","flies at {angle}":"vole à partir de {angle}","skims the plane at {angle}":"effleure\
  le plan à partir de {angle}","hops at {angle}":"saute à {angle}","lands at {angle}":"retombe à {angle}","bounces at {angle}":"rebondit à {angle}","slips th\
@@ -658,183 +700,204 @@ tre un nombre, par exemple 2,5.","{name} = {value} must be a number.":"{name} = 
 from {least} to {most}, or inf":"de {least} à {most}, ou inf","0 or from {least} to {most}":"0 ou de {least} à {most}","0 or from {least} to {most}, or inf":"\
 0, de {least} à {most}, ou inf","at most {most} in the lab":"au plus {most} dans le labo","0 for the massless hoop (hoop.inertia_ratio = 0)":"0 pour le cerceau\
  sans masse (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"« rigid » pour le cerceau sans masse (hoop.inertia_ratio = 0)",
-"plane.mu_kinetic = {one} must not exceed plane.mu_static = {other}.":"plane.mu_kinetic = {one} ne doit pas dépasser plane.mu_static = {other}.","The server do\
-es not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Le serveur ne répond pas. Ce qui est là continue ; pour le modifier, rel\
-ancez `hophoop lab`.","The server answered {status}.":"Le serveur a répondu {status}.","The notebook’s kernel does not answer; run the cell again.":"Le noyau\
- du notebook ne répond pas ; relancez la cellule.",hoop:"cerceau",mode:"phase",time:"temps",angle:"angle",gap:"écart","rim speed":"vitesse de la jante",load:"\
-masselotte","centre of gravity":"centre de gravité","the same in flight":"le même en vol",airborne:"en l’air","A in front, B behind":"A devant, B derrière",
-"The hoop":"Le cerceau","The hoop.":"Le cerceau.",Time:"Temps","{time} seconds, {what}":"{time} secondes, {what}","Traces (t)":"Trajectoires (t)","Forces (f)":"\
-Forces (f)","Rim speed (c)":"Vitesse de la jante (c)","Whole path (w)":"Tout le trajet (w)","In space (3)":"En 3D (3)",Traces:"Trajectoires",Forces:"Forces","Ri\
-m speed":"Vit. jante","Whole path":"Trajet entier","Play (space)":"Lecture (espace)","Pause (space)":"Pause (espace)","Speed of the film":"Vitesse du film","To \
-the start (Home)":"Au début (Début)","Previous event (Shift ←)":"Événement précédent (Maj ←)","Next event (Shift →)":"Événement suivant (Maj →)",
-"One frame back (←)":"Une image en arrière (←)","One frame on (→)":"Une image en avant (→)",landing:"retombée","To the next flight (h)":"Au vol suivan\
-t (h)","To the next landing (l)":"À la retombée suivante (l)","This motion has no flight.":"Ce mouvement n’a pas de vol.","This motion has no landing.":"Ce \
-mouvement n’a pas de retombée.","{what} at {angle}, {time} s":"{what} à {angle}, {time} s",start:"départ","slip begins":"le glissement commence","slip ends":"\
-le glissement cesse","slip turns round":"le glissement s’inverse","take-off":"décollage","turns back":"fait demi-tour","highest point":"point le plus haut","\
-bounces end":"les rebonds cessent","Painlevé: several solutions":"Painlevé : plusieurs solutions","energy gain (Kane)":"gain d’énergie (Kane)","skimming be\
-gins":"l’effleurement commence","at rest":"au repos",end:"fin","What happens":"Ce qui se passe","What happens to hoop {hoop}":"Ce qui arrive au cerceau {hoop}",
-"The motion in words":"Le mouvement en mots","(not all events are shown)":"(tous les événements ne sont pas montrés)","What theory says":"Ce que dit la théor\
-ie","What theory says of hoop {hoop}":"Ce que dit la théorie du cerceau {hoop}",Velocities:"Vitesses","velocity [m/s]":"vitesse [m/s]","v (centre)":"v (centre)",
-"Energies and losses":"Énergies et pertes","energy [J]":"énergie [J]",kinetic:"cinétique",potential:"potentielle",total:"totale","lost to friction":"perdue p\
-ar frottement","lost in the damper":"perdue dans l’amortisseur","lost in impacts, normal part":"perdue dans les impacts, part normale","Contact forces":"Force\
-s de contact","force [N]":"force [N]","normal N":"normale N","friction F":"frottement F","Use of friction":"Utilisation du frottement","Your choice":"À votre ch\
-oix","What your diagram shows":"Ce que montre votre diagramme","Horizontal axis of the diagrams":"Axe horizontal des diagrammes","over {quantity}":"en fonction \
-de : {quantity}","Whole motion":"Tout le mouvement","slide to go there, two fingers zoom":"glissez pour y aller ; deux doigts agrandissent","click to go there, \
-drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"cliquez pour y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la mo\
-lette agrandit ; double-clic pour tout","A full, B dotted; numbers and colours of {hoop}; {hands}":"A trait plein, B pointillé ; nombres et couleurs de {hoop} ;\
- {hands}","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.","θ mod 360°":"θ mod 360°",
-Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du centre","gap under the rim":"écar\
-t sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","speed of rotation":"vitesse de rot\
-ation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"vitesse angulaire","normal for\
-ce":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie cinétique","potential energ\
-y":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular velocity with the regions of \
-rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","angle θ within a turn [°]":"\
-angle θ dans un tour [°]","no answer":"sans réponse","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"\
-Couleurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Tap to go there, two fingers zoom.":"To\
-uchez pour y aller ; deux doigts agrandissent.","Click to go there; two fingers zoom.":"Touchez pour y aller ; deux doigts agrandissent.","Click to go there; on\
-ce clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller ; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour to\
-ut.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce que montre la carte","Map of motions":"Carte des mouvements","Map of motio\
-ns. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des mouvements. Les flèches déplacent la marque, Entrée prend le mouvement, p\
-lus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the map":"Réduire la carte","Whole map":"Carte entière","Click to take that m\
-otion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le lecteur ; deux doigts agrandissent.","Click to take that motion into the pla\
-yer; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, \
-la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {count} motions …":"calcul de {count} mouvements…","{count} motions":"{count\
-} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec contact rigide","of rolling starts, though this motion starts otherwise":"partant \
-en roulant, bien que ce mouvement parte autrement","of starts in any state, though this motion starts rolling":"partant d’un état quelconque, bien que ce mouvem\
-ent parte en roulant","compiling the kernel of maps, this once: {done} of {all} functions":"compilation du noyau des cartes, cette fois seulement : {done} fonct\
-ions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"Scénario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (\
-netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (Web\
-M)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même mouvement en Python","The link is copied.":"Le lien est copié.","The link to\
- this motion":"Le lien vers ce mouvement","The film is being made; this takes a while …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Ré\
-cupération de {name}…","{name} is there.":"{name} est là.","This browser cannot record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistr\
-er le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passage…","The film is there.":"Le film est là.","The scenario as a file":"Le \
-scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plan\
-e can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.":"Un anneau lesté d’une masselot\
-te roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que pousser : alors il glisse, saute, retombe – ou fait ce que la mécanique du\
- solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on the bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace",
-"play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →","previous, next event":"événement précédent, suivant","next flight, lan\
-ding":"vol, retombée suivants","slower, faster":"plus lent, plus vite","Home End":"Début Fin","start, end":"début, fin","traces, forces, rim speed, whole pat\
-h":"trajectoires, forces, vitesse de la jante, trajet","in space":"en 3D","zoom, zoom back":"agrandir, revenir","leave a field, a menu, a picture that the wheel\
- zooms":"quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"annuler, rétablir","dark, light":"sombre, clai\
-r",Python:"Python","the rim does not slide":"la jante ne glisse pas","slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"\
-glissement : la jante tourne trop vite pour son trajet (glissement −, pour un cerceau qui avance)","slip: the rim slides ahead (slip +, for a hoop that rolls \
-ahead)":"glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui avance)","the hop: from take-off to landing":"le saut : du décollage à l\
-a retombée","a massless rim that touches without force":"une jante sans masse qui touche sans force","take-off, landing":"décollage, retombée","Painlevé’s pa\
-radox: no solution, several":"Paradoxe de Painlevé : aucune solution, plusieurs","bounces without number end":"une infinité de rebonds s’achève","skimming \
-begins, rest":"l’effleurement commence, repos","Single keys (letters, digits, signs) do what the table says":"Les touches seules (lettres, chiffres, signes) f\
-ont ce que dit le tableau","The hoop in your hand":"Le cerceau dans votre main","Slope of the plane":"Inclinaison du plan","Tilt the plane: drag, or arrow keys":"\
-Incliner le plan : tirer, ou flèches","The hoop: height and speed":"Le cerceau : hauteur et vitesse","Lift, roll or throw the hoop: drag, or arrow keys":"Lever\
-, rouler ou lancer le cerceau : tirer, ou flèches","Angle of the load":"Angle de la masselotte","Turn the load: drag, or arrow keys":"Tourner la masselotte : t\
-irer, ou flèches","gap {height}, speed {speed} m/s":"écart {height}, vitesse {speed} m/s",Repeat:"Répéter","Slow motion: a tenth of the speed":"Ralenti : un\
- dixième de la vitesse","Sound of the contact":"Son du contact","Presentation on the whole screen":"Présentation en plein écran","Guided visit":"Visite guidé\
-e","Table of the motion":"Tableau du mouvement","Table of the motion, rows":"Tableau du mouvement, lignes",Presentation:"Présentation","For teachers":"Pour les\
- enseignants",Table:"Tableau",Every:"Toutes les","Save as CSV":"Enregistrer en CSV",Columns:"Colonnes","The first {count} rows.":"Les {count} premières lignes.",
-Challenges:"Défis","Leave the challenges":"Quitter les défis","Which challenge":"Quel défi",Score:"Score","Begin again":"Recommencer","Show a best one":"Mont\
-rer un des meilleurs","{stars} {points} points. {what}":"{stars} {points} points. {what}","Your best: {points} points.":"Votre meilleur : {points} points.","Hop\
- highest":"Sauter le plus haut","On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. How high can the hoop rise \
-within 6 s?":"Sur sol horizontal, en roulant, à 3,1 m/s au plus : vous choisissez la masselotte, sa position de départ et le frottement. À quelle hauteur le cer\
-ceau peut-il monter en 6 s ?","Land upright":"Retomber debout","Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be \
-at least 5 cm high.":"Faites retomber le cerceau avec la masselotte tout en haut. Tout est permis ; le premier saut doit faire au moins 5 cm.","Hop without skid\
-ding":"Sauter sans déraper","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops \
-it must not skid; to spin is allowed. How high does it hop?":"Sur sol horizontal le cerceau part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut a\
-u plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quelle hauteur saute-t-il ?","Rigid contact only.":"Contact rigide seulement.","The\
- plane must be level.":"Le plan doit être horizontal.","It must be on Earth.":"Ce doit être sur Terre.","Restitution must be 0.":"La restitution doit être 0.",
-"The radius must stay 1 m, without parts.":"Le rayon doit rester 1 m, sans pièces.","At most 90 % of the mass may be in the load.":"Au plus 90 % de la masse da\
-ns la masselotte.","The hoop must be given by its load fraction.":"Le cerceau doit être donné par la part de la masselotte.","It must start rolling.":"Il doit\
- partir en roulant.","At most 10 m/s.":"Au plus 10 m/s.","At most 3.1 m/s.":"Au plus 3,1 m/s.","At most 6 s.":"Au plus 6 s.","It does not hop.":"Il ne saute pas\
-.","It rises by {height}.":"Il monte de {height}.","The first hop is too low.":"Le premier saut est trop bas.","It lands {off} away from the top.":"Il retombe à\
- {off} du sommet.","The load must start at the bottom.":"La masselotte doit partir d’en bas.","Friction must be at most 1.5.":"Le frottement doit être au plus\
- 1,5.","It skids before it hops.":"Il dérape avant de sauter.","New here?":"Première visite ?","Eight short questions: guess, then play.":"Huit questions brèv\
-es : devinez, puis lancez.","Start the visit":"Commencer la visite","Not now":"Pas maintenant","The hoop, before it is let go.":"Le cerceau, avant d’être lâché.",
-Play:"Lancer",Next:"Suivant",Back:"Retour",Done:"Terminé","Step {number} of {all}":"Étape {number} sur {all}","Leave the visit":"Quitter la visite","First say\
- what you expect, then play.":"Dites d’abord ce que vous attendez, puis lancez.","Your guess":"Votre réponse","{points} of 100 points.":"{points} points sur \
-100.","You have {sum} of {most} points.":"Vous avez {sum} points sur {most}.","{what} with the load at {angle}":"{what} avec la masselotte à {angle}","Draw the\
- curve: pull the points up and down":"Tracez la courbe : tirez les points vers le haut ou le bas","Littlewood’s question":"La question de Littlewood","A hoop \
-without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weigh\
-t is level with the centre.":"Un cerceau sans masse porte un poids sur sa jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood d\
-emanda en 1953 ce qui se passe quand le poids est à la hauteur du centre.","What do you think?":"Qu’en pensez-vous ?","It rolls on.":"Il continue de rouler.",
-"It hops: the hoop leaves the plane.":"Il saute : le cerceau quitte le plan.","The weight falls freely, and the hoop skims the plane below it.":"Le poids tombe \
-en chute libre, et le cerceau effleure le plan sous lui.","At {angle} there is no contact force any more.":"À {angle} il n’y a plus de force de contact.","Li\
-ttlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop\
-, a hoop needs some mass in its rim.":"Littlewood disait que le cerceau saute. Mais la force de contact est nulle, non dirigée vers le haut : le poids tombe en \
-chute libre et une jante sans masse le suit le long du plan. Pour sauter, il faut au cerceau un peu de masse dans la jante.","A ring with mass":"Un anneau avec \
-masse","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"À présent un quart de la masse est dans l\
-’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus petite poussée.","Draw how fast the hoop’s centre goes during the first turn.":"\
-Tracez la vitesse du centre du cerceau pendant le premier tour.","Speed of the centre":"Vitesse du centre","With the load at the bottom the centre has {speed} m\
-/s.":"Avec la masselotte en bas, le centre a {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light r\
-ing has all that the heavy load has lost: it is faster than a stone that falls from the same height.":"Le point le plus bas d’un cerceau qui roule est au repos.\
- Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce que la lourde masselotte a perdu : il est plus rapide qu’une pierre tombant de la mê\
-me hauteur.","Why it slips":"Pourquoi il glisse","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Une\
- poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le frottement a une limite : il vaut au plus μ N.","Where is the load when friction give\
-s way for the first time? Turn the mark.":"Où est la masselotte quand le frottement cède pour la première fois ? Tournez la marque.","Angle of the load where\
- it begins to slip":"Angle de la masselotte où il commence à glisser","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Il \
-commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.","The load on its way down and round presses little on the plane, so that N is small\
-, while the ring has to be made faster: that takes friction. Watch the diagram ‘Use of friction’: it comes to 1.":"Dans sa descente la masselotte appuie peu\
- sur le plan : N est petite, alors que l’anneau doit accélérer, ce qui demande du frottement. Voyez le diagramme « Utilisation du frottement » : elle atteint 1.",
-"The hop":"Le saut","A little faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn is over.":"Un peu plus vite, 3,1 m/s. Cette fois le ce\
-rceau quitte le plan avant la fin du premier tour.","Where is the load when the hoop takes off? Turn the mark.":"Où est la masselotte quand le cerceau décolle ?\
- Tournez la marque.","Angle of the load where it takes off":"Angle de la masselotte au décollage","It takes off at {angle}, while its rim slips at {slip} m/s.":"\
-Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak fo\
-r that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the top.":"Le plan freinerait un cerceau qui roule tan\
-dis que la masselotte remonte. Le frottement est trop faible pour cela : la jante patine, le cerceau continue de tourner vite, et la masselotte l’arrache du pla\
-n avant d’être en haut.","The landing":"La retombée","The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Le cerceau es\
-t en l’air. Son centre de gravité suit une parabole et il tourne uniformément.","What does it do just after it has landed?":"Que fait-il juste après être re\
-tombé ?","It rolls at once.":"Il roule aussitôt.","It skids: the rim slides ahead.":"Il dérape : la jante glisse vers l’avant.","It spins: the rim turns to\
-o fast.":"Il patine : la jante tourne trop vite.","It bounces.":"Il rebondit.","It was in the air for {time} s and rose by {height} cm; it lands with the load a\
-t {angle}.":"Il est resté {time} s en l’air et est monté de {height} cm ; il retombe avec la masselotte à {angle}.","An impact takes no time, but its frict\
-ion is as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards.":"\
-Un impact ne dure pas, mais son frottement est aussi fort que sa poussée : ici il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitu\
-tion, la retombée serait autre. Essayez ensuite.","More friction, more hop?":"Plus de frottement, plus haut ?","Three hoops get the same push of 3.1 m/s, on pl\
-anes with friction 0.05, 0.2 and 1.0.":"Trois cerceaux reçoivent la même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et 1,0.","Which of them ho\
-ps highest?":"Lequel saute le plus haut ?","They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Ils montent de {low} cm, {middle} c\
-m et {high} cm. (Les deux premiers sont A et B.)","On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction \
-to turn the hoop fast on the way down, and not so much that it is braked on the way up.":"Sur la glace rien n’entraîne la rotation ; avec un frottement sans fin\
- rien ne glisse. Le saut exige les deux : assez de frottement pour tourner vite à la descente, et pas assez pour être freiné à la remontée.","What rigid bo\
-dies cannot decide":"Ce que les solides ne peuvent décider","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry fric\
-tion have to say what happens next.":"On lance un cerceau de sorte qu’il glisse vite sur un plan rugueux. Les lois des solides avec frottement sec doivent dire \
-la suite.","What do they say?":"Que disent-elles ?","It flies off.":"Il s’envole.","An impact stops the slide at once.":"Un impact arrête aussitôt le glisseme\
-nt.","Both agree with the laws.":"Les deux obéissent aux lois.","Hoop A and hoop B start alike, and both motions obey every law.":"Les cerceaux A et B partent \
-de même, et les deux mouvements obéissent à toutes les lois.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states \
-none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé l’a trouvé en 1895. Pour un solide, les lois on\
-t ici deux réponses, dans d’autres états aucune. Les corps réels cèdent un peu, et cela décide : choisissez le contact souple sous « Contact ».","Your \
-turn":"À vous","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are compu\
-ted from the motion itself.":"Prenez le cerceau : tournez la masselotte, levez-le et lâchez-le, lancez-le, inclinez le plan. Ou relevez un défi, et voyez votre \
-score calculé d’après le mouvement lui-même.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Montrer le cerce\
-au à pleine vitesse, une fois, sans commentaire. « Je le pousse. Ne fait-il que rouler ? »","Everybody predicts where the load is at take-off. Count the vote\
-s by quarters of the turn.":"Chacun prédit où est la masselotte au décollage. Compter les voix par quarts de tour.","Energy on the way down, in pairs: who ha\
-s the energy when the load is at rest?":"L’énergie à la descente, par deux : qui a l’énergie quand la masselotte est au repos ?","Lift at the top: at whi\
-ch speed is the force of the floor zero?":"Soulèvement en haut : à quelle vitesse la force du sol est-elle nulle ?","The film again, in slow motion and with f\
-orces; stop at take-off. Compare with the votes.":"Le film à nouveau, au ralenti et avec les forces ; arrêter au décollage. Comparer avec les voix.","Each gr\
-oup takes one speed of the worksheet; results on the board.":"Chaque groupe prend une vitesse de la fiche ; résultats au tableau.","Why? What has to brake the \
-rotation on the way up, how strong can it be, and what if it is too weak?":"Pourquoi ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, \
-et si c’est trop faible ?","One sentence each: “The hoop hops because …”":"Une phrase chacun : « Le cerceau saute parce que… »","The load pulls the \
-hoop up at the top, so it hops there.":"La masselotte tire le cerceau vers le haut au sommet, donc il saute là.","Only if it is very fast. Slower hoops hop bef\
-ore the top, after slipping.":"Seulement s’il est très rapide. Les plus lents sautent avant le sommet, après avoir glissé.","It hops at the bottom, where i\
-t is fastest.":"Il saute en bas, où il est le plus rapide.","There the floor pushes hardest: the load has to be turned upwards.":"Là le sol pousse le plus fort\
- : il faut dévier la masselotte vers le haut.","Nothing can be faster than a falling stone.":"Rien ne peut être plus rapide qu’une pierre qui tombe.","The r\
-ing can: it gets the energy of a load that has come to rest.":"L’anneau le peut : il reçoit l’énergie d’une masselotte qui s’est arrêtée.","Friction\
- always brakes.":"Le frottement freine toujours.","It acts against slip. On the hoop’s way up it points forwards.":"Il agit contre le glissement. À la remonté\
-e il est dirigé vers l’avant.","More friction, more hop.":"Plus de frottement, plus de saut.","There is a best friction in between.":"Il y a un frottement op\
-timal entre les deux.","A heavier hoop behaves otherwise.":"Un cerceau plus lourd se comporte autrement.","Only the shares of mass count.":"Seules les parts de \
-masse comptent.","Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Avant le film : où est la masselotte \
-quand le cerceau quitte le sol ? Marquez l’endroit et donnez une raison.","The hoop gets only the smallest push and rolls. How much potential energy has been \
-set free when the load is at the bottom?":"Le cerceau ne reçoit que la plus petite poussée et roule. Quelle énergie potentielle a été libérée quand la masselott\
-e est en bas ?","While a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Quand une roue \
-roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l’énergie cinétique, et quelle est la vitesse du centre ?","How fast is a sto\
-ne that falls from the height of the load? Why can the hoop be faster?":"Quelle est la vitesse d’une pierre tombant de la hauteur de la masselotte ? Pourquoi le\
- cerceau peut-il être plus rapide ?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"Trouvez la force du sol au \
-sommet pour 1,0 m/s, et la vitesse où elle s’annule.","In the lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the tabl\
-e.":"Dans le labo : que fait le cerceau pendant ses 1,5 premières secondes, et à quel angle saute-t-il ? Remplissez le tableau.","Find the smallest speed with\
- which the hoop hops, to 1 cm/s.":"Trouvez la plus petite vitesse pour laquelle le cerceau saute, à 1 cm/s près.","At 2.2 m/s the hoop leaves the floor while \
-its rim slips. Why does slipping help it to hop?":"À 2,2 m/s le cerceau quitte le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?",
-Show:"Montrer","Teaching with the hoop":"Enseigner avec le cerceau",Worksheet:"Fiche de travail",Solutions:"Corrigé",Exercises:"Exercices","A lesson of 45 minu\
-tes":"Une séance de 45 minutes",Minute:"Minute",Motion:"Mouvement","What students often think":"Ce que pensent souvent les élèves",Idea:"Idée","What is righ\
-t":"Ce qui est juste","Worksheet: the hoop that hops":"Fiche de travail : le cerceau sauteur","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.7\
-5 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anneau mi\
-nce de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée sur sa jante. Le cerceau est posé sur un sol horizontal, la masselotte en haut, \
-et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².",phases:"phases","does it hop?":"saute-t-il ?","at which angle?":"à quel angle ?",Print:"Impri\
-mer","The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student.":"La visite interroge avant de montrer ; la p\
-résentation remplit l’écran ; le tableau donne des nombres à chaque élève."};var xs={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
+"The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Le serveur ne répond pas. Ce qui est là continue ; pour le\
+ modifier, relancez `hophoop lab`.","The server answered {status}.":"Le serveur a répondu {status}.","The notebook’s kernel does not answer; run the cell again\
+.":"Le noyau du notebook ne répond pas ; relancez la cellule.",hoop:"cerceau",mode:"phase",time:"temps",angle:"angle",gap:"écart","rim speed":"vitesse de la j\
+ante",load:"masselotte","centre of gravity":"centre de gravité","the same in flight":"le même en vol","A in front, B behind":"A devant, B derrière","The hoop":"\
+Le cerceau","The hoop.":"Le cerceau.",Time:"Temps","{time} seconds, {what}":"{time} secondes, {what}","Traces (t)":"Trajectoires (t)","Forces (f)":"Forces (f)",
+"Rim speed (c)":"Vitesse de la jante (c)","Whole path (w)":"Tout le trajet (w)","In space (3)":"En 3D (3)",Traces:"Trajectoires",Forces:"Forces","Rim speed":"Vi\
+t. jante","Whole path":"Trajet entier","Play (space)":"Lecture (espace)","Pause (space)":"Pause (espace)","Speed of the film":"Vitesse du film","To the start (H\
+ome)":"Au début (Début)","Previous event (Shift ←)":"Événement précédent (Maj ←)","Next event (Shift →)":"Événement suivant (Maj →)","One frame \
+back (←)":"Une image en arrière (←)","One frame on (→)":"Une image en avant (→)",landing:"retombée","To the next flight (h)":"Au vol suivant (h)","To \
+the next landing (l)":"À la retombée suivante (l)","This motion has no flight.":"Ce mouvement n’a pas de vol.","This motion has no landing.":"Ce mouvement n\
+’a pas de retombée.","{what} at {angle}, {time} s":"{what} à {angle}, {time} s",start:"départ","slip begins":"le glissement commence","slip ends":"le gliss\
+ement cesse","slip turns round":"le glissement s’inverse","take-off":"décollage","turns back":"fait demi-tour","highest point":"point le plus haut","bounces \
+end":"les rebonds cessent","Painlevé: several solutions":"Painlevé : plusieurs solutions","energy gain (Kane)":"gain d’énergie (Kane)","skimming begins":"l\
+’effleurement commence","at rest":"au repos",end:"fin","What happens":"Ce qui se passe","What happens to hoop {hoop}":"Ce qui arrive au cerceau {hoop}","The m\
+otion in words":"Le mouvement en mots","(not all events are shown)":"(tous les événements ne sont pas montrés)","What theory says":"Ce que dit la théorie","\
+What theory says of hoop {hoop}":"Ce que dit la théorie du cerceau {hoop}",Velocities:"Vitesses","velocity [m/s]":"vitesse [m/s]","v (centre)":"v (centre)","En\
+ergies and losses":"Énergies et pertes","energy [J]":"énergie [J]",kinetic:"cinétique",potential:"potentielle",total:"totale","lost to friction":"perdue par \
+frottement","lost in the damper":"perdue dans l’amortisseur","lost in impacts, normal part":"perdue dans les impacts, part normale","Contact forces":"Forces d\
+e contact","force [N]":"force [N]","normal N":"normale N","friction F":"frottement F","Use of friction":"Utilisation du frottement","Your choice":"À votre choix",
+"What your diagram shows":"Ce que montre votre diagramme","Horizontal axis of the diagrams":"Axe horizontal des diagrammes","over {quantity}":"en fonction de : \
+{quantity}","Whole motion":"Tout le mouvement","slide to go there, two fingers zoom":"glissez pour y aller ; deux doigts agrandissent","click to go there, drag \
+to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"cliquez pour y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la molette\
+ agrandit ; double-clic pour tout","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.","θ m\
+od 360°":"θ mod 360°",Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du centre",
+"gap under the rim":"écart sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","speed of\
+ rotation":"vitesse de rotation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"vite\
+sse angulaire","normal force":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie cin\
+étique","potential energy":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular velo\
+city with the regions of rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","angle\
+ θ within a turn [°]":"angle θ dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Cou\
+leurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"Tou\
+chez pour y aller ; deux doigts agrandissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller ; a\
+près un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce que \
+montre la carte","Map of motions":"Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des mou\
+vements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the ma\
+p":"Réduire la carte","Whole map":"Carte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le lec\
+teur ; deux doigts agrandissent.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"\
+Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {count}\
+ motions …":"calcul de {count} mouvements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec contact r\
+igide","of rolling starts, though this motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though this\
+ motion starts rolling":"partant d’un état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} func\
+tions":"compilation du noyau des cartes, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"Sc\
+énario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture (P\
+NG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même mo\
+uvement en Python","The link is copied.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a while\
+ …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser cannot \
+record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passage\
+…","The film is there.":"Le film est là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a load\
+ on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanic\
+s cannot decide. Move a slider and see.":"Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que po\
+usser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on the \
+bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →",
+"previous, next event":"événement précédent, suivant","next flight, landing":"vol, retombée suivants","slower, faster":"plus lent, plus vite","Home End":"D\
+ébut Fin","start, end":"début, fin","traces, forces, rim speed, whole path":"trajectoires, forces, vitesse de la jante, trajet","in space":"en 3D","zoom, zoom\
+ back":"agrandir, revenir","leave a field, a menu, a picture that the wheel zooms":"quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z":"\
+z y  Ctrl Z","undo, redo":"annuler, rétablir","dark, light":"sombre, clair",Python:"Python","the rim does not slide":"la jante ne glisse pas","slip: the rim tu\
+rns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"glissement : la jante tourne trop vite pour son trajet (glissement −, pour un cerceau\
+ qui avance)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui a\
+vance)","the hop: from take-off to landing":"le saut : du décollage à la retombée","a massless rim that touches without force":"une jante sans masse qui touc\
+he sans force","take-off, landing":"décollage, retombée","Painlevé’s paradox: no solution, several":"Paradoxe de Painlevé : aucune solution, plusieurs","b\
+ounces without number end":"une infinité de rebonds s’achève","skimming begins, rest":"l’effleurement commence, repos","Single keys (letters, digits, sign\
+s) do what the table says":"Les touches seules (lettres, chiffres, signes) font ce que dit le tableau","The hoop in your hand":"Le cerceau dans votre main","Slo\
+pe of the plane":"Inclinaison du plan","Tilt the plane: drag, or arrow keys":"Incliner le plan : tirer, ou flèches","The hoop: height and speed":"Le cerceau : \
+hauteur et vitesse","Lift, roll or throw the hoop: drag, or arrow keys":"Lever, rouler ou lancer le cerceau : tirer, ou flèches","Angle of the load":"Angle de \
+la masselotte","Turn the load: drag, or arrow keys":"Tourner la masselotte : tirer, ou flèches","gap {height}, speed {speed} m/s":"écart {height}, vitesse {spe\
+ed} m/s",Repeat:"Répéter","Slow motion: a tenth of the speed":"Ralenti : un dixième de la vitesse","Sound of the contact":"Son du contact","Presentation on t\
+he whole screen":"Présentation en plein écran","Guided visit":"Visite guidée","Table of the motion":"Tableau du mouvement","Table of the motion, rows":"Table\
+au du mouvement, lignes",Presentation:"Présentation","For teachers":"Pour les enseignants",Table:"Tableau",Every:"Toutes les","Save as CSV":"Enregistrer en CSV",
+Columns:"Colonnes","The first {count} rows.":"Les {count} premières lignes.",Challenges:"Défis","Leave the challenges":"Quitter les défis","Which challenge":"\
+Quel défi",Score:"Score","Begin again":"Recommencer","Show a best one":"Montrer un des meilleurs","{stars} {points} points. {what}":"{stars} {points} points. {\
+what}","Your best: {points} points.":"Votre meilleur : {points} points.","Hop highest":"Sauter le plus haut","On level ground, rolling, with at most 3.1 m/s: yo\
+u choose the load, where it starts, and friction. How high can the hoop rise within 6 s?":"Sur sol horizontal, en roulant, à 3,1 m/s au plus : vous choisissez l\
+a masselotte, sa position de départ et le frottement. À quelle hauteur le cerceau peut-il monter en 6 s ?","Land upright":"Retomber debout","Let the hoop land\
+ with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.":"Faites retomber le cerceau avec la masselotte tout en haut.\
+ Tout est permis ; le premier saut doit faire au moins 5 cm.","Hop without skidding":"Sauter sans déraper","On level ground the hoop starts rolling with its lo\
+ad at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Sur sol horizontal\
+ le cerceau part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quell\
+e hauteur saute-t-il ?","Rigid contact only.":"Contact rigide seulement.","The plane must be level.":"Le plan doit être horizontal.","It must be on Earth.":"Ce\
+ doit être sur Terre.","Restitution must be 0.":"La restitution doit être 0.","The radius must stay 1 m, without parts.":"Le rayon doit rester 1 m, sans pièce\
+s.","At most 90 % of the mass may be in the load.":"Au plus 90 % de la masse dans la masselotte.","The hoop must be given by its load fraction.":"Le cerceau doi\
+t être donné par la part de la masselotte.","It must start rolling.":"Il doit partir en roulant.","At most 10 m/s.":"Au plus 10 m/s.","At most 3.1 m/s.":"Au p\
+lus 3,1 m/s.","At most 6 s.":"Au plus 6 s.","It does not hop.":"Il ne saute pas.","It rises by {height}.":"Il monte de {height}.","The first hop is too low.":"L\
+e premier saut est trop bas.","It lands {off} away from the top.":"Il retombe à {off} du sommet.","The load must start at the bottom.":"La masselotte doit part\
+ir d’en bas.","Friction must be at most 1.5.":"Le frottement doit être au plus 1,5.","It skids before it hops.":"Il dérape avant de sauter.","New here?":"Pr\
+emière visite ?","Eight short questions: guess, then play.":"Huit questions brèves : devinez, puis lancez.","Start the visit":"Commencer la visite","Not now":"\
+Pas maintenant","The hoop, before it is let go.":"Le cerceau, avant d’être lâché.",Play:"Lancer",Next:"Suivant",Back:"Retour",Done:"Terminé","Step {number\
+} of {all}":"Étape {number} sur {all}","Leave the visit":"Quitter la visite","First say what you expect, then play.":"Dites d’abord ce que vous attendez, puis \
+lancez.","Your guess":"Votre réponse","{points} of 100 points.":"{points} points sur 100.","You have {sum} of {most} points.":"Vous avez {sum} points sur {most\
+}.","{what} with the load at {angle}":"{what} avec la masselotte à {angle}","Draw the curve: pull the points up and down":"Tracez la courbe : tirez les points \
+vers le haut ou le bas","Littlewood’s question":"La question de Littlewood","A hoop without mass has a weight on its rim. With the weight at the top it gets t\
+he smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Un cerceau sans masse porte un poids sur sa \
+jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood demanda en 1953 ce qui se passe quand le poids est à la hauteur du centre.",
+"What do you think?":"Qu’en pensez-vous ?","It rolls on.":"Il continue de rouler.","It hops: the hoop leaves the plane.":"Il saute : le cerceau quitte le plan\
+.","The weight falls freely, and the hoop skims the plane below it.":"Le poids tombe en chute libre, et le cerceau effleure le plan sous lui.","At {angle} there\
+ is no contact force any more.":"À {angle} il n’y a plus de force de contact.","Littlewood said that the hoop hops. But the contact force is zero, not upward\
+s: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood disait que le cerceau sau\
+te. Mais la force de contact est nulle, non dirigée vers le haut : le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, i\
+l faut au cerceau un peu de masse dans la jante.","A ring with mass":"Un anneau avec masse","Now a quarter of the mass is in the ring. Again the load is at the \
+top, and the hoop gets the smallest push.":"À présent un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus \
+petite poussée.","Draw how fast the hoop’s centre goes during the first turn.":"Tracez la vitesse du centre du cerceau pendant le premier tour.","Speed of th\
+e centre":"Vitesse du centre","With the load at the bottom the centre has {speed} m/s.":"Avec la masselotte en bas, le centre a {speed} m/s.","The lowest point \
+of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: it is faster than a stone that fall\
+s from the same height.":"Le point le plus bas d’un cerceau qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce q\
+ue la lourde masselotte a perdu : il est plus rapide qu’une pierre tombant de la même hauteur.","Why it slips":"Pourquoi il glisse","A harder push: 2.8 m/s a\
+t the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Une poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le f\
+rottement a une limite : il vaut au plus μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Où est la masselotte quand le fr\
+ottement cède pour la première fois ? Tournez la marque.","Angle of the load where it begins to slip":"Angle de la masselotte où il commence à glisser","It \
+begins to slip at {angle}. There the plane carries only {share} of the weight.":"Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.",
+"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the diagra\
+m ‘Use of friction’: it comes to 1.":"Dans sa descente la masselotte appuie peu sur le plan : N est petite, alors que l’anneau doit accélérer, ce qui demand\
+e du frottement. Voyez le diagramme « Utilisation du frottement » : elle atteint 1.","The hop":"Le saut","A little faster, 3.1 m/s. This time the hoop leaves \
+the plane, before the first turn is over.":"Un peu plus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Where is the load wh\
+en the hoop takes off? Turn the mark.":"Où est la masselotte quand le cerceau décolle ? Tournez la marque.","Angle of the load where it takes off":"Angle de l\
+a masselotte au décollage","It takes off at {angle}, while its rim slips at {slip} m/s.":"Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","A\
+ rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pu\
+lls it off the plane before it is at the top.":"Le plan freinerait un cerceau qui roule tandis que la masselotte remonte. Le frottement est trop faible pour cel\
+a : la jante patine, le cerceau continue de tourner vite, et la masselotte l’arrache du plan avant d’être en haut.","The landing":"La retombée","The hoop \
+is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Le cerceau est en l’air. Son centre de gravité suit une parabole et il tourne un\
+iformément.","What does it do just after it has landed?":"Que fait-il juste après être retombé ?","It rolls at once.":"Il roule aussitôt.","It skids: the r\
+im slides ahead.":"Il dérape : la jante glisse vers l’avant.","It spins: the rim turns too fast.":"Il patine : la jante tourne trop vite.","It bounces.":"Il \
+rebondit.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Il est resté {time} s en l’air et est monté de {height}\
+ cm ; il retombe avec la masselotte à {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With l\
+ess friction, or more restitution, the landing would be another one. Try it afterwards.":"Un impact ne dure pas, mais son frottement est aussi fort que sa pouss\
+ée : ici il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitution, la retombée serait autre. Essayez ensuite.","More friction, \
+more hop?":"Plus de frottement, plus haut ?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Trois cerceaux reçoivent la\
+ même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et 1,0.","Which of them hops highest?":"Lequel saute le plus haut ?","They rise by {low} cm, {\
+middle} cm and {high} cm. (The first two are A and B.)":"Ils montent de {low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","On ice nothing dr\
+ives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is br\
+aked on the way up.":"Sur la glace rien n’entraîne la rotation ; avec un frottement sans fin rien ne glisse. Le saut exige les deux : assez de frottement pour t\
+ourner vite à la descente, et pas assez pour être freiné à la remontée.","What rigid bodies cannot decide":"Ce que les solides ne peuvent décider","A hoop\
+ is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"On lance un cerceau de sorte q\
+u’il glisse vite sur un plan rugueux. Les lois des solides avec frottement sec doivent dire la suite.","What do they say?":"Que disent-elles ?","It flies off.":"\
+Il s’envole.","An impact stops the slide at once.":"Un impact arrête aussitôt le glissement.","Both agree with the laws.":"Les deux obéissent aux lois.","H\
+oop A and hoop B start alike, and both motions obey every law.":"Les cerceaux A et B partent de même, et les deux mouvements obéissent à toutes les lois.","P\
+ainlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that decides: choose the comp\
+liant contact under ‘Contact’.":"Painlevé l’a trouvé en 1895. Pour un solide, les lois ont ici deux réponses, dans d’autres états aucune. Les corps réels cè\
+dent un peu, et cela décide : choisissez le contact souple sous « Contact ».","Your turn":"À vous","Take the hoop: turn the load, lift the hoop and let it d\
+rop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the motion itself.":"Prenez le cerceau : tournez la masselotte, \
+levez-le et lâchez-le, lancez-le, inclinez le plan. Ou relevez un défi, et voyez votre score calculé d’après le mouvement lui-même.","Show the hoop at fu\
+ll speed, once, without a comment. “I push it. Does it only roll?”":"Montrer le cerceau à pleine vitesse, une fois, sans commentaire. « Je le pousse. Ne fai\
+t-il que rouler ? »","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Chacun prédit où est la masselotte au décoll\
+age. Compter les voix par quarts de tour.","Energy on the way down, in pairs: who has the energy when the load is at rest?":"L’énergie à la descente, par deux :\
+ qui a l’énergie quand la masselotte est au repos ?","Lift at the top: at which speed is the force of the floor zero?":"Soulèvement en haut : à quelle vitess\
+e la force du sol est-elle nulle ?","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.":"Le film à nouveau, au ralenti e\
+t avec les forces ; arrêter au décollage. Comparer avec les voix.","Each group takes one speed of the worksheet; results on the board.":"Chaque groupe prend u\
+ne vitesse de la fiche ; résultats au tableau.","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Pourquo\
+i ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, et si c’est trop faible ?","One sentence each: “The hoop hops because …”":"\
+Une phrase chacun : « Le cerceau saute parce que… »","The load pulls the hoop up at the top, so it hops there.":"La masselotte tire le cerceau vers le haut \
+au sommet, donc il saute là.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Seulement s’il est très rapide. Les plus lents saute\
+nt avant le sommet, après avoir glissé.","It hops at the bottom, where it is fastest.":"Il saute en bas, où il est le plus rapide.","There the floor pushes h\
+ardest: the load has to be turned upwards.":"Là le sol pousse le plus fort : il faut dévier la masselotte vers le haut.","Nothing can be faster than a falling\
+ stone.":"Rien ne peut être plus rapide qu’une pierre qui tombe.","The ring can: it gets the energy of a load that has come to rest.":"L’anneau le peut : il \
+reçoit l’énergie d’une masselotte qui s’est arrêtée.","Friction always brakes.":"Le frottement freine toujours.","It acts against slip. On the hoop’s \
+way up it points forwards.":"Il agit contre le glissement. À la remontée il est dirigé vers l’avant.","More friction, more hop.":"Plus de frottement, plus \
+de saut.","There is a best friction in between.":"Il y a un frottement optimal entre les deux.","A heavier hoop behaves otherwise.":"Un cerceau plus lourd se co\
+mporte autrement.","Only the shares of mass count.":"Seules les parts de masse comptent.","Before the film: where is the load when the hoop leaves the floor? Ma\
+rk the place and give one reason.":"Avant le film : où est la masselotte quand le cerceau quitte le sol ? Marquez l’endroit et donnez une raison.","The hoop \
+gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Le cerceau ne reçoit que la plus petite pou\
+ssée et roule. Quelle énergie potentielle a été libérée quand la masselotte est en bas ?","While a wheel rolls, its lowest point is at rest. Which part of\
+ the hoop has kinetic energy then, and how fast is the centre?":"Quand une roue roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l\
+’énergie cinétique, et quelle est la vitesse du centre ?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"Quelle \
+est la vitesse d’une pierre tombant de la hauteur de la masselotte ? Pourquoi le cerceau peut-il être plus rapide ?","Find the force of the floor at the top \
+for 1.0 m/s, and the speed at which it becomes zero.":"Trouvez la force du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","In the lab: what doe\
+s the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Dans le labo : que fait le cerceau pendant ses 1,5 premières secondes, et\
+ à quel angle saute-t-il ? Remplissez le tableau.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Trouvez la plus petite vitesse pour laquelle\
+ le cerceau saute, à 1 cm/s près.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"À 2,2 m/s le cerceau quitte \
+le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?",Show:"Montrer","Teaching with the hoop":"Enseigner avec le cerceau",Worksheet:"\
+Fiche de travail",Solutions:"Corrigé",Exercises:"Exercices","A lesson of 45 minutes":"Une séance de 45 minutes",Minute:"Minute",Motion:"Mouvement","What stude\
+nts often think":"Ce que pensent souvent les élèves",Idea:"Idée","What is right":"Ce qui est juste","Worksheet: the hoop that hops":"Fiche de travail : le ce\
+rceau sauteur","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the\
+ top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée\
+ sur sa jante. Le cerceau est posé sur un sol horizontal, la masselotte en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².",phases:"phas\
+es","does it hop?":"saute-t-il ?","at which angle?":"à quel angle ?",Print:"Imprimer","The visit asks before it shows; the presentation fills the screen; the t\
+able gives numbers to every student.":"La visite interroge avant de montrer ; la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.",
+inf:"inf","greater than {least}":"supérieur à {least}","at least {least}":"au moins {least}","at least {least} (inf is allowed)":"au moins {least} (inf est pe\
+rmis)","at most {most}":"au plus {most}","a finite number":"un nombre fini","a whole number":"un nombre entier","'{word}' or '{word2}'":"« {word} » ou « {word2}\
+ »","'{word}', '{word2}' or '{word3}'":"« {word} », « {word2} » ou « {word3} »","Rolling resistance":"Résistance au roulement","Rolling resistance: coup\
+le against the rotation over R N":"Résistance au roulement : couple opposé à la rotation, divisé par R N","Rolling resistance f":"Résistance au roulement f",
+"{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {value} doit être entre -pi/2 et pi/2 (radians).","{word} is not a known key; known are\
+ {word2}.":"{word} n’est pas une clé connue ; sont connues {word2}.","{one} cannot be given together with {other}.":"{one} ne peut pas être donné avec {other\
+}.","{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} ne doit pas dépasser {other} = {limit}.","plane.mu_static = inf must be finite with c\
+ontact.model = 'compliant'.":"plane.mu_static = inf doit être fini avec contact.model = 'compliant'.","hoop.parts must not be empty.":"hoop.parts ne doit pas ê\
+tre vide.","This takes longer than {time} s; ask for a shorter motion or fewer cells.":"Cela prend plus de {time} s ; demandez un mouvement plus court ou moins \
+de cellules.","The lab is busy; try again in {time} seconds.":"Le labo est occupé ; réessayez dans {time} secondes.","The lab is busy; try again in 1 second.":"\
+Le labo est occupé ; réessayez dans 1 seconde.","The computation failed.":"Le calcul a échoué.","The process that computed this has ended.":"Le processus qu\
+i calculait cela s’est arrêté.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} doit êtr\
+e au plus {most} s dans le labo ; la bibliothèque elle-même n’a pas cette limite.","duration = {value} s at this speed and radius is about {turns} revolutio\
+ns and must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s font environ {turns} tours à cette vitesse et ce rayon, a\
+u plus {most} dans le labo ; la bibliothèque elle-même n’a pas cette limite.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.\
+parts a {count} pièces et doit en avoir au plus {most} dans le labo.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integrati\
+on and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed et duration demandent environ {steps} pas d’intégration, au plus {most} dans\
+ le labo.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Une cellule de cette carte fait environ {turns} tours, au p\
+lus {most} dans le labo.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds\
+ or a shorter duration.":"x et y font {count} cellules d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plu\
+s faibles ou une durée plus courte.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} doit être au plus {most} s pour\
+ un film du labo.","Slips, hops":"Glisse, saute","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"en mon\
+tée (β < 0) pas de seuil : qu'il glisse ou saute dépend de l'endroit où il rebrousse chemin ; la carte le montre","A violet, B green; the dashes tell the qu\
+antities; numbers of {hoop}; {hands}":"A violet, B vert ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}"};var zn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
 转",skids:"拖滑",flies:"腾空","skims the plane":"贴着平面滑过","rolls at {angle}":"在 {angle} 处开始滚动","spins at {angle}":"在 {angle} 处开始空转",
 "skids at {angle}":"在 {angle} 处开始拖滑","flies at {angle}":"在 {angle} 处腾空","skims the plane at {angle}":"在 {angle} 处开始贴着平面滑过",
 "hops at {angle}":"在 {angle} 处跳起","lands at {angle}":"在 {angle} 处落地","bounces at {angle}":"在 {angle} 处弹起","slips the other way at {angle\
@@ -926,61 +989,58 @@ atic and kinetic friction apart":"静、动摩擦因数分开",Starts:"起始状
 e} must be a number.":"{name} = {value} 必须是数字。","from {least} to {most}":"在 {least} 到 {most} 之间","from {least} to {most}, or inf":"在 {least}\
  到 {most} 之间或为 inf","0 or from {least} to {most}":"为 0 或在 {least} 到 {most} 之间","0 or from {least} to {most}, or inf":"为 0、在 {least} 到 {mos\
 t} 之间或为 inf","at most {most} in the lab":"在本实验室中不超过 {most}","0 for the massless hoop (hoop.inertia_ratio = 0)":"为 0（无质量圆环，hoop.inertia\
-_ratio = 0）","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"为 'rigid'（无质量圆环，hoop.inertia_ratio = 0）","plane.mu_kinetic = {one} mu\
-st not exceed plane.mu_static = {other}.":"plane.mu_kinetic = {one} 不得超过 plane.mu_static = {other}。","The server does not answer. What is here goes on\
- playing; changes need `hophoop lab` to run again.":"服务器没有响应。已有内容可以继续播放；要更改需重新运行 `hophoop lab`。","The se\
-rver answered {status}.":"服务器返回 {status}。","The notebook’s kernel does not answer; run the cell again.":"笔记本内核没有响应；请重新运行单元格。",
+_ratio = 0）","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"为 'rigid'（无质量圆环，hoop.inertia_ratio = 0）","The server does not answer.\
+ What is here goes on playing; changes need `hophoop lab` to run again.":"服务器没有响应。已有内容可以继续播放；要更改需重新运行 `hophoop lab`。",
+"The server answered {status}.":"服务器返回 {status}。","The notebook’s kernel does not answer; run the cell again.":"笔记本内核没有响应；请重新运行单元格。",
 hoop:"圆环",mode:"状态",time:"时间",angle:"角度",gap:"间隙","rim speed":"环缘速度",load:"重物","centre of gravity":"重心","the same in flight":"\
-腾空时的重心",airborne:"腾空","A in front, B behind":"A 在前，B 在后","The hoop":"圆环","The hoop.":"圆环。",Time:"时间","{time} seconds, {w\
-hat}":"{time} 秒，{what}","Traces (t)":"轨迹 (t)","Forces (f)":"力 (f)","Rim speed (c)":"环缘速度 (c)","Whole path (w)":"全程 (w)","In space (3)":"三维\
- (3)",Traces:"轨迹",Forces:"力","Rim speed":"环缘速度","Whole path":"全程","Play (space)":"播放（空格）","Pause (space)":"暂停（空格）","Sp\
-eed of the film":"播放速度","To the start (Home)":"回到开头 (Home)","Previous event (Shift ←)":"上一事件 (Shift ←)","Next event (Shift →)":"下一\
-事件 (Shift →)","One frame back (←)":"后退一帧 (←)","One frame on (→)":"前进一帧 (→)",landing:"落地","To the next flight (h)":"到下一次腾空 (h)",
-"To the next landing (l)":"到下一次落地 (l)","This motion has no flight.":"此运动没有腾空。","This motion has no landing.":"此运动没有落地。",
-"{what} at {angle}, {time} s":"{what}:{angle},{time} s",start:"开始","slip begins":"滑动开始","slip ends":"滑动结束","slip turns round":"滑动反向",
-"take-off":"离地","turns back":"折返","highest point":"最高点","bounces end":"弹跳结束","Painlevé: several solutions":"潘勒韦：多个解","energ\
-y gain (Kane)":"能量增加（凯恩）","skimming begins":"开始擦地","at rest":"静止",end:"结束","What happens":"发生了什么","What happens to hoo\
-p {hoop}":"圆环 {hoop} 发生了什么","The motion in words":"运动的文字描述","(not all events are shown)":"（未显示全部事件）","What theory \
-says":"理论怎么说","What theory says of hoop {hoop}":"理论对圆环 {hoop} 的结论",Velocities:"速度","velocity [m/s]":"速度 [m/s]","v (centre)":"v\
-（圆心）","Energies and losses":"能量与损耗","energy [J]":"能量 [J]",kinetic:"动能",potential:"势能",total:"总能量","lost to friction":"摩擦损耗",
-"lost in the damper":"阻尼损耗","lost in impacts, normal part":"碰撞损耗，法向部分","Contact forces":"接触力","force [N]":"力 [N]","normal N":"\
-法向力 N","friction F":"摩擦力 F","Use of friction":"摩擦利用率","Your choice":"自选","What your diagram shows":"自选图的纵轴","Horizontal ax\
-is of the diagrams":"图的横轴","over {quantity}":"横轴：{quantity}","Whole motion":"整个运动","slide to go there, two fingers zoom":"滑动以跳转，双指缩放",
+腾空时的重心","A in front, B behind":"A 在前，B 在后","The hoop":"圆环","The hoop.":"圆环。",Time:"时间","{time} seconds, {what}":"{time} 秒，{w\
+hat}","Traces (t)":"轨迹 (t)","Forces (f)":"力 (f)","Rim speed (c)":"环缘速度 (c)","Whole path (w)":"全程 (w)","In space (3)":"三维 (3)",Traces:"轨迹",
+Forces:"力","Rim speed":"环缘速度","Whole path":"全程","Play (space)":"播放（空格）","Pause (space)":"暂停（空格）","Speed of the film":"播放速度",
+"To the start (Home)":"回到开头 (Home)","Previous event (Shift ←)":"上一事件 (Shift ←)","Next event (Shift →)":"下一事件 (Shift →)","One fra\
+me back (←)":"后退一帧 (←)","One frame on (→)":"前进一帧 (→)",landing:"落地","To the next flight (h)":"到下一次腾空 (h)","To the next la\
+nding (l)":"到下一次落地 (l)","This motion has no flight.":"此运动没有腾空。","This motion has no landing.":"此运动没有落地。","{what} at \
+{angle}, {time} s":"{what}:{angle},{time} s",start:"开始","slip begins":"滑动开始","slip ends":"滑动结束","slip turns round":"滑动反向","take-off":"\
+离地","turns back":"折返","highest point":"最高点","bounces end":"弹跳结束","Painlevé: several solutions":"潘勒韦：多个解","energy gain (Kane\
+)":"能量增加（凯恩）","skimming begins":"开始擦地","at rest":"静止",end:"结束","What happens":"发生了什么","What happens to hoop {hoop}":"圆\
+环 {hoop} 发生了什么","The motion in words":"运动的文字描述","(not all events are shown)":"（未显示全部事件）","What theory says":"理论怎么说",
+"What theory says of hoop {hoop}":"理论对圆环 {hoop} 的结论",Velocities:"速度","velocity [m/s]":"速度 [m/s]","v (centre)":"v（圆心）","Energies \
+and losses":"能量与损耗","energy [J]":"能量 [J]",kinetic:"动能",potential:"势能",total:"总能量","lost to friction":"摩擦损耗","lost in the dam\
+per":"阻尼损耗","lost in impacts, normal part":"碰撞损耗，法向部分","Contact forces":"接触力","force [N]":"力 [N]","normal N":"法向力 N","fr\
+iction F":"摩擦力 F","Use of friction":"摩擦利用率","Your choice":"自选","What your diagram shows":"自选图的纵轴","Horizontal axis of the diagra\
+ms":"图的横轴","over {quantity}":"横轴：{quantity}","Whole motion":"整个运动","slide to go there, two fingers zoom":"滑动以跳转，双指缩放",
 "click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"单击跳转，拖动放大；单击后或按住 Ctrl 时滚轮缩放；双击显示全部",
-"A full, B dotted; numbers and colours of {hoop}; {hands}":"A 为实线，B 为点线；数值与颜色属于 {hoop}；{hands}","{name} from {low} to {high}":"{\
-name}：{low} 至 {high}","Diagram: {title} in {unit}.":"图：{title}，单位 {unit}。","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{u\
-nit}]","angle within a turn":"一圈内的角度","place of the centre":"圆心位置","gap under the rim":"圆环下的间隙","height of the centre of gravity":"\
-重心高度","speed of the centre":"圆心速度","speed of rotation":"转动线速度","speed away from the plane":"离开平面的速度","slip velocity":"滑动\
-速度","angular velocity":"角速度","normal force":"法向力","friction force":"摩擦力","use of friction":"摩擦利用率","kinetic energy":"动能","po\
-tential energy":"势能","total energy":"总能量","Plane of θ and θ̇":"θ–θ̇ 相平面","Plane of angle and angular velocity with the regions of rollin\
-g, slip and flight":"角度与角速度相平面，标出滚动、滑动与腾空区域","angle θ within a turn [°]":"一圈内的角度 θ [°]","no answer":"\
-无解","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"颜色：无滑动接触之后的状态。阴影线：会遇到潘勒韦悖论的滑动。",
-"Tap to go there, two fingers zoom.":"点按跳转，双指缩放。","Click to go there; two fingers zoom.":"点按跳转；双指缩放。","Click to go there\
-; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"单击跳转；单击后或按住 Ctrl 时滚轮缩放；双击显示全部。",Map:"分布图",
-of:"内容",Across:"横轴",Up:"纵轴","What the map shows":"分布图显示的内容","Map of motions":"运动分布图","Map of motions. Arrow keys move the \
-mark, Enter takes the motion, plus and minus zoom.":"运动分布图。方向键移动标记，回车采用该运动，加减号缩放。","Zoom into the map":"\
-放大分布图","Zoom out of the map":"缩小分布图","Whole map":"整张图","Click to take that motion into the player; two fingers zoom.":"点按即可把该运动放入播放器；双\
-指缩放。","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"单击即可把该运动放入播放器；单击后或按\
-住 Ctrl 时滚轮缩放；拖动平移；双击显示全部。","computing {count} motions …":"正在计算 {count} 个运动……","{count} motions":"{coun\
-t} 个运动","{count} motions, with rigid contact":"{count} 个运动，刚性接触","of rolling starts, though this motion starts otherwise":"均为滚动起始，而当前运动并非如\
-此","of starts in any state, though this motion starts rolling":"均为任意状态起始，而当前运动为滚动起始","compiling the kernel of maps, this\
- once: {done} of {all} functions":"正在编译分布图内核（仅此一次）：{done}/{all} 个函数",Keep:"保存","Copy the link":"复制链接","Scenari\
-o (TOML)":"场景 (TOML)","States (CSV)":"状态 (CSV)","Motion (netCDF)":"运动 (netCDF)","Events (JSON)":"事件 (JSON)","Film (MP4)":"影片 (MP4)","Picture\
- (PNG)":"图片 (PNG)","Record a film here (WebM)":"在此录制影片 (WebM)","Show me the Python":"显示 Python 代码","The same motion in Python":"同一运动的 Py\
-thon 代码","The link is copied.":"链接已复制。","The link to this motion":"此运动的链接","The film is being made; this takes a while …":"正在制作影片，\
-请稍候……","Fetching {name} …":"正在获取 {name}……","{name} is there.":"{name} 已就绪。","This browser cannot record a canvas; take the MP4 i\
-nstead.":"此浏览器无法录制画布；请改用 MP4。","Recording one run …":"正在录制一遍……","The film is there.":"影片已就绪。","The s\
-cenario as a file":"场景文件",Copy:"复制",Copied:"已复制",Close:"关闭","A ring with a load on its rim rolls on a plane. Friction can only hold so muc\
-h, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.":"一个边缘带重物的环在平面上滚动\
-。摩擦力有上限，平面只能推不能拉：于是它打滑、跳起、落地——或者做出刚体力学无法判定的事。拖动滑块看看。",Modes:"\
-状态","Marks on the bar of time":"时间条上的标记",Keys:"按键",space:"空格","play, pause":"播放、暂停","one frame":"一帧","Shift ← →":"Sh\
-ift ← →","previous, next event":"上一、下一事件","next flight, landing":"下一次腾空、落地","slower, faster":"更慢、更快","Home End":"Hom\
-e End","start, end":"开头、结尾","traces, forces, rim speed, whole path":"轨迹、力、环缘速度、全程","in space":"三维","zoom, zoom back":"缩放、还\
-原","leave a field, a menu, a picture that the wheel zooms":"离开输入框、菜单或滚轮缩放的图","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"撤销、重做",
-"dark, light":"深色、浅色",Python:"Python","the rim does not slide":"环缘不滑动","slip: the rim turns too fast for the way it goes (slip −, for a hoop\
- that rolls ahead)":"滑动：环缘转得比前进快（圆环向前滚时为滑动 −）","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"\
-滑动：接触点向前滑（圆环向前滚时为滑动 +）","the hop: from take-off to landing":"跳起：从离地到落地","a massless rim that touches w\
-ithout force":"无质量的环缘，接触而无力","take-off, landing":"离地、落地","Painlevé’s paradox: no solution, several":"潘勒韦悖论：无解、多解",
+"{name} from {low} to {high}":"{name}：{low} 至 {high}","Diagram: {title} in {unit}.":"图：{title}，单位 {unit}。","θ mod 360°":"θ mod 360°",Esc:"Es\
+c","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"一圈内的角度","place of the centre":"圆心位置","gap under the rim":"圆环下的间隙",
+"height of the centre of gravity":"重心高度","speed of the centre":"圆心速度","speed of rotation":"转动线速度","speed away from the plane":"离开平面的速度",
+"slip velocity":"滑动速度","angular velocity":"角速度","normal force":"法向力","friction force":"摩擦力","use of friction":"摩擦利用率","kinet\
+ic energy":"动能","potential energy":"势能","total energy":"总能量","Plane of θ and θ̇":"θ–θ̇ 相平面","Plane of angle and angular velocity wit\
+h the regions of rolling, slip and flight":"角度与角速度相平面，标出滚动、滑动与腾空区域","angle θ within a turn [°]":"一圈内的角度 θ [°]",
+"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"颜色：无滑动接触之后的状态。阴影线：会遇到潘勒韦悖论的滑动。",
+"Click to go there; two fingers zoom.":"点按跳转；双指缩放。","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"\
+单击跳转；单击后或按住 Ctrl 时滚轮缩放；双击显示全部。",Map:"分布图",of:"内容",Across:"横轴",Up:"纵轴","What the map shows":"分布\
+图显示的内容","Map of motions":"运动分布图","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"运动分布图。方向键移动标记，回\
+车采用该运动，加减号缩放。","Zoom into the map":"放大分布图","Zoom out of the map":"缩小分布图","Whole map":"整张图","Click to take th\
+at motion into the player; two fingers zoom.":"点按即可把该运动放入播放器；双指缩放。","Click to take that motion into the player; once click\
+ed, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"单击即可把该运动放入播放器；单击后或按住 Ctrl 时滚轮缩放；拖动平移；双击显示全部。",
+"computing {count} motions …":"正在计算 {count} 个运动……","{count} motions":"{count} 个运动","{count} motions, with rigid contact":"{count} 个运动，\
+刚性接触","of rolling starts, though this motion starts otherwise":"均为滚动起始，而当前运动并非如此","of starts in any state, though this m\
+otion starts rolling":"均为任意状态起始，而当前运动为滚动起始","compiling the kernel of maps, this once: {done} of {all} functions":"正在编译分布图内\
+核（仅此一次）：{done}/{all} 个函数",Keep:"保存","Copy the link":"复制链接","Scenario (TOML)":"场景 (TOML)","States (CSV)":"状态 (CSV)","Mo\
+tion (netCDF)":"运动 (netCDF)","Events (JSON)":"事件 (JSON)","Film (MP4)":"影片 (MP4)","Picture (PNG)":"图片 (PNG)","Record a film here (WebM)":"在此录制影片 \
+(WebM)","Show me the Python":"显示 Python 代码","The same motion in Python":"同一运动的 Python 代码","The link is copied.":"链接已复制。","The \
+link to this motion":"此运动的链接","The film is being made; this takes a while …":"正在制作影片，请稍候……","Fetching {name} …":"正在获取 {n\
+ame}……","{name} is there.":"{name} 已就绪。","This browser cannot record a canvas; take the MP4 instead.":"此浏览器无法录制画布；请改用 MP4。",
+"Recording one run …":"正在录制一遍……","The film is there.":"影片已就绪。","The scenario as a file":"场景文件",Copy:"复制",Copied:"已复制",
+Close:"关闭","A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does \
+something that rigid-body mechanics cannot decide. Move a slider and see.":"一个边缘带重物的环在平面上滚动。摩擦力有上限，平面只能推不能拉：于是它打滑、跳起、落地——或者做出刚体力学无法判定的事。拖动滑块看看。",
+Modes:"状态","Marks on the bar of time":"时间条上的标记",Keys:"按键",space:"空格","play, pause":"播放、暂停","one frame":"一帧","Shift ← →":"\
+Shift ← →","previous, next event":"上一、下一事件","next flight, landing":"下一次腾空、落地","slower, faster":"更慢、更快","Home End":"H\
+ome End","start, end":"开头、结尾","traces, forces, rim speed, whole path":"轨迹、力、环缘速度、全程","in space":"三维","zoom, zoom back":"缩放\
+、还原","leave a field, a menu, a picture that the wheel zooms":"离开输入框、菜单或滚轮缩放的图","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"撤销、\
+重做","dark, light":"深色、浅色",Python:"Python","the rim does not slide":"环缘不滑动","slip: the rim turns too fast for the way it goes (slip −, fo\
+r a hoop that rolls ahead)":"滑动：环缘转得比前进快（圆环向前滚时为滑动 −）","slip: the rim slides ahead (slip +, for a hoop that rolls \
+ahead)":"滑动：接触点向前滑（圆环向前滚时为滑动 +）","the hop: from take-off to landing":"跳起：从离地到落地","a massless rim that \
+touches without force":"无质量的环缘，接触而无力","take-off, landing":"离地、落地","Painlevé’s paradox: no solution, several":"潘勒韦悖论：无解、多解",
 "bounces without number end":"无穷多次弹跳结束","skimming begins, rest":"开始擦地、静止","Single keys (letters, digits, signs) do what the table \
 says":"单个按键（字母、数字、符号）按表中所述起作用","The hoop in your hand":"手中的圆环","Slope of the plane":"平面倾角","Tilt t\
 he plane: drag, or arrow keys":"倾斜平面：拖动或方向键","The hoop: height and speed":"圆环：高度与速度","Lift, roll or throw the hoop: drag, \
@@ -1075,750 +1135,789 @@ e hoop":"用圆环教学",Worksheet:"学习单",Solutions:"答案",Exercises:"�
 "A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pus\
 hed to the right. Friction: μ = 1; g = 9.81 m/s².":"一个半径 0.40 m 的薄环质量为 0.25 kg，边缘固定着 0.75 kg 的重物。圆环立在水平地面上，重物在最高处，向右推动。摩擦因数 μ = 1;g = 9.81 m/s²。",
 phases:"阶段","does it hop?":"是否跳起？","at which angle?":"在哪个角度？",Print:"打印","The visit asks before it shows; the presentation fills t\
-he screen; the table gives numbers to every student.":"参观先提问后演示；演示占满屏幕；数据表为每个学生提供数字。"};var qt=new Map;function U(i){try{return localStorage.getItem(i)??qt.get(i)??null}catch{return qt.get(i)??null}}function K(i,e){qt.set(i,e);try{localStorage.setItem(
-i,e)}catch{}}var ze={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Nt={de:ys,es:vs,fr:ks,zh:xs},Qo=new Set(["de","es","fr"]),Ms="hophoop-language",zs=4e3,
-Oe=/\{(\w+)\}/g,X="en",Es=[],Se=new Map,Me=new Set,Ee=new Set,$e=()=>X;function Ft(i){X=i in ze?i:"en",Se=new Map,Me=new Set,Ee.clear(),Es=Object.keys(Nt[X]??{}).
-filter(e=>e.includes("{")).map(ti).sort((e,t)=>Ts(t.key)-Ts(e.key))}function ei(){let i=U(Ms);return i&&i in ze?i:(globalThis.navigator?.languages??[]).map(s=>s.
-slice(0,2).toLowerCase()).find(s=>s in ze)??"en"}function As(i){K(Ms,i)}var Ts=i=>i.replace(Oe,"").length;function ti(i){let e=[...i.matchAll(Oe)].map(([,s])=>s),
-t=i.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));return{key:i,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var se=i=>Qo.has(X)?i.
-replace(/(\d)\.(\d)/g,"$1,$2"):i;function k(i,e){let t=Nt[X];if(e)return Q(Rs(t?.[i]??Ss(i),e));if(!t||!/\p{L}/u.test(i))return se(i);if(Me.has(i))return i;let s=Se.
-get(i);if(s!==void 0)return s;let o=i.trim(),a=t[o]??si(o,t)??Ss(o),n=i.replace(o,()=>a);return Se.size>zs&&Se.clear(),Se.set(i,n),Q(n)}function Q(i){return Me.
-size>zs&&Me.clear(),Me.add(i),i}var Ps=(i,e)=>i.replace(Oe,(t,s)=>String(e[s])),Rs=(i,e)=>i.replace(Oe,(t,s)=>k(String(e[s])));function si(i,e){for(let{key:t,pattern:s,
-names:o}of Es){let a=i.match(s);if(a)return Rs(e[t],Object.fromEntries(o.map((n,r)=>[n,a[r+1]])))}return oi(i)}function oi(i){if(i.includes(" → "))return i.split(
-" → ").map(e=>k(e)).join(" → ")}function Ls(i){if(!Nt[X])return i;let[,e,t]=i.match(/^(.*?)\.(?: (.*))?$/su)??["",i,""],{comma:s,stop:o}=X==="zh"?{comma:"，",
-stop:"。"}:{comma:", ",stop:"."},n=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>k(r)).join(s);return Q(`${n[0]?.toLocaleUpperCase(X)??""}${n.
-slice(1)}${o}${t?` ${k(t)}`:""}`)}function Ss(i){let e=/\p{L}{3,}/u.test(i)&&!/^([\w.[\]]+\.\w+|rad\/s|hophoop.*)$/u.test(i);return X!=="en"&&e&&Ee.size<200&&Ee.
-add(i),se(i)}var Is=new WeakMap,Dt=new WeakMap;function Bt(i){let e=document.createTextNode(k(i));return Is.set(e,i),e}function Ae(i,e,t){let s=Dt.get(i)??{};s[e]=
-t,Dt.set(i,s),i.setAttribute(e,k(t))}function Cs(i){let e=document.createTreeWalker(i,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.
-nextNode()){let s=Is.get(t);s!==void 0&&(t.nodeValue=k(s));let o=Dt.get(t);for(let[a,n]of Object.entries(o??{}))t.setAttribute(a,k(n))}}Ft(ei());var ii=new Set(["aria-label","title","placeholder","label"]);function h(i,e={},...t){let s=document.createElement(i),o=s;for(let[a,n]of Object.entries(e))n==null||
-n===!1||(a.startsWith("on")?s.addEventListener(a.slice(2),n):a==="class"?s.className=n:a in s&&a!=="list"&&typeof n!="string"?o[a]=n:ii.has(a)?Ae(s,a,String(n)):
-s.setAttribute(a,n===!0?"":n));for(let a of t.flat())a==null||a===!1||s.append(a.nodeType?a:Bt(String(a)));return s}function T(i,e){e?i.replaceChildren(Bt(e)):i.
-replaceChildren()}var Ue=i=>i!==null&&i.getRootNode().activeElement===i,ee=i=>i.getContext("2d");function L(i){let e=i.getBoundingClientRect(),t=Math.min(globalThis.
-devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),o=Math.max(Math.round(e.height*t),1);(i.width!==s||i.height!==o)&&(i.width=s,i.height=o);let a=ee(i);
-return a.setTransform(t,0,0,t,0,0),{context:a,width:s/t,height:o/t}}function ai(i){if(/^#[0-9a-f]{6}$/i.test(i))return i;let e=ee(h("canvas",{width:1,height:1}));
-e.fillStyle=i,e.fillRect(0,0,1,1);let[t,s,o]=e.getImageData(0,0,1,1).data;return`#${[t,s,o].map(a=>a.toString(16).padStart(2,"0")).join("")}`}function jt(i){let e=getComputedStyle(
-i),t=o=>e.getPropertyValue(o).trim(),s=o=>ai(t(o));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
-und"),font:t("--font"),dark:xe(s("--paper"))<.2}}function fe(i,e){let t=h("a",{href:URL.createObjectURL(i),download:e});document.body.append(t),t.click(),t.remove(),
-setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function G(i,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(i,e)}}var y=(i,e,t)=>Math.min(Math.max(i,e),t);function x(i,e=4){if(i==null)return"–";if(typeof i!="number")return String(i);if(!Number.isFinite(i))return Number.isNaN(
-i)?"–":i>0?"∞":"−∞";if(i===0)return"0";let t=Math.abs(i),s;if(t>=1e6||t<1e-4){let[o,a]=i.toExponential(e-1).split("e");s=`${Ws(o)}·10${ni(Number(a))}`}else
-s=Ws(i.toPrecision(e)),s.includes("e")&&(s=String(Math.round(i)));return se(s.replace("-","−"))}function Ws(i){return i.includes(".")&&!i.includes("e")?i.replace(
-/\.?0+$/,""):i}function ni(i){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(i)].map(t=>e[t]).join(
-"")}var I=(i,e)=>e?e==="°"?`${i}°`:`${i} ${e}`:i,P=i=>se(`${(i*180/Math.PI).toFixed(1)}°`.replace("-","−"));function oe(i){let e=Math.abs(i),[t,s]=e>=.995?
-[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return I(x(i*t,3),s)}function D(i,e){let t=i/Math.max(e,1),s=10**Math.floor(Math.log10(t)),o=t/s;return(o>5?10:o>2?5:o>1?
-2:1)*s}function O(i,e,t){if(!(e>i)||!Number.isFinite(i)||!Number.isFinite(e))return[];let s=D(e-i,t),o=[];for(let a=Math.ceil(i/s-1e-9);a*s<=e+1e-9*s&&o.length<
-200;a++)o.push(a*s);return o}function j(i,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(i),e)>=1e6||t>12?x(i,3):se((Math.abs(i)<e*1e-6?
-0:i).toFixed(t).replace("-","−"))}var qs=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],ri="tfc",li=400;function Ds({time:i=0,options:e={},zoom:t=1,map:s}){let o=[];i>
-0&&o.push(`t=${Number(i.toFixed(4))}`);let a=qs.filter(([n])=>e[n]).map(([,n])=>n);return a.join("")!==ri&&o.push(`show=${a.join("")}`),t!==1&&o.push(`zoom=${Number(
-t.toPrecision(3))}`),s&&o.push(`map=${[s.what,...s.x,...s.y].join(",")}`),o.join("&")}function Ns(i){let e=new URLSearchParams(i.replace(/^#/,"")),t={},s=Number(
-e.get("t")??Number.NaN);s>=0&&(t.time=s);let o=e.get("show");o!==null&&(t.options=Object.fromEntries(qs.map(([g,b])=>[g,o.includes(b)])));let a=Number(e.get("zo\
-om")??Number.NaN);a>0&&(t.zoom=y(a,.05,60));let[n,r,l,c,d,u,p]=e.get("map")?.split(",")??[],m=[l,c,u,p].map(Number);return p!==void 0&&m.every(Number.isFinite)&&
-m[0]<m[1]&&m[2]<m[3]&&(t.map={what:n,x:[r,m[0],m[1]],y:[d,m[2],m[3]]}),t}var hi=()=>{let i=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
-search.slice(1),...i===null?[]:[i]]},Ke=class{constructor(e){this.lab=e,this.number=0,this.soon=G(()=>this.write("same"),li),this.listen=()=>this.arrived(),addEventListener(
+he screen; the table gives numbers to every student.":"参观先提问后演示；演示占满屏幕；数据表为每个学生提供数字。",inf:"inf","great\
+er than {least}":"大于 {least}","at least {least}":"不小于 {least}","at least {least} (inf is allowed)":"不小于 {least}（允许 inf）","at most {most}":"\
+不大于 {most}","a finite number":"是有限的数","a whole number":"是整数","'{word}' or '{word2}'":"为“{word}”或“{word2}”","'{word}', '{word2}\
+' or '{word3}'":"为“{word}”、“{word2}”或“{word3}”","Rolling resistance":"滚动阻力","Rolling resistance: couple against the rotation over R N":"\
+滚动阻力：阻碍转动的力偶与 R N 之比","Rolling resistance f":"滚动阻力 f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name\
+} = {value} 必须在 -pi/2 与 pi/2 之间（弧度）。","{word} is not a known key; known are {word2}.":"{word} 不是已知的键；已知的有 {word2}。",
+"{one} cannot be given together with {other}.":"{one} 不能与 {other} 同时给定。","{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} 不\
+得超过 {other} = {limit}。","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"contact.model = 'compliant' 时 plane.mu_static = inf 必须\
+为有限值。","hoop.parts must not be empty.":"hoop.parts 不能为空。","This takes longer than {time} s; ask for a shorter motion or fewer cells.":"耗时超过 \
+{time} s；请缩短运动或减少格数。","The lab is busy; try again in {time} seconds.":"实验室繁忙；请在 {time} 秒后重试。","The lab is busy\
+; try again in 1 second.":"实验室繁忙；请在 1 秒后重试。","The computation failed.":"计算失败。","The process that computed this has ended.":"\
+执行此计算的进程已结束。","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} 在本实验室中\
+不得超过 {most} s；库本身没有此限制。","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {most} in t\
+he lab; the library itself has no such limit.":"在此速度与半径下 duration = {value} s 约为 {turns} 圈，本实验室中不得超过 {most}；库本身没有此限制。",
+"hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts 有 {count} 个部件，本实验室中不得超过 {most}。","contact.stif\
+fness, contact.slip_speed and duration need about {steps} steps of integration and must need at most {most} in the lab.":"contact.stiffness、contact.slip_speed 与\
+ duration 约需 {steps} 步积分，本实验室中不得超过 {most}。","A cell of this map is about {turns} revolutions and must be at most {most} in the l\
+ab.":"此分布图的一格约为 {turns} 圈，本实验室中不得超过 {most}。","x and y make {count} cells of about {turns} revolutions in all, and must\
+ be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"x 与 y 共 {count} 格，约 {turns} 圈，本实验室中不得超过 {most}；请减少格数、降低速度或缩短时长。",
+"duration = {value} must be at most {most} s for a film from the lab.":"从本实验室制作影片时 duration = {value} 不得超过 {most} s。","Slips, hops":"\
+打滑、跳起","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"上坡（β < 0）没有阈值：是否打滑或跳起取决于在何处折返；见参数图",
+"A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为紫色，B 为绿色；线型表示物理量；数值属于 {hoop}；{hands}"};var $s=new Map;function ie(o){try{return localStorage.getItem(o)??$s.get(o)??null}catch{return $s.get(o)??null}}function ae(o,e){$s.set(o,e);try{localStorage.setItem(
+o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Hs={de:Mn,es:En,fr:An,zh:zn},ir=new Set(["de","es","fr"]),In="hophoop-language",Ln=4e3,
+ar=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Ct=/\{(\w+)\}/g,de="en",Nn=[],at=new Map,rt=new Set,ht=new Set,jt=()=>de;
+function Ks(o){de=o in lt?o:"en",at=new Map,rt=new Set,ht.clear(),Nn=Object.keys(Hs[de]??{}).filter(e=>e.includes("{")).map(lr).sort((e,t)=>Rn(t.key)-Rn(e.key))}
+function rr(){let o=ie(In);return o&&o in lt?o:(globalThis.navigator?.languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in lt)??"en"}function qn(o){ae(
+In,o)}var Rn=o=>o.replace(Ct,"").length;function lr(o){let e=[...o.matchAll(Ct)].map(([,s])=>s),t=o.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
+return{key:o,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var ge=o=>ir.has(de)?o.replace(/(\d)\.(\d)/g,"$1,$2"):o;function x(o,e){let t=Hs[de];if(e)
+return ue(jn(t?.[o]??Pn(o),e));if(!t||!/\p{L}/u.test(o))return ge(o);if(rt.has(o))return o;let s=at.get(o);if(s!==void 0)return s;let n=o.trim(),i=t[n]??hr(n,t)??
+Pn(n),a=o.replace(n,()=>i);return at.size>Ln&&at.clear(),at.set(o,a),ue(a)}function ue(o){return rt.size>Ln&&rt.clear(),rt.add(o),o}var Cn=(o,e)=>o.replace(Ct,(t,s)=>String(
+e[s])),jn=(o,e)=>o.replace(Ct,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));function hr(o,e){for(let{key:t,pattern:s,names:n}of Nn){let i=o.match(s);
+if(i)return jn(e[t],Object.fromEntries(n.map((a,r)=>[a,i[r+1]])))}return cr(o)}function cr(o){if(o.includes(" → "))return o.split(" → ").map(e=>x(e)).join("\
+ → ")}function On(o){if(!Hs[de])return o;let[,e,t]=o.match(/^(.*?)\.(?: (.*))?$/su)??["",o,""],{comma:s,stop:n}=de==="zh"?{comma:"，",stop:"。"}:{comma:", ",
+stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return ue(`${a[0]?.toLocaleUpperCase(de)??""}${a.slice(1)}${n}${t?`\
+ ${x(t)}`:""}`)}function Pn(o){let e=/\p{L}{3,}/u.test(o)&&!ar.test(o);return de!=="en"&&e&&ht.size<200&&ht.add(o),ge(o)}var Dn=new WeakMap,Bs=new WeakMap;function Us(o){
+let e=document.createTextNode(x(o));return Dn.set(e,o),e}function ct(o,e,t){let s=Bs.get(o)??{};s[e]=t,Bs.set(o,s),o.setAttribute(e,x(t))}function Fn(o){let e=document.
+createTreeWalker(o,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=Dn.get(t);s!==void 0&&(t.nodeValue=x(s));let n=Bs.
+get(t);for(let[i,a]of Object.entries(n??{}))t.setAttribute(i,x(a))}}Ks(rr());var dr=new Set(["aria-label","title","placeholder","label"]);function c(o,e={},...t){let s=document.createElement(o),n=s;for(let[i,a]of Object.entries(e))a==null||
+a===!1||(i.startsWith("on")?s.addEventListener(i.slice(2),a):i==="class"?s.className=a:i in s&&i!=="list"&&typeof a!="string"?n[i]=a:dr.has(i)?ct(s,i,String(a)):
+s.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||s.append(i.nodeType?i:Us(String(i)));return s}function M(o,e){e?o.replaceChildren(Us(e)):o.
+replaceChildren()}var Ot=o=>o!==null&&o.getRootNode().activeElement===o,me=o=>o.getContext("2d");function D(o){let e=o.getBoundingClientRect(),t=Math.min(globalThis.
+devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),n=Math.max(Math.round(e.height*t),1);(o.width!==s||o.height!==n)&&(o.width=s,o.height=n);let i=me(o);
+return i.setTransform(t,0,0,t,0,0),{context:i,width:s/t,height:n/t}}function ur(o){if(/^#[0-9a-f]{6}$/i.test(o))return o;let e=me(c("canvas",{width:1,height:1}));
+e.fillStyle=o,e.fillRect(0,0,1,1);let[t,s,n]=e.getImageData(0,0,1,1).data;return`#${[t,s,n].map(i=>i.toString(16).padStart(2,"0")).join("")}`}function Gs(o){let e=getComputedStyle(
+o),t=n=>e.getPropertyValue(n).trim(),s=n=>ur(t(n));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
+und"),font:t("--font"),dark:ot(s("--paper"))<.2}}function Fe(o,e){let t=c("a",{href:URL.createObjectURL(o),download:e});document.body.append(t),t.click(),t.remove(),
+setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function re(o,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(o,e)}}var y=(o,e,t)=>Math.min(Math.max(o,e),t);function _(o,e=4){if(o==null)return"–";if(typeof o!="number")return String(o);if(!Number.isFinite(o))return Number.isNaN(
+o)?"–":o>0?"∞":"−∞";if(o===0)return"0";let t=Math.abs(o),s;if(t>=1e6||t<1e-4){let[n,i]=o.toExponential(e-1).split("e");s=`${Wn(n)}·10${mr(Number(i))}`}else
+s=Wn(o.toPrecision(e)),s.includes("e")&&(s=String(Math.round(o)));return ge(s.replace("-","−"))}function Wn(o){return o.includes(".")&&!o.includes("e")?o.replace(
+/\.?0+$/,""):o}function mr(o){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(o)].map(t=>e[t]).join(
+"")}var F=(o,e)=>e?e==="°"?`${o}°`:`${o} ${e}`:o,q=o=>ge(`${(o*180/Math.PI).toFixed(1)}°`.replace("-","−"));function we(o){let e=Math.abs(o),[t,s]=e>=.995?
+[1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return F(_(o*t,3),s)}function U(o,e){let t=o/Math.max(e,1),s=10**Math.floor(Math.log10(t)),n=t/s;return(n>5?10:n>2?5:n>1?
+2:1)*s}function ee(o,e,t){if(!(e>o)||!Number.isFinite(o)||!Number.isFinite(e))return[];let s=U(e-o,t),n=[];for(let i=Math.ceil(o/s-1e-9);i*s<=e+1e-9*s&&n.length<
+200;i++)n.push(i*s);return n}function J(o,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(o),e)>=1e6||t>12?_(o,3):ge((Math.abs(o)<e*1e-6?
+0:o).toFixed(t).replace("-","−"))}var $n=[["traces","t"],["forces","f"],["speed","c"],["whole","w"],["three","3"]],pr="tfc",fr=400;function Bn({time:o=0,options:e={},zoom:t=1,map:s}){let n=[];o>
+0&&n.push(`t=${Number(o.toFixed(4))}`);let i=$n.filter(([a])=>e[a]).map(([,a])=>a);return i.join("")!==pr&&n.push(`show=${i.join("")}`),t!==1&&n.push(`zoom=${Number(
+t.toPrecision(3))}`),s&&n.push(`map=${[s.what,...s.x,...s.y].join(",")}`),n.join("&")}function Hn(o){let e=new URLSearchParams(o.replace(/^#/,"")),t={},s=Number(
+e.get("t")??Number.NaN);s>=0&&(t.time=s);let n=e.get("show");n!==null&&(t.options=Object.fromEntries($n.map(([g,b])=>[g,n.includes(b)])));let i=Number(e.get("zo\
+om")??Number.NaN);i>0&&(t.zoom=y(i,.05,60));let[a,r,l,h,d,u,m]=e.get("map")?.split(",")??[],p=[l,h,u,m].map(Number);return m!==void 0&&p.every(Number.isFinite)&&
+p[0]<p[1]&&p[2]<p[3]&&(t.map={what:a,x:[r,p[0],p[1]],y:[d,p[2],p[3]]}),t}var gr=()=>{let o=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
+search.slice(1),...o===null?[]:[o]]},Dt=class{constructor(e){this.lab=e,this.number=0,this.soon=re(()=>this.write("same"),fr),this.listen=()=>this.arrived(),addEventListener(
 "popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length)return;let s=t.link();e==="step"?
 history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(t=>{let s=()=>t();addEventListener("\
-popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=hi();JSON.stringify(t)===JSON.stringify(this.lab.motions.
-queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var ci={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function ge(i){let e=i instanceof DataView||ArrayBuffer.isView(i)?i:new DataView(i),t=new Uint8Array(e.buffer,
-e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),o=JSON.parse(new TextDecoder().decode(t.subarray(
-4,4+s))),a={};for(let{name:n,type:r,shape:l,place:c}of o.arrays){let d=l.reduce((u,p)=>u*p,1);a[n]=new ci[r](t.buffer,t.byteOffset+4+s+c,d)}return{header:o,arrays:a}}var Pe=class extends Error{},di=500,ui=4,pi="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function Fs(i,e,t){
-for(;;)try{return await i()}catch(s){if(!(s instanceof Pe))throw s;e(s.message),await new Promise(o=>setTimeout(o,di)),t.throwIfAborted()}}var Ge=class{constructor(e){
-this.base=e,this.shares=!0}async call(e,t,s){let o={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},a=await this.answered(
-new URL(`lab/${e}`,this.base),o);if(a.status===202)throw new Pe((await a.json()).detail);return ge(await a.arrayBuffer())}async answered(e,t){for(let s=ui;;s--){
-let o=await fetch(e,t).catch(n=>{throw n.name==="AbortError"?n:new Error(pi)});if(o.ok)return o;let a=Number(o.headers.get("Retry-After"));if(o.status!==503||!(a>
-0)||s<=1){let n=await o.json().catch(()=>({}));throw new Error(n.detail??`The server answered ${o.status}.`)}await new Promise(n=>setTimeout(n,1e3*Math.min(a,10))),
-t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
-"",this.base)}${t}`}},mi=2e4,fi=3e5,Ve=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
-slice(2),this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(
-s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new Pe(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve(ge(t[0])))}call(e,t,s){let o=++this.
-number;return new Promise((a,n)=>{let r=setTimeout(()=>{this.waiting.delete(o),n(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
-"file"?fi:mi);this.waiting.set(o,{resolve:a,reject:n,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(o),n(new DOMException("super\
-seded","AbortError"))}),this.model.send({view:this.view,number:o,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("file",{query:t,name:e});return new Blob(
-[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var Re=[.05,.1,.25,.5,1,2,4],Ye=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=gr();JSON.stringify(t)===JSON.stringify(this.lab.motions.
+queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var dt=[.05,.1,.25,.5,1,2,4],Ft=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
 for(let e of this.listeners)e(this)}seek(e){this.time=y(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
-duration&&(this.time=0),this.changed()}faster(e){let t=Re.indexOf(this.speed);this.speed=Re[y(t+e,0,Re.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
+duration&&(this.time=0),this.changed()}faster(e){let t=dt.indexOf(this.speed);this.speed=dt[y(t+e,0,dt.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
-this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function gi(i,e=""){let t=i.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
-(o,a,n)=>`e${a&&"-"}${n.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
-test(t)?Number(t.replace(",",".")):Number.NaN}function wi(i,e,{label:t,unit:s,range:o}){let a=i.trim();if(Number.isNaN(e))return`${t} = ${a} must be a number, s\
-uch as 2.5.`;if(!o||e>=o.least&&e<=o.most||o.also.includes(e))return"";let n=o.also.includes(0)?"0 or ":"",r=`from ${x(o.least,4)} to ${I(x(o.most,4),s)}`,l=o.also.
-includes(1/0)?", or inf":"";return`${t} = ${I(x(e,6),s)} must be ${n}${r}${l}.`}var bi=0,we=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
-typing=!1,this.error=h("p",{class:"error",role:"alert",id:`hh-error-${++bi}`,hidden:!0}),this.input=h("input",{type:"text",inputmode:"decimal",autocomplete:"off",
+this.duration:(this.time=this.duration,this.playing=!1,this.changed())),!0}};function wr(o,e=""){let t=o.trim();e&&t.endsWith(e)&&(t=t.slice(0,-e.length)),t=t.replace(/[\s\u00a0\u202f]/g,"").replace(/[−–]/g,"-").replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/,
+(n,i,a)=>`e${i&&"-"}${a.normalize("NFKD")}`);let s=/^([+-]?)(inf|infinity|∞)$/i.exec(t);return s?s[1]==="-"?-1/0:1/0:/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.
+test(t)?Number(t.replace(",",".")):Number.NaN}function br(o,e,{label:t,unit:s,range:n}){let i=o.trim();if(Number.isNaN(e))return`${t} = ${i} must be a number, s\
+uch as 2.5.`;if(!n||e>=n.least&&e<=n.most||n.also.includes(e))return"";let a=n.also.includes(0)?"0 or ":"",r=`from ${_(n.least,4)} to ${F(_(n.most,4),s)}`,l=n.also.
+includes(1/0)?", or inf":"";return`${t} = ${F(_(e,6),s)} must be ${a}${r}${l}.`}var yr=0,We=class{constructor(e,t){this.info=e,this.onvalue=t,this.shown="",this.
+typing=!1,this.error=c("p",{class:"error",role:"alert",id:`hh-error-${++yr}`,hidden:!0}),this.input=c("input",{type:"text",inputmode:"decimal",autocomplete:"off",
 spellcheck:"false",class:"exact","aria-label":e.name,oninput:()=>{this.typing=!0,this.accept()},onchange:()=>this.typed(),onblur:()=>this.typing&&this.typed(),onkeydown:s=>{
 s.key!=="Escape"||!(this.typing||this.refused())||(s.stopPropagation(),this.restore())}})}refused(){return this.input.getAttribute("aria-invalid")==="true"}typed(){
-let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=gi(e,this.info.unit),s=wi(e,t,this.info);s?this.refuse(
-s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),T(this.error,e),this.error.
+let e=this.input.value;if(!this.typing)return;if(this.typing=!1,e.trim()===""){this.restore();return}let t=wr(e,this.info.unit),s=br(e,t,this.info);s?this.refuse(
+s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this.input.setAttribute("aria-describedby",this.error.id),M(this.error,e),this.error.
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
-input.value=this.shown,this.accept()}show(e){this.shown=se(e),this.typing||this.restore()}};var Bs={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
-ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},yi={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},vi=(i,e,t)=>({ring:{shape:i,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:i,mass:t,radius:.1*
-e,at:.8*e},point_mass:{shape:i,mass:t,at:e},rod:{shape:i,mass:t,length:.5*e,at:.5*e}})[i];function js(i){let e=i["hoop.radius"],t=i["hoop.mass"],s=Math.min(Math.
-max(i["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Je(t*(1-s)),inner_radius:Je(.98*e),outer_radius:e},{shape:"point_mass",mass:Je(t*s),at:e}]}var Je=i=>Number(
-i.toPrecision(6)),Ze=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=h("div",{class:"parts"}),this.element=h("div",{},this.list,h("select",
-{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,vi(s,this.radius,Je(.2*this.mass))])}},h("option",{value:""},
-"+ add a part …"),Object.entries(Bs).map(([t,{label:s}])=>h("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let o=JSON.stringify(
-e);if(o===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:o,parts:e,radius:t,mass:s}),this.list.
-replaceChildren(...e.map((a,n)=>this.row(a,n)))}row(e,t){let{label:s,keys:o}=Bs[e.shape];return h("fieldset",{class:"part"},h("legend",{},s,this.parts.length>1&&
-h("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((a,n)=>n!==t))},"×")),o.map(a=>this.field(
-e,t,a)))}field(e,t,s){let[o,a]=yi[s],n=new we({label:o,unit:a},r=>this.send(this.parts.map((l,c)=>c===t?{...l,[s]:r}:l)));return n.show(String(e[s]??0)),h("div",
-{},h("label",{},`${o} [${a}]`,n.input),n.error)}};var _t=Math.PI/180;function ki({allowed:i,degrees:e}){if(!i)return;let t=e?1/_t:1;return{least:i.least*t,most:i.most*t,also:i.also.map(s=>s==="inf"?1/0:Number(s))}}
-var Ht=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,o=l=>()=>{this.held=l};this.
-range=h("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
-slid(!1),onchange:()=>this.slid(!0),onpointerdown:o(!0),onpointerup:o(!1),onpointercancel:o(!1),onblur:o(!1)});let{label:a,unit:n}=e,r=`${a}, exact value${n?` i\
-n ${n}`:""}`;this.entry=new we({label:a,unit:n,name:r,range:ki(e)},l=>this.send(l,!0)),this.element=h("div",{class:"control",title:e.help},h("label",{for:s},h("\
-span",{},a),h("span",{class:"symbol"},e.symbol)),this.range,h("span",{class:"entry"},this.entry.input,h("span",{class:"unit"},n)),this.entry.error)}low(){return this.
+input.value=this.shown,this.accept()}show(e){this.shown=ge(e),this.typing||this.restore()}};var Kn={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
+ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},vr={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
+dius","m"],at:["distance from centre","m"],length:["length","m"]},kr=(o,e,t)=>({ring:{shape:o,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:o,mass:t,radius:.1*
+e,at:.8*e},point_mass:{shape:o,mass:t,at:e},rod:{shape:o,mass:t,length:.5*e,at:.5*e}})[o];function Un(o){let e=o["hoop.radius"],t=o["hoop.mass"],s=Math.min(Math.
+max(o["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Wt(t*(1-s)),inner_radius:Wt(.98*e),outer_radius:e},{shape:"point_mass",mass:Wt(t*s),at:e}]}var Wt=o=>Number(
+o.toPrecision(6)),$t=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=c("div",{class:"parts"}),this.element=c("div",{},this.list,c("select",
+{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,kr(s,this.radius,Wt(.2*this.mass))])}},c("option",{value:""},
+"+ add a part …"),Object.entries(Kn).map(([t,{label:s}])=>c("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let n=JSON.stringify(
+e);if(n===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:n,parts:e,radius:t,mass:s}),this.list.
+replaceChildren(...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:n}=Kn[e.shape];return c("fieldset",{class:"part"},c("legend",{},s,this.parts.length>1&&
+c("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),n.map(i=>this.field(
+e,t,i)))}field(e,t,s){let[n,i]=vr[s],a=new We({label:n,unit:i},r=>this.send(this.parts.map((l,h)=>h===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),c("div",
+{},c("label",{},`${n} [${i}]`,a.input),a.error)}};var Vs=Math.PI/180;function xr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Vs:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
+var Js=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,n=l=>()=>{this.held=l};this.
+range=c("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
+slid(!1),onchange:()=>this.slid(!0),onpointerdown:n(!0),onpointerup:n(!1),onpointercancel:n(!1),onblur:n(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
+n ${a}`:""}`;this.entry=new We({label:i,unit:a,name:r,range:xr(e)},l=>this.send(l,!0)),this.element=c("div",{class:"control",title:e.help},c("label",{for:s},c("\
+span",{},i),c("span",{class:"symbol"},e.symbol)),this.range,c("span",{class:"entry"},this.entry.input,c("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
-let s=this.info.degrees?e*_t:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",I(x(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let s=e!=null,o=s?e:t;if(o==null){this.entry.show("");return}let a=o==="inf"?1/0:Number(o)/(this.info.degrees?_t:1);this.
-entry.show(s?Number.isFinite(a)?String(Number(a.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":k("auto {value}",{value:x(a,2)}),this.entry.input.title=
-s?I(String(a),this.info.unit):"";let n=y(this.info.logarithmic?Math.log10(a):a,this.low(),this.high());Math.abs(Number(this.range.value)-n)>1e-6&&(this.range.value=
-String(n)),this.say(a)}};function xi(i,e){let t=h("select",{"data-path":i.path,onchange:()=>e([[i.path,t.value]],!0)},i.options.map(([o,a])=>h("option",{value:o},
-a)));return{element:h("label",{class:"choice",title:i.help},h("span",{},i.label),t),select:t,path:i.path}}var Xe=class{way;kind;gravity;apart;derived;film;constructor(e,t){
-this.onchange=(s,o=!0)=>t(s,o),this.sliders=new Map;for(let s of Object.values(e.groups))for(let o of s)this.sliders.set(o.path,new Ht(o,this.onchange));this.choices=
-new Map(e.choices.map(s=>[s.path,xi(s,this.onchange)])),this.parts=new Ze(this.onchange),this.gravities=e.gravities,this.element=h("div",{class:"controls"},this.
+let s=this.info.degrees?e*Vs:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",F(_(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let s=e!=null,n=s?e:t;if(n==null){this.entry.show("");return}let i=n==="inf"?1/0:Number(n)/(this.info.degrees?Vs:1);this.
+entry.show(s?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":x("auto {value}",{value:_(i,2)}),this.entry.input.title=
+s?F(String(i),this.info.unit):"";let a=y(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
+String(a)),this.say(i)}};function _r(o,e){let t=c("select",{"data-path":o.path,onchange:()=>e([[o.path,t.value]],!0)},o.options.map(([n,i])=>c("option",{value:n},
+i)));return{element:c("label",{class:"choice",title:o.help},c("span",{},o.label),t),select:t,path:o.path}}var Bt=class{way;kind;gravity;apart;derived;film;constructor(e,t){
+this.onchange=(s,n=!0)=>t(s,n),this.sliders=new Map;for(let s of Object.values(e.groups))for(let n of s)this.sliders.set(n.path,new Js(n,this.onchange));this.choices=
+new Map(e.choices.map(s=>[s.path,_r(s,this.onchange)])),this.parts=new $t(this.onchange),this.gravities=e.gravities,this.element=c("div",{class:"controls"},this.
 hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
-element}select(e,t,s){let o=h("select",{onchange:()=>s(o.value)},t.map(([a,n])=>h("option",{value:a},n)));return{select:o,element:h("label",{class:"choice"},h("\
-span",{},e),o)}}group(e,...t){let s=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return h("details",{class:"group",open:s},h("summary",{},
+element}select(e,t,s){let n=c("select",{onchange:()=>s(n.value)},t.map(([i,a])=>c("option",{value:i},a)));return{select:n,element:c("label",{class:"choice"},c("\
+span",{},e),n)}}group(e,...t){let s=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return c("details",{class:"group",open:s},c("summary",{},
 e),t)}hoop(){return this.way=this.select("Given by",[["load_fraction","load fraction γ"],["eccentricity","ε and κ"],["parts","real parts"]],e=>{let{values:t}=this.
-film;e==="parts"?this.onchange([["hoop.parts",js(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=h("p",{class:"derived"}),this.group(
+film;e==="parts"?this.onchange([["hoop.parts",Un(t)]]):this.onchange([[`hoop.${e}`,t["hoop.eccentricity"]]])}),this.derived=c("p",{class:"derived"}),this.group(
 "Hoop",this.way.element,this.at("hoop.load_fraction"),this.at("hoop.eccentricity"),this.at("hoop.inertia_ratio"),this.parts.element,this.derived,this.at("hoop.r\
-adius"),this.at("hoop.mass"))}plane(){return this.apart=h("input",{type:"checkbox",onchange:()=>{let{values:e}=this.film;this.apart.checked?this.onchange([["pla\
+adius"),this.at("hoop.mass"))}plane(){return this.apart=c("input",{type:"checkbox",onchange:()=>{let{values:e}=this.film;this.apart.checked?this.onchange([["pla\
 ne.mu_static",e["plane.mu_static"]],["plane.mu_kinetic",e["plane.mu_kinetic"]]]):this.onchange([["plane.mu",e["plane.mu_static"]]])}}),this.gravity=this.select(
 "Where",[...this.gravities.map(([e])=>[e,e]),["","elsewhere"]],e=>{let t=this.gravities.find(([s])=>s===e);t&&this.onchange([["plane.gravity",t[1]]])}),this.group(
-"Plane",this.at("plane.mu"),this.at("plane.mu_static"),this.at("plane.mu_kinetic"),h("label",{class:"check"},this.apart,"static and kinetic friction apart"),this.
+"Plane",this.at("plane.mu"),this.at("plane.mu_static"),this.at("plane.mu_kinetic"),c("label",{class:"check"},this.apart,"static and kinetic friction apart"),this.
 at("plane.slope"),this.gravity.element,this.at("plane.gravity"),this.at("plane.restitution"),this.at("plane.rolling_resistance"),this.at("plane.impact_law"),this.
 at("plane.painleve"))}start(){return this.kind=this.select("Starts",[["rolling","rolling"],["free","in any state"]],e=>{let{values:t}=this.film;e==="rolling"?this.
 onchange([["start.speed",t["start.vx"]]]):this.onchange([["start.omega",t["start.omega"]]])}),this.group("Start",this.kind.element,this.at("start.speed"),this.at(
 "start.angle"),this.at("start.height"),this.at("start.vx"),this.at("start.vy"),this.at("start.omega"),this.at("duration"))}contact(){return this.group("Contact",
 this.at("contact.model"),this.at("contact.law"),this.at("contact.friction"),this.at("contact.stiffness"),this.at("contact.slip_speed"),this.at("contact.restitut\
 ion"))}refuse(e,t){let s=e.length===1?this.sliders.get(e[0][0]):void 0;return s?.element.checkVisibility()?(s.entry.refuse(t),!0):!1}restore(){this.film&&this.showChoices(
-this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[o,a]of this.sliders){if(t.has(o))continue;let[n,r]=o.split(".");
-a.show(e.values[o]??(r?s[n]?.[r]:s[n]),e.automatic?.[o])}}showChoices(e,t){let{scenario:s,values:o}=e,a=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
-tion":"eccentricity",n="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",c=(...m)=>m.some(g=>t.has(g));c("hoop.load_fraction","hoop.ecce\
-ntricity","hoop.parts")||(this.way.select.value=a),c("start.speed","start.omega")||(this.kind.select.value=n?"rolling":"free"),c("plane.mu","plane.mu_static")||
-(this.apart.checked=r);let d=this.gravities.find(([,m])=>Math.abs(m-s.plane.gravity)<1e-9);c("plane.gravity")||(this.gravity.select.value=d?d[0]:"");let u={"hoo\
-p.load_fraction":a==="load_fraction","hoop.eccentricity":a==="eccentricity","hoop.inertia_ratio":a==="eccentricity","hoop.mass":a!=="parts","plane.mu":!r,"plane\
-.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":n,"start.height":!n,"start.vx":!n,"start.vy":!n,
-"start.omega":!n,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[m,g]of Object.entries(u))this.
-at(m).hidden=!g;this.parts.element.hidden=a!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,o["hoop.radius"],o["hoop.mass"]),this.derived.textContent=a==="\
-eccentricity"?"":`ε = ${x(o["hoop.eccentricity"],5)}, κ = ${x(o["hoop.inertia_ratio"],5)}`+(a==="parts"?`, m = ${x(o["hoop.mass"],5)} kg`:"");let p=s;for(let[
-m,{select:g}]of this.choices){if(t.has(m))continue;let[b,w]=m.split(".");p[b]?.[w]!==void 0&&(g.value=p[b][w])}}};var Ot=Math.PI/180;function _s(i,e){let{start:t,plane:s,contact:o,hoop:a}=i.scenario;return o.model!=="rigid"?"Rigid contact only.":i.slope!==0?"The plane must \
-be level.":Math.abs(i.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":i.radius!==1||a.parts?"The radius must stay 1 m,\
- without parts.":i.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in a?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
-m/s.":"At most 3.1 m/s.":i.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Hs=i=>i.events.filter(
-({kind:e})=>e==="takeoff");function Ti(i){return i.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var Os=(i,e)=>Math.min(Math.round(100*i/e),100),Si=1.596,
-Mi=.37,zi=.05,$t=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
-ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:i=>{let e=_s(i,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...Ti(i));return t?{points:Os(t,Si),text:"It rises by {height}.",values:{height:oe(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+this.film,new Set)}show(e,t=new Set){this.film=e,this.showChoices(e,t);let s=e.scenario;for(let[n,i]of this.sliders){if(t.has(n))continue;let[a,r]=n.split(".");
+i.show(e.values[n]??(r?s[a]?.[r]:s[a]),e.automatic?.[n])}}showChoices(e,t){let{scenario:s,values:n}=e,i=s.hoop.parts?"parts":"load_fraction"in s.hoop?"load_frac\
+tion":"eccentricity",a="speed"in s.start,r="mu_static"in s.plane,l=s.contact.model==="compliant",h=(...p)=>p.some(g=>t.has(g));h("hoop.load_fraction","hoop.ecce\
+ntricity","hoop.parts")||(this.way.select.value=i),h("start.speed","start.omega")||(this.kind.select.value=a?"rolling":"free"),h("plane.mu","plane.mu_static")||
+(this.apart.checked=r);let d=this.gravities.find(([,p])=>Math.abs(p-s.plane.gravity)<1e-9);h("plane.gravity")||(this.gravity.select.value=d?d[0]:"");let u={"hoo\
+p.load_fraction":i==="load_fraction","hoop.eccentricity":i==="eccentricity","hoop.inertia_ratio":i==="eccentricity","hoop.mass":i!=="parts","plane.mu":!r,"plane\
+.mu_static":r,"plane.mu_kinetic":r,"plane.restitution":!l,"plane.impact_law":!l,"plane.painleve":!l,"start.speed":a,"start.height":!a,"start.vx":!a,"start.vy":!a,
+"start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,g]of Object.entries(u))this.
+at(p).hidden=!g;this.parts.element.hidden=i!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,n["hoop.radius"],n["hoop.mass"]),this.derived.textContent=i==="\
+eccentricity"?"":`ε = ${_(n["hoop.eccentricity"],5)}, κ = ${_(n["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${_(n["hoop.mass"],5)} kg`:"");let m=s;for(let[
+p,{select:g}]of this.choices){if(t.has(p))continue;let[b,w]=p.split(".");m[b]?.[w]!==void 0&&(g.value=m[b][w])}}};var Ys=Math.PI/180;function Gn(o,e){let{start:t,plane:s,contact:n,hoop:i}=o.scenario;return n.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
+be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||i.parts?"The radius must stay 1 m,\
+ without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
+m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Vn=o=>o.events.filter(
+({kind:e})=>e==="takeoff");function Tr(o){return o.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var Jn=(o,e)=>Math.min(Math.round(100*o/e),100),Sr=1.596,
+Mr=.37,Er=.05,Zs=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:o=>{let e=Gn(o,3.1);if(e)return{points:0,text:e};let t=Math.max(
+0,...Tr(o));return t?{points:Jn(t,Sr),text:"It rises by {height}.",values:{height:we(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
-0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:i=>{let e=Hs(i)[0],t=i.events.find(({kind:n,t:r})=>n==="impact"&&e&&r>e.t);if(!e||!t)return{
-points:0,text:"It does not hop."};let s=i.events.find(({kind:n,t:r})=>n==="apex"&&r>e.t);if(!s||s.height<zi)return{points:0,text:"The first hop is too low."};let o=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Ot,a=Math.max(0,Math.round(100*(1-(o-.5)/89.5)));return{points:Math.min(a,100),text:"It lands {off} away \
-from the top.",values:{off:P(o*Ot)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:o=>{let e=Vn(o)[0],t=o.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
+points:0,text:"It does not hop."};let s=o.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Er)return{points:0,text:"The first hop is too low."};let n=Math.
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Ys,i=Math.max(0,Math.round(100*(1-(n-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
+from the top.",values:{off:q(n*Ys)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
-t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:i=>{let e=_s(i,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(i.scenario.start.angle??0)-Math.PI)>.5*Ot)return{points:0,text:"The load must start at the bottom."};if(i.values["plane.mu_kinetic"]>1.5||i.values["\
-plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Hs(i)[0];if(!t)return{points:0,text:"It does not hop."};let s=i.phases.filter(
-({from:a})=>a<t.t);if(s.some(({mode:a})=>a==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let o=i.events.find(({kind:a,t:n})=>a==="apex"&&n>t.t);return o?{points:Os(o.height,Mi),text:"It rises by {height}.",values:{height:oe(o.height)}}:{points:0,
-text:"It does not hop."}}}],Ut=i=>i>=95?3:i>=75?2:i>=40?1:0;var $s="hophoop-best-",Ei=i=>"★".repeat(Ut(i))+"☆".repeat(3-Ut(i)),Qe=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map($t.map(t=>[t.key,h("button",
-{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=h("p",{}),this.meter=h("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
-100","aria-label":"Score"}),this.result=h("p",{class:"challenge-result",role:"status"}),this.kept=h("p",{class:"hint"}),this.element=h("section",{class:"challen\
-ges card","aria-label":"Challenges",hidden:!0},h("header",{},h("h2",{},"Challenges"),h("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
-onclick:()=>this.close()},"×")),h("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
-kept,h("div",{class:"buttons"},h("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),h("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??$t[0]),this.element.scrollIntoView({block:"nearest"}),
+t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:o=>{let e=Gn(o,10);if(e)return{points:0,text:e};if(Math.
+abs(Math.abs(o.scenario.start.angle??0)-Math.PI)>.5*Ys)return{points:0,text:"The load must start at the bottom."};if(o.values["plane.mu_kinetic"]>1.5||o.values["\
+plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Vn(o)[0];if(!t)return{points:0,text:"It does not hop."};let s=o.phases.filter(
+({from:i})=>i<t.t);if(s.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
+ng."};let n=o.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return n?{points:Jn(n.height,Mr),text:"It rises by {height}.",values:{height:we(n.height)}}:{points:0,
+text:"It does not hop."}}}],Xs=o=>o>=95?3:o>=75?2:o>=40?1:0;var Yn="hophoop-best-",Ar=o=>"★".repeat(Xs(o))+"☆".repeat(3-Xs(o)),Ht=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(Zs.map(t=>[t.key,c("button",
+{type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=c("p",{}),this.meter=c("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
+100","aria-label":"Score"}),this.result=c("p",{class:"challenge-result",role:"status"}),this.kept=c("p",{class:"hint"}),this.element=c("section",{class:"challen\
+ges card","aria-label":"Challenges",hidden:!0},c("header",{},c("h2",{},"Challenges"),c("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
+onclick:()=>this.close()},"×")),c("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
+kept,c("div",{class:"buttons"},c("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),c("button",{type:"button",onclick:()=>this.
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Zs[0]),this.element.scrollIntoView({block:"nearest"}),
 this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,s]of this.tabs)s.setAttribute(
-"aria-pressed",String(t===e.key));T(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
-!1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:o,values:a={}}=e.score(t.film());
-this.meter.value=s;let n=k("{stars} {points} points. {what}",{stars:Ei(s),points:s,what:k(o,a)});this.result.textContent!==n&&(this.result.textContent=n);let r=Number(
-U($s+e.key)??0);s>r&&!t.stage.options.ahead&&K($s+e.key,String(s)),T(this.kept,k("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var Us=.09,Ai=.03,Kt=Math.PI/180,et=Math.PI/4,Ks=2*Math.PI,Le=i=>i-Ks*Math.round(i/Ks);function tt(i,e){let t=i.at(e),s=e===0;return{angle:Le(t.angle),height:Math.
-max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:i.slope}}var Gs=i=>2*Math.sqrt(Math.max(i.gravity,1)*i.radius),ie=i=>Number(i.toFixed(4))+0;function Vs(i,e,t){
-if(i==="plane")return[["plane.slope",ie(e.slope)]];if(e.height>0)return[["start.angle",ie(e.angle)],["start.height",ie(e.height)],["start.vx",ie(e.vx)],["start.\
-vy",ie(e.vy)],["start.omega",ie(e.omega)]];let s=i==="load"?e.omega*t.radius:e.vx;return[["start.angle",ie(e.angle)],["start.speed",ie(s)]]}var Ie=class{constructor(e,t,s,o,a){
-this.grip=e,this.film=t,this.view=o,this.before=tt(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let n=t.at(s);this.center=[n.x,t.radius+n.height],this.foot=
-o.point(n.x,0),this.from=this.read(a),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),o=this.grip==="plane"?Math.
-atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:o}}move(e,t){
-let s=this.read(e),{radius:o}=this.film;if(this.turned+=Le(s.turn-this.from.turn-this.turned),this.grip==="plane"){let a=y(this.before.slope+this.turned,-et,et);
-this.held.slope=Math.abs(a)<Kt?0:a}else if(this.grip==="load")this.held.angle=Le(this.before.angle+this.turned);else{let a=this.before.height+s.away-this.from.away;
-this.held.height=a<Ai*o?0:a;let n=s.along-this.from.along;this.held.angle=Le(this.before.angle+(this.held.height>0?0:n/o)),this.moved=s.x-this.from.x}for(this.trail.
-push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Us;)this.trail.shift();return this.held}release(e){let{held:t,
-trail:s,film:o}=this,a=s.at(-1),n=s[0],r=a&&n?a.t-n.t:0,l=!a||r<.012||e/1e3-a.t>Us,c=Gs(o);return l||this.grip==="plane"||(this.grip==="load"?t.omega=y((a.turned-
-n.turned)/r,-c/o.radius,c/o.radius):(t.vx=y((a.along-n.along)/r,-c,c),t.vy=t.height>0?y((a.away-n.away)/r,-c,c):0)),t}};function Ys(i,e,t,s,o){let a={ArrowLeft:-1,
-ArrowRight:1}[e]??0,n={ArrowDown:-1,ArrowUp:1}[e]??0;if(!a&&!n)return null;let r=t?.2:1;if(i==="load"){let u=Le(s.angle+(a||n)*5*Kt*r);return{...s,angle:u}}if(i===
-"plane"){let u=y(s.slope+(a||-n)*Kt*r,-et,et);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=Gs(o),c=y(s.height+n*.05*r*o.radius,0,4*o.radius),d=y(s.vx+a*.1*r,-l,
-l);return{...s,height:c<1e-9?0:c,vx:d}}function C(i,e,t,s=()=>{}){let o=new AbortController,{signal:a}=o,n=(l,c)=>i.addEventListener(l,d=>d.pointerId===e.pointerId&&c(d),{signal:a}),r=l=>c=>{o.abort(),
-s(c,l)};i.setPointerCapture(e.pointerId),n("pointermove",t),n("pointerup",r(!0)),n("pointercancel",r(!1))}function Js(i,e){let t=new Map,s=null,o=()=>{let[n,r]=[
-...t.values()];return{span:Math.max(Math.hypot(n.clientX-r.clientX,n.clientY-r.clientY),1),clientX:.5*(n.clientX+r.clientX),clientY:.5*(n.clientY+r.clientY)}};i.
-addEventListener("pointerdown",n=>{n.pointerType!=="mouse"&&(t.set(n.pointerId,n),s=t.size===2?o():null)}),i.addEventListener("pointermove",n=>{if(!t.has(n.pointerId)||
-(t.set(n.pointerId,n),t.size!==2||!s))return;let r=o();e(r.span/s.span,r),s=r});for(let n of["pointerup","pointercancel"])i.addEventListener(n,r=>{t.delete(r.pointerId),
-s=null});let a=n=>n.touches.length>1&&n.cancelable&&n.preventDefault();return i.addEventListener("touchmove",a,{passive:!1}),()=>t.size>1}var Pi=700,Gt=44,Ri=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],st=class{static Pull=Ie;pull=null;held=null;before=null;constructor(e){this.
-lab=e,this.places=new Map(Ri.map(([a,n,r])=>[a,this.place(a,n,r)])),this.tip=h("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=h("div",
+"aria-pressed",String(t===e.key));M(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
+!1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:n,values:i={}}=e.score(t.film());
+this.meter.value=s;let a=x("{stars} {points} points. {what}",{stars:Ar(s),points:s,what:x(n,i)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
+ie(Yn+e.key)??0);s>r&&!t.stage.options.ahead&&ae(Yn+e.key,String(s)),M(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var Zn=.09,zr=.03,Qs=Math.PI/180,Kt=Math.PI/4,Xn=2*Math.PI,ut=o=>o-Xn*Math.round(o/Xn);function Ut(o,e){let t=o.at(e),s=e===0;return{angle:ut(t.angle),height:Math.
+max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:o.slope}}var Qn=o=>2*Math.sqrt(Math.max(o.gravity,1)*o.radius),be=o=>Number(o.toFixed(4))+0;function ei(o,e,t){
+if(o==="plane")return[["plane.slope",be(e.slope)]];if(e.height>0)return[["start.angle",be(e.angle)],["start.height",be(e.height)],["start.vx",be(e.vx)],["start.\
+vy",be(e.vy)],["start.omega",be(e.omega)]];let s=o==="load"?e.omega*t.radius:e.vx;return[["start.angle",be(e.angle)],["start.speed",be(s)]]}var mt=class{constructor(e,t,s,n,i){
+this.grip=e,this.film=t,this.view=n,this.before=Ut(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.center=[a.x,t.radius+a.height],this.foot=
+n.point(a.x,0),this.from=this.read(i),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),n=this.grip==="plane"?Math.
+atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:n}}move(e,t){
+let s=this.read(e),{radius:n}=this.film;if(this.turned+=ut(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=y(this.before.slope+this.turned,-Kt,Kt);
+this.held.slope=Math.abs(i)<Qs?0:i}else if(this.grip==="load")this.held.angle=ut(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
+this.held.height=i<zr*n?0:i;let a=s.along-this.from.along;this.held.angle=ut(this.before.angle+(this.held.height>0?0:a/n)),this.moved=s.x-this.from.x}for(this.trail.
+push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-Zn;)this.trail.shift();return this.held}release(e){let{held:t,
+trail:s,film:n}=this,i=s.at(-1),a=s[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>Zn,h=Qn(n);return l||this.grip==="plane"||(this.grip==="load"?t.omega=y((i.turned-
+a.turned)/r,-h/n.radius,h/n.radius):(t.vx=y((i.along-a.along)/r,-h,h),t.vy=t.height>0?y((i.away-a.away)/r,-h,h):0)),t}};function ti(o,e,t,s,n){let i={ArrowLeft:-1,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(o==="load"){let u=ut(s.angle+(i||a)*5*Qs*r);return{...s,angle:u}}if(o===
+"plane"){let u=y(s.slope+(i||-a)*Qs*r,-Kt,Kt);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=Qn(n),h=y(s.height+a*.05*r*n.radius,0,4*n.radius),d=y(s.vx+i*.1*r,-l,
+l);return{...s,height:h<1e-9?0:h,vx:d}}function W(o,e,t,s=()=>{}){let n=new AbortController,{signal:i}=n,a=(l,h)=>o.addEventListener(l,d=>d.pointerId===e.pointerId&&h(d),{signal:i}),r=l=>h=>{n.abort(),
+s(h,l)};o.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function si(o,e){let t=new Map,s=null,n=()=>{let[a,r]=[
+...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};o.
+addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?n():null)}),o.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
+(t.set(a.pointerId,a),t.size!==2||!s))return;let r=n();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])o.addEventListener(a,r=>{t.delete(r.pointerId),
+s=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return o.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var Rr=700,eo=44,Pr=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Gt=class{static Pull=mt;pull=null;held=null;before=null;constructor(e){this.
+lab=e,this.places=new Map(Pr.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=c("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=c("div",
 {class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:s}=e.
-stage;t.grab=a=>this.take(a),s.addEventListener("pointermove",a=>this.hover(a)),s.addEventListener("pointerleave",()=>this.hover(null));let o=a=>this.pull&&a.cancelable&&
-a.preventDefault();s.addEventListener("touchmove",o,{passive:!1}),this.settle=G(()=>this.chosen(!1),Pi)}place(e,t,s){return h("div",{class:`grip grip-${e}`,role:"\
-slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:o=>this.key(e,o),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
+stage;t.grab=i=>this.take(i),s.addEventListener("pointermove",i=>this.hover(i)),s.addEventListener("pointerleave",()=>this.hover(null));let n=i=>this.pull&&i.cancelable&&
+i.preventDefault();s.addEventListener("touchmove",n,{passive:!1}),this.settle=re(()=>this.chosen(!1),Rr)}place(e,t,s){return c("div",{class:`grip grip-${e}`,role:"\
+slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:n=>this.key(e,n),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.
-toggle("running",e.clock.playing);let{pose:o,film:a,scale:n}=t,r=a.radius,l=t.point(o.x,r+o.height),c=t.point(o.x+r*Math.sin(o.angle),r+o.height+r*Math.cos(o.angle)),
-d=this.onPlane(t),u=y(1.1*r*n,Gt,190),p=[["plane",d,Gt],["hoop",l,u],["load",c,Gt]];for(let[m,[g,b],w]of p){let f=this.places.get(m);f.style.transform=`translat\
-e(${g-w/2}px, ${t.top+b-w/2}px)`,f.style.width=f.style.height=`${w}px`,f.hidden=g<0||b<0||g>t.width||b>t.height}e.clock.playing||this.tell(a)}onPlane(e){let t=e.
-point(e.pose.x,0),o=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+o,0)}tell(e){
-let t=this.pull?.held??this.held??tt(e,this.lab.clock.time),s={load:P(t.angle),hoop:k("gap {height}, speed {speed} m/s",{height:oe(t.height),speed:x(t.vx,3)}),plane:P(
-t.slope)},o={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},a={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[n,r]of this.places)
-r.getAttribute("aria-valuetext")!==s[n]&&(r.setAttribute("aria-valuetext",s[n]),r.setAttribute("aria-valuenow",String(Number(o[n].toPrecision(4)))),r.setAttribute(
-"aria-valuemin",String(a[n][0])),r.setAttribute("aria-valuemax",String(Number(a[n][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
-for(let[s,o]of this.places){let{left:a,top:n,width:r}=o.getBoundingClientRect(),l=Math.hypot(e.clientX-a-r/2,e.clientY-n-r/2);!o.hidden&&l<=r/2&&(t=s)}return t}hover(e){
-if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,o]of this.places)o.classList.toggle("near",s===t);this.lab.stage.plane.style.cursor=
-t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:o,plane:a}=s.stage,n=this.places.get(t),r=this.view(),l=a.getBoundingClientRect(),
-c=f=>({clientX:f.clientX-l.left,clientY:f.clientY-l.top-r.top}),d=new Ie(t,s.film(),s.clock.time,r,c(e)),u=[...o.shift],[p,m]=[!1,!1];this.pull=d,n.classList.add(
-"held");let g=()=>{m=!0,b.abort(),n.classList.remove("held"),o.fixed=null,this.pull=null,p&&this.comeBack(u)},b=new AbortController,w=f=>{f.key==="Escape"&&(f.stopPropagation(),
-g(),p&&this.back())};return addEventListener("keydown",w,{capture:!0,signal:b.signal}),C(a,e,f=>{if(!m){if(o.pinched()){g(),p&&this.back();return}!p&&Math.hypot(
-f.clientX-e.clientX,f.clientY-e.clientY)<3||(p||(o.fixed=r.scale,this.hold(),this.begin()),p=!0,d.move(c(f),f.timeStamp),o.shift=[u[0]+d.moved,u[1]],this.change(
-t,d.held,!1),this.show(t,d.held))}},(f,v)=>{m||(g(),p&&(v?(this.change(t,d.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
-t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=tt(s.film(),s.clock.time);let o=Ys(
-e,t.key,t.shiftKey,this.held,s.film());if(!o)return;this.before===null&&(this.hold(),this.begin()),this.held=o,this.change(e==="load"?"hoop":e,o,!1),this.show(e,
-o),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
-ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(Vs(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${P(t.angle)}`,
-hoop:t.height>0?`y = ${oe(t.height)}`:`θ = ${P(t.angle)}`,plane:`β = ${P(t.slope)}`};T(this.tip,t.vx&&this.held?`${s[e]}, v = ${x(t.vx,3)} m/s`:s[e]),this.tip.
+toggle("running",e.clock.playing);let{pose:n,film:i,scale:a}=t,r=i.radius,l=t.point(n.x,r+n.height),h=t.point(n.x+r*Math.sin(n.angle),r+n.height+r*Math.cos(n.angle)),
+d=this.onPlane(t),u=y(1.1*r*a,eo,190),m=[["plane",d,eo],["hoop",l,u],["load",h,eo]];for(let[p,[g,b],w]of m){let f=this.places.get(p);f.style.transform=`translat\
+e(${g-w/2}px, ${t.top+b-w/2}px)`,f.style.width=f.style.height=`${w}px`,f.hidden=g<0||b<0||g>t.width||b>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.
+point(e.pose.x,0),n=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+n,0)}tell(e){
+let t=this.pull?.held??this.held??Ut(e,this.lab.clock.time),s={load:q(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:we(t.height),speed:_(t.vx,3)}),plane:q(
+t.slope)},n={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
+r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(n[a].toPrecision(4)))),r.setAttribute(
+"aria-valuemin",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
+for(let[s,n]of this.places){let{left:i,top:a,width:r}=n.getBoundingClientRect(),l=Math.hypot(e.clientX-i-r/2,e.clientY-a-r/2);!n.hidden&&l<=r/2&&(t=s)}return t}hover(e){
+if(this.pull)return;let t=e&&e.pointerType!=="touch"?this.under(e):null;for(let[s,n]of this.places)n.classList.toggle("near",s===t);this.lab.stage.plane.style.cursor=
+t?"grab":""}take(e){let t=this.under(e);if(!t||e.button>0||this.pull)return!1;let{lab:s}=this,{flat:n,plane:i}=s.stage,a=this.places.get(t),r=this.view(),l=i.getBoundingClientRect(),
+h=f=>({clientX:f.clientX-l.left,clientY:f.clientY-l.top-r.top}),d=new mt(t,s.film(),s.clock.time,r,h(e)),u=[...n.shift],[m,p]=[!1,!1];this.pull=d,a.classList.add(
+"held");let g=()=>{p=!0,b.abort(),a.classList.remove("held"),n.fixed=null,this.pull=null,m&&this.comeBack(u)},b=new AbortController,w=f=>{f.key==="Escape"&&(f.stopPropagation(),
+g(),m&&this.back())};return addEventListener("keydown",w,{capture:!0,signal:b.signal}),W(i,e,f=>{if(!p){if(n.pinched()){g(),m&&this.back();return}!m&&Math.hypot(
+f.clientX-e.clientX,f.clientY-e.clientY)<3||(m||(n.fixed=r.scale,this.hold(),this.begin()),m=!0,d.move(h(f),f.timeStamp),n.shift=[u[0]+d.moved,u[1]],this.change(
+t,d.held,!1),this.show(t,d.held))}},(f,k)=>{p||(g(),m&&(k?(this.change(t,d.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
+t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Ut(s.film(),s.clock.time);let n=ti(
+e,t.key,t.shiftKey,this.held,s.film());if(!n)return;this.before===null&&(this.hold(),this.begin()),this.held=n,this.change(e==="load"?"hoop":e,n,!1),this.show(e,
+n),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
+ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(ei(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${q(t.angle)}`,
+hoop:t.height>0?`y = ${we(t.height)}`:`θ = ${q(t.angle)}`,plane:`β = ${q(t.slope)}`};M(this.tip,t.vx&&this.held?`${s[e]}, v = ${_(t.vx,3)} m/s`:s[e]),this.tip.
 hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=
 !0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.
 request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let s=e.motions.lanes[e.motions.active];for(s.pending=null;s.busy;)await new Promise(
-o=>requestAnimationFrame(o));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(o){e.notice.fail(o)}}comeBack(e){let{flat:t}=this.lab.stage,s=matchMedia(
-"(prefers-reduced-motion: reduce)").matches,o=()=>{if(this.pull)return;let a=t.shift[0]-e[0];t.shift=Math.abs(a)<1||s?[...e]:[e[0]+.82*a,e[1]],this.lab.request(),
-t.shift[0]!==e[0]&&requestAnimationFrame(o)};o()}};var Li={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+n=>requestAnimationFrame(n));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(n){e.notice.fail(n)}}comeBack(e){let{flat:t}=this.lab.stage,s=matchMedia(
+"(prefers-reduced-motion: reduce)").matches,n=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||s?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),
+t.shift[0]!==e[0]&&requestAnimationFrame(n)};n()}};var Ir={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
-v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function W(i){let e="\
+v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function $(o){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Li[i]),t.append(s),t}var ot=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",Ir[o]),t.append(s),t}var Vt=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
-full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Zs=.22,Xs=.03;function Qs(i,e){let t=i.at(e),s=i.mass*(i.gravity||9.81),o=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,a=o/(1+o),n=t.mode==="S"||t.mode===
-"K",r=Math.abs(t.slip)/Math.sqrt((i.gravity||9.81)*i.radius);return{tone:a,pitch:55*(1+Math.min(o,8))**.5,hiss:n?a*y(.15+r,0,1):0}}function eo(i,e,t){let s=Math.
-sqrt(2*(i.gravity||9.81)*i.radius);return i.events.filter(({kind:o,t:a,before:n})=>o==="impact"&&n&&a>e&&a<=t).map(({before:o})=>y(Math.abs(o.vy)/s,.02,1))}function Ii(i){
-let e=i.createBuffer(1,i.sampleRate,i.sampleRate),t=e.getChannelData(0),s=1;for(let o=0;o<t.length;o++)s=s*16807%2147483647,t[o]=2*s/2147483647-1;return e}var it=class{static heard=Qs;static knocks=eo;context=null;on=!1;last=0;start(){
-let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=Ii(e),s.loop=!0;let o=e.createBiquadFilter();o.type="bandp\
-ass",o.frequency.value=1800,o.Q.value=.6;let[a,n]=[e.createGain(),e.createGain()];a.gain.value=n.gain.value=0,t.connect(a).connect(e.destination),s.connect(o).connect(
-n).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(this,{tone:t,low:a,high:n})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
-resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:s}=this[e];s.setTargetAtTime(Zs*t,this.context.currentTime,Xs)}follow(e,t){if(!this.
-on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:s,pitch:o,hiss:a}=Qs(e,t.time);if(this.set("low",s),
-this.set("high",.6*a),this.tone.frequency.setTargetAtTime(o,this.context.currentTime,Xs),t.time>this.last)for(let n of eo(e,this.last,t.time))this.knock(n);this.
-last=t.time}knock(e){let t=this.context,s=t.currentTime,o=t.createGain();o.gain.setValueAtTime(2.2*Zs*Math.sqrt(e),s),o.gain.exponentialRampToValueAtTime(1e-4,s+
-.18);let a=t.createOscillator();a.frequency.setValueAtTime(190,s),a.frequency.exponentialRampToValueAtTime(60,s+.15),a.connect(o).connect(t.destination),a.start(
-s),a.stop(s+.2)}close(){this.context?.close()}};var Vt=Math.PI/180,N=i=>e=>e.columns[i],Ce=(i,e)=>t=>t.derived(i,s=>Float64Array.from(t.t,(o,a)=>e(s,a,t))),q={time:{name:"time",symbol:"t",unit:"s",values:i=>i.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:Ce("degrees",({angle:i},e)=>i[e]/Vt)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:Ce(
-"within",({angle:i},e)=>{let t=s=>Math.floor(i[s]/Vt/360);return e>0&&t(e)!==t(e-1)?Number.NaN:i[e]/Vt-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
-m",values:N("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:N("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:Ce(
-"rise",({height:i,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+i[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:N("vx")},spin:{name:"\
-speed of rotation",symbol:"R θ̇",unit:"m/s",values:Ce("spin",({omega:i},e,t)=>i[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:N(
-"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:N("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:N("omega")},normal_force:{
-name:"normal force",symbol:"N",unit:"N",values:N("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:N("friction_force")},utilization:{
-name:"use of friction",symbol:"|F|/μN",unit:"",values:N("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:N("kinetic")},potential:{name:"\
-potential energy",symbol:"E_p",unit:"J",values:N("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:Ce("total",({kinetic:i,potential:e},t)=>i[t]+
-e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:N("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
-J",values:N("normal_loss")}},to=({name:i,symbol:e})=>[i," ",e];var Ci=["time","angle","x","vx","spin","normal_force","friction_force"],Wi=[1,.5,.2,.1,.05,.02,.01],Yt=601;function so(i,e,t){let s=Math.min(Math.floor(i.duration/
-t+1e-9)+1,Yt),o=[];for(let a=0;a<s;a++){let n=Number((a*t).toPrecision(12));o.push({time:n,mode:i.at(n).mode,values:e.map(r=>qi(i,r,n))})}return o}function qi(i,e,t){
-if(e==="time")return t;let s=i.at(t);if(e in s&&e!=="angle")return s[e];let o=s.angle*180/Math.PI;if(e==="angle")return o;if(e==="turns")return o-360*Math.floor(
-o/360);let a=q[e].values(i),n=i.index(t),r=Math.min(n+1,i.length-1),l=i.t[r]>i.t[n]?(t-i.t[n])/(i.t[r]-i.t[n]):0;return a[n]+l*(a[r]-a[n])}var at=class{film;rows=[];now;constructor(e){
-this.lab=e,this.columns=[...Ci],this.step=h("select",{onchange:()=>this.fill()},Wi.map(t=>h("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
-h("div",{class:"table-picks"},Object.entries(q).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=h("caption",{}),this.head=h("thead",
-{}),this.body=h("tbody",{}),this.element=h("section",{class:"table","aria-label":"Table of the motion",hidden:!0},h("header",{},h("h2",{},"Table"),h("label",{class:"\
-table-step"},h("span",{},"Every"),this.step),h("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),h("button",{type:"button",onclick:()=>this.open(!1)},
-"Close")),h("details",{class:"table-columns"},h("summary",{},"Columns"),this.picks),h("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table\
- of the motion, rows"},h("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=h("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
-let o=new Set(this.columns);s.checked?o.add(e):o.delete(e),this.columns=Object.keys(q).filter(a=>o.has(a)),this.fill()}});return h("label",{},s,h("span",{},t))}open(e){
+full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var oi=.22,ni=.03;function ii(o,e){let t=o.at(e),s=o.mass*(o.gravity||9.81),n=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,i=n/(1+n),a=t.mode==="S"||t.mode===
+"K",r=Math.abs(t.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:i,pitch:55*(1+Math.min(n,8))**.5,hiss:a?i*y(.15+r,0,1):0}}function ai(o,e,t){let s=Math.
+sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:n,t:i,before:a})=>n==="impact"&&a&&i>e&&i<=t).map(({before:n})=>y(Math.abs(n.vy)/s,.02,1))}function Lr(o){
+let e=o.createBuffer(1,o.sampleRate,o.sampleRate),t=e.getChannelData(0),s=1;for(let n=0;n<t.length;n++)s=s*16807%2147483647,t[n]=2*s/2147483647-1;return e}var Jt=class{static heard=ii;static knocks=ai;context=null;on=!1;last=0;start(){
+let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=Lr(e),s.loop=!0;let n=e.createBiquadFilter();n.type="bandp\
+ass",n.frequency.value=1800,n.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),s.connect(n).connect(
+a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(this,{tone:t,low:i,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
+resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:s}=this[e];s.setTargetAtTime(oi*t,this.context.currentTime,ni)}follow(e,t){if(!this.
+on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),this.last=t.time;return}let{tone:s,pitch:n,hiss:i}=ii(e,t.time);if(this.set("low",s),
+this.set("high",.6*i),this.tone.frequency.setTargetAtTime(n,this.context.currentTime,ni),t.time>this.last)for(let a of ai(e,this.last,t.time))this.knock(a);this.
+last=t.time}knock(e){let t=this.context,s=t.currentTime,n=t.createGain();n.gain.setValueAtTime(2.2*oi*Math.sqrt(e),s),n.gain.exponentialRampToValueAtTime(1e-4,s+
+.18);let i=t.createOscillator();i.frequency.setValueAtTime(190,s),i.frequency.exponentialRampToValueAtTime(60,s+.15),i.connect(n).connect(t.destination),i.start(
+s),i.stop(s+.2)}close(){this.context?.close()}};var to=Math.PI/180,G=o=>e=>e.columns[o],pt=(o,e)=>t=>t.derived(o,s=>Float64Array.from(t.t,(n,i)=>e(s,i,t))),B={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:pt("degrees",({angle:o},e)=>o[e]/to)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:pt(
+"within",({angle:o},e)=>{let t=s=>Math.floor(o[s]/to/360);return e>0&&t(e)!==t(e-1)?Number.NaN:o[e]/to-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+m",values:G("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:G("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:pt(
+"rise",({height:o,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+o[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:G("vx")},spin:{name:"\
+speed of rotation",symbol:"R θ̇",unit:"m/s",values:pt("spin",({omega:o},e,t)=>o[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:G(
+"vy")},slip:{name:"slip velocity",symbol:"v_t",unit:"m/s",values:G("slip")},omega:{name:"angular velocity",symbol:"θ̇",unit:"rad/s",values:G("omega")},normal_force:{
+name:"normal force",symbol:"N",unit:"N",values:G("normal_force")},friction_force:{name:"friction force",symbol:"F",unit:"N",values:G("friction_force")},utilization:{
+name:"use of friction",symbol:"|F|/μN",unit:"",values:G("utilization")},kinetic:{name:"kinetic energy",symbol:"E_k",unit:"J",values:G("kinetic")},potential:{name:"\
+potential energy",symbol:"E_p",unit:"J",values:G("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:pt("total",({kinetic:o,potential:e},t)=>o[t]+
+e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:G("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
+J",values:G("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:G("rolling_resistance")}},ri=({name:o,symbol:e})=>[
+o," ",e];var Nr=["time","angle","x","vx","spin","normal_force","friction_force"],qr=[1,.5,.2,.1,.05,.02,.01],so=601;function li(o,e,t){let s=Math.min(Math.floor(o.duration/
+t+1e-9)+1,so),n=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));n.push({time:a,mode:o.at(a).mode,values:e.map(r=>Cr(o,r,a))})}return n}function Cr(o,e,t){
+if(e==="time")return t;let s=o.at(t);if(e in s&&e!=="angle")return s[e];let n=s.angle*180/Math.PI;if(e==="angle")return n;if(e==="turns")return n-360*Math.floor(
+n/360);let i=B[e].values(o),a=o.index(t),r=Math.min(a+1,o.length-1),l=o.t[r]>o.t[a]?(t-o.t[a])/(o.t[r]-o.t[a]):0;return i[a]+l*(i[r]-i[a])}var Yt=class{film;rows=[];now;constructor(e){
+this.lab=e,this.columns=[...Nr],this.step=c("select",{onchange:()=>this.fill()},qr.map(t=>c("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
+c("div",{class:"table-picks"},Object.entries(B).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=c("caption",{}),this.head=c("thead",
+{}),this.body=c("tbody",{}),this.element=c("section",{class:"table","aria-label":"Table of the motion",hidden:!0},c("header",{},c("h2",{},"Table"),c("label",{class:"\
+table-step"},c("span",{},"Every"),this.step),c("button",{type:"button",onclick:()=>this.save()},"Save as CSV"),c("button",{type:"button",onclick:()=>this.open(!1)},
+"Close")),c("details",{class:"table-columns"},c("summary",{},"Columns"),this.picks),c("div",{class:"table-scroll",tabindex:"0",role:"region","aria-label":"Table\
+ of the motion, rows"},c("table",{},this.caption,this.head,this.body)))}pick(e,t){let s=c("input",{type:"checkbox",checked:this.columns.includes(e),onchange:()=>{
+let n=new Set(this.columns);s.checked?n.add(e):n.delete(e),this.columns=Object.keys(B).filter(i=>n.has(i)),this.fill()}});return c("label",{},s,c("span",{},t))}open(e){
 this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoView({block:"nearest"}),this.element.querySelector("select")?.focus())}draw(e){this.
-element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),o=this.lab.theme.colors.mode_names,a=t.map(c=>q[c]);this.head.
-replaceChildren(h("tr",{},a.map(({name:c,symbol:d,unit:u})=>h("th",{scope:"col",title:c},d,u&&h("small",{},` ${u}`))),h("th",{scope:"col"},"mode")));let n=so(e,
-t,s);this.rows=n.map(({time:c,mode:d,values:u})=>({time:c,row:h("tr",{onclick:()=>this.lab.clock.seek(c)},u.map((p,m)=>m===0?h("th",{scope:"row"},x(p,4)):h("td",
-{},x(p,4))),h("td",{class:"table-mode"},o[d]))})),this.body.replaceChildren(...this.rows.map(({row:c})=>c));let r=e.duration/s+1<=Yt+1e-6,l=k("The first {count}\
- rows.",{count:Yt});T(this.caption,r?e.summary:Q(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),n=this.lab.theme.colors.mode_names,i=t.map(h=>B[h]);this.head.
+replaceChildren(c("tr",{},i.map(({name:h,symbol:d,unit:u})=>c("th",{scope:"col",title:h},d,u&&c("small",{},` ${u}`))),c("th",{scope:"col"},"mode")));let a=li(e,
+t,s);this.rows=a.map(({time:h,mode:d,values:u})=>({time:h,row:c("tr",{onclick:()=>this.lab.clock.seek(h)},u.map((m,p)=>p===0?c("th",{scope:"row"},_(m,4)):c("td",
+{},_(m,4))),c("td",{class:"table-mode"},n[d]))})),this.body.replaceChildren(...this.rows.map(({row:h})=>h));let r=e.duration/s+1<=so+1e-6,l=x("The first {count}\
+ rows.",{count:so});M(this.caption,r?e.summary:ue(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
-now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(a=>`${q[a].name} [${q[a].unit||"1"}]`),"mode"],o=so(e,t,Number(this.step.value)).map(({mode:a,values:n})=>[
-...n,a].join(","));fe(new Blob([[s.join(","),...o,""].join(`\r
-`)],{type:"text/csv"}),"hophoop-table.csv")}};var oo="hoop.radius=0.4&duration=1.5&start.speed=",Di=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
+now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(i=>`${B[i].name} [${B[i].unit||"1"}]`),"mode"],n=li(e,t,Number(this.step.value)).map(({mode:i,values:a})=>[
+...a,i].join(","));Fe(new Blob([[s.join(","),...n,""].join(`\r
+`)],{type:"text/csv"}),"hophoop-table.csv")}};var hi="hoop.radius=0.4&duration=1.5&start.speed=",jr=[["0","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”","duratio\
 n=2"],["3","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.",null],["7","Energy on the way down, in pairs: who has th\
 e energy when the load is at rest?","start.speed=0.1&duration=8"],["17","Lift at the top: at which speed is the force of the floor zero?","start.speed=3.7&durat\
 ion=2"],["24","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.","duration=2"],["28","Each group takes one speed of the\
- worksheet; results on the board.",`${oo}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
-["42","One sentence each: “The hoop hops because …”",null]],Ni=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
+ worksheet; results on the board.",`${hi}2.2`],["35","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?",null],
+["42","One sentence each: “The hoop hops because …”",null]],Or=[["The load pulls the hoop up at the top, so it hops there.","Only if it is very fast. Slow\
 er hoops hop before the top, after slipping."],["It hops at the bottom, where it is fastest.","There the floor pushes hardest: the load has to be turned upwards\
 ."],["Nothing can be faster than a falling stone.","The ring can: it gets the energy of a load that has come to rest."],["Friction always brakes.","It acts agai\
 nst slip. On the hoop’s way up it points forwards."],["More friction, more hop.","There is a best friction in between."],["A heavier hoop behaves otherwise.",
-"Only the shares of mass count."]],Fi=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
+"Only the shares of mass count."]],Dr=["Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.","The hoop gets o\
 nly the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?","While a wheel rolls, its lowest point is at rest.\
  Which part of the hoop has kinetic energy then, and how fast is the centre?","How fast is a stone that falls from the height of the load? Why can the hoop be f\
 aster?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.","In the lab: what does the hoop do in its first 1.5 s, and\
  at which angle does it hop? Fill in the table.","Find the smallest speed with which the hoop hops, to 1 cm/s.","At 2.2 m/s the hoop leaves the floor while its \
-rim slips. Why does slipping help it to hop?"],Bi=["1.0","1.3","1.6","1.9","2.2","2.3"],ji=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function io(i,e){
-let t=d=>{c.close(),i(d)},s=(d,u="Show")=>h("button",{type:"button",class:"link",onclick:()=>t(d)},u),o=ji(),a=o&&[["teach/index.html","Teaching with the hoop"],
-["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],n=h("table",{},h("caption",{},"A lesson of 45 mi\
-nutes"),h("thead",{},h("tr",{},["Minute","What happens","Motion"].map(d=>h("th",{scope:"col"},d)))),h("tbody",{},Di.map(([d,u,p])=>h("tr",{},h("th",{scope:"row"},
-d),h("td",{},u),h("td",{},p===null?"":s(p)))))),r=h("table",{},h("caption",{},"What students often think"),h("thead",{},h("tr",{},["Idea","What is right"].map(d=>h(
-"th",{scope:"col"},d)))),h("tbody",{},Ni.map(([d,u])=>h("tr",{},h("td",{},d),h("td",{},u))))),l=h("section",{class:"sheet"},h("h3",{},"Worksheet: the hoop that \
-hops"),h("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
-e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),h("ol",{},Fi.map(d=>h("li",{},d,h("div",{class:"answer-line"})))),h("table",{class:"sheet-\
-table"},h("thead",{},h("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(d=>h("th",{scope:"col"},d)))),h("tbody",{},Bi.map(d=>h("tr",{},h("th",
-{scope:"row"},s(`${oo}${Number(d)}`,d)),h("td",{}),h("td",{}),h("td",{})))))),c=h("dialog",{class:"teach","aria-label":"For teachers"},h("header",{},h("h2",{},"\
-For teachers"),h("button",{type:"button",onclick:()=>print()},"Print"),h("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),h("p",{},"The vi\
-sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",h("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),a&&h("p",{},a.map(([d,u])=>h("a",{class:"teach-page",href:new URL(d,new URL(o,document.baseURI)).href},u))),n,r,l);return c}var Jt="RSKHM",_i=new Set(["x","angle","height"]),Hi={x:"vx",angle:"omega",height:"vy"},ae=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,this.query=
-t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.said=t.
-summary,this.story=t.story,this.shortened=t.shortened,this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.radius"],this.
-mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.gravity??
-9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map}get summary(){return Ls(this.said)}findPhases(){let{mode:e}=this.columns,t=[];
-for(let s=0;s<this.length;s++){let o=t.at(-1);o&&o.mode===Jt[e[s]]?o.to=this.t[s]:t.push({mode:Jt[e[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)
-t[s].to=t[s+1].from;return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:o,omega:a}=this.columns,n={left:1/0,right:-1/0,top:0,speed:0},
-r=[];for(let l=0;l<this.length;l++){Number.isFinite(e[l])&&(n.left=Math.min(n.left,e[l]),n.right=Math.max(n.right,e[l])),t[l]>n.top&&(n.top=t[l]);let c=Math.hypot(
-s[l],o[l])+this.radius*Math.abs(a[l]);Number.isFinite(c)&&r.push(c)}return r.sort((l,c)=>l-c),n.speed=r[Math.floor(.95*(r.length-1))]||1,n}index(e){let t=0,s=this.
-length;for(;s-t>1;){let o=t+s>>1;this.t[o]<=e?t=o:s=o}return t}at(e){let t=y(e,0,this.duration),s=this.index(t),o=Math.min(s+1,this.length-1),a=this.t[o]-this.t[s],
-n=a>0?(t-this.t[s])/a:0,r={t,mode:Jt[this.columns.mode[s]]};for(let[l,c]of Object.entries(this.columns)){if(l==="t"||l==="mode")continue;let d=c[s],u=c[o];if(n===
-0||!Number.isFinite(u))r[l]=d;else if(_i.has(l)){let p=this.columns[Hi[l]];r[l]=Oi(d,u,p[s]*a,p[o]*a,n)}else r[l]=d+(u-d)*n}return r}derived(e,t){let s=this.cache.
-get(e)??t(this.columns);return this.cache.set(e,s),s}};function Oi(i,e,t,s,o){if(!Number.isFinite(t)||!Number.isFinite(s))return i+(e-i)*o;let a=1-o;return a*a*
-(1+2*o)*i+o*o*(3-2*o)*e+o*a*(a*t-o*s)}var Qt=i=>i-360*Math.floor(i/360);function $i(i,e){let t=Math.abs(Qt(i-e+180)-180);return Math.round(100*y(1-(t-1)/89,0,1))}function Ui(i,e){let t=Math.max(...e)-
-Math.min(...e,0),s=e.reduce((o,a,n)=>o+Math.abs(a-i[n]),0)/e.length;return Math.round(100*y(1-2*s/(t||1),0,1))}var Ki=0;function De(i,e,t=!1){let s=`hh-guess-${++Ki}`,
-o="",a=i.map(([n,r])=>{let l=h("input",{type:"radio",name:s,value:n,onchange:()=>{o=n,e()}});return{key:n,radio:l,row:h("label",{class:"guess-choice"},l,h("span",
-{},r))}});return{element:h("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},a.map(({row:n})=>n)),made:()=>o!=="",judge:n=>{for(let{key:r,radio:l,
-row:c}of a){l.disabled=!0;let d=t||r===n;d&&c.append(h("b",{class:"guess-right"},"✓")),c.classList.toggle("right",d)}return t||o===n?100:0}}}var te=168,qe=58,
-Zt=(i,e=qe)=>{let t=i*Math.PI/180;return[te/2+e*Math.sin(t),te/2-e*Math.cos(t)]};function es(i,e){let t=0,s=!1,o=null,a=h("canvas",{class:"dial-canvas"}),n=h("d\
-iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":i,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},a),r=()=>{let{context:d}=L(a),u=getComputedStyle(
-n),p=u.getPropertyValue("--ink").trim(),m=u.getPropertyValue("--soft").trim(),g=u.getPropertyValue("--accent").trim();d.clearRect(0,0,te,te),d.strokeStyle=m,d.fillStyle=
-m,d.lineWidth=1.5,d.beginPath(),d.moveTo(8,te/2+qe),d.lineTo(te-8,te/2+qe),d.stroke(),d.lineWidth=4,d.beginPath(),d.arc(te/2,te/2,qe,0,2*Math.PI),d.stroke(),d.font=
-"11px system-ui, sans-serif",d.textAlign="center";for(let w of[0,90,180,270]){let[f,v]=Zt(w,qe-17);d.fillText(`${w}°`,f,v+4)}let b=(w,f,v)=>{d.fillStyle=f,d.beginPath(),
-d.arc(...Zt(w),v,0,2*Math.PI),d.fill()};o!==null&&(d.strokeStyle=p,d.lineWidth=2,d.beginPath(),d.arc(...Zt(o),12,0,2*Math.PI),d.stroke(),b(o,p,7)),b(t,s?g:m,9)},
-l=d=>{o===null&&(t=Qt(d),s=!0,n.setAttribute("aria-valuenow",String(Math.round(t))),n.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},c=d=>{let u=a.
-getBoundingClientRect(),[p,m]=[d.clientX-u.left-u.width/2,d.clientY-u.top-u.height/2];l(Math.atan2(p,-m)*180/Math.PI)};return n.addEventListener("pointerdown",d=>{
-d.preventDefault(),n.focus({preventScroll:!0}),c(d),C(n,d,c)}),n.addEventListener("keydown",d=>{let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
-PageUp:45}[d.key];u!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:n,redraw:r,made:()=>s,judge:d=>(o=
-Qt(d),r(),$i(t,o))}}var We=9,[V,nt,le,Xt]=[34,12,12,26];function ao({label:i,unit:e,most:t},s){let o=Array(We).fill(t/4),a=!1,n=null,r=h("canvas",{class:"sketch\
--canvas"}),l=o.map((f,v)=>h("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${i} with the load at ${45*v}°`,"aria-orientation":"vertical",
-"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:S=>{let M={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[S.key];M&&(S.preventDefault(),S.stopPropagation(),
-g(v,o[v]+M*t/(S.shiftKey?100:20)))}})),c=h("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),
-u=f=>V+f/(We-1)*(d().width-V-nt),p=f=>le+(1-f/t)*(d().height-le-Xt),m=()=>{let{context:f,width:v,height:S}=L(r),M=getComputedStyle(c),A=z=>M.getPropertyValue(z).
-trim();f.clearRect(0,0,v,S),f.strokeStyle=A("--line"),f.fillStyle=A("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<We;z+=2)f.textAlign="center",f.fillText(
-`${45*z}°`,u(z),S-8),f.strokeRect(u(z),le,0,S-le-Xt);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),V-6,p(z)+4),f.strokeRect(V,p(z),v-V-nt,0);f.
-textAlign="left",f.fillText(e,V+4,le+10);let E=(z,J,Ko)=>{f.strokeStyle=J,f.lineWidth=2.5,f.setLineDash(Ko),f.beginPath(),z.forEach((fs,gs)=>{let ws=V+gs/(z.length-
-1)*(v-V-nt);gs?f.lineTo(ws,p(y(fs,0,t))):f.moveTo(ws,p(y(fs,0,t)))}),f.stroke(),f.setLineDash([])};E(o,A("--accent"),[6,4]),n&&E(n,A("--ink"),[]),l.forEach((z,J)=>{
-z.style.transform=`translate(${u(J)}px, ${p(o[J])}px)`})},g=(f,v)=>{n||(o[f]=y(v,0,t),a=!0,l[f].setAttribute("aria-valuenow",o[f].toPrecision(3)),l[f].setAttribute(
-"aria-valuetext",`${o[f].toPrecision(2)} ${e}`),m(),s())},b=null,w=f=>{let v=d(),S=y((f.clientX-v.left-V)/(v.width-V-nt),0,1),M=Math.round(S*(We-1)),A=t*(1-(f.clientY-
-v.top-le)/(v.height-le-Xt)),E=b??M,z=o[E];for(let J=Math.min(E,M);J<=Math.max(E,M);J++)g(J,E===M?A:z+(A-z)*(J-E)/(M-E));b=M};c.addEventListener("pointerdown",f=>{
-f.preventDefault(),b=null,w(f),C(c,f,w)});for(let[f,v]of l.entries())v.setAttribute("aria-valuenow",o[f].toPrecision(3));return requestAnimationFrame(m),{element:c,
-redraw:m,made:()=>a,judge:f=>{n=f,m();let v=(f.length-1)/(We-1);return Ui(o,o.map((S,M)=>f[Math.round(M*v)]))}}}var lt=2*Math.PI,F=(i,e)=>i.events.find(t=>t.kind===e),rt=i=>P(i-lt*Math.floor(i/lt));function Gi(i,e,t=72){let{angle:s}=i.columns,o=i.columns[e],a=[],n=0;for(let r=0;r<=
-t;r++){let l=i.columns.angle[0]+lt*r/t;for(;n+1<i.length&&s[n+1]<l;)n+=1;let c=Math.min(n+1,i.length-1),d=s[c]>s[n]?Math.min((l-s[n])/(s[c]-s[n]),1):0;a.push(o[n]+
-d*(o[c]-o[n]))}return a}var Vi=(i,e)=>i.t[i.columns.angle.findIndex(t=>t>=e)]??i.duration,Yi={R:"roll",S:"spin",K:"skid",H:"bounce"},he=[{key:"littlewood",title:"\
+rim slips. Why does slipping help it to hop?"],Fr=["1.0","1.3","1.6","1.9","2.2","2.3"],Wr=()=>document.querySelector("meta[name=hophoop-docs]")?.content;function ci(o,e){
+let t=d=>{h.close(),o(d)},s=(d,u="Show")=>c("button",{type:"button",class:"link",onclick:()=>t(d)},u),n=Wr(),i=n&&[["teach/index.html","Teaching with the hoop"],
+["teach/worksheet.html","Worksheet"],["teach/solutions.html","Solutions"],["teach/exercises.html","Exercises"]],a=c("table",{},c("caption",{},"A lesson of 45 mi\
+nutes"),c("thead",{},c("tr",{},["Minute","What happens","Motion"].map(d=>c("th",{scope:"col"},d)))),c("tbody",{},jr.map(([d,u,m])=>c("tr",{},c("th",{scope:"row"},
+d),c("td",{},u),c("td",{},m===null?"":s(m)))))),r=c("table",{},c("caption",{},"What students often think"),c("thead",{},c("tr",{},["Idea","What is right"].map(d=>c(
+"th",{scope:"col"},d)))),c("tbody",{},Or.map(([d,u])=>c("tr",{},c("td",{},d),c("td",{},u))))),l=c("section",{class:"sheet"},c("h3",{},"Worksheet: the hoop that \
+hops"),c("p",{},"A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at th\
+e top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s²."),c("ol",{},Dr.map(d=>c("li",{},d,c("div",{class:"answer-line"})))),c("table",{class:"sheet-\
+table"},c("thead",{},c("tr",{},["v₀ [m/s]","phases","does it hop?","at which angle?"].map(d=>c("th",{scope:"col"},d)))),c("tbody",{},Fr.map(d=>c("tr",{},c("th",
+{scope:"row"},s(`${hi}${Number(d)}`,d)),c("td",{}),c("td",{}),c("td",{})))))),h=c("dialog",{class:"teach","aria-label":"For teachers"},c("header",{},c("h2",{},"\
+For teachers"),c("button",{type:"button",onclick:()=>print()},"Print"),c("button",{type:"button",class:"close",onclick:()=>h.close()},"Close")),c("p",{},"The vi\
+sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",c("button",{type:"button",class:"link",onclick:()=>{h.close(),
+e()}},"Start the visit")),i&&c("p",{},i.map(([d,u])=>c("a",{class:"teach-page",href:new URL(d,new URL(n,document.baseURI)).href},u))),a,r,l);return h}var oo="RSKHM",$r=new Set(["x","angle","height"]),Br=1/60,di=8,Hr={x:"vx",angle:"omega",height:"vy"},ye=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.
+said=t.summary,this.story=t.story,this.shortened=t.shortened,this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.rad\
+ius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.
+gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.cache=new Map,this.part=null}wanted(e,t=0){if(this.duration<Br*this.length)return null;
+let s=y(e,0,this.duration),n=Math.min(s+t,this.duration);if(this.part&&s>=this.part.t[0]&&n<=this.part.t[this.part.length-1])return null;let i=Math.max(s-.25*di,
+0);return[i,Math.min(i+di+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){
+let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return On(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.
+length;s++){let n=t.at(-1);n&&n.mode===oo[e[s]]?n.to=this.t[s]:t.push({mode:oo[e[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;
+return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:n,omega:i}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<
+this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let h=Math.hypot(s[l],n[l])+this.
+radius*Math.abs(i[l]);Number.isFinite(h)&&r.push(h)}return r.sort((l,h)=>l-h),a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,s=this.length;for(;s-
+t>1;){let n=t+s>>1;this.t[n]<=e?t=n:s=n}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.length}];let[t,s]=[e.t[0],e.t[e.length-1]],n=this.
+index(t);for(;n>0&&this.t[n]>=t;)n--;let i=this.t[n]>=t?0:n+1;return[{film:this,from:0,to:i},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.
+length}]}at(e){let t=y(e,0,this.duration),s=this.holding(t);if(s!==this)return s.at(t);let n=this.index(t),i=Math.min(n+1,this.length-1),a=this.t[i]-this.t[n],r=a>
+0?(t-this.t[n])/a:0,l={t,mode:oo[this.columns.mode[n]]};for(let[h,d]of Object.entries(this.columns)){if(h==="t"||h==="mode")continue;let u=d[n],m=d[i];if(r===0||
+!Number.isFinite(m))l[h]=u;else if($r.has(h)){let p=this.columns[Hr[h]];l[h]=Kr(u,m,p[n]*a,p[i]*a,r)}else l[h]=u+(m-u)*r}return l}derived(e,t){let s=this.cache.
+get(e)??t(this.columns);return this.cache.set(e,s),s}};function Kr(o,e,t,s,n){if(!Number.isFinite(t)||!Number.isFinite(s))return o+(e-o)*n;let i=1-n;return i*i*
+(1+2*n)*o+n*n*(3-2*n)*e+n*i*(i*t-n*s)}var ao=o=>o-360*Math.floor(o/360);function Ur(o,e){let t=Math.abs(ao(o-e+180)-180);return Math.round(100*y(1-(t-1)/89,0,1))}function Gr(o,e){let t=Math.max(...e)-
+Math.min(...e,0),s=e.reduce((n,i,a)=>n+Math.abs(i-o[a]),0)/e.length;return Math.round(100*y(1-2*s/(t||1),0,1))}var Vr=0;function wt(o,e,t=!1){let s=`hh-guess-${++Vr}`,
+n="",i=o.map(([a,r])=>{let l=c("input",{type:"radio",name:s,value:a,onchange:()=>{n=a,e()}});return{key:a,radio:l,row:c("label",{class:"guess-choice"},l,c("span",
+{},r))}});return{element:c("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>n!=="",judge:a=>{for(let{key:r,radio:l,
+row:h}of i){l.disabled=!0;let d=t||r===a;d&&h.append(c("b",{class:"guess-right"},"✓")),h.classList.toggle("right",d)}return t||n===a?100:0}}}var pe=168,gt=58,
+no=(o,e=gt)=>{let t=o*Math.PI/180;return[pe/2+e*Math.sin(t),pe/2-e*Math.cos(t)]};function ro(o,e){let t=0,s=!1,n=null,i=c("canvas",{class:"dial-canvas"}),a=c("d\
+iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let{context:d}=D(i),u=getComputedStyle(
+a),m=u.getPropertyValue("--ink").trim(),p=u.getPropertyValue("--soft").trim(),g=u.getPropertyValue("--accent").trim();d.clearRect(0,0,pe,pe),d.strokeStyle=p,d.fillStyle=
+p,d.lineWidth=1.5,d.beginPath(),d.moveTo(8,pe/2+gt),d.lineTo(pe-8,pe/2+gt),d.stroke(),d.lineWidth=4,d.beginPath(),d.arc(pe/2,pe/2,gt,0,2*Math.PI),d.stroke(),d.font=
+"11px system-ui, sans-serif",d.textAlign="center";for(let w of[0,90,180,270]){let[f,k]=no(w,gt-17);d.fillText(`${w}°`,f,k+4)}let b=(w,f,k)=>{d.fillStyle=f,d.beginPath(),
+d.arc(...no(w),k,0,2*Math.PI),d.fill()};n!==null&&(d.strokeStyle=m,d.lineWidth=2,d.beginPath(),d.arc(...no(n),12,0,2*Math.PI),d.stroke(),b(n,m,7)),b(t,s?g:p,9)},
+l=d=>{n===null&&(t=ao(d),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},h=d=>{let u=i.
+getBoundingClientRect(),[m,p]=[d.clientX-u.left-u.width/2,d.clientY-u.top-u.height/2];l(Math.atan2(m,-p)*180/Math.PI)};return a.addEventListener("pointerdown",d=>{
+d.preventDefault(),a.focus({preventScroll:!0}),h(d),W(a,d,h)}),a.addEventListener("keydown",d=>{let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
+PageUp:45}[d.key];u!==void 0&&(d.preventDefault(),d.stopPropagation(),l(t+(d.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:d=>(n=
+ao(d),r(),Ur(t,n))}}var ft=9,[le,Zt,Me,io]=[34,12,12,26];function ui({label:o,unit:e,most:t},s){let n=Array(ft).fill(t/4),i=!1,a=null,r=c("canvas",{class:"sketc\
+h-canvas"}),l=n.map((f,k)=>c("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${o} with the load at ${45*k}°`,"aria-orientation":"vertical",
+"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:T=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[T.key];E&&(T.preventDefault(),T.stopPropagation(),
+g(k,n[k]+E*t/(T.shiftKey?100:20)))}})),h=c("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),d=()=>r.getBoundingClientRect(),
+u=f=>le+f/(ft-1)*(d().width-le-Zt),m=f=>Me+(1-f/t)*(d().height-Me-io),p=()=>{let{context:f,width:k,height:T}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
+z).trim();f.clearRect(0,0,k,T),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
+f.fillText(`${45*z}°`,u(z),T-8),f.strokeRect(u(z),Me,0,T-Me-io);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),le-6,m(z)+4),f.strokeRect(le,m(z),
+k-le-Zt,0);f.textAlign="left",f.fillText(e,le+4,Me+10);let I=(z,Q,Ws)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash(Ws),f.beginPath(),z.forEach((Lt,_n)=>{let Tn=le+
+_n/(z.length-1)*(k-le-Zt);_n?f.lineTo(Tn,m(y(Lt,0,t))):f.moveTo(Tn,m(y(Lt,0,t)))}),f.stroke(),f.setLineDash([])};I(n,N("--accent"),[6,4]),a&&I(a,N("--ink"),[]),
+l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},g=(f,k)=>{a||(n[f]=y(k,0,t),i=!0,l[f].setAttribute("aria-valuenow",n[f].toPrecision(
+3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,w=f=>{let k=d(),T=y((f.clientX-k.left-le)/(k.width-le-Zt),0,1),E=Math.round(
+T*(ft-1)),N=t*(1-(f.clientY-k.top-Me)/(k.height-Me-io)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)g(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
+"pointerdown",f=>{f.preventDefault(),b=null,w(f),W(h,f,w)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
+p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Gr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Qt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Xt=o=>q(o-Qt*Math.floor(o/Qt));function Jr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
+t;r++){let l=o.columns.angle[0]+Qt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),d=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
+d*(n[h]-n[a]))}return i}var Yr=(o,e)=>o.t[o.columns.angle.findIndex(t=>t>=e)]??o.duration,Zr={R:"roll",S:"spin",K:"skid",H:"bounce"},Ee=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
-ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:i=>De(
-[["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],i),until:([i])=>{
-let[e,t]=[F(i,"skim"),F(i,"impact")];return e?e.t+.7*((t?.t??i.duration)-e.t):i.duration},answer:([i])=>{let e=F(i,"skim")??F(i,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:rt(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:o=>wt(
+[["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],o),until:([o])=>{
+let[e,t]=[V(o,"skim"),V(o,"impact")];return e?e.t+.7*((t?.t??o.duration)-e.t):o.duration},answer:([o])=>{let e=V(o,"skim")??V(o,"takeoff");return{truth:e?.kind===
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:Xt(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
-Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:i=>ao({label:"Speed of the centre",unit:"m/s",most:10},
-i),until:([i])=>Vi(i,lt),answer:([i])=>{let e=Gi(i,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:x(Math.max(
+Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:o=>ui({label:"Speed of the centre",unit:"m/s",most:10},
+o),until:([o])=>Yr(o,Qt),answer:([o])=>{let e=Jr(o,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:_(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:i=>es("Angle of the load where it begins to slip",i),until:([i])=>(F(i,"slip_start")?.t??0)+.02,answer:([i])=>{let e=F(i,"slip_start"),t=i.at(e.t).normal_force/
-(i.mass*i.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:rt(e.
-angle),share:`${x(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
+guess:o=>ro("Angle of the load where it begins to slip",o),until:([o])=>(V(o,"slip_start")?.t??0)+.02,answer:([o])=>{let e=V(o,"slip_start"),t=o.at(e.t).normal_force/
+(o.mass*o.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:Xt(e.
+angle),share:`${_(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:i=>es("Angle of the load\
- where it takes off",i),until:([i])=>(F(i,"takeoff")?.t??0)+.12,answer:([i])=>{let e=F(i,"takeoff"),t=i.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It t\
-akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:rt(e.angle),slip:x(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the plan\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:o=>ro("Angle of the load\
+ where it takes off",o),until:([o])=>(V(o,"takeoff")?.t??0)+.12,answer:([o])=>{let e=V(o,"takeoff"),t=o.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It t\
+akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:Xt(e.angle),slip:_(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the plan\
 e while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the \
 top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it d\
-o just after it has landed?",queries:[""],guess:i=>De([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
-too fast."],["bounce","It bounces."]],i),until:([i])=>(F(i,"impact")?.t??i.duration)+.15,answer:([i])=>{let[e,t]=[F(i,"takeoff"),F(i,"impact")],s=i.events.find(
-o=>o.kind==="apex");return{truth:Yi[i.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:x((t?.t??0)-(e?.t??0),3),height:x(100*(s?.height??0),3),angle:rt(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+o just after it has landed?",queries:[""],guess:o=>wt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
+too fast."],["bounce","It bounces."]],o),until:([o])=>(V(o,"impact")?.t??o.duration)+.15,answer:([o])=>{let[e,t]=[V(o,"takeoff"),V(o,"impact")],s=o.events.find(
+n=>n.kind==="apex");return{truth:Zr[o.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
+values:{time:_((t?.t??0)-(e?.t??0),3),height:_(100*(s?.height??0),3),angle:Xt(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
-"plane.mu=0.05","plane.mu=0.2",""],guess:i=>De([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],i),until:i=>.3+Math.max(0,...i.map(e=>F(e,"impact")?.t??0)),
-answer:i=>{let e=i.map(a=>Math.max(0,...a.events.map(({kind:n,height:r})=>n==="apex"?r:0))),[t,s,o]=e.map(a=>x(100*a,3));return{truth:String(e.indexOf(Math.max(
-...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:o}}},why:"On ice nothing drives the ro\
+"plane.mu=0.05","plane.mu=0.2",""],guess:o=>wt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],o),until:o=>.3+Math.max(0,...o.map(e=>V(e,"impact")?.t??0)),
+answer:o=>{let e=o.map(i=>Math.max(0,...i.events.map(({kind:a,height:r})=>a==="apex"?r:0))),[t,s,n]=e.map(i=>_(100*i,3));return{truth:String(e.indexOf(Math.max(
+...e))),text:"They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)",values:{low:t,middle:s,high:n}}},why:"On ice nothing drives the ro\
 tation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the\
  way up."},{key:"undecided",title:"What rigid bodies cannot decide",text:"A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies w\
 ith dry friction have to say what happens next.",question:"What do they say?",queries:["plane.mu=1.2&start.angle=-0.7&start.vx=8&start.omega=5&duration=3","plan\
-e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:i=>De([["flight","It flies off."],["impact","An impact stops the sli\
-de at once."],["both","Both agree with the laws."]],i),until:i=>Math.min(.8,...i.map(e=>e.duration)),answer:i=>({truth:i.every(e=>F(e,"painleve_indeterminate"))?
+e.mu=1.2&plane.painleve=impact&start.angle=-0.7&start.vx=8&start.omega=5&duration=3"],guess:o=>wt([["flight","It flies off."],["impact","An impact stops the sli\
+de at once."],["both","Both agree with the laws."]],o),until:o=>Math.min(.8,...o.map(e=>e.duration)),answer:o=>({truth:o.every(e=>V(e,"painleve_indeterminate"))?
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var no="hophoop-visit",ht=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
-t,this.body=h("div",{class:"visit-body"}),this.said=h("div",{class:"visit-answer",role:"status"}),this.element=h("section",{class:"visit card","aria-label":"Gui\
-ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){U(no)||(this.element.hidden=!1,T(this.said,""),this.
-body.replaceChildren(h("div",{class:"buttons offer"},h("p",{},h("b",{},"New here?")," ","Eight short questions: guess, then play."),h("button",{type:"button",class:"\
-main",onclick:()=>this.start()},"Start the visit"),h("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
-K(no,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
-lab.show()}async go(e){let t=he[e],s=++this.asked,{lab:o}=this;o.clock.play(!1),o.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),T(this.said,
-""),this.element.hidden=!1,o.root.classList.toggle("visiting",e<he.length-1);try{let a=await Promise.all(t.queries.map(n=>o.backend.call("film",{query:n})));if(s!==
-this.asked)return;this.films=a.map(n=>new ae(n)),o.motions.active=0,o.motions.set(a.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),o.changed(),
-o.motions.note(),this.fill(e)}catch(a){o.notice.fail(a)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
-"aria-label",k("The hoop, before it is let go."))}fill(e){let t=he[e];this.play=h("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
-"Play");let s=e===he.length-1,o=h("h2",{tabindex:"-1"},t.title);this.next=h("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
-h("header",{},h("span",{class:"visit-count"},`Step ${e+1} of ${he.length}`),h("progress",{max:String(he.length),value:String(e+1),"aria-hidden":"true"}),h("butt\
-on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),o,h("p",{},t.text),t.question?h("p",{class:"visit-question"},t.
-question):"",this.guess?.element??"",h("div",{class:"buttons"},e>0&&h("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,s?h("butto\
-n",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&h("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&
-h("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),o.focus({preventScroll:!0})}guessed(){this.play&&
+ the motion itself.",question:"",queries:[""]}];var mi="hophoop-visit",es=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
+t,this.body=c("div",{class:"visit-body"}),this.said=c("div",{class:"visit-answer",role:"status"}),this.element=c("section",{class:"visit card","aria-label":"Gui\
+ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ie(mi)||(this.element.hidden=!1,M(this.said,""),this.
+body.replaceChildren(c("div",{class:"buttons offer"},c("p",{},c("b",{},"New here?")," ","Eight short questions: guess, then play."),c("button",{type:"button",class:"\
+main",onclick:()=>this.start()},"Start the visit"),c("button",{type:"button",onclick:()=>this.leave()},"Not now"))))}start(){this.points.clear(),this.go(0)}leave(){
+ae(mi,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
+lab.show()}async go(e){let t=Ee[e],s=++this.asked,{lab:n}=this;n.clock.play(!1),n.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),M(this.said,
+""),this.element.hidden=!1,n.root.classList.toggle("visiting",e<Ee.length-1);try{let i=await Promise.all(t.queries.map(a=>n.backend.call("film",{query:a})));if(s!==
+this.asked)return;this.films=i.map(a=>new ye(a)),n.motions.active=0,n.motions.set(i.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),n.changed(),
+n.motions.note(),this.fill(e)}catch(i){n.notice.fail(i)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
+"aria-label",x("The hoop, before it is let go."))}fill(e){let t=Ee[e];this.play=c("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
+"Play");let s=e===Ee.length-1,n=c("h2",{tabindex:"-1"},t.title);this.next=c("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
+c("header",{},c("span",{class:"visit-count"},`Step ${e+1} of ${Ee.length}`),c("progress",{max:String(Ee.length),value:String(e+1),"aria-hidden":"true"}),c("butt\
+on",{type:"button",class:"quiet","aria-label":"Leave the visit",onclick:()=>this.leave()},"×")),n,c("p",{},t.text),t.question?c("p",{class:"visit-question"},t.
+question):"",this.guess?.element??"",c("div",{class:"buttons"},e>0&&c("button",{type:"button",onclick:()=>this.go(e-1)},"Back"),this.guess&&this.play,s?c("butto\
+n",{type:"button",class:"main",onclick:()=>this.challenge()},"Challenges"):this.next,s&&c("button",{type:"button",onclick:()=>this.leave()},"Done"),this.guess&&
+c("span",{class:"hint visit-wait"},"First say what you expect, then play."))),s&&this.points.size&&this.total(),n.focus({preventScroll:!0})}guessed(){this.play&&
 (this.play.disabled=!1);let e=this.body.querySelector(".visit-wait");e&&(e.hidden=!0)}show(){let{lab:e,step:t}=this;!t||!this.guess||(this.play.disabled=!0,this.
 stop=t.until?.(e.films())??e.clock.duration,this.loop??=e.clock.loop,e.clock.loop=!1,e.clock.seek(0),matchMedia("(prefers-reduced-motion: reduce)").matches?e.clock.
 seek(this.stop):e.clock.play(!0),this.frame())}unwind(){this.loop!==null&&(this.lab.clock.loop=this.loop),this.loop=null}frame(){let{clock:e}=this.lab;if(this.stop===
 null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;e.playing=!1;let s=this.stop;this.stop=null,this.unwind(),e.seek(s),this.judge()}judge(){
-let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:o,values:a={}}=e.answer(this.films),n=t.judge(s);this.points.set(e.key,n),this.said.replaceChildren(
-h("p",{},h("b",{},`${n} of 100 points.`)," ",Ps(o,a)),h("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
-{block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(h("p",{},`You have ${e} of ${100*this.points.size} poi\
-nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ct=class{words={t:k,untranslated:Ee};constructor(e){this.lab=e,this.grips=new st(e),this.sound=new it,this.present=new ot(e),this.challenges=new Qe(e),this.
-visit=new ht(e,()=>this.challenges.open()),this.table=new at(e),this.teach=io(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){
+let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:n,values:i={}}=e.answer(this.films),a=t.judge(s);this.points.set(e.key,a),this.said.replaceChildren(
+c("p",{},c("b",{},`${a} of 100 points.`)," ",Cn(n,i)),c("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
+{block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(c("p",{},`You have ${e} of ${100*this.points.size} poi\
+nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ts=class{words={t:x,untranslated:ht};constructor(e){this.lab=e,this.grips=new Gt(e),this.sound=new Jt,this.present=new Vt(e),this.challenges=new Ht(e),this.
+visit=new es(e,()=>this.challenges.open()),this.table=new Yt(e),this.teach=ci(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){
 let{lab:e}=this,t=e.stage.element.parentElement,s=e.root.querySelector(".side");s?s.prepend(this.visit.element,this.challenges.element):t.before(this.visit.element,
 this.challenges.element),t.after(this.table.element),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.
-querySelector(".right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,o,a)=>h(
-"button",{type:"button",title:o,"aria-label":o,"aria-pressed":"false",onclick:a},W(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.
+querySelector(".right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,n,i)=>c(
+"button",{type:"button",title:n,"aria-label":n,"aria-pressed":"false",onclick:i},$(s));return this.loop=t("loop","Repeat",()=>{e.loop=!e.loop,this.mark()}),this.
 slow=t("slow","Slow motion: a tenth of the speed",()=>{e.speed=e.speed===.1?1:.1,e.changed(),this.mark()}),this.loud=t("sound","Sound of the contact",()=>{this.
 sound.turn(!this.sound.on),this.mark()}),this.large=t("large","Presentation on the whole screen",()=>this.present.turn()),this.present.onchange=()=>this.mark(),
-this.mark(),h("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(
+this.mark(),c("div",{class:"buttons tools"},this.loop,this.slow,this.loud,this.large)}mark(){let{clock:e}=this.lab;this.loop?.setAttribute("aria-pressed",String(
 e.loop)),this.slow?.setAttribute("aria-pressed",String(e.speed===.1)),this.loud?.setAttribute("aria-pressed",String(this.sound.on)),this.large?.setAttribute("ar\
-ia-pressed",String(this.present.on))}menu(){let e=(s,o)=>h("button",{type:"button",onclick:()=>{t.open=!1,o()}},s),t=h("details",{class:"learn"},h("summary",{class:"\
-button"},"Learn"),h("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("Table of the motion",()=>this.
+ia-pressed",String(this.present.on))}menu(){let e=(s,n)=>c("button",{type:"button",onclick:()=>{t.open=!1,n()}},s),t=c("details",{class:"learn"},c("summary",{class:"\
+button"},"Learn"),c("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("Table of the motion",()=>this.
 table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{
 t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),
-t}languages(){let e=h("select",{class:"language","aria-label":"Language",onchange:()=>{As(e.value),Ft(e.value),this.spoken(),Cs(this.lab.root),this.lab.show()}},
-Object.entries(ze).map(([t,s])=>h("option",{value:t,lang:t},document.createTextNode(s))));return e.value=$e(),e}spoken(){this.lab.root.lang=$e(),this.lab.hosted&&
-(document.documentElement.lang=$e())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
+t}languages(){let e=c("select",{class:"language","aria-label":"Language",onchange:()=>{qn(e.value),Ks(e.value),this.spoken(),Fn(this.lab.root),this.lab.show()}},
+Object.entries(lt).map(([t,s])=>c("option",{value:t,lang:t},document.createTextNode(s))));return e.value=jt(),e}spoken(){this.lab.root.lang=jt(),this.lab.hosted&&
+(document.documentElement.lang=jt())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
 this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.
-close()}};var Ne=(i,e,t)=>h("button",{type:"button",title:e,"aria-label":e,onclick:t},i),dt=class{constructor(e,t,s){let o=new Map;for(let n of e)o.set(n.group,[...o.get(
-n.group)??[],n]);this.fresh=!1,this.presets=h("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let n=e.find(({key:r})=>r===this.presets.
-value);this.fresh=n!==void 0,n&&s.take(n)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},h("option",{value:""},"Motions to start from …"),[...o].
-map(([n,r])=>h("optgroup",{label:n},r.map(({key:l,title:c})=>h("option",{value:l},c))))),this.undo=Ne(W("undo"),"Undo (z)",s.undo),this.redo=Ne(W("redo"),"Redo \
-(y)",s.redo);let a=h("span",{},h("span",{class:"long"},"Compare"),h("span",{class:"short"},W("two")));this.compare=Ne(a,"Compare two hoops",s.compare),this.element=
-h("header",{class:"top"},h("h1",{},h("span",{class:"logo","aria-hidden":"true"}),h("span",{},"hophoop",h("span",{class:"long"}," lab"))),this.presets,h("div",{class:"\
-buttons"},this.undo,this.redo,this.compare),h("div",{class:"buttons right"},t,Ne(W("theme"),"Dark or light (d)",s.theme),Ne("?","Keys and help (?)",s.help)))}show(e,t){
-this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Ji=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
+close()}};var bt=(o,e,t)=>c("button",{type:"button",title:e,"aria-label":e,onclick:t},o),ss=class{constructor(e,t,s){let n=new Map;for(let a of e)n.set(a.group,[...n.get(
+a.group)??[],a]);this.fresh=!1,this.presets=c("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
+value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},c("option",{value:""},"Motions to start from …"),[...n].
+map(([a,r])=>c("optgroup",{label:a},r.map(({key:l,title:h})=>c("option",{value:l},h))))),this.undo=bt($("undo"),"Undo (z)",s.undo),this.redo=bt($("redo"),"Redo \
+(y)",s.redo);let i=c("span",{},c("span",{class:"long"},"Compare"),c("span",{class:"short"},$("two")));this.compare=bt(i,"Compare two hoops",s.compare),this.element=
+c("header",{class:"top"},c("h1",{},c("span",{class:"logo","aria-hidden":"true"}),c("span",{},"hophoop",c("span",{class:"long"}," lab"))),this.presets,c("div",{class:"\
+buttons"},this.undo,this.redo,this.compare),c("div",{class:"buttons right"},t,bt($("theme"),"Dark or light (d)",s.theme),bt("?","Keys and help (?)",s.help)))}show(e,t){
+this.undo.disabled=!e.past.length,this.redo.disabled=!e.future.length,this.compare.setAttribute("aria-pressed",String(t))}};var Xr=[["space","play, pause"],["← →","one frame"],["Shift ← →","previous, next event"],["h  l","next flight, landing"],["[ ]","slower, faster"],["Home\
  End","start, end"],["t f c w","traces, forces, rim speed, whole path"],["3","in space"],["+ − 0","zoom, zoom back"],["Esc","leave a field, a menu, a picture \
-that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Zi=[["R","roll","the rim does not slide"],["S","spin","slip: the rim tur\
+that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Python"]],Qr=[["R","roll","the rim does not slide"],["S","spin","slip: the rim tur\
 ns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)"],["H","\
-flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],Xi=[["▲ ▼","take-off, landing"],["•","highest point"],
+flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],el=[["▲ ▼","take-off, landing"],["•","highest point"],
 ["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy out of nothing"],["≋","bounces without numbe\
-r end"],["◗ ■","skimming begins, rest"]],ts=(i,e,t=()=>!1)=>h("table",{},h("caption",{},i),e.map(([s,...o])=>h("tr",{},h("th",{scope:"row"},t(s),s),o.map(a=>h(
-"td",{},a)))));function ro(i,e,t){let s=h("dialog",{class:"help","aria-label":"Keys and help"},h("h2",{},"The hoop"),h("p",{},"A ring with a load on its rim rol\
+r end"],["◗ ■","skimming begins, rest"]],lo=(o,e,t=()=>!1)=>c("table",{},c("caption",{},o),e.map(([s,...n])=>c("tr",{},c("th",{scope:"row"},t(s),s),n.map(i=>c(
+"td",{},i)))));function pi(o,e,t){let s=c("dialog",{class:"help","aria-label":"Keys and help"},c("h2",{},"The hoop"),c("p",{},"A ring with a load on its rim rol\
 ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
-. Move a slider and see."),ts("Modes",Zi,o=>h("i",{class:"dot",style:`background:${e.modes[o]}`})),ts("Marks on the bar of time",Xi),ts("Keys",Ji),t,h("p",{class:"\
-hint"},`hophoop ${i}`),h("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var ut=class{constructor(e){this.tabs=["A","B"].map((t,s)=>h("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=h("div",{class:"\
-tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=h("p",{class:"preset-text"}),this.element=h("div",{class:"lanes"},
-this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,o]of this.tabs.entries())o.setAttribute("aria-pressed",String(s===t))}};var lo="hophoop-single-keys",Qi=(i,e)=>({" ":()=>i.clock.play(),ArrowLeft:()=>e?i.transport.jump(-1):i.transport.nudge(-1),ArrowRight:()=>e?i.transport.jump(1):
-i.transport.nudge(1),Home:()=>i.clock.seek(0),End:()=>i.clock.seek(i.clock.duration),h:()=>i.transport.jump(1,"takeoff"),l:()=>i.transport.jump(1,"impact"),"[":()=>i.
-clock.faster(-1),"]":()=>i.clock.faster(1),t:()=>i.toggle("traces"),f:()=>i.toggle("forces"),c:()=>i.toggle("speed"),w:()=>i.toggle("whole"),3:()=>i.toggle("thr\
-ee"),"+":()=>i.stage.zoom(1.25),"=":()=>i.stage.zoom(1.25),"-":()=>i.stage.zoom(.8),0:()=>i.stage.zoom(0),z:()=>i.travel(-1),y:()=>i.travel(1),d:()=>i.theme.toggle(),
-p:()=>i.share.code(),"?":()=>i.help.showModal()});function ea(i,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.preventDefault(),i.travel(t==="y"||
-e.shiftKey?1:-1))}function ta(i){let e=i.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var pt=class{constructor(e){this.on=!e||U(lo)!=="off";
-let t=h("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&K(lo,this.on?"on":"off")}});this.element=h("label",{class:"check"},t,"Single\
- keys (letters, digits, signs) do what the table says")}};function sa(i,e){let t=e.target;if(i.root.querySelector("dialog[open]"))return;if(e.key==="Escape"){ta(
-i);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){ea(i,e);return}if(e.altKey||t.matches?.("select")&&
-!(e.key===" "&&i.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button, summary, input[type=ch\
-eckbox]")||!i.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let o=Qi(i,e.shiftKey)[e.key];o&&(e.preventDefault(),o())}function ho(i,e){let t=e?document:i.
-root,s=o=>{sa(i,o),e||o.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var[co,oa]=[62,92],ia=12,ce=10,aa=36,uo=Math.PI/180,Y=["x","y"],mt=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
-y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=co}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
-for(let e of Y)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
-let[s,o]=this.windows[e];return{path:this.paths[e],from:s,to:o,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),o=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
-o),Math.min(s[1],t[1]+o)]}zoom(e,t){let s={x:[],y:[]};for(let o of Y){let[a,n]=this.windows[o],r=t?.[o]??.5*(a+n);s[o]=de([r-(r-a)*e,r+(n-r)*e],this.bounds(o));
-let l=Math.max(Math.abs(s[o][0]),Math.abs(s[o][1]),1e-9);if(s[o][1]-s[o][0]<400*Number.EPSILON*l)return!1}return Y.every(o=>s[o].every((a,n)=>a===this.windows[o][n]))?
-!1:(this.windows=s,!0)}drag(e,t,s){let o=(a,n)=>de(e[a].map(r=>r+n*(e[a][1]-e[a][0])),this.bounds(a));this.windows={x:o("x",-t/this.box.width),y:o("y",s/this.box.
-height)}}restore(e){if(!Y.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of Y)this.paths[t]=e[t][0];for(let t of Y)this.windows[t]=de(e[t].
-slice(1).map(Number),this.bounds(t));return!0}isHome(){return Y.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
-return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?oa:co,this.box={width:e-this.left-ia,height:t-ce-aa}}clip(e){e.beginPath(),e.rect(this.
-left,ce,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return ce+
-(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([o,a],n)=>o+y(n,0,1)*(a-o);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-ce)/
-this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let o=this.info(s),[a,n]=this.windows[s],
-r=Math.max(Math.abs(a),Math.abs(n)),l=y(Math.ceil(Math.log10(r/(n-a)))+4,4,16);return`${k(o.label)} = ${I(x(o.degrees?e[s]/uo:e[s],l),o.unit)}`};return`${t("x")}\
-, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,ce+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
-font}`;for(let o of Y){let a=this.info(o),n=a.degrees?1/uo:1,[r,l]=this.windows[o].map(w=>w*n),c=o==="x"?this.box.width/80:this.box.height/40,d=D(l-r,c),u=this.
-deep(o),p=u?Number((.5*(r+l)).toPrecision(12)):0,m=u?O(r-p,l-p,c).map(w=>w+p):O(r,l,c);for(let w of m){let f=u?x(w-p,3):j(w,d);o==="x"?(e.textAlign="center",e.fillText(
-f,this.x(w/n),ce+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(w/n)),e.textBaseline="alphabetic")}let g=u?` \
-− ${String(p).replace("-","−")}`:"",b=`${k(a.label)}${g}${a.unit?` [${a.unit}]`:""}`;e.save(),e.textAlign="center",o==="x"?e.translate(this.left+.5*this.box.
-width,t-5):(e.translate(12,ce+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(b,0,0),e.restore()}}};function de([i,e],[t,s]){let o=Math.min(e-i,s-t);return i<
-t?[t,t+o]:e>s?[s-o,s]:[i,e]}function ss(i,e,t,s,o){for(let[a,n]of[[o,4],[s,1.8]])i.strokeStyle=a,i.lineWidth=n,i.beginPath(),i.arc(e,t,7,0,2*Math.PI),i.moveTo(e-
-13,t),i.lineTo(e-4,t),i.moveTo(e+4,t),i.lineTo(e+13,t),i.moveTo(e,t-13),i.lineTo(e,t-4),i.moveTo(e,t+4),i.lineTo(e,t+13),i.stroke()}var be=i=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${i&&`; ${i}`}; double-click for all`,na=.0018,po=200,
-[ra,la]=[1/.6,1/1.7];function _(i,{zoom:e,home:t,chosen:s=()=>i,keys:o=!1}){return i.addEventListener("wheel",a=>{(a.ctrlKey||a.metaKey||Ue(s()))&&(a.preventDefault(),
-e(Math.exp(-Math.min(Math.max(a.deltaY,-po),po)*na),a))},{passive:!1}),i.addEventListener("dblclick",t),o&&i.addEventListener("keydown",a=>{if(a.key==="+"||a.key===
-"=")e(ra);else if(a.key==="-")e(la);else if(a.key==="0")t();else if(a.key==="Escape")i.blur();else return;a.preventDefault(),a.stopPropagation()}),Js(i,e)}var mo={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},fo=48;function go(i){let{body:e}=i,t=!1,s=_(e,{zoom:(o,a)=>i.axes.box&&i.zoom(1/o,a?os(
-i,a):i.pointed??void 0),home:()=>i.home(),keys:!0});e.addEventListener("pointerdown",o=>ca(i,o,s,a=>t=a)),e.addEventListener("pointermove",o=>{i.axes.box&&!t&&o.
-pointerType!=="touch"&&ha(i,o)}),e.addEventListener("pointerleave",()=>i.tip.hidden=!0),e.addEventListener("keydown",o=>da(i,o))}function os(i,e){let t=i.body.getBoundingClientRect();
-return i.axes.place(e.clientX-t.left,e.clientY-t.top)}function ha(i,e){i.tip.textContent=i.said(os(i,e)),i.tip.hidden=!1;let t=i.body.getBoundingClientRect();i.
-tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,i.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function ca(i,e,t,s){e.preventDefault(),
-i.body.focus({preventScroll:!0});let o=[e.clientX,e.clientY],a={x:[...i.axes.windows.x],y:[...i.axes.windows.y]};i.pointed=os(i,e);let n=!1,r=t(),l=c=>{if(r||=t(),
-r)return;let[d,u]=[c.clientX-o[0],c.clientY-o[1]];Math.hypot(d,u)<5&&!n||(n=!0,s(!0),i.tip.hidden=!0,i.axes.drag(a,d,u),i.redraw(),i.soon())};C(i.body,e,l,(c,d)=>{
-d&&!n&&!r&&i.pointed&&i.take(i.pointed),s(!1)})}function da(i,e){let t=i.pointed??i.here()??i.axes.middle();if(i.pointed=t,mo[e.key]){let[s,o]=mo[e.key],{x:a,y:n}=i.
-axes.windows;i.pointed={x:y(t.x+s*(a[1]-a[0])/fo,a[0],a[1]),y:y(t.y+o*(n[1]-n[0])/fo,n[0],n[1])},i.state.textContent=i.said(i.pointed),i.say(i.said(i.pointed))}else if(e.
-key==="Enter")i.take(t);else return;e.preventDefault(),e.stopPropagation(),i.redraw()}var ua=["start.height","start.vx","start.vy","start.omega"];function wo(i,e){let t="speed"in i.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(s=>ua.includes(s))?"of starts in any state, though this motion starts rolling":""}var pa=Math.PI/180,ma=12,fa=["hop_height","flight_time","energy_lost","greatest_utilization"];function bo(i){return i.unit==="rad"?[1/pa,"°"]:[1,i.unit==="1"?"":
-i.unit]}function ga({classes:i,what:e},t){let[s,o]=[1/0,-1/0];if(i)return[s,o];for(let a of t)a<s&&(s=a),a>o&&(o=a);return[fa.includes(e)?Math.min(s,0):s,o]}function yo(i){
-let{values:e}=i.arrays,t=i.header,{x:s,y:o,classes:a}=t,n=new ImageData(s.cells,o.cells),[r,l]=ga(t,e),c=a?.map(({color:u})=>Z(u));for(let u=0;u<o.cells;u++)for(let p=0;p<
-s.cells;p++){let m=e[u*s.cells+p],g=4*((o.cells-1-u)*s.cells+p);if(!Number.isFinite(m))continue;let b=c&&(p+1<s.cells&&e[u*s.cells+p+1]!==m||u+1<o.cells&&e[(u+1)*
-s.cells+p]!==m),w=c?c[m].map(f=>b?.72*f:f):me[y(Math.round(255*(m-r)/(l-r||1)),0,255)];n.data.set([...w,255],g)}let d=h("canvas",{width:s.cells,height:o.cells});
-return ee(d).putImageData(n,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[o.from,o.to],low:r,high:l}}function vo(i,e){let t=(o,a)=>o[0]>=a[0]-1e-300&&o[1]<=
-a[1]+1e-300;return[...i.filter(o=>!(t(o.x,e.x)&&t(o.y,e.y))),e].slice(-ma)}function ko({header:i,low:e,high:t,values:s}){let{classes:o}=i;if(!o){let r=h("canvas",
-{width:120,height:10,style:"width:120px;height:10px"}),l=ee(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${me[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
-10);let[c,d]=bo(i);return[h("span",{},i.label,": ",t>=e?x(e*c,3):"none"," "),r,h("span",{},t>=e?I(x(t*c,3),d):""),s.some(u=>!Number.isFinite(u))?h("span",{},h("\
-i",{class:"blank"}),"none"):""]}let a=new Map;for(let r of s)a.set(r,(a.get(r)??0)+1);let n=[...a].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...n.slice(
-0,10).map(([r])=>{let{color:l,text:c}=o[r];return h("span",{},h("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),n.length>10?h("span",{},`and ${n.length-
-10} more`):""]}function xo(i,e){for(let{header:t,values:s}of[...i].reverse()){let{x:o,y:a,classes:n}=t,r=Math.floor((e.x-o.from)/(o.to-o.from)*o.cells),l=Math.floor(
-(e.y-a.from)/(a.to-a.from)*a.cells);if(r<0||l<0||r>=o.cells||l>=a.cells)continue;let c=s[l*o.cells+r];if(n)return k(n[c]?.text??"not allowed");let[d,u]=bo(t);return Number.
-isFinite(c)?I(x(c*d,4),u):k("none")}return"…"}var To=[[24,16],[72,48],[216,144]],ft=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:s,say:o,changed:a}){this.backend=
-e,this.onmotion=s,this.say=o,this.changed=a;let n=t.controls.map_axes;this.axes=new mt(n),this.what="sequence",this.layers=[],this.canvas=h("canvas",{class:"plo\
-t-canvas"}),this.tip=h("div",{class:"tip",hidden:!0}),this.body=h("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
-ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=h("div",{class:"map-keys"}),this.state=h("span",{class:"hint"});
-let r=l=>{let c=h("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},n.map(({path:d,label:u})=>h("option",{value:d},u)));return c};this.selects={x:r(
-"x"),y:r("y")},this.quantity=h("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,
-c])=>h("option",{value:l},c))),this.element=h("section",{class:"map","aria-label":"Map of motions"},h("div",{class:"map-head"},h("h2",{},"Map"),h("label",{},"of",
-this.quantity),h("label",{},"Across",this.selects.x),h("label",{},"Up",this.selects.y),h("span",{class:"buttons"},h("button",{type:"button","aria-label":"Zoom i\
-nto the map",onclick:()=>this.zoom(.5)},"+"),h("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),h("button",{type:"but\
-ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,h("p",{class:"hint"},`Click to take that motion into the player; ${be("drag to move")}\
-.`)),go(this),this.soon=G(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
-refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of Y)this.selects[e].value=
+. Move a slider and see."),lo("Modes",Qr,n=>c("i",{class:"dot",style:`background:${e.modes[n]}`})),lo("Marks on the bar of time",el),lo("Keys",Xr),t,c("p",{class:"\
+hint"},`hophoop ${o}`),c("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var os=class{constructor(e){this.tabs=["A","B"].map((t,s)=>c("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=c("div",{class:"\
+tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=c("p",{class:"preset-text"}),this.element=c("div",{class:"lanes"},
+this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,n]of this.tabs.entries())n.setAttribute("aria-pressed",String(s===t))}};var fi="hophoop-single-keys",tl=(o,e)=>({" ":()=>o.clock.play(),ArrowLeft:()=>e?o.transport.jump(-1):o.transport.nudge(-1),ArrowRight:()=>e?o.transport.jump(1):
+o.transport.nudge(1),Home:()=>o.clock.seek(0),End:()=>o.clock.seek(o.clock.duration),h:()=>o.transport.jump(1,"takeoff"),l:()=>o.transport.jump(1,"impact"),"[":()=>o.
+clock.faster(-1),"]":()=>o.clock.faster(1),t:()=>o.toggle("traces"),f:()=>o.toggle("forces"),c:()=>o.toggle("speed"),w:()=>o.toggle("whole"),3:()=>o.toggle("thr\
+ee"),"+":()=>o.stage.zoom(1.25),"=":()=>o.stage.zoom(1.25),"-":()=>o.stage.zoom(.8),0:()=>o.stage.zoom(0),z:()=>o.travel(-1),y:()=>o.travel(1),d:()=>o.theme.toggle(),
+p:()=>o.share.code(),"?":()=>o.help.showModal()});function sl(o,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.preventDefault(),o.travel(t==="y"||
+e.shiftKey?1:-1))}function ol(o){let e=o.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ns=class{constructor(e){this.on=!e||ie(fi)!=="of\
+f";let t=c("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&ae(fi,this.on?"on":"off")}});this.element=c("label",{class:"check"},t,"Si\
+ngle keys (letters, digits, signs) do what the table says")}};function nl(o,e){let t=e.target;if(o.root.querySelector("dialog[open]"))return;if(e.key==="Escape"){
+ol(o);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){sl(o,e);return}if(e.altKey||t.matches?.("selec\
+t")&&!(e.key===" "&&o.header.fresh)||t.matches?.("input[type=range]")&&/^(Arrow|Home|End|Page)/.test(e.key)||e.key===" "&&t.matches?.("button, summary, input[ty\
+pe=checkbox]")||!o.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let n=tl(o,e.shiftKey)[e.key];n&&(e.preventDefault(),n())}function gi(o,e){let t=e?document:
+o.root,s=n=>{nl(o,n),e||n.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var il={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function $e(o){let e=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),t=new Uint8Array(e.buffer,
+e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),n=JSON.parse(new TextDecoder().decode(t.subarray(
+4,4+s))),i={};for(let{name:a,type:r,shape:l,place:h}of n.arrays){let d=l.reduce((u,m)=>u*m,1);i[a]=new il[r](t.buffer,t.byteOffset+4+s+h,d)}return{header:n,arrays:i}}var yt=class extends Error{},al=500,rl=4,ll="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function wi(o,e,t){
+for(;;)try{return await o()}catch(s){if(!(s instanceof yt))throw s;e(s.message),await new Promise(n=>setTimeout(n,al)),t.throwIfAborted()}}var is=class{constructor(e){
+this.base=e,this.shares=!0}async call(e,t,s){let n={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},i=await this.answered(
+new URL(`lab/${e}`,this.base),n);if(i.status===202)throw new yt((await i.json()).detail);return $e(await i.arrayBuffer())}async answered(e,t){for(let s=rl;;s--){
+let n=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(ll)});if(n.ok)return n;let i=Number(n.headers.get("Retry-After"));if(n.status!==503||!(i>
+0)||s<=1){let a=await n.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${n.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),
+t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
+"",this.base)}${t}`}},hl=2e4,cl=3e5,as=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
+slice(2),this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(
+s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new yt(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve($e(t[0])))}call(e,t,s){let n=++this.
+number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(n),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
+"file"?cl:hl);this.waiting.set(n,{resolve:i,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(n),a(new DOMException("super\
+seded","AbortError"))}),this.model.send({view:this.view,number:n,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("file",{query:t,name:e});return new Blob(
+[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[bi,dl]=[62,92],ul=12,Ae=10,ml=36,yi=Math.PI/180,he=["x","y"],rs=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
+y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=bi}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
+for(let e of he)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
+let[s,n]=this.windows[e];return{path:this.paths[e],from:s,to:n,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),n=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
+n),Math.min(s[1],t[1]+n)]}zoom(e,t){let s={x:[],y:[]};for(let n of he){let[i,a]=this.windows[n],r=t?.[n]??.5*(i+a);s[n]=ze([r-(r-i)*e,r+(a-r)*e],this.bounds(n));
+let l=Math.max(Math.abs(s[n][0]),Math.abs(s[n][1]),1e-9);if(s[n][1]-s[n][0]<400*Number.EPSILON*l)return!1}return he.every(n=>s[n].every((i,a)=>i===this.windows[n][a]))?
+!1:(this.windows=s,!0)}drag(e,t,s){let n=(i,a)=>ze(e[i].map(r=>r+a*(e[i][1]-e[i][0])),this.bounds(i));this.windows={x:n("x",-t/this.box.width),y:n("y",s/this.box.
+height)}}restore(e){if(!he.every(t=>this.known.has(e[t][0]))||e.x[0]===e.y[0])return!1;for(let t of he)this.paths[t]=e[t][0];for(let t of he)this.windows[t]=ze(
+e[t].slice(1).map(Number),this.bounds(t));return!0}isHome(){return he.every(e=>this.windows[e].every((t,s)=>t===this.whole(e)[s]))}middle(){let{x:e,y:t}=this.windows;
+return{x:.5*(e[0]+e[1]),y:.5*(t[0]+t[1])}}fit(e,t){this.left=this.deep("y")?dl:bi,this.box={width:e-this.left-ul,height:t-Ae-ml}}clip(e){e.beginPath(),e.rect(this.
+left,Ae,this.box.width,this.box.height),e.clip()}x(e){let[t,s]=this.windows.x;return this.left+(e-t)/(s-t)*this.box.width}y(e){let[t,s]=this.windows.y;return Ae+
+(1-(e-t)/(s-t))*this.box.height}place(e,t){let s=([n,i],a)=>n+y(a,0,1)*(i-n);return{x:s(this.windows.x,(e-this.left)/this.box.width),y:s(this.windows.y,1-(t-Ae)/
+this.box.height)}}deep(e){let[t,s]=this.windows[e];return s-t<5e-5*Math.max(Math.abs(t),Math.abs(s))}said(e){let t=s=>{let n=this.info(s),[i,a]=this.windows[s],
+r=Math.max(Math.abs(i),Math.abs(a)),l=y(Math.ceil(Math.log10(r/(a-i)))+4,4,16);return`${x(n.label)} = ${F(_(n.degrees?e[s]/yi:e[s],l),n.unit)}`};return`${t("x")}\
+, ${t("y")}`}draw(e,t,s){e.strokeStyle=s.soft,e.fillStyle=s.soft,e.lineWidth=1,e.strokeRect(this.left+.5,Ae+.5,this.box.width-1,this.box.height-1),e.font=`11px ${s.
+font}`;for(let n of he){let i=this.info(n),a=i.degrees?1/yi:1,[r,l]=this.windows[n].map(w=>w*a),h=n==="x"?this.box.width/80:this.box.height/40,d=U(l-r,h),u=this.
+deep(n),m=u?Number((.5*(r+l)).toPrecision(12)):0,p=u?ee(r-m,l-m,h).map(w=>w+m):ee(r,l,h);for(let w of p){let f=u?_(w-m,3):J(w,d);n==="x"?(e.textAlign="center",e.
+fillText(f,this.x(w/a),Ae+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(w/a)),e.textBaseline="alphabetic")}let g=u?
+` − ${String(m).replace("-","−")}`:"",b=`${x(i.label)}${g}${i.unit?` [${i.unit}]`:""}`;e.save(),e.textAlign="center",n==="x"?e.translate(this.left+.5*this.box.
+width,t-5):(e.translate(12,Ae+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(b,0,0),e.restore()}}};function ze([o,e],[t,s]){let n=Math.min(e-o,s-t);return o<
+t?[t,t+n]:e>s?[s-n,s]:[o,e]}function ho(o,e,t,s,n){for(let[i,a]of[[n,4],[s,1.8]])o.strokeStyle=i,o.lineWidth=a,o.beginPath(),o.arc(e,t,7,0,2*Math.PI),o.moveTo(e-
+13,t),o.lineTo(e-4,t),o.moveTo(e+4,t),o.lineTo(e+13,t),o.moveTo(e,t-13),o.lineTo(e,t-4),o.moveTo(e,t+4),o.lineTo(e,t+13),o.stroke()}var Be=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,pl=.0018,vi=200,
+[fl,gl]=[1/.6,1/1.7];function Y(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ot(s()))&&(i.preventDefault(),
+e(Math.exp(-Math.min(Math.max(i.deltaY,-vi),vi)*pl),i))},{passive:!1}),o.addEventListener("dblclick",t),n&&o.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
+"=")e(fl);else if(i.key==="-")e(gl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),si(o,e)}var ki={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},xi=48;function _i(o){let{body:e}=o,t=!1,s=Y(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?co(
+o,i):o.pointed??void 0),home:()=>o.home(),keys:!0});e.addEventListener("pointerdown",n=>bl(o,n,s,i=>t=i)),e.addEventListener("pointermove",n=>{o.axes.box&&!t&&n.
+pointerType!=="touch"&&wl(o,n)}),e.addEventListener("pointerleave",()=>o.tip.hidden=!0),e.addEventListener("keydown",n=>yl(o,n))}function co(o,e){let t=o.body.getBoundingClientRect();
+return o.axes.place(e.clientX-t.left,e.clientY-t.top)}function wl(o,e){o.tip.textContent=o.said(co(o,e)),o.tip.hidden=!1;let t=o.body.getBoundingClientRect();o.
+tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,o.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function bl(o,e,t,s){e.preventDefault(),
+o.body.focus({preventScroll:!0});let n=[e.clientX,e.clientY],i={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=co(o,e);let a=!1,r=t(),l=h=>{if(r||=t(),
+r)return;let[d,u]=[h.clientX-n[0],h.clientY-n[1]];Math.hypot(d,u)<5&&!a||(a=!0,s(!0),o.tip.hidden=!0,o.axes.drag(i,d,u),o.redraw(),o.soon())};W(o.body,e,l,(h,d)=>{
+d&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function yl(o,e){let t=o.pointed??o.here()??o.axes.middle();if(o.pointed=t,ki[e.key]){let[s,n]=ki[e.key],{x:i,y:a}=o.
+axes.windows;o.pointed={x:y(t.x+s*(i[1]-i[0])/xi,i[0],i[1]),y:y(t.y+n*(a[1]-a[0])/xi,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(e.
+key==="Enter")o.take(t);else return;e.preventDefault(),e.stopPropagation(),o.redraw()}var vl=["start.height","start.vx","start.vy","start.omega"];function Ti(o,e){let t="speed"in o.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
+ugh this motion starts otherwise":t&&e.some(s=>vl.includes(s))?"of starts in any state, though this motion starts rolling":""}var kl=Math.PI/180,xl=12,_l=["hop_height","flight_time","energy_lost","greatest_utilization"];function Si(o){return o.unit==="rad"?[1/kl,"°"]:[1,o.unit==="1"?"":
+o.unit]}function Tl({classes:o,what:e},t){let[s,n]=[1/0,-1/0];if(o)return[s,n];for(let i of t)i<s&&(s=i),i>n&&(n=i);return[_l.includes(e)?Math.min(s,0):s,n]}function Mi(o){
+let{values:e}=o.arrays,t=o.header,{x:s,y:n,classes:i}=t,a=new ImageData(s.cells,n.cells),[r,l]=Tl(t,e),h=i?.map(({color:u})=>ce(u));for(let u=0;u<n.cells;u++)for(let m=0;m<
+s.cells;m++){let p=e[u*s.cells+m],g=4*((n.cells-1-u)*s.cells+m);if(!Number.isFinite(p))continue;let b=h&&(m+1<s.cells&&e[u*s.cells+m+1]!==p||u+1<n.cells&&e[(u+1)*
+s.cells+m]!==p),w=h?h[p].map(f=>b?.72*f:f):De[y(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...w,255],g)}let d=c("canvas",{width:s.cells,height:n.cells});
+return me(d).putImageData(a,0,0),{picture:d,header:t,values:e,x:[s.from,s.to],y:[n.from,n.to],low:r,high:l}}function Ei(o,e){let t=(n,i)=>n[0]>=i[0]-1e-300&&n[1]<=
+i[1]+1e-300;return[...o.filter(n=>!(t(n.x,e.x)&&t(n.y,e.y))),e].slice(-xl)}function Ai({header:o,low:e,high:t,values:s}){let{classes:n}=o;if(!n){let r=c("canvas",
+{width:120,height:10,style:"width:120px;height:10px"}),l=me(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${De[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
+10);let[h,d]=Si(o);return[c("span",{},o.label,": ",t>=e?_(e*h,3):"none"," "),r,c("span",{},t>=e?F(_(t*h,3),d):""),s.some(u=>!Number.isFinite(u))?c("span",{},c("\
+i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
+0,10).map(([r])=>{let{color:l,text:h}=n[r];return c("span",{},c("i",{style:`background:${l}`,"aria-hidden":"true"}),h)}),a.length>10?c("span",{},`and ${a.length-
+10} more`):""]}function zi(o,e){for(let{header:t,values:s}of[...o].reverse()){let{x:n,y:i,classes:a}=t,r=Math.floor((e.x-n.from)/(n.to-n.from)*n.cells),l=Math.floor(
+(e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=n.cells||l>=i.cells)continue;let h=s[l*n.cells+r];if(a)return x(a[h]?.text??"not allowed");let[d,u]=Si(t);return Number.
+isFinite(h)?F(_(h*d,4),u):x("none")}return"…"}var Ri=[[24,16],[72,48],[216,144]],ls=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:s,say:n,changed:i}){this.backend=
+e,this.onmotion=s,this.say=n,this.changed=i;let a=t.controls.map_axes;this.axes=new rs(a),this.what="sequence",this.layers=[],this.canvas=c("canvas",{class:"plo\
+t-canvas"}),this.tip=c("div",{class:"tip",hidden:!0}),this.body=c("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
+ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=c("div",{class:"map-keys"}),this.state=c("span",{class:"hint"});
+let r=l=>{let h=c("select",{"data-axis":l,onchange:()=>this.setAxis(l,h.value)},a.map(({path:d,label:u})=>c("option",{value:d},u)));return h};this.selects={x:r(
+"x"),y:r("y")},this.quantity=c("select",{"aria-label":"What the map shows",onchange:()=>{this.what=this.quantity.value,this.refresh()}},t.map_quantities.map(([l,
+h])=>c("option",{value:l},h))),this.element=c("section",{class:"map","aria-label":"Map of motions"},c("div",{class:"map-head"},c("h2",{},"Map"),c("label",{},"of",
+this.quantity),c("label",{},"Across",this.selects.x),c("label",{},"Up",this.selects.y),c("span",{class:"buttons"},c("button",{type:"button","aria-label":"Zoom i\
+nto the map",onclick:()=>this.zoom(.5)},"+"),c("button",{type:"button","aria-label":"Zoom out of the map",onclick:()=>this.zoom(2)},"−"),c("button",{type:"but\
+ton",onclick:()=>this.home()},"Whole map")),this.state),this.body,this.keys,c("p",{class:"hint"},`Click to take that motion into the player; ${Be("drag to move")}\
+.`)),_i(this),this.soon=re(()=>this.refresh(),140),this.seen=!1,this.watch=new IntersectionObserver(([l])=>{this.seen=l.isIntersecting,this.seen&&this.stale&&this.
+refresh()}),this.watch.observe(this.body),this.syncSelects()}close(){this.asked?.abort(),this.watch.disconnect()}syncSelects(){for(let e of he)this.selects[e].value=
 this.axes.paths[e]}setAxis(e,t){this.axes.choose(e,t),this.syncSelects(),this.refresh()}home(){this.axes.home(),this.refresh()}key_of(e){let t=structuredClone(e);
-for(let s of Object.values(this.axes.paths)){let[o,a]=s.split(".");t[o]&&delete t[o][a]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(
+for(let s of Object.values(this.axes.paths)){let[n,i]=s.split(".");t[n]&&delete t[n][i]}return JSON.stringify(t)}mark(e,t){this.film=e,this.look=t;let s=this.key_of(
 e.scenario);s!==this.key_now&&(this.key_now=s,this.soon()),this.redraw()}shown(){let{paths:e,windows:t}=this.axes;if(this.what==="sequence"&&this.axes.isHome()&&
-e.x==="start.speed"&&e.y==="plane.mu")return;let s=o=>[e[o],...t[o]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===
+e.x==="start.speed"&&e.y==="plane.mu")return;let s=n=>[e[n],...t[n]];return{what:this.what,x:s("x"),y:s("y")}}restore(e){![...this.quantity.options].some(({value:t})=>t===
 e.what)||!this.axes.restore(e)||(this.quantity.value=this.what=e.what,this.syncSelects())}async refresh(){if(!this.film)return;if(this.changed(),!this.seen){this.
 stale=!0;return}this.stale=!1,this.asked?.abort(),this.asked=new AbortController;let{signal:e}=this.asked,t=this.film.scenario,s=t.contact.model==="rigid"?[]:[[
-"contact.model","rigid"]];this.computing=!0;let o=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;o!==this.kind&&(this.layers=[]),this.
-kind=o,this.redraw();try{for(let[a,n]of To){T(this.state,`computing ${a*n} motions …`);let r={x:this.axes.asked("x",a),y:this.axes.asked("y",n)},l={scenario:t,
-changes:s,...r,what:this.what},c=await Fs(()=>this.backend.call("map",l,e),m=>{T(this.state,m)},e),d=yo(c);this.layers=vo(this.layers,d),this.keys.replaceChildren(
-...ko(d));let u=wo(t,Object.values(this.axes.paths)),p=k(s.length?"{count} motions, with rigid contact":"{count} motions",{count:a*n});T(this.state,u?`${p}; ${k(
-u)}`:p),this.redraw()}this.level=To.length}catch(a){let{name:n,message:r}=a;if(n==="AbortError")return;T(this.state,r)}this.computing=!1}redraw(){if(!this.film)
-return;let{look:e}=this,{context:t,width:s,height:o}=L(this.canvas);this.axes.fit(s,o),t.clearRect(0,0,s,o),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
-let{axes:a}=this;for(let r of this.layers){let[l,c]=r.x.map(p=>a.x(p)),[d,u]=r.y.map(p=>a.y(p));t.drawImage(r.picture,l,u,c-l,d-u)}let n=this.here();n&&ss(t,a.x(
-n.x),a.y(n.y),e.ink,e.paper),this.pointed&&Ue(this.body)&&ss(t,a.x(this.pointed.x),a.y(this.pointed.y),"#D55E00",e.paper),t.restore(),a.draw(t,o,e)}here(){let e=s=>{
-let[o,a]=s.split(".");return this.film.values[s]??this.film.scenario[o]?.[a]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
-y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${xo(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
-this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var gt=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",s=performance.now()){let o=this.now;if(this.now=e,o===
-null||is(o,e))return"same";let a=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],a?"again":(this.past.push(
-o),this.past.length>500&&this.past.shift(),"step")}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,
-this.past],o=t.pop();!o||!this.now||(s.push(this.now),this.now=o,this.what="")}arrive(e){if(!(this.now&&is(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:
-this.future,o=s.length-s.findLastIndex(a=>is(a,e));if(!(o>s.length)){for(let a=0;a<o;a++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
-is=(i,e)=>JSON.stringify(i)===JSON.stringify(e);var wt=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new gt,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+"contact.model","rigid"]];this.computing=!0;let n=`${this.what} ${this.axes.paths.x} ${this.axes.paths.y} ${this.key_now}`;n!==this.kind&&(this.layers=[]),this.
+kind=n,this.redraw();try{for(let[i,a]of Ri){M(this.state,`computing ${i*a} motions …`);let r={x:this.axes.asked("x",i),y:this.axes.asked("y",a)},l={scenario:t,
+changes:s,...r,what:this.what},h=await wi(()=>this.backend.call("map",l,e),p=>{M(this.state,p)},e),d=Mi(h);this.layers=Ei(this.layers,d),this.keys.replaceChildren(
+...Ai(d));let u=Ti(t,Object.values(this.axes.paths)),m=x(s.length?"{count} motions, with rigid contact":"{count} motions",{count:i*a});M(this.state,u?`${m}; ${x(
+u)}`:m),this.redraw()}this.level=Ri.length}catch(i){let{name:a,message:r}=i;if(a==="AbortError")return;M(this.state,r)}this.computing=!1}redraw(){if(!this.film)
+return;let{look:e}=this,{context:t,width:s,height:n}=D(this.canvas);this.axes.fit(s,n),t.clearRect(0,0,s,n),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
+let{axes:i}=this;for(let r of this.layers){let[l,h]=r.x.map(m=>i.x(m)),[d,u]=r.y.map(m=>i.y(m));t.drawImage(r.picture,l,u,h-l,d-u)}let a=this.here();a&&ho(t,i.x(
+a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Ot(this.body)&&ho(t,i.x(this.pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,n,e)}here(){let e=s=>{
+let[n,i]=s.split(".");return this.film.values[s]??this.film.scenario[n]?.[i]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
+y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${zi(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
+this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var hs=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",s=performance.now()){let n=this.now;if(this.now=e,n===
+null||uo(n,e))return"same";let i=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],i?"again":(this.past.push(
+n),this.past.length>500&&this.past.shift(),"step")}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,
+this.past],n=t.pop();!n||!this.now||(s.push(this.now),this.now=n,this.what="")}arrive(e){if(!(this.now&&uo(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:
+this.future,n=s.length-s.findLastIndex(i=>uo(i,e));if(!(n>s.length)){for(let i=0;i<n;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
+uo=(o,e)=>JSON.stringify(o)===JSON.stringify(e);var cs=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new hs,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new ae(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new ye(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.since??=performance.now(),s.pending=[...(s.pending??[]).filter(([
-o])=>!e.some(([a])=>a===o)),...e],s.commit||=t,s.what=e.map(([o])=>o).join(),this.pump(s)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
-e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new ae(await this.backend.call("film",{scenario:e.film.
-scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(o){this.lanes.includes(e)&&this.listener.failed(o,t)}finally{e.busy=!1}this.pump(e)}settle(e){
-e.commit=!1,this.note(e.what),this.listener.settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),
-e))}replace(e){this.lanes[this.active]={film:new ae(e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.
-load(t),this.history.step(e),await this.listener.travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.
-load(e),this.history.arrive(e),this.listener.shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.
-failed(t),!1)),this.going}compare(){this.lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=
-0),this.listener.shown(),this.note()}choose(e){this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(
-this.film(1).query)}`:"",e].filter(Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var wa=6e3,bt=class{constructor(){this.message=h("p",{class:"message",role:"alert",hidden:!0}),this.toast=h("div",{class:"toast",role:"status",hidden:!0}),this.
-timer=0}fail(e){T(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
+n])=>!e.some(([i])=>i===n)),...e],s.commit||=t,s.what=e.map(([n])=>n).join(),this.pump(s)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
+e.commit&&this.settle(e);return}let t=e.pending,{since:s}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new ye(await this.backend.call("film",{scenario:e.film.
+scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(s)}catch(n){this.lanes.includes(e)&&this.listener.failed(n,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){
+for(let s of this.lanes){let{film:n}=s,i=s.refining||s.coarse===n?null:n.wanted(e,t);i&&(s.refining=!0,this.backend.call("samples",{scenario:n.scenario,window:i}).
+then(({arrays:a})=>{n.refine(a),this.listener.refined()}).catch(()=>{s.coarse=n}).finally(()=>{s.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
+settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new ye(
+e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.
+travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(e),this.listener.
+shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.
+lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
+this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
+Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var Sl=6e3,ds=class{constructor(){this.message=c("p",{class:"message",role:"alert",hidden:!0}),this.toast=c("div",{class:"toast",role:"status",hidden:!0}),this.
+timer=0}fail(e){M(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
 message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),T(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},wa)}};var H=52,as=10,B=8,ba=30,ya={solid:[],dash:[6,4],dot:[2,3]},ye=class{films;active;look;box;range;heights;picked;named;values;constructor({key:e,title:t,unit:s,curves:o,
-limits:a,symmetric:n=!1},r){this.key=e,this.title=t,this.unit=s,this.curves=o,this.limits=a,this.symmetric=n,this.shared=r,this.canvas=h("canvas",{class:"plot-c\
-anvas"}),this.over=h("canvas",{class:"plot-canvas plot-over"}),this.keys=h("div",{class:"plot-keys"}),this.body=h("div",{class:"plot-body",tabindex:"0",role:"im\
-g","aria-label":t},this.canvas,this.over),this.element=h("section",{class:"plot","data-plot":e},h("header",{},h("h3",{},t),this.keys),this.body),this.body.addEventListener(
-"pointerdown",l=>this.press(l)),this.pinched=_(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),
-keys:!0}),this.onseek=()=>{}}abscissa(e){return q[this.shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(s=>s.
-duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let o of this.abscissa(s))o<e&&(e=o),o>t&&(t=o);return t>e?[e,t]:[e-1,t+1]}draw(e,t,s,o){this.films=
-e,this.active=t,this.look=s;let{context:a,width:n,height:r}=L(this.canvas);this.box={width:n-H-as,height:r-B-ba},a.clearRect(0,0,n,r),this.range=this.shared.range??
-this.fullRange();let l=e.flatMap((c,d)=>this.shades(c).map(u=>({...u,film:c,lane:d})));this.heights=this.limits??this.findHeights(l),this.shared.axis==="time"&&
-this.bands(a,e[t],o),this.grid(a,s,n,r),a.save(),a.beginPath(),a.rect(H,B,this.box.width,this.box.height),a.clip();for(let c of l)this.curve(a,c,e.length>1);a.restore(),
-this.legend(this.shades(e[t]),s.dark),this.describe(l)}shades(e){return this.curves(e).map(t=>({...t,color:t.color&&_e(t.color,this.look.dark)}))}x(e){return H+
-(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return B+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
-let t=[];for(let{film:d,values:u}of e){let p=this.abscissa(d);for(let m=0;m<u.length;m++)p[m]>=this.range[0]&&p[m]<=this.range[1]&&Number.isFinite(u[m])&&t.push(
-u[m])}if(!t.length)return[0,1];let s=Float64Array.from(t).sort(),[o,a]=[s[0],s[s.length-1]],[n,r]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],l=Math.
-max(r-n,1e-12);a>r+4*l&&(a=r+.6*l),o<n-4*l&&(o=n-.6*l),o=Math.min(o,0),a=Math.max(a,0),this.symmetric&&([o,a]=[-Math.max(-o,a),Math.max(-o,a)]);let c=.06*(a-o)||
-1;return[o<0?o-c:o,a+c]}bands(e,t,s){for(let o of t.phases){let a=y(this.x(o.from),H,H+this.box.width),n=y(this.x(o.to),H,H+this.box.width);n<=a||(e.fillStyle=Te(
-s.modes[o.mode],.14),e.fillRect(a,B,n-a,this.box.height))}}grid(e,t,s,o){e.font=`11px ${t.font}`,e.strokeStyle=t.line,e.fillStyle=t.soft,e.lineWidth=1;let a=Math.
-max(this.box.height/28,4);for(;O(this.heights[0],this.heights[1],a).length<3&&a<12;)a+=1;let n=D(this.heights[1]-this.heights[0],a);e.textAlign="right",e.textBaseline=
-"middle";for(let p of O(this.heights[0],this.heights[1],a)){let m=Math.round(this.y(p))+.5;e.globalAlpha=Math.abs(p)<1e-9*n?1:.55,e.beginPath(),e.moveTo(H,m),e.
-lineTo(s-as,m),e.stroke(),e.globalAlpha=1,e.fillText(j(p,n),H-6,m)}let r=this.box.width/70,l=D(this.range[1]-this.range[0],r);e.textAlign="center",e.textBaseline=
-"alphabetic";let{name:c,unit:d}=q[this.shared.axis],u=d?`${k(c)} [${d}]`:k(c);for(let p of O(this.range[0],this.range[1],r)){let m=this.x(p);e.beginPath(),e.moveTo(
-m,B+this.box.height),e.lineTo(m,B+this.box.height+4),e.stroke(),e.fillText(j(p,l),m,B+this.box.height+15)}e.textAlign="right",e.fillText(u,s-as,o-3),e.save(),e.
-translate(11,B+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(k(this.unit),0,0),e.restore()}curve(e,{film:t,lane:s,values:o,color:a,dash:n},r){
-let l=this.abscissa(t);e.strokeStyle=a??this.look.ink,e.lineWidth=r&&s===1?1.2:1.8,e.setLineDash(r&&s===1?[3,3]:ya[n??"solid"]),e.globalAlpha=r&&s===1?.85:1,e.beginPath();
-let c=!1;for(let d=0;d<o.length;d++){if(!Number.isFinite(o[d])||!Number.isFinite(l[d])){c=!1;continue}let u=this.x(l[d]),p=y(this.y(o[d]),-1e4,1e4);c?e.lineTo(u,
-p):e.moveTo(u,p),c=!0}e.stroke(),e.setLineDash([]),e.globalAlpha=1}legend(e,t){let s=e.map(o=>o.name).join()+t;this.named!==s&&(this.named=s,this.values=e.map(()=>h(
-"span",{class:"value"})),this.keys.replaceChildren(...e.map((o,a)=>h("span",{class:"plot-key"},ns(o.color,o.dash),o.name," ",this.values[a]))))}describe(e){let t=e.
-slice(0,6).map(({name:o,values:a,lane:n})=>{let[r,l]=[1/0,-1/0];for(let u of a)u<r&&(r=u),u>l&&(l=u);let c=this.films.length>1?`${"AB"[n]}: `:"",d={name:k(o),low:x(
-r,3),high:x(l,3)};return l>=r?`${c}${k("{name} from {low} to {high}",d)}`:""}),s=k("Diagram: {title} in {unit}.",{title:k(this.title),unit:k(this.unit)});this.body.
-setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,width:s,height:o}=L(this.over);if(t.clearRect(0,
-0,s,o),this.films.forEach((a,n)=>{let r=a.at(e),l=a.index(r.t),c=Math.min(l+1,a.length-1),d=a.t[c]>a.t[l]?(r.t-a.t[l])/(a.t[c]-a.t[l]):0,u=this.abscissa(a),p=this.
-x(u[l]+d*(u[c]-u[l])),m=p>=H-1&&p<=H+this.box.width+1;m&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(p,B),t.lineTo(p,B+this.box.height),t.
-stroke()),this.shades(a).forEach((g,b)=>{let w=g.values[c],f=Number.isFinite(w)?g.values[l]+d*(w-g.values[l]):g.values[l];n===this.active&&this.values?.[b]&&(this.
-values[b].textContent=x(f,3));let v=this.y(f);!m||!(v>=B-1&&v<=B+this.box.height+1)||(t.fillStyle=g.color??this.look.ink,t.beginPath(),t.arc(p,v,3.2,0,2*Math.PI),
-t.fill())})}),this.picked){let[a,n]=this.picked;t.fillStyle=Te("#0072B2",.2),t.fillRect(Math.min(a,n),B,Math.abs(n-a),this.box.height)}}valueAt(e){let t=this.body.
-getBoundingClientRect(),s=y((e.clientX-t.left-H)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.
-body.getBoundingClientRect(),s=e.clientX-t.left,o=this.valueAt(e),a=this.pinched(),n=r=>{if(a||=this.pinched(),a)return;let l=r.clientX-t.left;this.picked=e.pointerType===
-"mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};C(this.body,e,n,(r,l)=>{let c=this.
-valueAt(r),{picked:d}=this;this.picked=null,d&&l?this.zoomTo(o<c?[o,c]:[c,o]):d?this.cursor(this.shared.clock.time):l&&!a&&this.seek(e.pointerType==="mouse"?o:c)})}seek(e){
-if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),o=0;for(let a=0;a<s.length;a++)Math.abs(s[a]-e)<Math.abs(s[o]-
-e)&&(o=a);return this.onseek(t.t[o])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),o=Math.max(e-(e-this.range[0])*t,s[0]),
-a=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(o<=s[0]&&a>=s[1]?null:[o,a])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:null,this.shared.changed()}};function ns(i,e="\
-solid"){let t=h("i",{class:"swatch","aria-hidden":"true"});return t.style.borderTopColor=i??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"\
-dotted"}[e],t}var ne=52,So=10,R=8,va=30,ka="RSKHM?",yt=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
-e,this.clock=t,this.colors=s,this.canvas=h("canvas",{class:"plot-canvas"}),this.over=h("canvas",{class:"plot-canvas plot-over"}),this.keys=h("div",{class:"plot-\
-keys"}),this.body=h("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
-ght"},this.canvas,this.over),this.element=h("section",{class:"phase"},h("header",{},h("h3",{},"Plane of θ and θ̇"),this.keys),this.body,h("p",{class:"hint"},
-"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${be("")}.`)),this.body.addEventListener(
-"pointerdown",o=>this.seek(o)),this.pinched=_(this.body,{zoom:(o,a)=>this.box&&this.zoomAbout(a?this.point(a):this.middle(),1/o),home:()=>this.zoomTo(null),keys:!0}),
-this.range=[0,2*Math.PI],this.asked="",this.soon=G(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),o=JSON.stringify([e.hoop,e.plane,s]);if(o!==this.
-asked){let a=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=o,this.pictures=[a],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
+ole",t?"presentation":"status"),M(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Sl)}};var Z=52,mo=10,H=8,Ml=30,Pi={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},He=class{films;active;look;box;range;heights;picked;named;values;constructor({
+key:e,title:t,unit:s,curves:n,limits:i,symmetric:a=!1},r){this.key=e,this.title=t,this.unit=s,this.curves=n,this.limits=i,this.symmetric=a,this.shared=r,this.canvas=
+c("canvas",{class:"plot-canvas"}),this.over=c("canvas",{class:"plot-canvas plot-over"}),this.keys=c("div",{class:"plot-keys"}),this.body=c("div",{class:"plot-bo\
+dy",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=c("section",{class:"plot","data-plot":e},c("header",{},c("h3",{},t),this.keys),this.
+body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=Y(this.body,{zoom:(l,h)=>this.films&&this.zoomAbout(h?this.valueAt(h):this.middle(),
+1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return B[this.shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,
+Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let n of this.abscissa(s))n<e&&(e=n),n>t&&(t=n);return t>e?[e,t]:
+[e-1,t+1]}draw(e,t,s,n){this.films=e,this.active=t,this.look=s;let{context:i,width:a,height:r}=D(this.canvas);this.box={width:a-Z-mo,height:r-H-Ml},i.clearRect(
+0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((h,d)=>this.shades(h,d).map((u,m)=>({...u,film:h,lane:d,number:m})));this.heights=this.limits??
+this.findHeights(l),this.shared.axis==="time"&&this.bands(i,e[t],n),this.grid(i,s,a,r),i.save(),i.beginPath(),i.rect(Z,H,this.box.width,this.box.height),i.clip();
+for(let h of l)this.curve(i,h);if(e.length>1)for(let h of l)h.number===0&&this.letter(i,h);i.restore(),this.legend(this.shades(e[t],t),s.dark),this.describe(l)}shades(e,t){
+let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.color&&it(i.color,s)}));let n=Object.keys(Pi);return this.curves(e).map(
+(i,a)=>({...i,color:ne(t,s),dash:n[a%n.length]}))}x(e){return Z+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return H+(1-(e-this.heights[0])/
+(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:d,values:u}of e){let m=this.abscissa(d);for(let p=0;p<u.length;p++)m[p]>=
+this.range[0]&&m[p]<=this.range[1]&&Number.isFinite(u[p])&&t.push(u[p])}if(!t.length)return[0,1];let s=Float64Array.from(t).sort(),[n,i]=[s[0],s[s.length-1]],[a,
+r]=[s[Math.floor(.02*s.length)],s[Math.ceil(.98*s.length)-1]],l=Math.max(r-a,1e-12);i>r+4*l&&(i=r+.6*l),n<a-4*l&&(n=a-.6*l),n=Math.min(n,0),i=Math.max(i,0),this.
+symmetric&&([n,i]=[-Math.max(-n,i),Math.max(-n,i)]);let h=.06*(i-n)||1;return[n<0?n-h:n,i+h]}bands(e,t,s){for(let n of t.phases){let i=y(this.x(n.from),Z,Z+this.
+box.width),a=y(this.x(n.to),Z,Z+this.box.width);a<=i||(e.fillStyle=nt(s.modes[n.mode],.14),e.fillRect(i,H,a-i,this.box.height))}}grid(e,t,s,n){e.font=`11px ${t.
+font}`,e.strokeStyle=t.line,e.fillStyle=t.soft,e.lineWidth=1;let i=Math.max(this.box.height/28,4);for(;ee(this.heights[0],this.heights[1],i).length<3&&i<12;)i+=
+1;let a=U(this.heights[1]-this.heights[0],i);e.textAlign="right",e.textBaseline="middle";for(let m of ee(this.heights[0],this.heights[1],i)){let p=Math.round(this.
+y(m))+.5;e.globalAlpha=Math.abs(m)<1e-9*a?1:.55,e.beginPath(),e.moveTo(Z,p),e.lineTo(s-mo,p),e.stroke(),e.globalAlpha=1,e.fillText(J(m,a),Z-6,p)}let r=this.box.
+width/70,l=U(this.range[1]-this.range[0],r);e.textAlign="center",e.textBaseline="alphabetic";let{name:h,unit:d}=B[this.shared.axis],u=d?`${x(h)} [${d}]`:x(h);for(let m of ee(
+this.range[0],this.range[1],r)){let p=this.x(m);e.beginPath(),e.moveTo(p,H+this.box.height),e.lineTo(p,H+this.box.height+4),e.stroke(),e.fillText(J(m,l),p,H+this.
+box.height+15)}e.textAlign="right",e.fillText(u,s-mo,n-3),e.save(),e.translate(11,H+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(x(this.
+unit),0,0),e.restore()}curve(e,{film:t,color:s,dash:n,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(Pi[n??"solid"]),e.beginPath();let a=!1;
+for(let r of t.pieces()){let l=this.abscissa(r.film),{values:h}=this.curves(r.film)[i];for(let d=r.from;d<r.to;d++){if(!Number.isFinite(h[d])||!Number.isFinite(
+l[d])){a=!1;continue}let u=this.x(l[d]),m=y(this.y(h[d]),-1e4,1e4);a?e.lineTo(u,m):e.moveTo(u,m),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,lane:s,values:n,
+color:i}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(u=>u>=r);if(l<0||!Number.isFinite(n[l]))return;let[h,d]=[
+this.x(a[l]),y(this.y(n[l])-8,H+10,H+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.look.panel,e.
+strokeText("AB"[s],h,d),e.fillStyle=i??this.look.ink,e.fillText("AB"[s],h,d)}legend(e,t){let s=e.map(n=>n.name+n.color+n.dash).join()+t;this.named!==s&&(this.named=
+s,this.values=e.map(()=>c("span",{class:"value"})),this.keys.replaceChildren(...e.map((n,i)=>c("span",{class:"plot-key"},po(n.color,n.dash),n.name," ",this.values[i]))))}describe(e){
+let t=e.slice(0,6).map(({name:n,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let u of i)u<r&&(r=u),u>l&&(l=u);let h=this.films.length>1?`${"AB"[a]}: `:"",d={name:x(
+n),low:_(r,3),high:_(l,3)};return l>=r?`${h}${x("{name} from {low} to {high}",d)}`:""}),s=x("Diagram: {title} in {unit}.",{title:x(this.title),unit:x(this.unit)});
+this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,width:s,height:n}=D(this.over);if(t.clearRect(
+0,0,s,n),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),h=r.index(l.t),d=Math.min(h+1,r.length-1),u=r.t[d]>r.t[h]?(l.t-r.t[h])/(r.t[d]-r.t[h]):0,m=this.
+abscissa(r),p=this.x(m[h]+u*(m[d]-m[h])),g=p>=Z-1&&p<=Z+this.box.width+1;g&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(p,H),t.lineTo(p,H+
+this.box.height),t.stroke()),this.shades(r,a).forEach((b,w)=>{let f=b.values[d],k=Number.isFinite(f)?b.values[h]+u*(f-b.values[h]):b.values[h];a===this.active&&
+this.values?.[w]&&(this.values[w].textContent=_(k,3));let T=this.y(k);!g||!(T>=H-1&&T<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
+arc(p,T,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=nt("#0072B2",.2),t.fillRect(Math.min(i,a),H,Math.abs(a-i),this.box.height)}}valueAt(e){
+let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-Z)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
+return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,n=this.valueAt(e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=r.clientX-t.left;
+this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};W(this.
+body,e,a,(r,l)=>{let h=this.valueAt(r),{picked:d}=this;this.picked=null,d&&l?this.zoomTo(n<h?[n,h]:[h,n]):d?this.cursor(this.shared.clock.time):l&&!i&&this.seek(
+e.pointerType==="mouse"?n:h)})}seek(e){if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),n=0;for(let i=0;i<s.length;i++)
+Math.abs(s[i]-e)<Math.abs(s[n]-e)&&(n=i);return this.onseek(t.t[n])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),n=Math.
+max(e-(e-this.range[0])*t,s[0]),i=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(n<=s[0]&&i>=s[1]?null:[n,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:
+null,this.shared.changed()}};function po(o,e="solid"){let t=c("i",{class:"swatch","aria-hidden":"true"});return t.style.borderTopColor=o??"var(--ink)",t.style.borderTopStyle=
+{solid:"solid",dash:"dashed",dot:"dotted",long:"double",mixed:"groove"}[e],t}var ve=52,Ii=10,C=8,El=30,Al="RSKHM?",us=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
+e,this.clock=t,this.colors=s,this.canvas=c("canvas",{class:"plot-canvas"}),this.over=c("canvas",{class:"plot-canvas plot-over"}),this.keys=c("div",{class:"plot-\
+keys"}),this.body=c("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
+ght"},this.canvas,this.over),this.element=c("section",{class:"phase"},c("header",{},c("h3",{},"Plane of θ and θ̇"),this.keys),this.body,c("p",{class:"hint"},
+"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${Be("")}.`)),this.body.addEventListener(
+"pointerdown",n=>this.seek(n)),this.pinched=Y(this.body,{zoom:(n,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/n),home:()=>this.zoomTo(null),keys:!0}),
+this.range=[0,2*Math.PI],this.asked="",this.soon=re(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),n=JSON.stringify([e.hoop,e.plane,s]);if(n!==this.
+asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=n,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
 pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,
-...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:o,
-arrays:a}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:o.window,paradox:a.paradox,picture:this.paint(a.modes,o.arrays[0].shape)}}reach(){
-return this.reached}findReach(){let e=0;for(let s of this.films??[]){let o=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
-e,o[Math.floor(.99*(o.length-1))]??0)}let t=D(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
-this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-ne)/this.box.width,o=1-(e.clientY-t.top-R)/this.box.
-height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+o*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
-bottom()+this.top())]}zoomAbout([e,t],s){let o=Math.max(e-(e-this.range[0])*s,0),a=Math.min(e+(this.range[1]-e)*s,2*Math.PI),n=this.reach(),r=Math.max(t-(t-this.
-bottom())*s,-n),l=Math.min(t+(this.top()-t)*s,n);this.range=[o,a],this.window=a-o<2*Math.PI-1e-9||l-r<2*n-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
+...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:n,
+arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,n.arrays[0].shape)}}reach(){
+return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
+e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
+this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-ve)/this.box.width,n=1-(e.clientY-t.top-C)/this.box.
+height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+n*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
+bottom()+this.top())]}zoomAbout([e,t],s){let n=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.
+bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-n<2*Math.PI-1e-9||l-r<2*a-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
 window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
-e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(o=>o.columns.omega.some(a=>a>.3)),this.backwards=e.some(o=>o.columns.omega.some(a=>a<
--.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return ne+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return R+
-(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:o}=this.colors,a=h("canvas",{width:s,height:t}),n=new ImageData(s,t);for(let r=0;r<
-t;r++)for(let l=0;l<s;l++){let c=ka[e[r*s+l]],d=Z(o[c]??"#6E6E6E"),u=4*((t-1-r)*s+l);n.data.set([...d,255],u)}return ee(a).putImageData(n,0,0),a}redraw(){if(!this.
-films)return;let{colors:e,look:t}=this,{context:s,width:o,height:a}=L(this.canvas);if(this.box={width:o-ne-So,height:a-R-va},s.clearRect(0,0,o,a),s.save(),s.beginPath(),
-s.rect(ne,R,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:n,window:r}of this.pictures){let[l,c,d,u]=r,p=[this.
-x(l),this.y(u),this.x(c)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(p[0],p[1],p[2],p[3]),s.globalAlpha=.35,s.drawImage(n,p[0],p[1],p[2],p[3]),
-s.globalAlpha=1}this.hatch(s)}for(let[n,r]of this.films.entries())this.way(s,r,n);if(s.restore(),this.axes(s,o,a),this.keyed!==t.dark){this.keyed=t.dark;let n=Object.
-entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...n.map(([r,l])=>h("span",{class:"plot-key"},ns(e.modes[r]),l)))}this.cursor(
-this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=Te(this.look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let o=0;o<s;o++){
-if(!t[o])continue;let a=o;for(;a<s&&t[a]===t[o];)a++;let n=this.x(o*2*Math.PI/s),r=this.x(a*2*Math.PI/s);e.save(),e.beginPath(),e.rect(n,R,r-n,this.box.height),
-e.clip(),e.beginPath();let l=t[o];for(let c=-this.box.height;c<r-n+this.box.height;c+=7)e.moveTo(n+c,l>0?R+this.box.height:R),e.lineTo(n+c+this.box.height,l>0?R:
-R+this.box.height);e.stroke(),e.restore(),o=a}}way(e,t,s){let{angle:o,omega:a,mode:n}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=
-this.look.ink,e.beginPath();let l=null;for(let c=0;c<t.length;c++){if(!Number.isFinite(a[c])){l=null;continue}let d=Math.floor(o[c]/r),u=o[c]-d*r;if(l===null)e.
-moveTo(this.x(u),this.y(a[c]));else if(d!==l.lap){let p=d>l.lap?r:0;e.lineTo(this.x(p),this.y(a[c])),e.moveTo(this.x(r-p),this.y(a[c])),e.lineTo(this.x(u),this.
-y(a[c]))}else e.lineTo(this.x(u),this.y(a[c]));l={lap:d,mode:n[c]}}e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:o}=this;e.font=`11px ${o.font}`,e.strokeStyle=
-o.soft,e.fillStyle=o.soft,e.lineWidth=1,e.strokeRect(ne+.5,R+.5,this.box.width-1,this.box.height-1),e.textAlign="center";let a=this.range[0]*180/Math.PI,n=this.
-range[1]*180/Math.PI,r=n-a>200?45:D(n-a,6);for(let c=Math.ceil(a/r-1e-9);c*r<=n+1e-9;c++){let d=this.x(c*r*Math.PI/180);e.beginPath(),e.moveTo(d,R+this.box.height),
-e.lineTo(d,R+this.box.height+4),e.stroke(),e.fillText(j(c*r,r),d,R+this.box.height+15)}e.textAlign="right",e.fillText(k("angle θ within a turn [°]"),t-So,s-3),
-e.textBaseline="middle";let l=this.top()-this.bottom();for(let c of O(this.bottom(),this.top(),5))e.fillText(j(c,D(l,5)),ne-6,this.y(c));e.textBaseline="alphabe\
-tic",e.save(),e.translate(11,R+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){if(!this.films||
-!this.box)return;let{context:t,width:s,height:o}=L(this.over);t.clearRect(0,0,s,o),this.films.forEach((a,n)=>{let r=a.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/
-l)*l,d=this.x(c),u=this.y(r.omega);d>=ne&&d<=ne+this.box.width&&u>=R&&u<=R+this.box.height&&(t.beginPath(),t.arc(d,u,n?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.
-modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.look.ink,t.stroke())})}seek(e){let t=this.body.getBoundingClientRect(),[s,o]=[e.clientX-t.left,e.clientY-
-t.top];if(this.pinched())return;let a=this.films[this.active],{angle:n,omega:r}=a.columns,l=2*Math.PI,c={distance:1/0,t:0};for(let d=0;d<a.length;d++){let u=n[d]-
-Math.floor(n[d]/l)*l,p=Math.hypot(this.x(u)-s,this.y(r[d])-o);p<c.distance&&(c={distance:p,t:a.t[d]})}c.distance<40&&this.clock.seek(y(c.t,0,a.duration))}};var rs=i=>Object.entries(q).map(([e,t])=>h("option",{value:e},i(t)));function Mo(i){let e="height",t=new ye({key:"own",title:"Your choice",unit:"",curves:a=>[{name:k(
-q[e].name),values:q[e].values(a)}]},i),s=()=>{let{symbol:a,unit:n}=q[e];t.unit=n?`${a} [${n}]`:a},o=h("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=o.value,s(),i.changed()}},rs(to));return o.value=e,s(),t.element.querySelector("h3")?.after(o),t}function xa(i){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:i.center_speed,values:e.columns.vx},{name:"\
-R θ̇",color:i.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
-s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:i.kinetic,values:e.columns.kinetic},{name:"potential",color:i.potential,values:e.columns.potential},{name:"\
-total",values:e.derived("total",({t,kinetic:s,potential:o})=>Float64Array.from(t,(a,n)=>s[n]+o[n])),dash:"dash"},{name:"lost to friction",color:i.friction_loss,
-values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:i.impact_loss,values:e.columns.
-normal_loss,dash:"dot"}]},{key:"forces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:i.normal_force,values:e.columns.normal_force},
-{name:"friction F",color:i.friction_force,dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],
-curves:e=>[{name:"|F| / μN",color:i.friction_force,values:e.columns.utilization}]}]}var vt=class{films;active;look;constructor(e,t){this.colors=t,this.shared={
-axis:"time",range:null,clock:e,changed:()=>this.redraw()},this.plots=[...xa(t).map(o=>new ye(o,this.shared)),Mo(this.shared)];for(let o of this.plots)o.onseek=a=>e.
-seek(a);this.seen=new Map(this.plots.map(o=>[o.element,!0]));let s=new IntersectionObserver(o=>{for(let{target:a,isIntersecting:n}of o)this.seen.set(a,n);this.redraw()},
-{rootMargin:"400px"});for(let o of this.plots)s.observe(o.element);this.axis=h("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.
-axis=this.axis.value,this.shared.range=null,this.redraw()}},rs(({name:o})=>`over ${o}`)),this.back=h("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].
-zoomTo(null)},"Whole motion"),this.hint=h("span",{class:"hint"}),this.element=h("div",{class:"plots"},h("div",{class:"plots-head"},this.axis,this.back,this.hint),
-this.plots.map(o=>o.element))}draw(e,t,s){this.films=e,this.active=t,this.look=s;let o=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":
-`click to go there, drag to zoom; ${be("")}`,a=e.length>1;T(this.hint,a?`A full, B dotted; numbers and colours of ${"AB"[t]}; ${o}`:o),this.redraw()}redraw(){if(this.
-films?.length){this.back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.
-time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Ta=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],kt=class{constructor(e){this.lab=e,this.menu=h("details",{class:"menu"},h("summary",{class:"button"},"Keep"),h("div",{class:"menu-body"},e.backend.shares&&
-this.item("Copy the link",()=>this.copyLink()),Ta.map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
-d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=h("dialog",{class:"code-dialog","aria-label":"The same mo\
-tion in Python"}),e.root.addEventListener("pointerdown",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return h("button",{type:"button",onclick:async()=>{
+e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.some(n=>n.columns.omega.some(i=>i<
+-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return ve+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+
+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:n}=this.colors,i=c("canvas",{width:s,height:t}),a=new ImageData(s,t);for(let r=0;r<
+t;r++)for(let l=0;l<s;l++){let h=Al[e[r*s+l]],d=ce(n[h]??"#6E6E6E"),u=4*((t-1-r)*s+l);a.data.set([...d,255],u)}return me(i).putImageData(a,0,0),i}redraw(){if(!this.
+films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-ve-Ii,height:i-C-El},s.clearRect(0,0,n,i),s.save(),s.beginPath(),
+s.rect(ve,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,h,d,u]=r,m=[this.
+x(l),this.y(u),this.x(h)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),
+s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.
+entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>c("span",{class:"plot-key"},po(e.modes[r]),l)))}this.cursor(
+this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let n=0;n<s;n++){
+if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),e.rect(a,C,r-a,this.box.height),
+e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?C+this.box.height:C),e.lineTo(a+h+this.box.height,l>0?C:
+C+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=
+this.films.length>1?ne(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(i[h])){l=null;continue}let d=Math.
+floor(n[h]/r),u=n[h]-d*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.x(m),this.y(i[h])),e.moveTo(this.x(r-m),
+this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:d,mode:a[h]}}e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:n}=this;
+e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(ve+.5,C+.5,this.box.width-1,this.box.height-1),e.textAlign="center";let i=this.
+range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){let d=this.x(h*r*Math.PI/180);e.beginPath(),
+e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(J(h*r,r),d,C+this.box.height+15)}e.textAlign="right",e.fillText(x("angle θ w\
+ithin a turn [°]"),t-Ii,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of ee(this.bottom(),this.top(),5))e.fillText(J(h,U(l,5)),ve-6,this.
+y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){
+if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-
+Math.floor(r.angle/l)*l,d=this.x(h),u=this.y(r.omega);d>=ve&&d<=ve+this.box.width&&u>=C&&u<=C+this.box.height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=
+this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ne(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=
+`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[
+e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let d=0;d<
+i.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[d])-n);m<h.distance&&(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(
+h.t,0,i.duration))}};var fo=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function Li(o){let e="height",t=new He({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=c("select",{"aria-label":"What your diagram shows",onchange:()=>{
+e=n.value,s(),o.changed()}},fo(ri));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function zl(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
+R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
+s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:o.kinetic,values:e.columns.kinetic},{name:"potential",color:o.potential,values:e.columns.potential},{name:"\
+total",values:e.derived("total",({t,kinetic:s,potential:n})=>Float64Array.from(t,(i,a)=>s[a]+n[a])),dash:"dash"},{name:"lost to friction",color:o.friction_loss,
+values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lost in the damper":"lost in impacts, normal part",color:o.impact_loss,values:e.columns.
+normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
+orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:o.normal_force,values:e.columns.normal_force},{name:"friction F",color:o.friction_force,
+dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:o.
+friction_force,values:e.columns.utilization}]}]}var ms=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
+redraw()},this.plots=[...zl(t).map(n=>new He(n,this.shared)),Li(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
+n.element,!0]));let s=new IntersectionObserver(n=>{for(let{target:i,isIntersecting:a}of n)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let n of this.
+plots)s.observe(n.element);this.axis=c("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
+null,this.redraw()}},fo(({name:n})=>`over ${n}`)),this.back=c("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
+c("span",{class:"hint"}),this.element=c("div",{class:"plots"},c("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(n=>n.element))}draw(e,t,s){
+this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${Be("")}`,
+i=e.length>1;M(this.hint,i?`A violet, B green; the dashes tell the quantities; numbers of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.
+back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.
+plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Rl=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
+)"]],ps=class{constructor(e){this.lab=e,this.menu=c("details",{class:"menu"},c("summary",{class:"button"},"Keep"),c("div",{class:"menu-body"},e.backend.shares&&
+this.item("Copy the link",()=>this.copyLink()),Rl.map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Picture (PNG)",()=>this.picture()),this.item("Recor\
+d a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=c("dialog",{class:"code-dialog","aria-label":"The same mo\
+tion in Python"}),e.root.addEventListener("pointerdown",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){return c("button",{type:"button",onclick:async()=>{
 this.menu.open=!1;try{await t()}catch(s){this.lab.notice.fail(s)}}},e)}async copyLink(){let e=this.lab.link()??"";try{await navigator.clipboard.writeText(e),this.
 lab.notice.say("The link is copied.")}catch{this.show("The link to this motion",e)}}async download(e){let t=this.lab.film();this.lab.notice.say(e.endsWith("mp4")?
-"The film is being made; this takes a while …":`Fetching ${e} …`),fe(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
-re.`)}picture(){this.lab.drawStage();let e=this.lab.stage.canvas(),t=h("canvas",{width:e.width,height:e.height});return this.copyInto(t),new Promise(s=>{t.toBlob(
-o=>{o&&fe(o,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),o=ee(e);o.fillStyle=t.theme.look.paper,o.fillRect(0,0,e.width,e.height),
-o.drawImage(s,0,0,e.width,e.height);let a=e.width/Math.max(s.getBoundingClientRect().width,1);o.textBaseline="top",o.textAlign="left";let n=t.films();for(let[r,
-l]of n.entries()){let c=l.at(t.clock.time),d=[n.length>1?`${"AB"[r]}: `:"",`${k(t.theme.colors.mode_names[c.mode])}, t = ${c.t.toFixed(3)} s, θ = ${P(c.angle)}\
-, v = ${x(c.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/n.length;o.fillStyle=t.theme.colors.modes[c.mode],o.fillRect(
-12*a,(u+2)*a,11*a,11*a),o.fillStyle=t.theme.look.ink,o.font=`${13*a}px ${t.theme.look.font}`,o.fillText(d,30*a,u*a)}}async record(){let{lab:e}=this,t=e.stage.canvas();
-if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 instead.");let s=h("canvas",{width:2*Math.ceil(
-t.width/2),height:2*Math.ceil(t.height/2)}),o=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),a=[];o.ondataavailable=l=>a.push(l.data);let n=new Promise(
-l=>o.onstop=l),r=e.clock.loop;e.clock.loop=!1,e.clock.seek(0),e.notice.say("Recording one run …"),e.afterFrame=()=>{this.copyInto(s),!e.clock.playing&&o.state===
-"recording"&&o.stop()},o.start(),e.clock.play(!0),await n,e.afterFrame=null,e.clock.loop=r,fe(new Blob(a,{type:o.mimeType}),"hophoop.webm"),e.notice.say("The fi\
+"The film is being made; this takes a while …":`Fetching ${e} …`),Fe(await this.lab.backend.file(e,t.query),`hophoop-${e}`),this.lab.notice.say(`${e} is the\
+re.`)}picture(){this.lab.drawStage();let e=this.lab.stage.canvas(),t=c("canvas",{width:e.width,height:e.height});return this.copyInto(t),new Promise(s=>{t.toBlob(
+n=>{n&&Fe(n,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),n=me(e);n.fillStyle=t.theme.look.paper,n.fillRect(0,0,e.width,e.height),
+n.drawImage(s,0,0,e.width,e.height);let i=e.width/Math.max(s.getBoundingClientRect().width,1);n.textBaseline="top",n.textAlign="left";let a=t.films();for(let[r,
+l]of a.entries()){let h=l.at(t.clock.time),d=[a.length>1?`${"AB"[r]}: `:"",`${x(t.theme.colors.mode_names[h.mode])}, t = ${h.t.toFixed(3)} s, θ = ${q(h.angle)}\
+, v = ${_(h.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/a.length;n.fillStyle=t.theme.colors.modes[h.mode],n.fillRect(
+12*i,(u+2)*i,11*i,11*i),n.fillStyle=t.theme.look.ink,n.font=`${13*i}px ${t.theme.look.font}`,n.fillText(d,30*i,u*i)}}async record(){let{lab:e}=this,t=e.stage.canvas();
+if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; take the MP4 instead.");let s=c("canvas",{width:2*Math.ceil(
+t.width/2),height:2*Math.ceil(t.height/2)}),n=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),i=[];n.ondataavailable=l=>i.push(l.data);let a=new Promise(
+l=>n.onstop=l),r=e.clock.loop;e.clock.loop=!1,e.clock.seek(0),e.notice.say("Recording one run …"),e.afterFrame=()=>{this.copyInto(s),!e.clock.playing&&n.state===
+"recording"&&n.stop()},n.start(),e.clock.play(!0),await a,e.afterFrame=null,e.clock.loop=r,Fe(new Blob(i,{type:n.mimeType}),"hophoop.webm"),e.notice.say("The fi\
 lm is there.")}async code(){let{header:e}=await this.lab.backend.call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,
-"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let o=e[s+1],a=h("button",{type:"button"},"Copy");a.onclick=async()=>{await navigator.
-clipboard?.writeText(o).catch(()=>{}),T(a,"Copied")},t.push(h("header",{},h("h2",{},e[s]),a),h("pre",{tabindex:"0"},h("code",{},document.createTextNode(o))))}this.
-dialog.replaceChildren(...t,h("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};function zo(i,e){let t=h("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([o])=>{let a=!o.isIntersecting&&o.boundingClientRect.top<0;if(a===
-i.classList.contains("stuck"))return;let n=i.offsetHeight;i.style.marginBottom="",i.classList.toggle("stuck",a),a&&(i.style.marginBottom=`${n-i.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=a?`${i.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var Eo=120,xt=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=_(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
-this.onview()}zoomBy(e){this.zoom=y(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;let t=[e.clientX,e.clientY],s=this.shift;C(this.canvas,e,o=>{
-this.pinched()||(this.shift=[s[0]+o.clientX-t[0],s[1]+o.clientY-t[1]],this.onview())})}draw(e,t,s,o,a){let{context:n,width:r,height:l}=L(this.canvas);if(n.clearRect(
-0,0,r,l),r<40||l<40)return;let c=l/e.length,d={top:Math.max(...e.map(u=>u.extent.top)),radius:Math.max(...e.map(u=>u.radius)),speed:Math.max(...e.map(u=>u.extent.
-speed))};e.forEach((u,p)=>{n.save(),n.beginPath(),n.rect(0,p*c,r,c),n.clip(),n.translate(0,p*c);let m=new ls(n,r,c,u,t,s,o,a,this.zoom,this.shift,d);m.top=p*c,m.
-scale=this.fixed??m.scale,m.draw(),this.views[p]=m,e.length>1&&(n.fillStyle=o.soft,n.font=`600 15px ${o.font}`,n.textAlign="left",n.fillText("AB"[p],12,c-12)),n.
-restore(),p>0&&(n.fillStyle=o.line,n.fillRect(0,p*c-.5,r,1))})}},ls=class{top=0;constructor(e,t,s,o,a,n,r,l,c,d,u){this.context=e,this.width=t,this.height=s,this.
-film=o,this.options=n,this.look=r,this.colors=l,this.common=u,this.pose=o.at(a);let p=o.radius,{left:m,right:g}=o.extent,{top:b}=u;this.cosine=Math.cos(o.slope),
-this.sine=Math.sin(o.slope);let w=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/w,.36*t/u.radius);if(n.whole){let v=(g-m)*this.cosine+2.6*p,S=(g-m)*Math.abs(
-this.sine)+2.6*p+b;this.scale=Math.min(t/v,.86*s/S,f)*c,this.focus=[.5*(m+g),0],this.place=[.5*t+d[0],(o.slope?.62:.8)*s+d[1]]}else this.scale=f*c,this.focus=[Number.
-isFinite(this.pose.x)?this.pose.x:0,0],this.place=[(t<520?.6:.46)*t+d[0],.82*s+d[1]]}point(e,t){let s=e-this.focus[0],o=t-this.focus[1];return[this.place[0]+this.
-scale*(s*this.cosine+o*this.sine),this.place[1]-this.scale*(o*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/this.scale,o=-(t-this.place[1])/this.
-scale;return[this.focus[0]+s*this.cosine-o*this.sine,this.focus[1]+s*this.sine+o*this.cosine]}draw(){this.ground(),(this.options.traces||this.options.ahead)&&this.
-traces(),this.hoop(),this.options.forces&&this.forces()}ground(){let{context:e,look:t,width:s,height:o}=this,a=(Math.hypot(s,o)*1.2+Math.abs(this.place[0])+Math.
-abs(this.place[1]))/this.scale,[n,r]=this.point(this.focus[0]-a,0),[l,c]=this.point(this.focus[0]+a,0),d=[-this.sine*4e3,this.cosine*4e3];e.fillStyle=t.ground,e.
-beginPath(),e.moveTo(n,r),e.lineTo(l,c),e.lineTo(l+d[0],c+d[1]),e.lineTo(n+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,e.beginPath(),e.moveTo(n,r),
-e.lineTo(l,c),e.stroke();let u=D(s/this.scale,s/90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let p=Math.ceil((this.focus[0]-
-a)/u),m=Math.min(Math.floor((this.focus[0]+a)/u),p+400);for(let g=p;g<=m;g++){let[b,w]=this.point(g*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(b,w),e.lineTo(b-
-6*this.sine,w+6*this.cosine),e.stroke(),e.fillText(`${j(g*u,u)} m`,b-18*this.sine,w+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:o}=this,a=this.
-options.ahead?e.length-1:e.index(this.pose.t),n=e.radius,{x:r,height:l,angle:c,mode:d}=e.columns,u=(p,m,g,b)=>{t.strokeStyle=m,t.lineWidth=g,t.lineJoin="round",
-t.beginPath();let w=!1,f=(v,S,M)=>{let[A,E]=this.point(v+p*Math.sin(M),n+S+p*Math.cos(M));w?t.lineTo(A,E):t.moveTo(A,E),w=!0};for(let v=0;v<=a;v++)b===void 0||d[v]===
-3===b?f(r[v],l[v],c[v]):w=!1;!this.options.ahead&&(b===void 0||this.pose.mode==="H"===b)&&f(this.pose.x,this.pose.height,this.pose.angle),t.stroke()};t.globalAlpha=
-this.options.ahead?.45:1,u(n,s.ink,1.3),u(e.eccentricity*n,o.gravity_center,1.8,!1),u(e.eccentricity*n,o.airborne,2.4,!0),t.globalAlpha=1}hoop(){let{film:e,pose:t,
-context:s,look:o,colors:a,scale:n}=this,r=e.radius,l=y(.07*r*n,2,14),c=r-.5*l/n,d=[t.x,r+t.height],u=(w,f=c)=>this.point(d[0]+f*Math.sin(w),d[1]+f*Math.cos(w));
-if(s.lineCap="butt",o.dark&&(s.strokeStyle=o.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*n,0,2*Math.PI),s.stroke()),this.options.speed){
-let w=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Eo;for(let v=0;v<Eo;v++){let S=t.angle+v*f,M=Math.hypot(t.vx+r*t.omega*Math.cos(S+.5*f),t.vy-r*t.omega*Math.
-sin(S+.5*f));s.strokeStyle=He[y(Math.round(255*M/w)||0,0,255)],s.beginPath(),s.moveTo(...u(S-.04*f)),s.lineTo(...u(S+1.04*f)),s.stroke()}}else s.strokeStyle=a.modes[t.
-mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),c*n,0,2*Math.PI),s.stroke();s.strokeStyle=o.soft,s.lineWidth=1,s.beginPath(),s.moveTo(...this.point(
-d[0],d[1])),s.lineTo(...u(t.angle)),s.stroke();let p=(w,f,v,S)=>{s.beginPath(),s.arc(...w,f,0,2*Math.PI),s.fillStyle=v,s.fill(),s.lineWidth=1.5,s.strokeStyle=S,
-s.stroke()};p(this.point(d[0],d[1]),2.5,o.soft,o.soft);let m=e.scenario.hoop.parts;m?this.parts(m,d):p(u(t.angle),y(.1*r*n,4,16),o.ink,o.paper);let g=e.eccentricity*
-r,b=this.point(d[0]+g*Math.sin(t.angle),d[1]+g*Math.cos(t.angle));p(b,y(.05*r*n,3.5,7),t.mode==="H"?a.airborne:a.gravity_center,o.paper)}parts(e,t){let{film:s,pose:o,
-context:a,look:n,scale:r}=this,c=e.reduce((d,u)=>d+u.mass*(u.at??0),0)<0?-1:1;a.strokeStyle=n.ink;for(let d of e){let u=c*(d.at??0),p=this.point(t[0]+u*Math.sin(
-o.angle),t[1]+u*Math.cos(o.angle));if(a.fillStyle=n.ink,a.lineWidth=1,a.beginPath(),d.shape==="ring")a.globalAlpha=.22,a.arc(...p,d.outer_radius*r,0,2*Math.PI),
-a.arc(...p,d.inner_radius*r,0,2*Math.PI,!0),a.fill(),a.globalAlpha=1;else if(d.shape==="rod"){let m=.5*d.length,g=b=>this.point(t[0]+b*Math.sin(o.angle),t[1]+b*
-Math.cos(o.angle));a.lineWidth=4,a.moveTo(...g(u-m)),a.lineTo(...g(u+m)),a.stroke()}else{let m=d.shape==="disk"?d.radius*r:y(.08*s.radius*r,3,12);a.globalAlpha=
-d.shape==="disk"?.55:1,a.arc(...p,m,0,2*Math.PI),a.fill(),a.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,o=e.radius,a=e.mass*(e.gravity||9.81),n=l=>.55*
-o*l/a;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,n(t.normal_force)],s.normal_force,`N = ${x(t.normal_force,3)} N`,!1),this.
-arrow(r,[n(t.friction_force),0],s.friction_force,`F = ${x(t.friction_force,3)} N`,!0)}arrow([e,t],[s,o],a,n,r){let{context:l,look:c,width:d}=this,u=2.2*this.film.
-radius,p=Math.abs(s)>u||Math.abs(o)>u;[s,o]=[y(s,-u,u),y(o,-u,u)];let m=this.point(e,t),g=this.point(e+s,t+o),b=Math.hypot(g[0]-m[0],g[1]-m[1]);if(b<2)return;let w=(g[0]-
-m[0])/b,f=(g[1]-m[1])/b,v=Math.min(11,b);for(let[A,E]of[[c.paper,6],[a,3]])l.strokeStyle=A,l.fillStyle=A,l.lineWidth=E,l.beginPath(),l.moveTo(...m),l.lineTo(g[0]-
-w*v,g[1]-f*v),l.stroke();if(l.beginPath(),l.moveTo(...g),l.lineTo(g[0]-w*v-f*v*.5,g[1]-f*v+w*v*.5),l.lineTo(g[0]-w*v+f*v*.5,g[1]-f*v-w*v*.5),l.fill(),p){let[A,E]=[
-m[0]+.55*w*b,m[1]+.55*f*b];l.strokeStyle=c.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(A+w*(z-3)-f*7,E+f*(z-3)+w*7),l.lineTo(A+w*(z+3)+f*7,E+f*
-(z+3)-w*7);l.stroke()}l.font=`600 12px ${c.font}`;let S=l.measureText(n).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let M=r?[m[0]-.5*
-S-32*this.sine,m[1]+32*this.cosine]:[g[0]+12,y(g[1]+4,16,m[1]-.36*this.film.radius*this.scale)];M[0]=y(M[0],4,d-S-4),l.strokeText(n,M[0],M[1]),l.fillText(n,M[0],
-M[1])}};function cs(i,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let o=0;o<4;o++){let a=0;for(let n=0;n<4;n++)a+=i[4*n+o]*e[4*s+n];t[4*s+o]=a}return t}function Ao(i,e,t,s){
-let o=1/Math.tan(i/2),a=1/(t-s);return new Float32Array([o/e,0,0,0,0,o,0,0,0,0,(s+t)*a,-1,0,0,2*s*t*a,0])}function Po(i,e){let t=ue(ds(i,e)),s=ue(Tt([0,1,0],t)),
-o=Tt(t,s);return new Float32Array([s[0],o[0],t[0],0,s[1],o[1],t[1],0,s[2],o[2],t[2],0,-hs(s,i),-hs(o,i),-hs(t,i),1])}var ds=(i,e)=>[i[0]-e[0],i[1]-e[1],i[2]-e[2]],
-hs=(i,e)=>i[0]*e[0]+i[1]*e[1]+i[2]*e[2],Tt=(i,e)=>[i[1]*e[2]-i[2]*e[1],i[2]*e[0]-i[0]*e[2],i[0]*e[1]-i[1]*e[0]];function ue(i){let e=Math.hypot(...i)||1;return[
-i[0]/e,i[1]/e,i[2]/e]}function St(i,e,t,s){let o=ue(e),a=ue(Tt(o,Math.abs(o[2])>.9?[1,0,0]:[0,0,1])),n=Tt(a,o);return new Float32Array([...a.map(r=>r*s),0,...o.
-map(r=>r*t),0,...n.map(r=>r*s),0,...i,1])}function us(i){let[e,t]=[Math.cos(i),Math.sin(i)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function $(i){let e=Number.parseInt(i.slice(1,7),16);
-return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ve(i,e,t){let s=i.createProgram(),o=[[i.VERTEX_SHADER,e],[i.FRAGMENT_SHADER,t]];for(let[n,r]of o){let l=i.createShader(n);if(i.shaderSource(l,r),i.compileShader(
-l),!i.getShaderParameter(l,i.COMPILE_STATUS))throw new Error(String(i.getShaderInfoLog(l)));i.attachShader(s,l)}if(i.linkProgram(s),!i.getProgramParameter(s,i.LINK_STATUS))
-throw new Error(String(i.getProgramInfoLog(s)));let a={program:s,uniforms:{},attributes:{}};for(let n=0;n<i.getProgramParameter(s,i.ACTIVE_UNIFORMS);n++){let{name:r}=i.
-getActiveUniform(s,n);a.uniforms[r]=i.getUniformLocation(s,r)}for(let n=0;n<i.getProgramParameter(s,i.ACTIVE_ATTRIBUTES);n++){let{name:r}=i.getActiveAttrib(s,n);
-a.attributes[r]=i.getAttribLocation(s,r)}return a}function pe(i,e,t,s){let o=i.createBuffer();i.bindBuffer(i.ARRAY_BUFFER,o),i.bufferData(i.ARRAY_BUFFER,new Float32Array(
-e),i.STATIC_DRAW);let a=s?i.createBuffer():null;s&&(i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,a),i.bufferData(i.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),i.STATIC_DRAW));
-let n=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:o,elements:a,parts:t,stride:n,count:s?s.length:4*e.length/n}}function ke(i,e,t){i.bindBuffer(i.ARRAY_BUFFER,
-t.vertices);let s=0;for(let[o,a]of Object.entries(t.parts)){let n=e.attributes[o];n!==void 0&&(i.enableVertexAttribArray(n),i.vertexAttribPointer(n,a,i.FLOAT,!1,
-t.stride,s)),s+=4*a}t.elements&&i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,t.elements)}function ps(i,e){let t=[];for(let s=0;s<i;s++)for(let o=0;o<e;o++){let a=s*(e+1)+
-o,n=a+e+1;t.push(a,n,a+1,n,n+1,a+1)}return t}function Ro(i,e=120,t=14){let s=[];for(let o=0;o<=e;o++)for(let a=0;a<=t;a++)s.push(2*Math.PI*o/e,2*Math.PI*a/t);return pe(
-i,s,{bend:2},ps(e,t))}function Lo(i,e=28,t=18){let s=[];for(let o=0;o<=e;o++)for(let a=0;a<=t;a++){let[n,r]=[2*Math.PI*o/e,Math.PI*a/t],l=[Math.sin(r)*Math.cos(
-n),Math.cos(r),Math.sin(r)*Math.sin(n)];s.push(...l,...l)}return pe(i,s,{position:3,normal:3},ps(e,t))}function ms(i,e,t=20){let s=[];for(let o=0;o<=t;o++){let a=2*
-Math.PI*o/t,n=[Math.cos(a),1-e,Math.sin(a)];s.push(Math.cos(a),0,Math.sin(a),...n,e*Math.cos(a),1,e*Math.sin(a),...n)}return pe(i,s,{position:3,normal:3},ps(t,1))}var qo=`
+"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let n=e[s+1],i=c("button",{type:"button"},"Copy");i.onclick=async()=>{await navigator.
+clipboard?.writeText(n).catch(()=>{}),M(i,"Copied")},t.push(c("header",{},c("h2",{},e[s]),i),c("pre",{tabindex:"0"},c("code",{},document.createTextNode(n))))}this.
+dialog.replaceChildren(...t,c("button",{type:"button",class:"close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};function Ni(o,e){let t=c("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([n])=>{let i=!n.isIntersecting&&n.boundingClientRect.top<0;if(i===
+o.classList.contains("stuck"))return;let a=o.offsetHeight;o.style.marginBottom="",o.classList.toggle("stuck",i),i&&(o.style.marginBottom=`${a-o.offsetHeight}px`),
+document.documentElement.style.scrollPaddingTop=i?`${o.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var qi=120,fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=Y(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
+this.onview()}zoomBy(e){this.zoom=y(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;let t=[e.clientX,e.clientY],s=this.shift;W(this.canvas,e,n=>{
+this.pinched()||(this.shift=[s[0]+n.clientX-t[0],s[1]+n.clientY-t[1]],this.onview())})}draw(e,t,s,n,i){let{context:a,width:r,height:l}=D(this.canvas);if(a.clearRect(
+0,0,r,l),r<40||l<40)return;let h=l/e.length,d={top:Math.max(...e.map(u=>u.extent.top)),radius:Math.max(...e.map(u=>u.radius)),speed:Math.max(...e.map(u=>u.extent.
+speed))};e.forEach((u,m)=>{a.save(),a.beginPath(),a.rect(0,m*h,r,h),a.clip(),a.translate(0,m*h);let p=new go(a,r,h,u,t,s,n,i,this.zoom,this.shift,d);p.top=m*h,p.
+scale=this.fixed??p.scale,p.draw(),this.views[m]=p,e.length>1&&(p.mark("AB"[m],ne(m,n.dark)),a.fillStyle=ne(m,n.dark),a.font=`700 17px ${n.font}`,a.textAlign="l\
+eft",a.fillText("AB"[m],12,h-12)),a.restore(),m>0&&(a.fillStyle=n.line,a.fillRect(0,m*h-.5,r,1))})}},go=class{top=0;constructor(e,t,s,n,i,a,r,l,h,d,u){this.context=
+e,this.width=t,this.height=s,this.film=n,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=n.at(i);let m=n.radius,{left:p,right:g}=n.extent,{top:b}=u;
+this.cosine=Math.cos(n.slope),this.sine=Math.sin(n.slope);let w=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/w,.36*t/u.radius);if(a.whole){let k=(g-p)*this.
+cosine+2.6*m,T=(g-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/T,f)*h,this.focus=[.5*(p+g),0],this.place=[.5*t+d[0],(n.slope?.62:.8)*s+d[1]]}else
+this.scale=f*h,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=[(t<520?.6:.46)*t+d[0],.82*s+d[1]]}point(e,t){let s=e-this.focus[0],n=t-this.
+focus[1];return[this.place[0]+this.scale*(s*this.cosine+n*this.sine),this.place[1]-this.scale*(n*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/
+this.scale,n=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-n*this.sine,this.focus[1]+s*this.sine+n*this.cosine]}draw(){this.ground(),(this.options.
+traces||this.options.ahead)&&this.traces(),this.hoop(),this.options.forces&&this.forces()}ground(){let{context:e,look:t,width:s,height:n}=this,i=(Math.hypot(s,n)*
+1.2+Math.abs(this.place[0])+Math.abs(this.place[1]))/this.scale,[a,r]=this.point(this.focus[0]-i,0),[l,h]=this.point(this.focus[0]+i,0),d=[-this.sine*4e3,this.cosine*
+4e3];e.fillStyle=t.ground,e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.lineTo(l+d[0],h+d[1]),e.lineTo(a+d[0],r+d[1]),e.fill(),e.strokeStyle=t.soft,e.lineWidth=1.5,
+e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.stroke();let u=U(s/this.scale,s/90);e.fillStyle=t.soft,e.font=`11px ${t.font}`,e.textAlign="center",e.lineWidth=1;let m=Math.
+ceil((this.focus[0]-i)/u),p=Math.min(Math.floor((this.focus[0]+i)/u),m+400);for(let g=m;g<=p;g++){let[b,w]=this.point(g*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
+b,w),e.lineTo(b-6*this.sine,w+6*this.cosine),e.stroke(),e.fillText(`${J(g*u,u)} m`,b-18*this.sine,w+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:n}=this,
+i=e.radius,a=this.options.ahead?e.duration:this.pose.t,r=(l,h,d,u)=>{t.strokeStyle=h,t.lineWidth=d,t.lineJoin="round",t.beginPath();let m=!1,p=(g,b,w)=>{let[f,k]=this.
+point(g+l*Math.sin(w),i+b+l*Math.cos(w));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let g of e.pieces()){let{x:b,height:w,angle:f,mode:k}=g.film.columns;for(let T=g.
+from;T<g.to&&g.film.t[T]<=a;T++)u===void 0||k[T]===3===u?p(b[T],w[T],f[T]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
+pose.height,this.pose.angle),t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,s.ink,1.3),r(e.eccentricity*i,n.gravity_center,1.8,!1),r(e.eccentricity*i,n.
+airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,film:n,pose:i,scale:a}=this,[r,l]=this.point(i.x,n.radius+i.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),
+s.arc(r,l,Math.max(n.radius*a-y(.07*n.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(
+e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:n,colors:i,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),h=r-.5*l/a,d=[t.x,r+t.height],u=(w,f=h)=>this.point(d[0]+
+f*Math.sin(w),d[1]+f*Math.cos(w));if(s.lineCap="butt",n.dark&&(s.strokeStyle=n.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(d[0],d[1]),h*a,0,2*Math.PI),
+s.stroke()),this.options.speed){let w=this.common.speed;s.lineWidth=l;let f=2*Math.PI/qi;for(let k=0;k<qi;k++){let T=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
+cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=qt[y(Math.round(255*E/w)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
+stroke()}}else s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(d[0],d[1]),h*a,0,2*Math.PI),s.stroke();s.strokeStyle=n.soft,s.lineWidth=
+1,s.beginPath(),s.moveTo(...this.point(d[0],d[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(w,f,k,T)=>{s.beginPath(),s.arc(...w,f,0,2*Math.PI),s.fillStyle=k,s.
+fill(),s.lineWidth=1.5,s.strokeStyle=T,s.stroke()};m(this.point(d[0],d[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,d):m(u(t.angle),y(.1*r*
+a,4,16),n.ink,n.paper);let g=e.eccentricity*r,b=this.point(d[0]+g*Math.sin(t.angle),d[1]+g*Math.cos(t.angle));m(b,y(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,
+n.paper)}parts(e,t){let{film:s,pose:n,context:i,look:a,scale:r}=this,h=e.reduce((d,u)=>d+u.mass*(u.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let d of e){let u=h*
+(d.at??0),m=this.point(t[0]+u*Math.sin(n.angle),t[1]+u*Math.cos(n.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),d.shape==="ring")i.globalAlpha=.22,i.
+arc(...m,d.outer_radius*r,0,2*Math.PI),i.arc(...m,d.inner_radius*r,0,2*Math.PI,!0),i.fill(),i.globalAlpha=1;else if(d.shape==="rod"){let p=.5*d.length,g=b=>this.
+point(t[0]+b*Math.sin(n.angle),t[1]+b*Math.cos(n.angle));i.lineWidth=4,i.moveTo(...g(u-p)),i.lineTo(...g(u+p)),i.stroke()}else{let p=d.shape==="disk"?d.radius*r:
+y(.08*s.radius*r,3,12);i.globalAlpha=d.shape==="disk"?.55:1,i.arc(...m,p,0,2*Math.PI),i.fill(),i.globalAlpha=1}}}forces(){let{film:e,pose:t,colors:s}=this,n=e.radius,
+i=e.mass*(e.gravity||9.81),a=l=>.55*n*l/i;if(t.mode==="H"||!(t.normal_force>0))return;let r=[t.x,t.height];this.arrow(r,[0,a(t.normal_force)],s.normal_force,`N \
+= ${_(t.normal_force,3)} N`,!1),this.arrow(r,[a(t.friction_force),0],s.friction_force,`F = ${_(t.friction_force,3)} N`,!0)}arrow([e,t],[s,n],i,a,r){let{context:l,
+look:h,width:d}=this,u=2.2*this.film.radius,m=Math.abs(s)>u||Math.abs(n)>u;[s,n]=[y(s,-u,u),y(n,-u,u)];let p=this.point(e,t),g=this.point(e+s,t+n),b=Math.hypot(
+g[0]-p[0],g[1]-p[1]);if(b<2)return;let w=(g[0]-p[0])/b,f=(g[1]-p[1])/b,k=Math.min(11,b);for(let[N,I]of[[h.paper,6],[i,3]])l.strokeStyle=N,l.fillStyle=N,l.lineWidth=
+I,l.beginPath(),l.moveTo(...p),l.lineTo(g[0]-w*k,g[1]-f*k),l.stroke();if(l.beginPath(),l.moveTo(...g),l.lineTo(g[0]-w*k-f*k*.5,g[1]-f*k+w*k*.5),l.lineTo(g[0]-w*
+k+f*k*.5,g[1]-f*k-w*k*.5),l.fill(),m){let[N,I]=[p[0]+.55*w*b,p[1]+.55*f*b];l.strokeStyle=h.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(N+w*(z-
+3)-f*7,I+f*(z-3)+w*7),l.lineTo(N+w*(z+3)+f*7,I+f*(z+3)-w*7);l.stroke()}l.font=`600 12px ${h.font}`;let T=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
+ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*T-32*this.sine,p[1]+32*this.cosine]:[g[0]+12,y(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
+d-T-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function bo(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Ci(o,e,t,s){
+let n=1/Math.tan(o/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function ji(o,e){let t=Re(yo(o,e)),s=Re(gs([0,1,0],t)),
+n=gs(t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-wo(s,o),-wo(n,o),-wo(t,o),1])}var yo=(o,e)=>[o[0]-e[0],o[1]-e[1],o[2]-e[2]],
+wo=(o,e)=>o[0]*e[0]+o[1]*e[1]+o[2]*e[2],gs=(o,e)=>[o[1]*e[2]-o[2]*e[1],o[2]*e[0]-o[0]*e[2],o[0]*e[1]-o[1]*e[0]];function Re(o){let e=Math.hypot(...o)||1;return[
+o[0]/e,o[1]/e,o[2]/e]}function ws(o,e,t,s){let n=Re(e),i=Re(gs(n,Math.abs(n[2])>.9?[1,0,0]:[0,0,1])),a=gs(i,n);return new Float32Array([...i.map(r=>r*s),0,...n.
+map(r=>r*t),0,...a.map(r=>r*s),0,...o,1])}function vo(o){let[e,t]=[Math.cos(o),Math.sin(o)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function te(o){let e=Number.parseInt(o.slice(1,7),
+16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function Ke(o,e,t){let s=o.createProgram(),n=[[o.VERTEX_SHADER,e],[o.FRAGMENT_SHADER,t]];for(let[a,r]of n){let l=o.createShader(a);if(o.shaderSource(l,r),o.compileShader(
+l),!o.getShaderParameter(l,o.COMPILE_STATUS))throw new Error(String(o.getShaderInfoLog(l)));o.attachShader(s,l)}if(o.linkProgram(s),!o.getProgramParameter(s,o.LINK_STATUS))
+throw new Error(String(o.getProgramInfoLog(s)));let i={program:s,uniforms:{},attributes:{}};for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_UNIFORMS);a++){let{name:r}=o.
+getActiveUniform(s,a);i.uniforms[r]=o.getUniformLocation(s,r)}for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_ATTRIBUTES);a++){let{name:r}=o.getActiveAttrib(s,a);
+i.attributes[r]=o.getAttribLocation(s,r)}return i}function Pe(o,e,t,s){let n=o.createBuffer();o.bindBuffer(o.ARRAY_BUFFER,n),o.bufferData(o.ARRAY_BUFFER,new Float32Array(
+e),o.STATIC_DRAW);let i=s?o.createBuffer():null;s&&(o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,i),o.bufferData(o.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),o.STATIC_DRAW));
+let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:n,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function Ue(o,e,t){o.bindBuffer(o.ARRAY_BUFFER,
+t.vertices);let s=0;for(let[n,i]of Object.entries(t.parts)){let a=e.attributes[n];a!==void 0&&(o.enableVertexAttribArray(a),o.vertexAttribPointer(a,i,o.FLOAT,!1,
+t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function ko(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
+n,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Oi(o,e=120,t=14){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++)s.push(2*Math.PI*n/e,2*Math.PI*i/t);return Pe(
+o,s,{bend:2},ko(e,t))}function Di(o,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*n/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Pe(o,s,{position:3,normal:3},ko(e,t))}function xo(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
+Math.PI*n/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Pe(o,s,{position:3,normal:3},ko(t,1))}var Bi=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
     float light = 0.43 + 0.44 * max(dot(n, sun), 0.0) + 0.24 * abs(dot(n, eye));
     float gloss = 0.24 * pow(max(dot(n, normalize(eye + sun)), 0.0), 24.0);
     return color * light + vec3(gloss);
-  }`,Do=`
+  }`,Hi=`
   uniform vec3 slant;
   vec3 flattened(vec3 p, float shadow) {
     return shadow > 0.0 ? p - p.y * slant : p;
-  }`,No="vec4(0.0, 0.0, 0.0, shadow)",Io=[`attribute vec2 bend;
+  }`,Ki="vec4(0.0, 0.0, 0.0, shadow)",Fi=[`attribute vec2 bend;
    uniform mat4 view; uniform vec3 center; uniform vec4 size; uniform vec3 motion; uniform float most, shadow;
    varying vec3 n; varying float speed;
-   ${Do}
+   ${Hi}
    void main() {
      float phi = size.w + bend.x;
      vec2 outwards = vec2(sin(phi), cos(phi));
@@ -1830,21 +1929,21 @@ Math.PI*o/t,n=[Math.cos(a),1-e,Math.sin(a)];s.push(Math.cos(a),0,Math.sin(a),...
    }`,`precision highp float;
    varying vec3 n; varying float speed;
    uniform sampler2D colors; uniform vec3 plain; uniform float colored, shadow;
-   ${qo}
+   ${Bi}
    void main() {
      vec3 color = mix(plain, texture2D(colors, vec2(clamp(speed, 0.002, 0.998), 0.5)).rgb, colored);
-     gl_FragColor = shadow > 0.0 ? ${No} : vec4(shaded(color, n), 1.0);
-   }`],Co=[`attribute vec3 position, normal;
+     gl_FragColor = shadow > 0.0 ? ${Ki} : vec4(shaded(color, n), 1.0);
+   }`],Wi=[`attribute vec3 position, normal;
    uniform mat4 view, model; uniform float shadow;
    varying vec3 n;
-   ${Do}
+   ${Hi}
    void main() {
      n = mat3(model) * normal;
      gl_Position = view * vec4(flattened((model * vec4(position, 1.0)).xyz, shadow), 1.0);
    }`,`precision highp float;
    varying vec3 n; uniform vec3 color; uniform float shadow, lit;
-   ${qo}
-   void main() { gl_FragColor = shadow > 0.0 ? ${No} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],Wo=[`attribute vec3 position, next, tint; attribute \
+   ${Bi}
+   void main() { gl_FragColor = shadow > 0.0 ? ${Ki} : vec4(lit > 0.5 ? shaded(color, n) : color, 1.0); }`],$i=[`attribute vec3 position, next, tint; attribute \
 float side;
    uniform mat4 view; uniform vec2 pixel; uniform float width, distance, shift, depth;
    varying vec3 color;
@@ -1859,28 +1958,28 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Mt=class{constructor(e,t,s,o,{keep:a=!1}={}){let n=e.getContext(
-"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:a});if(!n)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=n,this.canvas=
-e,this.sun=ue(s),this.dark=o,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=ve(n,Io[0],Io[1]),this.body=ve(n,Co[0],Co[1]),this.line=ve(n,Wo[0],Wo[1]),this.torus=Ro(
-n),this.sphere=Lo(n),this.cylinder=ms(n,1),this.cone=ms(n,0),this.colors=n.createTexture(),n.bindTexture(n.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
-l=>[...l,255]));n.pixelStorei(n.UNPACK_ALIGNMENT,1),n.texImage2D(n.TEXTURE_2D,0,n.RGBA,t.length,1,0,n.RGBA,n.UNSIGNED_BYTE,r);for(let l of[n.TEXTURE_WRAP_S,n.TEXTURE_WRAP_T])
-n.texParameteri(n.TEXTURE_2D,l,n.CLAMP_TO_EDGE);for(let l of[n.TEXTURE_MIN_FILTER,n.TEXTURE_MAG_FILTER])n.texParameteri(n.TEXTURE_2D,l,n.LINEAR);this.view=us(0),
-this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:o,angle:a,near:n,far:r}){let{gl:l,canvas:c}=this;l.viewport(0,0,c.width,c.height),l.clearColor(
-e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let d=Ao(a,c.width/c.height,n,r);this.view=cs(cs(d,
-Po(t,s)),us(o)),this.eye=ue(ds(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let o={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
-a,n]of Object.entries(o)){let r=e.uniforms[a];r!==void 0&&(typeof n=="number"?s.uniform1f(r,n):n.length===16?s.uniformMatrix4fv(r,!1,n):s[`uniform${n.length}fv`](
-r,n))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],bs=class{constructor(e,t,s,n,{keep:i=!1}={}){let a=e.getContext(
+"webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
+e,this.sun=Re(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Ke(a,Fi[0],Fi[1]),this.body=Ke(a,Wi[0],Wi[1]),this.line=Ke(a,$i[0],$i[1]),this.torus=Oi(
+a),this.sphere=Di(a),this.cylinder=xo(a,1),this.cone=xo(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
+l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
+a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=vo(0),
+this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:n,angle:i,near:a,far:r}){let{gl:l,canvas:h}=this;l.viewport(0,0,h.width,h.height),l.clearColor(
+e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let d=Ci(i,h.width/h.height,a,r);this.view=bo(bo(d,
+ji(t,s)),vo(n)),this.eye=Re(yo(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let n={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
+i,a]of Object.entries(n)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.length}fv`](
+r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
 t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
-t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:o=!1,lit:a=!0}={}){let{gl:n}=this;this.use(this.body,{model:t,color:s,shadow:o?
-this.dark:0,lit:Number(a)}),ke(n,this.body,e),n.drawElements(n.TRIANGLES,e.count,n.UNSIGNED_SHORT,0)}ball(e,t,s,o){this.solid(this.sphere,St(e,[0,1,0],t,t),s,{shadow:o})}ring({
-center:e,radius:t,tube:s,broad:o,angle:a,velocity:n,omega:r,plain:l=null},c){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,s,o,a],motion:[...n,r],most:this.
-fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ke(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,d.UNSIGNED_SHORT,0)}rod(e,t,s,o,a,n=!1){
-this.solid(this.cylinder,St(e,t,s,o),a,{shadow:n})}arrow(e,t,s,o,a){if(!(s>.02*o))return;let n=Math.min(.18*o,s),r=e.map((l,c)=>l+t[c]*(s-n));s>n&&this.rod(e,t,
-s-n,.029*o,a),this.solid(this.cone,St(r,t,n,Math.min(.075*o,.6*n)),a)}trace(e,t,s){let o=[];for(let a=0;a<e;a++){let n=t(a),r=t(Math.min(a+1,e-1));if(Math.hypot(
-r[0]-n[0],r[1]-n[1])<1e-9&&a>0){let l=t(a-1);r=n.map((c,d)=>2*c-l[d])}for(let l of[-1,1])o.push(...n,0,...r,0,...s(a),l)}return pe(this.gl,o,{position:3,next:3,
-tint:3,side:1})}drawTrace(e,t,{width:s,distance:o=0,shift:a,depth:n}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:o,
-shift:a,depth:n}),ke(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let o=this.view,[a,n,r]=[0,1,3].map(l=>o[l]*e+o[4+l]*t+o[8+l]*s+o[12+
-l]);return r>0?[(.5+.5*a/r)*this.canvas.width,(.5-.5*n/r)*this.canvas.height]:null}};var Sa=[.35,.85,.4],Ma=.18,Fo={azimuth:.5,height:.22,distance:5.2},Bo=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:n=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:s,shadow:n?
+this.dark:0,lit:Number(i)}),Ue(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,n){this.solid(this.sphere,ws(e,[0,1,0],t,t),s,{shadow:n})}ring({
+center:e,radius:t,tube:s,broad:n,angle:i,velocity:a,omega:r,plain:l=null},h){let{gl:d}=this;this.use(this.rim,{center:e,size:[t,s,n,i],motion:[...a,r],most:this.
+fastest,shadow:h?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),Ue(d,this.rim,this.torus),d.drawElements(d.TRIANGLES,this.torus.count,d.UNSIGNED_SHORT,0)}rod(e,t,s,n,i,a=!1){
+this.solid(this.cylinder,ws(e,t,s,n),i,{shadow:a})}arrow(e,t,s,n,i){if(!(s>.02*n))return;let a=Math.min(.18*n,s),r=e.map((l,h)=>l+t[h]*(s-a));s>a&&this.rod(e,t,
+s-a,.029*n,i),this.solid(this.cone,ws(r,t,a,Math.min(.075*n,.6*a)),i)}trace(e,t,s){let n=[];for(let i=0;i<e;i++){let a=t(i),r=t(Math.min(i+1,e-1));if(Math.hypot(
+r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((h,d)=>2*h-l[d])}for(let l of[-1,1])n.push(...a,0,...r,0,...s(i),l)}return Pe(this.gl,n,{position:3,next:3,
+tint:3,side:1})}drawTrace(e,t,{width:s,distance:n=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:n,
+shift:i,depth:a}),Ue(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let n=this.view,[i,a,r]=[0,1,3].map(l=>n[l]*e+n[4+l]*t+n[8+l]*s+n[12+
+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Pl=[.35,.85,.4],Il=.18,Ui={azimuth:.5,height:.22,distance:5.2},Gi=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -1888,149 +1987,615 @@ l]);return r>0?[(.5+.5*a/r)*this.canvas.width,(.5-.5*n/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],zt=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Mt(e,me,Sa,Ma,{keep:!0}),this.floor=ve(this.space.gl,Bo[0],Bo[1]),this.corners=pe(this.
-space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Fo},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
-"pointerdown",s=>this.drag(s)),this.pinched=_(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
-this.turned.distance/e,1.6,60):this.turned={...Fo},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};C(this.canvas,e,s=>{this.pinched()||(this.
+   }`],ys=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new bs(e,De,Pl,Il,{keep:!0}),this.floor=Ke(this.space.gl,Gi[0],Gi[1]),this.corners=Pe(this.
+space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Ui},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
+"pointerdown",s=>this.drag(s)),this.pinched=Y(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
+this.turned.distance/e,1.6,60):this.turned={...Ui},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};W(this.canvas,e,s=>{this.pinched()||(this.
 turned.azimuth=y(t.azimuth-(s.clientX-t.x)*.008,-1.5,1.5),this.turned.height=y(t.height+(s.clientY-t.y)*.006,.02,1.45),this.onview())})}quality(){let e=performance.
 now(),t=e-(this.before||e);return this.before=e,t>0&&t<200&&(this.pace=.9*this.pace+.1*t),this.pace>26&&this.share>.5&&(this.share=Math.max(this.share-.1,.5),this.
-pace=16),this.share}draw(e,t,s,o,a,n){let{canvas:r,space:l}=this,c=Math.min(globalThis.devicePixelRatio||1,2)*(n?this.quality():1),d=r.getBoundingClientRect();r.
-width=Math.max(Math.round(d.width*c),1),r.height=Math.max(Math.round(d.height*c),1);let u=e.map(g=>g.at(t)),p=e[0].radius;l.fastest=Math.max(...e.map(g=>g.extent.
-speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:$(o.paper),...this.camera(e[0],u[0],p,s)}),l.ground(()=>this.drawFloor(p,o));let m=g=>{for(let[
-b,w]of e.entries())g(w,u[b],-2.1*p*b)};l.shadows(()=>m((g,b,w)=>this.drawHoop(g,b,w,s,o,a,!0))),m((g,b,w)=>{this.drawHoop(g,b,w,s,o,a,!1),s.traces&&this.drawTraces(
-g,b,w,o,a,c),s.forces&&this.drawForces(g,b,w,a)})}camera(e,t,s,o){let{azimuth:a,height:n,distance:r}=this.turned,{left:l,right:c}=e.extent,d=o.whole?Math.max(r*
-s,.85*(c-l)+3*s):r*s,[u,p]=[o.whole?.5*(l+c)-this.focus:0,s+.45*(t.height||0)],m=Math.cos(e.slope),g=Math.sin(e.slope),b=[u*m+p*g,-u*g+p*m,0],w=[b[0]+d*Math.sin(
-a)*Math.cos(n),b[1]+d*Math.sin(n),d*Math.cos(a)*Math.cos(n)];return this.reach=12*s+3*d,{eye:w,target:b,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*d}}drawFloor(e,t){
-let{space:s}=this,o=$(t.ground),a=o.map(l=>l*(t.dark?.82:.94)),n=.5*e,r=this.focus%(2*n);s.use(this.floor,{reach:this.reach,light:o,dark:a,far:$(t.paper),tile:n,
-shift:r}),ke(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,s,o,a,n,r){let{space:l}=this,c=e.radius,d=.045*c,u=[t.x-this.focus,
-c+t.height,s];l.ring({center:u,radius:c,tube:d,broad:3.2*d,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,plain:o.speed?null:$(n.modes[t.mode])},r);let p=[Math.
-sin(t.angle),Math.cos(t.angle),0],m=b=>u.map((w,f)=>w+b*p[f]);l.ball(m(c-d),.125*c,a.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(u,p,c-d,.012*c,[.55,.57,.6],r);let g=t.
-mode==="H";l.ball(m(e.eccentricity*c),.07*c,$(g?n.airborne:n.gravity_center),r)}drawForces(e,t,s,o){if(t.mode==="H"||!(t.normal_force>0))return;let a=e.radius,n=e.
-mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*a,s+.2*a],l=d=>y(.55*a*Math.abs(d)/n,0,3.2*a),c=Math.sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.
-normal_force),a,$(o.normal_force)),this.space.arrow(r,[c,0,0],l(t.friction_force),a,$(o.friction_force))}linesOf(e,t,s){let o=this.lines.get(e);if(o?.dark===t.dark)
-return o;let a=e.radius,{x:n,height:r,angle:l,mode:c}=e.columns,d=(b,w)=>this.space.trace(e.length,f=>[n[f]+b*Math.sin(l[f]),a+r[f]+b*Math.cos(l[f])],w),[u,p,m]=[
-$(s.gravity_center),$(s.airborne),$(t.ink)],g={dark:t.dark,load:d(a,()=>m),center:d(e.eccentricity*a,b=>c[b]===3?p:u)};return this.lines.set(e,g),g}drawTraces(e,t,s,o,a,n){
-let{load:r,center:l}=this.linesOf(e,o,a),c=Math.min(e.index(t.t)+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(r,c,{width:n,...d}),this.space.drawTrace(
-l,c,{width:1.6*n,...d})}};var za=["hoop","mode","time","angle","v","R θ̇","gap"],Et=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=h("canvas",{class:"stage-canvas"}),this.space=h("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new xt(this.plane,t),this.deep=
-null,this.outputs=za.map(o=>({name:h("dt",{},o),value:h("dd",{})})),this.outputs[1].value.className="mode",this.fastest=h("span",{}),this.legend=h("div",{class:"\
-legend","aria-hidden":"true"},h("i",{style:`background: linear-gradient(90deg, ${He.filter((o,a)=>a%15===0).join(",")})`}),h("span",{},"0"),h("span",{},"rim spe\
-ed"),this.fastest);let s=(o,a)=>h("span",{},h("i",{class:"dot",style:`background:${o}`}),a);this.order=h("span",{hidden:!0},"A in front, B behind"),this.element=
-h("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,h("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
-({name:o,value:a})=>[o,a])),this.legend,h("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),s(e.airborne,
-"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:o,inks:a}){let{options:n}=this;this.legend.hidden=!n.
-speed,this.order.hidden=!(n.three&&e.length>1),this.fastest.textContent=`≥ ${x(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,n.three?(this.deep??=new zt(this.
-space,this.onview),this.deep.draw(e,s.time,n,o,a,s.playing)):this.flat.draw(e,s.time,n,o,a),this.read(e,t,s.time)}read(e,t,s){let o=e[t],a=o.at(s),n=[e.length>1?
-"AB"[t]:"",k(this.colors.mode_names[a.mode]),`${a.t.toFixed(3)} s`,P(a.angle),I(x(a.vx,3),"m/s"),I(x(a.omega*o.radius,3),"m/s"),a.height>0?oe(a.height):"0"];for(let[
-c,d]of n.entries()){let{value:u}=this.outputs[c];u.textContent!==d&&(u.textContent=d)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.
-setProperty("--mode",this.colors.modes[a.mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${k("The hoop.")} ${t}`)}turn(e){
+pace=16),this.share}draw(e,t,s,n,i,a){let{canvas:r,space:l}=this,h=Math.min(globalThis.devicePixelRatio||1,2)*(a?this.quality():1),d=r.getBoundingClientRect();r.
+width=Math.max(Math.round(d.width*h),1),r.height=Math.max(Math.round(d.height*h),1);let u=e.map(g=>g.at(t)),m=e[0].radius;l.fastest=Math.max(...e.map(g=>g.extent.
+speed)),this.focus=Number.isFinite(u[0].x)?u[0].x:0,l.begin({background:te(n.paper),...this.camera(e[0],u[0],m,s)}),l.ground(()=>this.drawFloor(m,n));let p=g=>{
+for(let[b,w]of e.entries())g(w,u[b],-2.1*m*b)};l.shadows(()=>p((g,b,w)=>this.drawHoop(g,b,w,s,n,i,!0))),p((g,b,w)=>{this.drawHoop(g,b,w,s,n,i,!1),s.traces&&this.
+drawTraces(g,b,w,n,i,h),s.forces&&this.drawForces(g,b,w,i)})}camera(e,t,s,n){let{azimuth:i,height:a,distance:r}=this.turned,{left:l,right:h}=e.extent,d=n.whole?
+Math.max(r*s,.85*(h-l)+3*s):r*s,[u,m]=[n.whole?.5*(l+h)-this.focus:0,s+.45*(t.height||0)],p=Math.cos(e.slope),g=Math.sin(e.slope),b=[u*p+m*g,-u*g+m*p,0],w=[b[0]+
+d*Math.sin(i)*Math.cos(a),b[1]+d*Math.sin(a),d*Math.cos(i)*Math.cos(a)];return this.reach=12*s+3*d,{eye:w,target:b,slope:e.slope,angle:.75,near:.05*s,far:40*s+6*
+d}}drawFloor(e,t){let{space:s}=this,n=te(t.ground),i=n.map(l=>l*(t.dark?.82:.94)),a=.5*e,r=this.focus%(2*a);s.use(this.floor,{reach:this.reach,light:n,dark:i,far:te(
+t.paper),tile:a,shift:r}),Ue(s.gl,this.floor,this.corners),s.gl.drawArrays(s.gl.TRIANGLE_STRIP,0,4)}drawHoop(e,t,s,n,i,a,r){let{space:l}=this,h=e.radius,d=.045*
+h,u=[t.x-this.focus,h+t.height,s];l.ring({center:u,radius:h,tube:d,broad:3.2*d,angle:t.angle,velocity:[t.vx,t.vy],omega:t.omega,plain:n.speed?null:te(a.modes[t.
+mode])},r);let m=[Math.sin(t.angle),Math.cos(t.angle),0],p=b=>u.map((w,f)=>w+b*m[f]);l.ball(p(h-d),.125*h,i.dark?[.9,.91,.94]:[.12,.13,.15],r),l.rod(u,m,h-d,.012*
+h,[.55,.57,.6],r);let g=t.mode==="H";l.ball(p(e.eccentricity*h),.07*h,te(g?a.airborne:a.gravity_center),r)}drawForces(e,t,s,n){if(t.mode==="H"||!(t.normal_force>
+0))return;let i=e.radius,a=e.mass*(e.gravity||9.81),r=[t.x-this.focus,t.height+.03*i,s+.2*i],l=d=>y(.55*i*Math.abs(d)/a,0,3.2*i),h=Math.sign(t.friction_force);this.
+space.arrow(r,[0,1,0],l(t.normal_force),i,te(n.normal_force)),this.space.arrow(r,[h,0,0],l(t.friction_force),i,te(n.friction_force))}linesOf(e,t,s){let n=this.lines.
+get(e);if(n?.dark===t.dark)return n;let i=e.radius,{x:a,height:r,angle:l,mode:h}=e.columns,d=(b,w)=>this.space.trace(e.length,f=>[a[f]+b*Math.sin(l[f]),i+r[f]+b*
+Math.cos(l[f])],w),[u,m,p]=[te(s.gravity_center),te(s.airborne),te(t.ink)],g={dark:t.dark,load:d(i,()=>p),center:d(e.eccentricity*i,b=>h[b]===3?m:u)};return this.
+lines.set(e,g),g}drawTraces(e,t,s,n,i,a){let{load:r,center:l}=this.linesOf(e,n,i),h=Math.min(e.index(t.t)+2,e.length),d={shift:this.focus,depth:s};this.space.drawTrace(
+r,h,{width:a,...d}),this.space.drawTrace(l,h,{width:1.6*a,...d})}};var Ll=["hoop","mode","time","angle","v","R θ̇","gap"],vs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1},this.plane=c("canvas",{class:"stage-canvas"}),this.space=c("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new fs(this.plane,t),this.deep=
+null,this.outputs=Ll.map(n=>({name:c("dt",{},n),value:c("dd",{})})),this.outputs[1].value.className="mode",this.fastest=c("span",{}),this.legend=c("div",{class:"\
+legend","aria-hidden":"true"},c("i",{style:`background: linear-gradient(90deg, ${qt.filter((n,i)=>i%15===0).join(",")})`}),c("span",{},"0"),c("span",{},"rim spe\
+ed"),this.fastest);let s=(n,i)=>c("span",{},c("i",{class:"dot",style:`background:${n}`}),i);this.order=c("span",{hidden:!0},"A in front, B behind"),this.element=
+c("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,c("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
+({name:n,value:i})=>[n,i])),this.legend,c("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),s(e.airborne,
+"the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:n,inks:i}){let{options:a}=this;this.legend.hidden=!a.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${_(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new ys(this.
+space,this.onview),this.deep.draw(e,s.time,a,n,i,s.playing)):this.flat.draw(e,s.time,a,n,i),this.read(e,t,s.time)}read(e,t,s){let n=e[t],i=n.at(s),a=[e.length>1?
+"AB"[t]:"",x(this.colors.mode_names[i.mode]),`${i.t.toFixed(3)} s`,q(i.angle),F(_(i.vx,3),"m/s"),F(_(i.omega*n.radius,3),"m/s"),i.height>0?we(i.height):"0"];for(let[
+h,d]of a.entries()){let{value:u}=this.outputs[h];u.textContent!==d&&(u.textContent=d)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.
+setProperty("--mode",this.colors.modes[i.mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){
 let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.
-three=!1,t(),s}}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var At=class{film;items;current;constructor(e){this.clock=e,this.summary=h("p",{class:"summary"}),this.list=h("ol",{class:"story-list"}),this.heading=h("h2",{},
-"What happens"),this.live=h("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=h("section",{class:"story","aria-label":"The motion in words"},
-this.heading,this.summary,this.list,this.live)}draw(e,t,s){this.film=e[t],T(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.
-replaceChildren(...e.flatMap((o,a)=>[e.length>1?h("b",{},`${"AB"[a]}: `):"",o.summary,o.status==="event_limit"||o.shortened?" (not all events are shown)":"",a+1<
-e.length?h("br"):""])),this.items=this.film.story.map(o=>h("li",{},h("button",{type:"button",onclick:()=>this.clock.seek(o.t)},h("i",{class:"dot",style:`backgro\
-und:${s.modes[o.mode]}`,"aria-hidden":"true"}),h("span",{class:"when"},`${x(o.t,4)} s`),h("span",{},o.text)))),this.list.replaceChildren(...this.items),this.current=
--1,this.cursor(this.clock.time)}say(e){T(this.live,e)}announce(e){this.say(Q(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let a=0;a<
-t.length&&t[a].t<=e+1e-9;a++)s=a;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
-current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let o=this.items[s];if(o){let a=o.offsetTop-this.list.
-offsetTop;(a<this.list.scrollTop||a+o.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=a-.4*this.list.clientHeight)}}},Pt=class{constructor(){
-this.list=h("dl",{}),this.heading=h("h2",{},"What theory says"),this.element=h("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){T(this.heading,t?
-`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:o})=>[h("dt",{},s),h("dd",{},o)]))}};var jo="hophoop-theme",Ea=["gravity_center","airborne","normal_force","friction_force"],Rt=class{constructor(e,t,s,o){this.root=e,this.colors=t,this.hosted=s,this.
-changed=o,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=jt(e),this.inks={...t},this.read()}mark(){let e=this.hosted?U(jo):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=jt(this.root),this.inks={...this.colors};for(let e of Ea)
-this.inks[e]=_e(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&K(jo,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Lt={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
+three=!1,t(),s}}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var ks=class{film;items;current;constructor(e){this.clock=e,this.summary=c("p",{class:"summary"}),this.list=c("ol",{class:"story-list"}),this.heading=c("h2",{},
+"What happens"),this.live=c("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=c("section",{class:"story","aria-label":"The motion in words"},
+this.heading,this.summary,this.list,this.live)}draw(e,t,s){this.film=e[t],M(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.
+replaceChildren(...e.flatMap((n,i)=>[e.length>1?c("b",{},`${"AB"[i]}: `):"",n.summary,n.status==="event_limit"||n.shortened?" (not all events are shown)":"",i+1<
+e.length?c("br"):""])),this.items=this.film.story.map(n=>c("li",{},c("button",{type:"button",onclick:()=>this.clock.seek(n.t)},c("i",{class:"dot",style:`backgro\
+und:${s.modes[n.mode]}`,"aria-hidden":"true"}),c("span",{class:"when"},`${_(n.t,4)} s`),c("span",{},n.text)))),this.list.replaceChildren(...this.items),this.current=
+-1,this.cursor(this.clock.time)}say(e){M(this.live,e)}announce(e){this.say(ue(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let i=0;i<
+t.length&&t[i].t<=e+1e-9;i++)s=i;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
+current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let n=this.items[s];if(n){let i=n.offsetTop-this.list.
+offsetTop;(i<this.list.scrollTop||i+n.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}},xs=class{constructor(){
+this.list=c("dl",{}),this.heading=c("h2",{},"What theory says"),this.element=c("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){M(this.heading,t?
+`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:n})=>[c("dt",{},s),c("dd",{},n)]))}};var Vi="hophoop-theme",Nl=["gravity_center","airborne","normal_force","friction_force"],_s=class{constructor(e,t,s,n){this.root=e,this.colors=t,this.hosted=s,this.
+changed=n,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
+this.mark(),this.look=Gs(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ie(Vi):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Gs(this.root),this.inks={...this.colors};for(let e of Nl)
+this.inks[e]=it(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
+k",this.hosted&&ae(Vi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ts={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
-energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},_o=i=>i.kind==="takeoff"||i.to==="H"&&i.from!=="H"&&i.kind!=="impact";var Fe={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},It=Object.keys(Fe);function Ho(i,e=11){let s=[...i.filter(({kind:a})=>a in Fe)].sort((a,n)=>It.indexOf(a.kind)-It.indexOf(n.kind)||a.x-n.x),o=[];
-for(let{kind:a,x:n}of s){let r=It.indexOf(a)<It.indexOf("takeoff"),l=o.filter(c=>Math.abs(c.x-n)<e);l.length?l.length===1&&l[0].rare&&!o.some(c=>Math.abs(c.x-(l[0].
-x+e))<e-1e-9)?l[0].mark!==Fe[a]&&o.push({mark:Fe[a],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:o.push({mark:Fe[a],x:n,rare:r,hidden:0})}return o.sort((a,n)=>a.
-x-n.x).map(({mark:a,x:n})=>({mark:a,x:n}))}function Oo(i,e,t){let s=[],o=new Map,a=-1,n=(l,c,d)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-c)<1e-6?u.
-wide+=d:s.push({mode:l,from:c,wide:d})},r=()=>{o.size&&n([...o].reduce((l,c)=>c[1]>l[1]?c:l)[0],a,1),o=new Map};for(let{mode:l,from:c,to:d}of i){let[u,p]=[Math.
-max(e(c),0),Math.min(e(d),t)];if(p>u)for(let m=u;m<p-1e-9;){if((Math.floor(m+1e-9)!==a||!o.size)&&(r(),a=Math.floor(m+1e-9),p-m>=1&&Math.abs(m-a)<1e-6)){let b=Math.
-floor(p-m+1e-9);n(l,a,b),m=a+b;continue}let g=Math.min(p,a+1);o.set(l,(o.get(l)??0)+g-m),m=g}}return r(),s}var Ct=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=h("canvas",{class:"timeline-canvas"}),this.tip=h("div",{class:"tip",hidden:!0}),
-this.element=h("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
+energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Ji=o=>o.kind==="takeoff"||o.to==="H"&&o.from!=="H"&&o.kind!=="impact";var vt={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
+↺",apex:"•"},Ss=Object.keys(vt);function Yi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ss.indexOf(i.kind)-Ss.indexOf(a.kind)||i.x-a.x),n=[];
+for(let{kind:i,x:a}of s){let r=Ss.indexOf(i)<Ss.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
+x+e))<e-1e-9)?l[0].mark!==vt[i]&&n.push({mark:vt[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:n.push({mark:vt[i],x:a,rare:r,hidden:0})}return n.sort((i,a)=>i.
+x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Zi(o,e,t){let s=[],n=new Map,i=-1,a=(l,h,d)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-h)<1e-6?u.
+wide+=d:s.push({mode:l,from:h,wide:d})},r=()=>{n.size&&a([...n].reduce((l,h)=>h[1]>l[1]?h:l)[0],i,1),n=new Map};for(let{mode:l,from:h,to:d}of o){let[u,m]=[Math.
+max(e(h),0),Math.min(e(d),t)];if(m>u)for(let p=u;p<m-1e-9;){if((Math.floor(p+1e-9)!==i||!n.size)&&(r(),i=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-i)<1e-6)){let b=Math.
+floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let g=Math.min(m,i+1);n.set(l,(n.get(l)??0)+g-p),p=g}}return r(),s}var Ms=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=c("canvas",{class:"timeline-canvas"}),this.tip=c("div",{class:"tip",hidden:!0}),
+this.element=c("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
-erleave",()=>this.tip.hidden=!0),this.pinched=_(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
-let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:de(this.window,e)}zoom(e,t){let[s,o]=this.ends(),a=1e-6*this.clock.duration,
-n=Math.max((o-s)*e,a),r=(t-s)/(o-s);this.window=n<this.clock.duration?de([t-r*n,t+(1-r)*n],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
-return;let[e,t]=this.ends(),{time:s,duration:o}=this.clock;if(s>=e&&s<=t)return;let a=t-e;this.window=de(s>t?[s-.1*a,s+.9*a]:[s-.5*a,s+.5*a],[0,o])}timeAt(e){let t=this.
-canvas.getBoundingClientRect(),[s,o]=this.ends();return s+y((e.clientX-t.left)/t.width,0,1)*(o-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
-let t=this.clock.playing;this.clock.playing=!1;let s=o=>!this.pinched()&&this.clock.seek(this.timeAt(o));s(e),C(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),s=this.nearest(t,8),o=s?`${k(Lt[s.kind]??s.kind)} · ${x(s.t,5)} s · ${x(s.angle*180/Math.PI,4)}°`:`${x(t,4)} s`;this.tip.textContent=o,this.
-tip.hidden=!1;let a=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-a.left,70,a.width-70)}px`}nearest(e,t){let[s,o]=this.ends(),a=t*(o-s)/
-(this.canvas.getBoundingClientRect().width||1),n=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let c=Math.abs(l.t-e);c<=a&&
-(!n||c<Math.abs(n.t-e))&&(n=l)}return n}draw(e,t,s){this.films=e;let{context:o,width:a,height:n}=L(this.canvas);this.keep();let[r,l]=this.ends(),c=w=>(w-r)/(l-r)*
-a;o.clearRect(0,0,a,n);let d=15,u=(n-15)/e.length-d;e.forEach((w,f)=>{let v=d+f*(d+u);for(let{mode:S,from:M,wide:A}of Oo(w.phases,c,a)){let E=s.modes[S];o.fillStyle=
-E,o.fillRect(M,v,A,u-2),this.named(o,k(s.mode_names[S]),M,A,v,u-2,E,t)}w.duration<l&&(o.fillStyle=t.line,o.fillRect(Math.max(c(w.duration),0),v,a,u-2)),this.marks(
-o,w,c,v,a,t),e.length>1&&(o.fillStyle=t.soft,o.font=`600 11px ${t.font}`,o.textAlign="left",o.fillText("AB"[f],1,v-4))});let p=D(l-r,a/60);o.fillStyle=t.soft,o.
-font=`10.5px ${t.font}`;let m=O(r,l,a/60);for(let w of m){let f=c(w);o.textAlign=f<14?"left":f>a-14?"right":"center",o.fillText(j(w,p)+(w===m[0]?" s":""),f,n-3)}
-let g=y(c(this.clock.time),6,a-6),b=y(c(this.clock.time),1,a-1);o.fillStyle=t.ink,o.fillRect(b-1,d-4,2,n-d-9),o.beginPath(),o.moveTo(g-6,d-10),o.lineTo(g+6,d-10),
-o.lineTo(b,d-1),o.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:o,playing:a}=this.clock,r=e.map((l,c)=>{let d=k(t.mode_names[l.at(s).mode]);return e.length>
-1?`${"AB"[c]} ${d}`:d}).join(", ");a&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",o.toFixed(3)),this.element.setAttribute("aria-valuen\
-ow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",k("{time} seconds, {what}",{time:x(s,4),what:Q(r)})))}named(e,t,s,o,a,n,r,l){e.font=`11px ${l.font}`,
-!(n<13||e.measureText(t).width+8>o)&&(e.fillStyle=bs(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*o,a+.5*n+1),e.textBaseline="alphabetic")}marks(e,t,s,o,a,n){
-e.font=`11px ${n.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:s(c)})).filter(({x:l})=>l>=
--1&&l<=a+1);if(e.fillStyle=n.panel,r.length<a/6)for(let{x:l}of r)e.fillRect(l-.5,o,1,5);e.fillStyle=n.ink;for(let{mark:l,x:c}of Ho(r))e.fillText(l,y(c,6,a-6),o-
-4)}};var Aa=1/60,Pa=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ra={three:"In space"},re=(i,e,t)=>h(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},i),$o=(i,e)=>h("span",{},h("span",{"aria-hidden":"true"},`${i} `),e),Wt=class{titled="";constructor(e,t,s,o,a){
-this.clock=e,this.films=t,this.say=o,this.tell=a,this.playButton=re(W("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=h("\
-select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},Re.map(n=>h("option",{value:String(n)},`${n}×`))),this.speeds.value=
-"1",this.switches=new Map(Pa.map(([n,r,l])=>{let c=`${n==="three"?Ra.three:r} (${l})`;return[n,h("button",{type:"button",class:"switch",title:c,onclick:()=>s(n)},
-r)]})),this.element=h("div",{class:"transport"},h("div",{class:"buttons"},re(W("start"),"To the start (Home)",()=>e.seek(0)),re(W("previous"),"Previous event (S\
-hift ←)",()=>this.jump(-1)),re(W("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,re(W("on"),"One frame on (→)",()=>this.nudge(1)),re(W("n\
-ext"),"Next event (Shift →)",()=>this.jump(1))),h("div",{class:"buttons jumps"},re($o("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),re(
-$o("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,h("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
-clock:t,playButton:s}=this;for(let[a,n]of this.switches)n.setAttribute("aria-pressed",String(e[a]));let o=t.playing?"Pause (space)":"Play (space)";this.titled!==
-o&&(this.titled=o,s.replaceChildren(W(t.playing?"pause":"play")),Ae(s,"title",o),Ae(s,"aria-label",o)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
-t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Aa*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
-flatMap((c,d)=>c.events.map(u=>({event:u,lane:d}))).filter(({event:c})=>!t||(t==="impact"?c.kind===t:_o(c))).sort((c,d)=>c.event.t-d.event.t),o=this.clock.time,
-a=e>0?s.find(({event:c})=>c.t>o+1e-9):s.findLast(({event:c})=>c.t<o-1e-9);if(!a&&t&&(a=s[0]),!a){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
-tion has no landing.");return}this.clock.seek(a.event.t);let{event:n,lane:r}=a,l=this.films().length>1?`${k(`Hoop ${"AB"[r]}`)}: `:"";this.tell(`${l}${k("{what}\
- at {angle}, {time} s",{what:k(Lt[n.kind]??n.kind),angle:P(n.angle),time:x(n.t,4)})}`)}};var Be=class{constructor(e,t,s,{hosted:o=!1,panels:a=null,onmotion:n=()=>{}}={}){this.root=e,this.backend=t,this.hosted=o,this.onmotion=n,this.prepareRoot();let{
-colors:r}=s;this.known=s.presets,this.address=o?new Ke(this):null,this.clock=new Ye,this.motions=new wt(t,{shown:l=>this.changed(l),settled:()=>this.story.announce(
-this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new bt,this.theme=new Rt(e,r,o,()=>this.
-show()),this.stage=new Et(r,()=>{this.request(),this.address?.soon()}),this.transport=new Wt(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.notice.say(l),
-l=>this.story.say(l)),this.timeline=new Ct(this.clock),this.story=new At(this.clock),this.theory=new Pt,this.plots=new vt(this.clock,r),this.phase=new yt(t,this.
-clock,r),this.map=new ft(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.controls=new Xe(
-s.controls,(l,c)=>this.motions.change(l,c)),this.share=new kt(this),this.singleKeys=new pt(o),this.help=ro(s.version,r,this.singleKeys.element),this.hoops=new ut(
-l=>this.motions.choose(l)),this.header=new dt(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),compare:()=>this.
-motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(a),this.extras=new ct(this),this.requested=!1,this.surrounding=!1,this.
-taken=null,this.afterFrame=null,this.asked=null,this.later=G(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=this.frame.bind(this),this.clock.
-listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=ho(this,o),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){this.
-root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
-"true")}layOut(e){let{root:t,notice:s}=this,o=d=>!e||e.includes(d),a=h("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
-element),n=h("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?zo(n,()=>this.request()):null;let r=h(
-"a",{class:"skip button",href:"#hh-player"},"Skip to the player");r.onclick=d=>{d.preventDefault(),this.timeline.element.focus()};let l=h("div",{class:"middle"},
-this.sticky?.edge,n,h("div",{class:"words"},this.story.element,o("theory")&&this.theory.element),o("map")&&this.map.element),c=h("div",{class:"why"},o("plots")&&
-this.plots.element,o("plots")&&this.phase.element);t.replaceChildren(h("div",{class:"page"},this.hosted&&r,this.header.element,h("div",{class:"columns"},o("cont\
-rols")&&a,l,c)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!o("controls"))}async open(e,t={}){await this.motions.load(e),this.clock.duration=
+erleave",()=>this.tip.hidden=!0),this.pinched=Y(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
+let e=[0,this.clock.duration||1];return!this.window||this.window[1]-this.window[0]>=e[1]?e:ze(this.window,e)}zoom(e,t){let[s,n]=this.ends(),i=1e-6*this.clock.duration,
+a=Math.max((n-s)*e,i),r=(t-s)/(n-s);this.window=a<this.clock.duration?ze([t-r*a,t+(1-r)*a],[0,this.clock.duration]):null,this.clock.changed()}keep(){if(!this.window)
+return;let[e,t]=this.ends(),{time:s,duration:n}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=ze(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,n])}timeAt(e){let t=this.
+canvas.getBoundingClientRect(),[s,n]=this.ends();return s+y((e.clientX-t.left)/t.width,0,1)*(n-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
+let t=this.clock.playing;this.clock.playing=!1;let s=n=>!this.pinched()&&this.clock.seek(this.timeAt(n));s(e),W(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
+let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(Ts[s.kind]??s.kind)} · ${_(s.t,5)} s · ${_(s.angle*180/Math.PI,4)}°`:`${_(t,4)} s`;this.tip.textContent=n,this.
+tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,n]=this.ends(),i=t*(n-s)/
+(this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let h=Math.abs(l.t-e);h<=i&&
+(!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=w=>(w-r)/(l-r)*
+i;n.clearRect(0,0,i,a);let d=15,u=(a-15)/e.length-d;e.forEach((w,f)=>{let k=d+f*(d+u);for(let{mode:T,from:E,wide:N}of Zi(w.phases,h,i)){let I=s.modes[T];n.fillStyle=
+I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[T]),E,N,k,u-2,I,t)}w.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(w.duration),0),k,i,u-2)),this.marks(
+n,w,h,k,i,t),e.length>1&&(n.fillStyle=ne(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="left",n.fillText("AB"[f],1,k-4))});let m=U(l-r,i/60);n.fillStyle=t.soft,
+n.font=`10.5px ${t.font}`;let p=ee(r,l,i/60);for(let w of p){let f=h(w);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(J(w,m)+(w===p[0]?" s":""),f,a-
+3)}let g=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,d-4,2,a-d-9),n.beginPath(),n.moveTo(g-6,d-10),n.lineTo(g+6,d-
+10),n.lineTo(b,d-1),n.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:n,playing:i}=this.clock,r=e.map((l,h)=>{let d=x(t.mode_names[l.at(s).mode]);return e.length>
+1?`${"AB"[h]} ${d}`:d}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",n.toFixed(3)),this.element.setAttribute("aria-valuen\
+ow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:_(s,4),what:ue(r)})))}named(e,t,s,n,i,a,r,l){e.font=`11px ${l.font}`,
+!(a<13||e.measureText(t).width+8>n)&&(e.fillStyle=Sn(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*n,i+.5*a+1),e.textBaseline="alphabetic")}marks(e,t,s,n,i,a){
+e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,x:s(h)})).filter(({x:l})=>l>=
+-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,n,1,5);e.fillStyle=a.ink;for(let{mark:l,x:h}of Yi(r))e.fillText(l,y(h,6,i-6),n-
+4)}};var ql=1/60,Cl=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],jl={three:"In space"},ke=(o,e,t)=>c(
+"button",{type:"button",title:e,"aria-label":e,onclick:t},o),Xi=(o,e)=>c("span",{},c("span",{"aria-hidden":"true"},`${o} `),e),Es=class{titled="";constructor(e,t,s,n,i){
+this.clock=e,this.films=t,this.say=n,this.tell=i,this.playButton=ke($("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=c("\
+select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},dt.map(a=>c("option",{value:String(a)},`${a}×`))),this.speeds.value=
+"1",this.switches=new Map(Cl.map(([a,r,l])=>{let h=`${a==="three"?jl.three:r} (${l})`;return[a,c("button",{type:"button",class:"switch",title:h,onclick:()=>s(a)},
+r)]})),this.element=c("div",{class:"transport"},c("div",{class:"buttons"},ke($("start"),"To the start (Home)",()=>e.seek(0)),ke($("previous"),"Previous event (S\
+hift ←)",()=>this.jump(-1)),ke($("back"),"One frame back (←)",()=>this.nudge(-1)),this.playButton,ke($("on"),"One frame on (→)",()=>this.nudge(1)),ke($("n\
+ext"),"Next event (Shift →)",()=>this.jump(1))),c("div",{class:"buttons jumps"},ke(Xi("▲","flight"),"To the next flight (h)",()=>this.jump(1,"takeoff")),ke(
+Xi("▼","landing"),"To the next landing (l)",()=>this.jump(1,"impact"))),this.speeds,c("div",{class:"buttons switches"},[...this.switches.values()]))}show(e){let{
+clock:t,playButton:s}=this;for(let[i,a]of this.switches)a.setAttribute("aria-pressed",String(e[i]));let n=t.playing?"Pause (space)":"Play (space)";this.titled!==
+n&&(this.titled=n,s.replaceChildren($(t.playing?"pause":"play")),ct(s,"title",n),ct(s,"aria-label",n)),this.speeds.value!==String(t.speed)&&(this.speeds.value=String(
+t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*ql*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
+flatMap((h,d)=>h.events.map(u=>({event:u,lane:d}))).filter(({event:h})=>!t||(t==="impact"?h.kind===t:Ji(h))).sort((h,d)=>h.event.t-d.event.t),n=this.clock.time,
+i=e>0?s.find(({event:h})=>h.t>n+1e-9):s.findLast(({event:h})=>h.t<n-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
+tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"";this.tell(`${l}${x("{what}\
+ at {angle}, {time} s",{what:x(Ts[a.kind]??a.kind),angle:q(a.angle),time:_(a.t,4)})}`)}};var Ge=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
+colors:r}=s;this.known=s.presets,this.address=n?new Dt(this):null,this.clock=new Ft,this.motions=new cs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
+story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new ds,this.theme=new _s(
+e,r,n,()=>this.show()),this.stage=new vs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Es(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Ms(this.clock),this.story=new ks(this.clock),this.theory=new xs,this.plots=new ms(this.clock,r),this.phase=
+new us(t,this.clock,r),this.map=new ls(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new Bt(s.controls,(l,h)=>this.motions.change(l,h)),this.share=new ps(this),this.singleKeys=new ns(n),this.help=pi(s.version,r,this.singleKeys.element),
+this.hoops=new os(l=>this.motions.choose(l)),this.header=new ss(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(i),this.extras=new ts(this),this.requested=!1,this.
+surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=re(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=this.frame.
+bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=gi(this,n),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
+this.root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
+"true")}layOut(e){let{root:t,notice:s}=this,n=d=>!e||e.includes(d),i=c("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
+element),a=c("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?Ni(a,()=>this.request()):null;let r=c(
+"a",{class:"skip button",href:"#hh-player"},"Skip to the player");r.onclick=d=>{d.preventDefault(),this.timeline.element.focus()};let l=c("div",{class:"middle"},
+this.sticky?.edge,a,c("div",{class:"words"},this.story.element,n("theory")&&this.theory.element),n("map")&&this.map.element),h=c("div",{class:"why"},n("plots")&&
+this.plots.element,n("plots")&&this.phase.element);t.replaceChildren(c("div",{class:"page"},this.hosted&&r,this.header.element,c("div",{class:"columns"},n("cont\
+rols")&&i,l,h)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!n("controls"))}async open(e,t={}){await this.motions.load(e),this.clock.duration=
 Math.max(...this.films().map(s=>s.duration)),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.
 dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.
 close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){this.notice.
 clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(
 this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(){let{clock:e,stage:t,map:s}=this;return this.motions.
-link(Ds({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:o}){if(t){let{three:a,...n}=t;Object.assign(this.stage.
-options,n),a&&this.toggle("three")}s&&(this.stage.flat.zoom=s),o&&this.map.restore(o),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(
-s=>s.query===e);this.header.presets.value=t?.key??"",T(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.
+link(Bn({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:n}){if(t){let{three:i,...a}=t;Object.assign(this.stage.
+options,a),i&&this.toggle("three")}s&&(this.stage.flat.zoom=s),n&&this.map.restore(n),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(
+s=>s.query===e);this.header.presets.value=t?.key??"",M(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.
 query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){return this.motions.
-travel(e)}show(e=null){let{motions:t,clock:s}=this,o=this.films();if(!o.length)return;let a=o.length>1;this.theme.read(),s.duration=Math.max(...o.map(n=>n.duration)),
-s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",a),this.header.show(t.history,a),this.hoops.show(o.length,t.active),this.drawStage(),this.controls.
+travel(e)}show(e=null){let{motions:t,clock:s}=this,n=this.films();if(!n.length)return;let i=n.length>1;this.theme.read(),s.duration=Math.max(...n.map(a=>a.duration)),
+s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(n.length,t.active),this.drawStage(),this.controls.
 show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.
 surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),
-{active:t}=this.motions,{look:s,colors:o}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,o),this.drawTime(),this.map.mark(this.film(),
+{active:t}=this.motions,{look:s,colors:n}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,n),this.drawTime(),this.map.mark(this.film(),
 s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){let{
 time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(
 e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.motions.
-lanes.length&&(this.clock.tick(e),this.drawStage(),this.drawTime(),this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){
-let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},
-t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(e,t)}catch(s){let{name:o,message:a}=s;o!=="AbortError"&&this.theory.draw([{label:"\
-–",text:a}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}
-this.transport.show(t),this.address?.soon(),this.request()}};async function La(i){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=new Ge(e),s;try{s=(await t.call("setup",{})).header}catch(r){i.textContent=r.message;
-return}let o=new Be(i,t,s,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),n=Ns(location.hash);
-try{await o.open([location.search.slice(1),...a===null?[]:[a]],n)}catch(r){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(r)}}function Ia({model:i,
-el:e}){let t=document.createElement("div");e.append(t);let s=new Ve(i),o=new Be(t,s,i.get("setup"),{panels:i.get("panels"),onmotion:n=>{i.get("query")!==n&&(i.set(
-"query",n),i.save_changes())}});o.motions.set([ge(i.get("film"))]),o.begin();let a=()=>o.motions.replace(ge(i.get("film")));return i.on("change:film",a),()=>{i.
-off("change:film",a),s.close(),o.close()}}var Uo=document.getElementById("hophoop-lab");Uo&&La(Uo);var lc={render:Ia};export{lc as default};
+lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),
+this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;
+let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(
+e,t)}catch(s){let{name:n,message:i}=s;n!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else
+try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var _o=class extends Error{},To=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:n}=this.waiting;this.waiting=null,t.error?n(new Error(
+t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
+reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let n=new Promise((i,a)=>{this.waiting=
+{resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),n}},kt=class{constructor(e,t,s,n){this.start=e,this.compiled=t,this.
+size=s,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
+resolve(new To(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,n=[]){
+s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new _o(`This takes longer than ${this.
+limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),s?.removeEventListener(
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
+events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
+"damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
+"omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","friction","impact_normal","impact_tangential","gain",
+"collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","friction_force","normal_force","friction","impact_norm\
+al","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],compliant:["law","friction_law","stiffness","damping","rest\
+itution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh","linear","bristle"],chosen:["stiffness","tangen\
+tial_stiffness","slip_speed","depth","steps","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_fric\
+tion","needed_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","m\
+assless_loss_by_friction"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","t\
+akeoff_time","takeoff_angle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","\
+hop","painleve"],keys:4,letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{
+angle:6.283185307179586,stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,
+status:0,ending:0,first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,
+takeoff_time:1,takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undet\
+ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stic\
+k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
+"no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
+"slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ve=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Hp=Ve(v.cell),fe=Ve(v.heads),K=Ve(v.events),So=Ve(v.samples),Qi=Ve(v.numbers),Mo=Ve(v.words),Dl={newton:0,poisson:1,
+stronge:2};function Je(o){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:Dl[o.impact_law],
+strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return v.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function Eo(o){let e=t=>t??Number.NaN;return Float64Array.
+of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var As=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
+rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
+n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Fl=150,Wl=240,$l=6e3,[Vp,ea,ta]=[0,1,2],Bl={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ao(o,e){let{rows:t,count:s,duration:n}=e,i=Math.min(Math.max(Math.
+ceil(n*Fl),Wl),$l),a=v.events.length,r=new Set;for(let p=0;p<=i&&n>0;p++)r.add(p===i?n:p*(n/i));let l=new Set;for(let p=0;p<s;p++)l.add(Math.min(t[p*a+K.t],n));
+for(let p of l)r.add(p);let h=Float64Array.from(r).sort(),d=Float64Array.from(l).filter(p=>p>0).sort(),u=o.states(e,h,!1),m=o.states(e,d,!0);return Hl(h,u,d,m)}
+function Hl(o,e,t,s){let n=o.length+t.length,i=v.samples.length,a=new Float64Array(n),r=new Float64Array(n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=
+o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*i),l++;let d={t:a};for(let[u,m]of Object.entries(Bl)){let p=new Float64Array(
+n);for(let g of m)for(let b=0;b<n;b++)p[b]+=r[b*i+So[g]];d[u]=p}return d.mode=Kl(r,n,d.omega),d}function Kl(o,e,t){let s=v.samples.length,n=new Float64Array(e),
+i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(t[a])||i;let r=o[a*s+So.mode],l=r===ea?-1:r===ta?1:0;n[a]=l===0?r:l*i<0?
+ea:ta}return n}function sa(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Ul(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
+get(i);a===void 0&&(a=t.size,t.set(i,a)),s[n]=a}return{values:s,sequences:[...t.keys()]}}function Ul(o){let e="";for(let t of o){let s=t;for(let n=0;n<v.letters_a_key&&
+s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===v.more?"+":v.letters[i-1])}}return e}var Gl=256,Vl=2048,Jl=4096,Yl=2e5,Zl=v.statuses.indexOf("buffer"),Xl=new Set(["turn","apex","kane_gain","rest"]),zo=o=>Number.isFinite(o)?o:null,zs=class{constructor(e){
+this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new As(this.exports),this.mostEvents=Gl,this.mostSegments=Vl,this.mostRows=
+Jl}call(e,...t){let s=this.exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=v.events.length;for(;;){let n=t.
+room("table",8*s*this.mostEvents),i=t.room("heads",8*v.heads.length);e.contact?this.computeCompliant(e,e.contact,n,i):this.computeRigid(e,n,i);let a=t.floats(i,
+v.heads.length).slice(),r=a[fe.events];if(a[fe.status]===Zl)this.makeRoom(e,a[fe.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
+let l=t.floats(n,r*s).slice();return{given:e,head:a,rows:l,count:r,duration:a[fe.duration],segments:a[fe.segments]}}}}computeRigid(e,t,s){let{memory:n}=this,i=n.
+put("cell",Je(e)),a=n.room("events",v.event_bytes*this.mostEvents),r=n.room("segments",v.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,
+r,this.mostSegments,t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",Je(e)),r=i.put("contact",Eo(t)),l=i.room("events",v.event_bytes*this.mostEvents),
+h=i.room("rows",v.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Yl,h,this.mostRows,s,n)}makeRoom(e,t){e.contact?this.
+mostRows=t:this.mostSegments*=4}motion(e){return oa(this.compute(e))}film(e){let t=this.compute(e);return{motion:oa(t),columns:Ao(this,t)}}columns(e){return Ao(
+this,this.compute(e))}samples(e,t){let s=this.states(this.compute(e),t,!1),n=v.samples.length;return Object.fromEntries(v.samples.map((i,a)=>[i,Float64Array.from(
+t,(r,l)=>s[l*n+a])]))}states(e,t,s){let{memory:n}=this,i=t.length*v.samples.length,a=n.put("times",t),r=n.room("states",8*Math.max(i,1)),l=n.room("cell",8),h=[e.
+segments,a,t.length,Number(s),r];return e.given.contact?this.call("compliant_samples",l,n.room("contact",8),n.room("rows",8),...h):this.call("samples",l,n.room(
+"segments",8),...h),n.floats(r,i).slice()}thresholds(e){let{memory:t}=this,s=t.put("cell",Je(e)),n=t.room("answers",8*v.thresholds.length),i=e.rolling&&e.angle===
+0;this.call("thresholds",s,i?e.vx:Number.NaN,n);let a=t.floats(n,v.thresholds.length),r=h=>{let d=a[v.thresholds.indexOf(h)];return Number.isNaN(d)?null:d},l=["\
+jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
+"immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(h=>h!==
+null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,n,
+i],a,r){let{memory:l}=this,h=l.put("cell",Je(e)),d=l.room("modes",a*r),u=l.room("sides",a);this.call("regions",h,t,s,n,i,a,r,d,u);let{buffer:m}=this.exports.memory;
+return{modes:new Uint8Array(m,d,a*r).slice(),paradox:Float32Array.from(new Int8Array(m,u,a))}}map({count:e,rows:t},s,n){let{memory:i}=this,a=i.put("cells",t),r=i.
+room("numbers",8*e*v.numbers.length),l=i.room("words",4*e*v.words.length),h=i.room("keys",8*e*v.keys),{angle:d,stop:u,timed:m}=v.spans[n],p=v.wanted[s];this.call(
+"map_cells",a,e,d??Number.NaN,u,m,p,r,l,h);let{buffer:g}=this.exports.memory;if(s==="sequence")return sa(new BigUint64Array(g,h,e*v.keys),e);let b=new Float64Array(
+e);if(s in Mo){let w=new Int32Array(g,l,e*v.words.length);for(let f=0;f<e;f++)b[f]=w[f*v.words.length+Mo[s]]}else{let w=i.floats(r,e*v.numbers.length);for(let f=0;f<
+e;f++)b[f]=w[f*v.numbers.length+Qi[s]]}return{values:b}}ideal(e){let t=this.memory.room("answers",8*v.thresholds.length);return this.call("ideal_hoop",e,t),this.
+memory.floats(t,1)[0]}combine(e,t){let{memory:s}=this,n=s.put("parts",t.flatMap(Ql)),i=s.room("answers",8*v.thresholds.length),a=s.room("reaches",8*t.length);this.
+call("hoop_of_parts",e,n,t.length,i,a);let[r,l,h]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:h,reaches:[...s.floats(a,t.length)]}}compliance(e){let{
+memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let s=t.put("cell",Je(e)),n=t.put("contact",Eo(e.contact)),i=t.room("answers",8*v.thresholds.
+length);this.call("compliance",s,n,i);let a=t.floats(i,v.chosen.length),r=l=>a[v.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tang\
+ential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),steps:r("steps"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Ql(o){
+let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=v.shapes.indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,
+o.mass,o.radius,0,o.at]:o.shape==="rod"?[t,o.mass,o.length,0,o.at]:[t,o.mass,0,0,o.at]}var eh=["friction","impact_normal","impact_tangential","rolling_resistanc\
+e"],th=["kinetic","potential",...eh,"residual"],na=["x","height","angle","vx","vy","omega"];function oa({given:o,head:e,rows:t,count:s,duration:n}){let i=v.events.
+length,a=Array.from({length:s},(h,d)=>sh(t.subarray(d*i,(d+1)*i))),r=a[s-1],l=Object.fromEntries([...th,...o.contact?["spring","damping"]:[]].map(h=>[h,e[fe[h]]]));
+return{status:v.statuses[e[fe.status]],sequence:oh(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(na.map(h=>[h,r[h]]))},energy:l,doubt:zo(e[fe.
+doubt_from])}}function sh(o){let e=v.kinds[o[K.kind]],t=o[K.from_mode],s={t:o[K.t],kind:e,from:t<0?null:v.letters[t],to:v.letters[o[K.to_mode]]};for(let n of na)
+s[n]=zo(o[K[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,zo(o[K[`before_${n}`]])])),s.impulse={normal:o[K.impulse_normal],tangential:o[K.
+impulse_tangential]},o[K.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[K.gain]),o[K.stable]>=0&&(s.stable=o[K.stable]===1),s}function oh(o){let e=o.
+filter(s=>!Xl.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var ia=1e4,Ro=256;function aa(o){let e=URL.createObjectURL(new Blob([o],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var xt=class o{constructor(e,t){
+this.mechanics=new zs(e),this.motions=new kt(t,e,2,ia);let s=navigator.hardwareConcurrency||2;this.maps=new kt(t,e,Math.max(1,Math.min(s-1,8)),ia)}static async load(e){
+let t=new URL(`hophoop.wasm?${v.module}`,e),s=await fetch(t);if(!s.ok)throw new Error(`The kernel is not there: ${t.pathname} gives ${s.status}.`);let i=await(s.
+headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(s):WebAssembly.compile(await s.arrayBuffer())),a=new URL(`kernel.js?${v.module}`,e);
+return a.origin===globalThis.location?.origin?new o(i,()=>new Worker(a,{type:"module"})):new o(i,aa(await(await fetch(a)).text()))}static async unpack(e,t){let s=new Blob(
+[e]).stream().pipeThrough(new DecompressionStream("gzip")),n=await WebAssembly.compile(await new Response(s).arrayBuffer());return new o(n,aa(t))}motion(e,t){return this.
+motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t){return this.motions.ask("columns",[e],t)}samples(e,t,s){return this.motions.
+ask("samples",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,n,i){return this.motions.ask("regions",[e,t,s,n],i)}async map({
+count:e,rows:t},s,n,i){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],h=async u=>{let m=Math.min(Ro,e-u),p=new Float64Array(a*m);for(let w=0;w<
+a;w++)p.set(t.subarray(w*e+u,w*e+u+m),w*m);let g=await this.maps.ask("map",[{count:m,rows:p},s,n],i,[p.buffer]),b=g.sequences?.map(w=>(l.includes(w)||l.push(w),
+l.indexOf(w)));for(let w=0;w<m;w++)r[u+w]=b?b[g.values[w]]??Number.NaN:g.values[w]},d=Array.from({length:Math.ceil(e/Ro)},(u,m)=>m*Ro);return await Promise.all(
+d.map(h)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close()}};function Po(o,e){let[t,s,n]=[0,0,0];for(let i=0;i<o.length;i++)for(let a=0;a<e.length;a++){let r=0;for(;i+r<o.length&&a+r<e.length&&o[i+r]===e[a+r];)r++;r>t&&([
+t,s,n]=[r,i,a])}return t?t+Po(o.slice(0,s),e.slice(0,n))+Po(o.slice(s+t),e.slice(n+t)):0}function ra(o,e){let t=[...o],s,n=0;for(let i of e){let a=[...i],r=a.length+
+t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*Po(a,t)/r;l>=.6&&(l>n||l===n&&s!==void 0&&i>s)&&([s,n]=[i,l])}return s}var la={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
+unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
+{path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e6,also:[0]}},{path:"hoop.radius",label:"Radius",symbol:"R",unit:"m",help:"Rim radius",least:.05,most:3,step:.05,logarithmic:!1,
+degrees:!1,allowed:{least:1e-6,most:1e6,also:[]}},{path:"hoop.mass",label:"Mass",symbol:"m",unit:"kg",help:"Total mass",least:.1,most:10,step:.1,logarithmic:!1,
+degrees:!1,allowed:{least:1e-12,most:1e12,also:[]}}],plane:[{path:"plane.mu",label:"Friction",symbol:"μ",unit:"",help:"Friction, static and kinetic",least:0,most:1.5,
+step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_static",label:"Static friction",symbol:"μs",unit:"",help:"Static fr\
+iction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.mu_kinetic",label:"Kinetic friction",symbol:"μ\
+k",unit:"",help:"Kinetic friction",least:0,most:1.5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1e6,also:["inf"]}},{path:"plane.slope",label:"Slope",
+symbol:"β",unit:"°",help:"Slope of the plane, downhill along +x",least:-30,most:30,step:.5,logarithmic:!1,degrees:!0,allowed:{least:-1.57,most:1.57,also:[]}},
+{path:"plane.gravity",label:"Gravity",symbol:"g",unit:"m/s²",help:"Gravity",least:0,most:25,step:.01,logarithmic:!1,degrees:!1,allowed:{least:1e-6,most:1e6,also:[
+0]}},{path:"plane.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution of an impact",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{
+least:0,most:1,also:[]}},{path:"plane.rolling_resistance",label:"Rolling resistance",symbol:"f",unit:"",help:"Rolling resistance: couple against the rotation ov\
+er R N",least:0,most:.2,step:.001,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],start:[{path:"start.speed",label:"Speed",symbol:"v₀",unit:"m/s",
+help:"Velocity of the centre in a rolling start",least:-6,most:6,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.angle",label:"\
+Load angle",symbol:"θ₀",unit:"°",help:"Angle from the plane's normal to the centre of gravity",least:-180,most:180,step:.5,logarithmic:!1,degrees:!0,allowed:{
+least:-1e6,most:1e6,also:[]}},{path:"start.height",label:"Height of the gap",symbol:"y₀",unit:"m",help:"Gap between rim and plane",least:0,most:2,step:.01,logarithmic:!1,
+degrees:!1,allowed:{least:0,most:1e6,also:[]}},{path:"start.vx",label:"Speed along",symbol:"ẋ₀",unit:"m/s",help:"Velocity of the centre along the plane",least:-8,
+most:8,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.vy",label:"Speed upwards",symbol:"ẏ₀",unit:"m/s",help:"Velocit\
+y of the centre away from the plane",least:-5,most:5,step:.01,logarithmic:!1,degrees:!1,allowed:{least:-1e6,most:1e6,also:[]}},{path:"start.omega",label:"Angula\
+r velocity",symbol:"θ̇₀",unit:"rad/s",help:"Angular velocity",least:-15,most:15,step:.05,logarithmic:!1,degrees:!1,allowed:{least:-1e9,most:1e9,also:[]}}],contact:[
+{path:"contact.stiffness",label:"Stiffness",symbol:"k",unit:"N/m",help:"Stiffness of the contact",least:100,most:1e8,step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-6,
+most:1e18,also:[]}},{path:"contact.slip_speed",label:"Slip speed",symbol:"vₛ",unit:"m/s",help:"Slip velocity over which friction builds up",least:1e-7,most:.1,
+step:0,logarithmic:!0,degrees:!1,allowed:{least:1e-12,most:1e6,also:[]}},{path:"contact.restitution",label:"Restitution",symbol:"e",unit:"",help:"Restitution th\
+at the damping is chosen for",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}}],motion:[{path:"duration",label:"Duration",symbol:"\
+T",unit:"s",help:"Duration of the motion",least:.5,most:30,step:.5,logarithmic:!1,degrees:!1,allowed:{least:1e-9,most:1e9,also:[]}}]},choices:[{path:"plane.impa\
+ct_law",label:"Law of impact",options:[["stronge","Stronge (energy)"],["poisson","Poisson (impulse)"],["newton","Newton (velocity)"]],help:"Law of restitution"},
+{path:"plane.painleve",label:"Painlevé: two solutions",options:[["flight","flight"],["impact","impact"]],help:"What follows an indeterminate contact"},{path:"c\
+ontact.model",label:"Contact model",options:[["rigid","rigid"],["compliant","compliant"]],help:"Contact model"},{path:"contact.law",label:"Normal force",options:[
+["kelvin-voigt","Kelvin–Voigt"],["hunt-crossley","Hunt–Crossley"]],help:"Normal force"},{path:"contact.friction",label:"Friction law",options:[["tanh","smoo\
+th (tanh)"],["linear","linear"],["bristle","bristle (can hold)"]],help:"Regularised friction"}],gravities:[["Earth",9.81],["Moon",1.62],["Mars",3.71],["Jupiter",
+24.79],["Weightless",0]],map_axes:[{path:"start.speed",label:"Speed v₀",unit:"m/s",degrees:!1,range:[0,5],allowed:[-1e6,1e6]},{path:"start.angle",label:"Angle\
+ of the load θ₀",unit:"°",degrees:!0,range:[-3.141592653589793,3.141592653589793],allowed:[-1e6,1e6]},{path:"start.vx",label:"Speed along ẋ₀",unit:"m/s",
+degrees:!1,range:[-6,6],allowed:[-1e6,1e6]},{path:"start.omega",label:"Angular velocity θ̇₀",unit:"rad/s",degrees:!1,range:[-8,8],allowed:[-1e9,1e9]},{path:"\
+start.height",label:"Height of the gap y₀",unit:"m",degrees:!1,range:[0,1],allowed:[0,1e6]},{path:"hoop.load_fraction",label:"Load fraction γ",unit:"",degrees:!1,
+range:[.05,.99],allowed:[0,1]},{path:"hoop.eccentricity",label:"Eccentricity ε",unit:"",degrees:!1,range:[.05,.95],allowed:[0,1]},{path:"hoop.inertia_ratio",label:"\
+Inertia ratio κ",unit:"",degrees:!1,range:[.05,1],allowed:[0,1e6]},{path:"hoop.radius",label:"Radius R",unit:"m",degrees:!1,range:[.1,2],allowed:[1e-6,1e6]},{path:"\
+plane.mu",label:"Friction μ",unit:"",degrees:!1,range:[0,1.5],allowed:[0,1e6]},{path:"plane.slope",label:"Slope β",unit:"°",degrees:!0,range:[-.35,.35],allowed:[
+-1.57,1.57]},{path:"plane.gravity",label:"Gravity g",unit:"m/s²",degrees:!1,range:[1,20],allowed:[0,1e6]},{path:"plane.restitution",label:"Restitution e",unit:"",
+degrees:!1,range:[0,1],allowed:[0,1]},{path:"plane.rolling_resistance",label:"Rolling resistance f",unit:"",degrees:!1,range:[0,.1],allowed:[0,1]}]},map_quantities:[
+["sequence","what happens in the first turn"],["hop_height","height of the first hop"],["takeoff_angle","angle of take-off"],["flight_time","duration of the fir\
+st hop"],["greatest_utilization","greatest friction utilization"],["energy_lost","energy lost"],["end_angle","angle at the end"],["painleve","Painlevé’s paradox\
+ or jam met"],["ending","how it ends"]],presets:[{key:"hop",group:"The article",title:"It hops: 3.1 m/s",text:"Slips twice, then leaves the plane just before a \
+full turn and flies for 0.76 s.",query:"duration=3"},{key:"slip",group:"The article",title:"It slips: 2.8 m/s",text:"Friction is used up twice a turn; each slip\
+ is weaker than the one before, and none is the last.",query:"duration=4&start.speed=2.8"},{key:"roll",group:"The article",title:"It rolls: 2 m/s",text:"Pure ro\
+lling, faster and more even than after a slow start, and close to the limit of friction.",query:"duration=3.4&start.speed=2"},{key:"slow",group:"The article",title:"\
+The smallest push: 0.1 m/s",text:"Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.",query:"start.speed=0.1"},{key:"slippe\
+ry",group:"The article",title:"Low friction: 0.1 m/s, μ = 0.3",text:"Slipping costs the energy that a full turn needs: the hoop rocks to and fro.",query:"durat\
+ion=15&plane.mu=0.3&start.speed=0.1"},{key:"littlewood",group:"Littlewood's hoop",title:"All mass in the load",text:"A massless ring: at 90° no contact force is\
+ left; the load falls, the rim skims the plane.",query:"duration=3&hoop.load_fraction=1&start.speed=0.1"},{key:"littlewood-fast",group:"Littlewood's hoop",title:"\
+All mass in the load, pushed",text:"With a push the contact force is gone earlier, at cos θ = v₀²/(gR).",query:"duration=3&hoop.load_fraction=1&start.speed=\
+2"},{key:"nearly-massless",group:"Littlewood's hoop",title:"Nearly all mass in the load",text:"γ = 0.99: what a real ring does instead of Littlewood's hop.",query:"\
+hoop.load_fraction=0.99&start.speed=0.1"},{key:"inconsistent",group:"Paradoxes",title:"Painlevé: no solution",text:"No contact force agrees with this slip. An \
+impact without collision stops it at once.",query:"duration=3&plane.mu=1.2&start.angle=-0.7&start.vx=3&start.omega=1"},{key:"indeterminate",group:"Paradoxes",title:"\
+Painlevé: two solutions",text:"Flight and impact both agree with the laws. Choose which with the switch under Plane.",query:"duration=3&plane.mu=1.2&start.angl\
+e=-0.7&start.vx=8&start.omega=5"},{key:"jam",group:"Paradoxes",title:"Dynamic jam",text:"A fast slide after a hop: the contact force grows without bound in fini\
+te time, and no law says what follows.",query:"duration=3&hoop.load_fraction=0.9&start.angle=5.14&start.vx=23&start.omega=5.6"},{key:"kane",group:"Paradoxes",title:"\
+Kane: energy out of nothing",text:"Newton's law of impact with friction creates two joules. Stronge's law does not.",query:"duration=1.5&plane.mu=0.6&plane.rest\
+itution=0.8&plane.impact_law=newton&start.height=0.3&start.angle=1.45&start.vx=2.16&start.omega=-6.44"},{key:"downhill",group:"More",title:"Downhill",text:"On a\
+ slope of 10° the hoop gains speed from turn to turn, until it hops.",query:"duration=5&plane.slope=0.17453292519943295&plane.mu=0.8&start.speed=1.5"},{key:"bo\
+unces",group:"More",title:"Bounces without number",text:"Dropped with spin and restitution 0.5: infinitely many bounces in finite time.",query:"duration=4&plane\
+.mu=0.4&plane.restitution=0.5&start.height=0.5&start.angle=0.4&start.vx=0.2&start.omega=2"},{key:"moon",group:"More",title:"On the Moon",text:"The article's hop\
+ under lunar gravity: everything is slower by a factor of 2.46.",query:"duration=15&plane.gravity=1.62&start.speed=1.2597509583501894"}],colors:{modes:{R:"#0072\
+B2",S:"#E69F00",K:"#CC79A7",H:"#D55E00",M:"#F0E442"},mode_names:{R:"roll",S:"spin",K:"skid",H:"flight",M:"skim"},gravity_center:"#009E73",airborne:"#CC1F1A",center_speed:"\
+#000000",rotation_speed:"#00857A",kinetic:"#1B3A78",potential:"#667300",friction_loss:"#8F3B0A",impact_loss:"#8E1B5F",normal_force:"#5B3FA8",friction_force:"#8F\
+3B0A",limit:"#6E6E6E"}},schema:"hophoop/1",scenario:{sections:{hoop:["Hoop"],plane:["Plane"],start:["Start"],contact:["Rigid","Compliant"]},models:{Scenario:{place:"",
+fields:{duration:{kind:"number",unit:"s",default:6,limits:[["greater_than",0]],range:{least:1e-9,most:1e9,words:"from 1e-09 to 1e+09 s"}},hoop:{kind:"section",unit:""},
+plane:{kind:"section",unit:""},start:{kind:"section",unit:""},contact:{kind:"section",unit:""}}},Hoop:{place:"hoop.",fields:{radius:{kind:"number",unit:"m",default:1,
+limits:[["greater_than",0]],range:{least:1e-6,most:1e6,words:"from 1e-06 to 1e+06 m"}},mass:{kind:"number",unit:"kg",default:1,limits:[["greater_than",0]],range:{
+least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},load_fraction:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",0],["less_th\
+an_equal",1]]},eccentricity:{kind:"number",unit:"1",default:.75,limits:[["greater_than_equal",0],["less_than_equal",1]]},inertia_ratio:{kind:"number",unit:"1",default:.4375,
+limits:[["greater_than_equal",0]],range:{least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]}},parts:{kind:"parts",unit:"",nullable:!0,default:null}}},
+Plane:{place:"plane.",fields:{gravity:{kind:"number",unit:"m/s²",default:9.81,limits:[["greater_than_equal",0]],range:{least:1e-6,most:1e6,words:"0 or from 1e-\
+06 to 1e+06 m/s²",also:[0]}},slope:{kind:"number",unit:"rad",default:0},mu:{kind:"friction",unit:"1",nullable:!0,default:null,range:{least:0,most:1e6,words:"fr\
+om 0 to 1e+06, or inf",also:["inf"]}},mu_static:{kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},mu_kinetic:{
+kind:"friction",unit:"1",default:1,range:{least:0,most:1e6,words:"from 0 to 1e+06, or inf",also:["inf"]}},restitution:{kind:"number",unit:"1",default:0,limits:[
+["greater_than_equal",0],["less_than_equal",1]]},impact_law:{kind:"word",unit:"",default:"stronge",options:["stronge","newton","poisson"],expected:"'stronge', '\
+newton' or 'poisson'"},painleve:{kind:"word",unit:"",default:"flight",options:["flight","impact"],expected:"'flight' or 'impact'"},rolling_resistance:{kind:"num\
+ber",unit:"1",default:0,limits:[["greater_than_equal",0],["less_than_equal",1]]}}},Start:{place:"start.",fields:{x:{kind:"number",unit:"m",default:0,range:{least:-1e9,
+most:1e9,words:"from -1e+09 to 1e+09 m"}},height:{kind:"number",unit:"m",default:0,limits:[["greater_than_equal",0]],range:{least:0,most:1e6,words:"from 0 to 1e\
++06 m"}},angle:{kind:"number",unit:"rad",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 rad"}},speed:{kind:"number",unit:"m/s",nullable:!0,default:null,
+range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},vx:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},
+vy:{kind:"number",unit:"m/s",default:0,range:{least:-1e6,most:1e6,words:"from -1e+06 to 1e+06 m/s"}},omega:{kind:"number",unit:"rad/s",nullable:!0,default:0,range:{
+least:-1e9,most:1e9,words:"from -1e+09 to 1e+09 rad/s"}}}},Rigid:{place:"contact.",fields:{model:{kind:"word",unit:"",default:"rigid",options:["rigid"],expected:"\
+'rigid'"},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],["less_than_equal",1e7]]}}},Compliant:{place:"contact.",fields:{model:{
+kind:"word",unit:"",default:"compliant",options:["compliant"],expected:"'compliant'"},stiffness:{kind:"number",unit:"N/m",nullable:!0,default:null,limits:[["gre\
+ater_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},damping:{kind:"number",unit:"N s/m or s/m",nullable:!0,default:null,limits:[["great\
+er_than_equal",0]],range:{least:0,most:1e12,words:"from 0 to 1e+12"}},restitution:{kind:"number",unit:"1",nullable:!0,default:null,limits:[["greater_than_equal",
+0],["less_than_equal",1]]},law:{kind:"word",unit:"",default:"kelvin-voigt",options:["kelvin-voigt","hunt-crossley"],expected:"'kelvin-voigt' or 'hunt-crossley'"},
+friction:{kind:"word",unit:"",default:"tanh",options:["tanh","linear","bristle"],expected:"'tanh', 'linear' or 'bristle'"},slip_speed:{kind:"number",unit:"m/s",
+nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m/s"}},tangential_stiffness:{kind:"number",unit:"N/m",
+nullable:!0,default:null,limits:[["greater_than",0]],range:{least:1e-6,most:1e18,words:"from 1e-06 to 1e+18 N/m"}},rtol:{kind:"number",unit:"1",nullable:!0,default:null,
+limits:[["greater_than",0]],range:{least:1e-10,most:.1,words:"from 1e-10 to 0.1"}},max_events:{kind:"whole",unit:"1",default:1e5,limits:[["greater_than_equal",1],
+["less_than_equal",1e7]]}}},Ring:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"ring",options:["ring"],expected:"'ring'"},mass:{kind:"number",
+unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},inner_radius:{kind:"number",unit:"m",required:!0,
+limits:[["greater_than_equal",0]]},outer_radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to\
+ 1e+06 m"}}}},Disk:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"disk",options:["disk"],expected:"'disk'"},mass:{kind:"number",unit:"kg",required:!0,
+limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},radius:{kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],
+range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0}}},PointMass:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",
+default:"point_mass",options:["point_mass"],expected:"'point_mass'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,
+words:"from 1e-12 to 1e+12 kg"}},at:{kind:"number",unit:"m",required:!0}}},Rod:{place:"hoop.parts: ",fields:{shape:{kind:"word",unit:"",default:"rod",options:["\
+rod"],expected:"'rod'"},mass:{kind:"number",unit:"kg",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"}},length:{
+kind:"number",unit:"m",required:!0,limits:[["greater_than",0]],range:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06 m"}},at:{kind:"number",unit:"m",default:0},
+direction:{kind:"word",unit:"",default:"radial",options:["radial","tangential"],expected:"'radial' or 'tangential'"}}}},parts:{ring:"Ring",disk:"Disk",point_mass:"\
+PointMass",rod:"Rod"},paths:["duration","hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","hoop.parts","plane.gravity","pl\
+ane.slope","plane.mu","plane.mu_static","plane.mu_kinetic","plane.restitution","plane.impact_law","plane.painleve","plane.rolling_resistance","start.x","start.h\
+eight","start.angle","start.speed","start.vx","start.vy","start.omega","contact.model","contact.max_events","contact.stiffness","contact.damping","contact.resti\
+tution","contact.law","contact.friction","contact.slip_speed","contact.tangential_stiffness","contact.rtol"],ends:{"hoop.load_fraction":["eccentricity","inertia\
+_ratio","parts"],"hoop.eccentricity":["load_fraction","parts"],"hoop.inertia_ratio":["load_fraction","parts"],"hoop.parts":["load_fraction","eccentricity","iner\
+tia_ratio","mass"],"plane.mu":["mu_static","mu_kinetic"],"plane.mu_static":["mu"],"plane.mu_kinetic":["mu"],"start.speed":["height","vx","vy","omega"],"start.he\
+ight":["speed"],"start.vx":["speed"],"start.vy":["speed"],"start.omega":["speed"],"contact.damping":["restitution"],"contact.restitution":["damping"]},ranges:{"\
+hoop.mass":{least:1e-12,most:1e12,words:"from 1e-12 to 1e+12 kg"},"hoop.inertia_ratio":{least:1e-12,most:1e6,words:"0 or from 1e-12 to 1e+06",also:[0]},"plane.s\
+lope":{least:-1.57,most:1.57,words:"from -1.57 to 1.57 rad"}},relative:{stiffness:{least:.01,most:1e15,words:"from 0.01 to 1e+15",of:"m g/R"},tangential_stiffness:{
+least:.01,most:1e15,words:"from 0.01 to 1e+15",of:"m g/R"},slip_speed:{least:1e-12,most:1e6,words:"from 1e-12 to 1e+06",of:"√(g R)"}},most_depth:100,touch:1e-12,
+default:{duration:6,hoop:{radius:1,mass:1,load_fraction:.75},plane:{gravity:9.81,slope:0,mu:1,restitution:0,impact_law:"stronge",painleve:"flight"},start:{x:0,angle:0,
+speed:3.1},contact:{model:"rigid",max_events:1e5}}},texts:{unknown_key:"{path} is not a known key; {hint}",did_you_mean:"did you mean {close}?",known_are:"known\
+ are {known}.",missing:"{path} is missing.",together:"{section}.{other} cannot be given together with {section}.{way}.",finding:"{path} = {shown} {allowed}.",number:"\
+must be a number",friction:"must be at least 0 (inf is allowed)",whole:"must be a whole number",finite_number:"must be a finite number",greater_than:"must be gr\
+eater than {limit:g}",greater_than_equal:"must be at least {limit:g}",less_than:"must be less than {limit:g}",less_than_equal:"must be at most {limit:g}",range:"\
+must be {words}",literal_error:"must be {expected}",table:"must be a table of keys",list:"must be a list",word:"must be a word",other_problem:"{first} (and {cou\
+nt} more problem).",other_problems:"{first} (and {count} more problems).",whole_scenario:"the scenario",no_parts:"hoop.parts must not be empty.",half_a_hoop:"ho\
+op.{missing} is missing: hoop.{given} does not define a hoop without it.",massless_eccentricity:"hoop.inertia_ratio = 0 needs hoop.eccentricity = 1 (all mass in\
+ a point on the rim), not {eccentricity!r}.",hoop_mass:"hoop.mass = {mass!r} must be {words}.",parts_inertia:"hoop.parts give hoop.inertia_ratio = {inertia_rati\
+o!r}, which must be {words}.",load_inertia:"hoop.load_fraction = {load_fraction!r} gives hoop.inertia_ratio = {inertia_ratio!r}, which must be {words}.",ring_radii:"\
+ring.inner_radius = {inner!r} must not exceed ring.outer_radius = {outer!r}.",beyond_the_rim:"hoop.parts.{index} ({shape}) reaches {reach!r} m from the centre, \
+beyond the rim: hoop.radius = {radius!r}.",kinetic_above_static:"plane.mu_kinetic = {mu_kinetic!r} must not exceed plane.mu_static = {mu_static!r}.",vertical:"p\
+lane.slope = {slope!r} must lie between -pi/2 and pi/2 (radians).",slope:"plane.slope = {slope!r} must be {words}.",no_omega:"start.omega = None must be a numbe\
+r.",massless_slope:"plane.slope = {slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).",massless_resistance:"plane.rolling_resistance = {given!r}\
+ must be 0 for the massless hoop (hoop.inertia_ratio = 0).",resistance:"plane.rolling_resistance = {given!r} must be below {most:.6g} for this hoop, whose inert\
+ia about the contact it would cancel at some angle.",massless_compliant:"contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio =\
+ 0).",compliant_friction:"plane.mu_static = inf must be finite with contact.model = 'compliant'.",relative_contact:"contact.{name} = {value!r} is {relative:.3g}\
+ {unit} of this hoop and must be {words} of it.",too_soft:"contact.stiffness = {stiffness!r} lets the rim sink some {depth:.0e} radii into the plane, at the spe\
+ed of the start, and must be high enough for at most {most:g}.",no_parameter:"{path} is not a parameter of a scenario; known are {known}.",no_section_parts:"{pa\
+th} is not a parameter of a scenario: {section} has no parts.",two_ways:"{one} = {one_value!r} and {other} = {other_value!r} cannot be given together.",not_there:"\
+{path} is not there to be replaced: the scenario has no {step!r}.",unreadable_query:"The query cannot be read: {reason}.",beside_a_value:"{path} cannot stand be\
+side a value for {above}.",given_twice:"{path} is given twice.",parts_out_of_order:"hoop.parts.{name} is out of order: parts are numbered from 0 without a gap."},
+words:{letters:"RSKHM",modes:["roll","spin","skid","flight","skim"],verbs:{roll:"rolls",spin:"spins",skid:"skids",flight:"flies",skim:"skims the plane"},events:{
+start:"starts",slip_start:"slips",stick:"rolls",slip_reversal:"slips the other way",takeoff:"hops",impact:"lands",turn:"turns back",apex:"is highest",bounce_limit:"\
+has bounced out",painleve_inconsistent:"meets Painlevé's paradox",painleve_indeterminate:"meets Painlevé's indeterminacy",jam:"jams",kane_gain:"gains energy (\
+Kane)",skim:"skims",rest:"rests",end:"ends"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal force grows without bound (dynamic jam): r\
+igid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"The limit of events (contact.max_events),\
+ or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"hop",M:"skim","+":"…"},story:{start:"It {started} with\
+ the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"starts skimming",slip_start:"I\
+t {verb} at {where}; friction is used up: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction is used up: the rim turns too fast for the way \
+it goes.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip turns round at {where}; it {verb}.",takeoff:"It hops at {where}.",takeoff_and_landing:"\
+It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s downwards and {verb}.",impact_bounce:"It lands at {w\
+here} with {speed} m/s downwards and bounces.",impact_without_collision:"An impact without collision at {where} stops the slip; then it {verb}.",turn:"It turns \
+back at {where}.",turn_in_slip:"It turns back at {where}, and {verb} now.",apex:"The centre is highest at {where}: the gap is {gap}.",bounce_limit:"Bounces with\
+out number end here, at {where}.",painleve_inconsistent:"Painlevé's paradox at {where}: no contact force agrees with this slip.",painleve_indeterminate:"Painle\
+vé's paradox at {where}: several contact forces agree with it.",jam:"Dynamic jam at {where}: the contact force grows without bound.",kane_gain:"Newton's law of\
+ impact has created {gain} J (Kane's example).",skim:"No contact force is left at {where}: the load falls freely and the rim skims the plane.",rest:"It rests at\
+ {where}.",rest_unstable:"It rests at {where}, which is not stable.",end:"",other:"{kind} at {where}.",more_bounces:"It bounces {count} more times.",left_out:"…\
+ and {count} more."},summary:{change:"{phrase} at {where}",bounces:"bounces",without_collision:"stops its slip at once",more_bounces:"and {count} more times",more_changes:"\
+, … ({count} more)",sentence:"{phrases}. {ending}"},theory:{first_slip:"Slips",first_hop:"Hops",immediate_hop:"Hops at once",needed_friction:"Friction for pur\
+e rolling",painleve:"Painlevé’s paradox",jam:"Dynamic jam",rest:"Rests stably",loss:"End of rolling",loss_by_friction:"at {where} friction is used up",loss_of_contact:"\
+at {where} the contact force is gone",would_slip:"would slip",would_hop:"would hop in its first turn",would_hop_at_once:"would hop at once",any_push:"{would}: a\
+ny push is enough",any_speed:"{would}: at any speed",no_speed:"never, at any speed",above:"{would} above {speed} m/s",no_friction:"no friction keeps it rolling",
+friction_enough:"μ = {mu} would keep it rolling (enough here)",friction_short:"μ = {mu} would keep it rolling (more than there is)",never:"never",paradox_here:"\
+from μ = {mu} on, at {where}: possible here",paradox_not_here:"from μ = {mu} on, at {where}: not here",jam_at:"can end a slip at {places}",rest_at:"with the l\
+oad at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it"},least_speed:1e-9},
+classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0072B2",reversal:"#009E73",takeoff:"\
+#D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"\
+#F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",takeoff:"#D55E00",stick:"#0072B2",turn:"#009E73",end:"#56B4E9",impact:"#F0E442",slip_reversal:"\
+#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},hops:"#D55E00",rolls:"#0072B2",
+other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
+"angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{
+label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
+label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
+label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
+label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
+label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
+ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
+t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
+ the lab; the library itself has no such limit.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.pa\
+th are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compl\
+iant' must be 'rigid' for a map.",not_a_pair:"changes holds {change}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,
+cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"\
+J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},degrees:["plane.slope","start.an\
+gle"]};var S=la,_t=o=>o==="inf"?1/0:o;var Ie=class{constructor(e){this.text=e}};function Le(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
+"-":"",[t,s]=Math.abs(o).toExponential().split("e"),n=t.replace(".",""),i=Number(s);return i<-4||i>=16?`${e}${t}e${Io(i)}`:e+(i<0?`0.${"0".repeat(-i-1)}${n}`:da(
+n,i+1))}function da(o,e){let t=o.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var Io=o=>`${o<0?"-":"+"}${String(Math.abs(o)).padStart(2,"0")}`;function ua(o,e){
+let[t,s]=o.toExponential(e-1).split("e"),n=t.replace(".",""),i=o.toExponential(100).split("e")[0].replace(".","");return i[e]==="5"&&/^0*$/.test(i.slice(e+1))&&
+Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function Lo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
+0||Object.is(o,-0)?"-":"";function Ne(o,e=6){if(!Number.isFinite(o))return Lo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=ua(Math.abs(o),e),i=s.replace(/0+$/,
+"")||"0";if(n<-4||n>=e)return`${t}${i[0]}${i.length>1?`.${i.slice(1)}`:""}e${Io(n)}`;if(n<0)return`${t}0.${"0".repeat(-n-1)}${i}`;let[a,r]=da(s,n+1).split("."),
+l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function ih(o,e){if(!Number.isFinite(o))return Lo(o);let[t,s]=o===0?["0".repeat(e+1),0]:ua(Math.abs(o),e+1),
+n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${Io(s)}`}function No(o,e){if(!Number.isFinite(o))return Lo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
+t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),n=t.toFixed(100),i=n.slice(n.indexOf(".")+1+e),a=n.slice(0,n.indexOf(".")+(e?1+e:0));return/^50*$/.test(i)&&Number(
+a.at(-1))%2===0?Tt(o)+a:Tt(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Ie?r.text:n?
+se(r):a==="g"?Ne(r,i===""?6:Number(i)||1):a==="e"?ih(r,Number(i)):a==="f"?No(r,Number(i)):String(r)})}function se(o,e=!0){return o==null?"None":o===!0?"True":o===
+!1?"False":typeof o=="number"?e?Le(o):ma(o):typeof o=="string"?ha(o):Array.isArray(o)?`[${o.map(s=>se(s,e)).join(", ")}]`:`{${Object.entries(o).map(([s,n])=>`${ha(
+s)}: ${se(n,e)}`).join(", ")}}`}function ma(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Le(o)}function St(o){return typeof o=="number"?ma(o):
+typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${Rs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(St).join(", ")}]`:o&&typeof o=="obj\
+ect"?`{${Object.entries(o).map(([e,t])=>`${St(e)}: ${St(t)}`).join(", ")}}`:String(o)}var Rs=(o,e)=>o.toString(16).padStart(e,"0"),ah=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+pa=o=>o===" "||!ah.test(o);function fa(o){if(o===`
+`)return"\\n";if(o==="\r")return"\\r";if(o==="	")return"\\t";let e=o.codePointAt(0);return e<256?`\\x${Rs(e,2)}`:e<65536?`\\u${Rs(e,4)}`:`\\U${Rs(e,8)}`}function ha(o){
+let e=o.includes("'")&&!o.includes('"')?'"':"'",t=[...o].map(s=>s===e||s==="\\"?`\\${s}`:pa(s)?s:fa(s));return e+t.join("")+e}var ga=o=>[...o].map(e=>pa(e)?e:fa(
+e)).join("");function Ps(o){let e=[...o];return e.length<=60?o:`${e.slice(0,57).join("")}...`}var ca="[\\s\\x1c-\\x1f\\x85]*",rh=new RegExp(`^${ca}([+-]?)(?:(in\
+f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${ca}$`,"i");function wa(o){let e=rh.exec(o);if(!e||o.includes(
+"\uFEFF"))return;let[,t,s,n]=e,i=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(n.replaceAll("_",""));return t==="-"?-i:i}var{texts:ba,scenario:ya}=S,A=class extends Error{constructor(e){super(ga(e)),this.name="InputError"}},xe=class extends A{},R=(o,e={})=>P(ba[o],e),oe=o=>o!==null&&
+typeof o=="object"&&!Array.isArray(o);function qe(o=()=>!1,e=""){return{said:[],above:e,float:o}}function j(o,e,t,s,n){let i=typeof t=="bigint"?String(t):se(t,o.
+float(e)),a=o.above+e||ba.whole_scenario;o.said.push(R("finding",{path:a,shown:Ps(i),allowed:R(s,n)}))}function qo(o,e,t,s){let{fields:n,place:i}=ya.models[o];if(!oe(
+e))return j(s,t,e,"table"),null;for(let l of Object.keys(e))if(!Object.hasOwn(n,l))return s.said.push(Co(i,l,Object.keys(n))),null;let a=s.said.length,r={};for(let[
+l,h]of Object.entries(n))h.kind!=="section"&&(Object.hasOwn(e,l)?r[l]=jo(h,e[l],`${t}.${l}`,s):h.required?s.said.push(R("missing",{path:`${s.above}${t}.${l}`})):
+r[l]=_t(h.default));return s.said.length===a?{values:r,given:new Set(Object.keys(e))}:null}function Co(o,e,t){let s=ra(e,t),n=s?R("did_you_mean",{close:s}):R("k\
+nown_are",{known:t.join(", ")});return R("unknown_key",{path:`${o}${Ps(e)}`,hint:n})}function jo(o,e,t,s){if(e===null&&o.nullable)return null;if(o.kind==="parts")
+return hh(e,t,s);if(o.kind==="word")return o.options.includes(e)||j(s,t,e,"literal_error",o),e;let n=o.kind==="friction",i=n&&e==="inf"?1/0:e;if(typeof i!="numb\
+er")return j(s,t,e,"number");if(n&&!(i>=0))return j(s,t,e,"friction");if(o.kind==="whole"&&!Number.isInteger(i))return j(s,t,e,"whole");if(!n&&!Number.isFinite(
+i))return j(s,t,e,"finite_number");for(let[a,r]of o.limits??[])if(!lh(a,i,r))return j(s,t,o.kind==="whole"?BigInt(i):e,a,{limit:r});return o.range&&!Ye(o.range,
+i)?j(s,t,e,"range",o.range):i+0}function lh(o,e,t){return o==="greater_than"?e>t:o==="greater_than_equal"?e>=t:o==="less_than"?e<t:e<=t}var Ye=({least:o,most:e,
+also:t=[]},s)=>o<=s&&s<=e||t.some(n=>_t(n)===s);function hh(o,e,t){return Array.isArray(o)?o.map((s,n)=>ch(s,`${e}.${n}`,t)):j(t,e,o,"list")}function ch(o,e,t){
+let s=Oo(o,"shape",ya.parts,e,t),n=s&&qo(s,o,e,t);if(!n)return null;let{inner_radius:i,outer_radius:a}=n.values;return i>a&&t.said.push(R("ring_radii",{inner:i,
+outer:a})),n.values}function Oo(o,e,t,s,n,i){if(!oe(o))return j(n,s,o,"table"),null;let a=Object.hasOwn(o,e)?o[e]:i;if(a===void 0||a===null&&i)return n.said.push(
+R("missing",{path:`${n.above}${s}.${e}`})),null;if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:se(a,n.float(`${s}.${e}`)),l=Object.
+keys(t).map(m=>`'${m}'`),h=`${l.slice(0,-1).join(", ")} or ${l.at(-1)}`,d=R("literal_error",{expected:h}),u={path:`${n.above}${s}.${e}`,shown:Ps(se(r)),allowed:d};
+return n.said.push(R("finding",u)),null}function Mt(o){let e=o.length-1;return e?R(e===1?"other_problem":"other_problems",{first:o[0].replace(/\.$/,""),count:e}):
+o[0]}var{codes:dh,families:uh,hops:mh,rolls:ph,other:fh}=S.classes,{sequence:gh}=S.words,va="sequence";function wh(o){let e=-1;for(let t of o){e^=t.charCodeAt(0);for(let s=0;s<
+8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function ka(o,e){if(e!==va)return dh[e]?.[o]??fh;let t=[...o].find(u=>"SKM".includes(u))??"R",s=o.endsWith("H")?mh:
+uh[t+o.slice(-1)]??ph,n=[1,3,5].map(u=>Number.parseInt(s.slice(u,u+2),16)/255),i=(n[0]+n[1]+n[2])/3,a=Math.min(o.length-1,9)/9,r=wh(o)%1e3/1e3,l=.62-.62*Math.min(
+2*a,1),h=Math.max(2*a-1,0)*.5;return`#${n.map(u=>{let m=(1-.2*r)*u+.2*r*i,p=Math.min(Math.max((m+(1-m)*l)*(1-h),0),1);return Math.round(255*p).toString(16).padStart(
+2,"0")}).join("")}`}function xa(o,e){return e!==va?o.replaceAll("_"," "):[...o].map(t=>gh[t]).join(" → ")}function X({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:d,rolling_resistance:u,mu_static:m,
+mu_kinetic:p,restitution:g,impact_law:b,painleve:w}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Ze(s,i),{max_events:Q,model:Ws,...Lt}=n;return{radius:i,mass:a,
+eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:d,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:g,impact_law:b,painleve:w,
+x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:Ws==="rigid"?null:Lt}}function Ze({x:o,height:e,angle:t,speed:s,
+vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var _a=S.scenario.ends,Do=o=>Object.hasOwn(_a,o)?_a[o]:[];function Wo(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
+let[t]=Wo(e),s=Do(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ta=new Set(S.scenario.paths);function $o(o){
+if(!(Ta.has(o)||/^hoop\.parts\.\d+\.\w+$/.test(o)))throw new A(R("no_parameter",{path:o,known:[...Ta].join(", ")}))}function Sa(o){let[e,t]=Wo(o);return(e==="st\
+art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Bo=o=>e=>!o.some(t=>e===t||e.startsWith(t.endsWith(".")?t:`${t}.`));function Ma(o,e,t,s){let n=[
+...t.keys()],i=Et(n);if(i){let[l,h]=i,[d,u]=i.map(m=>new Ie(se(t.get(m),!1)));throw new A(R("two_ways",{one:l,other:h,one_value:d,other_value:u}))}let a=new Set,
+r=Bo(n);for(let l of n.sort((h,d)=>Sa(h)-Sa(d))){let h=structuredClone(t.get(l)),[d,u]=Wo(l);if(u==="")Fo(e,d,h);else if(l==="contact.model")e.contact={model:h};else{
+Object.hasOwn(e,d)||Fo(e,d,{});let m=e[d];if(!oe(m))throw new A(R("no_section_parts",{path:l,section:d}));if(!a.has(d)&&Do(l).some(p=>Object.hasOwn(m,p))){a.add(
+d);let p=bh(o,l,()=>s(e.hoop,r));for(let[g,b]of Object.entries(p))t.has(`${d}.${g}`)||(m[g]=b)}for(let p of Do(l))delete m[p];yh(m,u.split("."),h,l)}}return e}function Fo(o,e,t){
+Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function bh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
+if(s==="hoop.eccentricity"||s==="hoop.inertia_ratio")return{mass:i,eccentricity:a,inertia_ratio:r};if(s==="hoop.load_fraction")return{mass:i};if(s==="plane.mu_s\
+tatic"||s==="plane.mu_kinetic"){let l=h=>h===1/0?"inf":h;return{mu_static:l(e.mu_static),mu_kinetic:l(e.mu_kinetic)}}if(s.startsWith("start.")&&s!=="start.speed"){
+let{height:l,vx:h,vy:d,omega:u}=Ze(t,n().radius);return{height:l,vx:h,vy:d,omega:u}}return{}}function yh(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
+step:l})),r=l=>Array.isArray(n)&&/^\d+$/.test(l)&&Number(l)<n.length;for(let l of e)if(r(l))n=n[Number(l)];else if(oe(n)&&Object.hasOwn(n,l))n=n[l];else throw a(
+l);if(oe(n))Fo(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var vh=1e3;function Ea(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>vh)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
+ded"}));let t=new Map;for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),h=t;for(let d of r)if(h.has(d)||h.set(d,new Map),h=h.get(d),!(h instanceof
+Map))throw new A(R("beside_a_value",{path:i,above:i.slice(0,i.lastIndexOf("."))}));if(h.has(l))throw new A(R("given_twice",{path:i}));h.set(l,wa(a)??a)}let s=t.
+get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",kh(n)),Ho(t)}function kh(o){let e=Array.from({length:o.size},(s,n)=>String(
+n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_order",{name:s}));return e.map(s=>o.get(s))}function Ho(o){return Array.isArray(
+o)?o.map(Ho):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Ho(t)])):o}function Aa(o){return za(o,"").map(([e,t])=>`${e}=${xh(e,t)}`).join("&")}function za(o,e){
+return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>za(s,e?`${e}.${t}`:t))}function xh(o,e){return Is(o,e).replace("e+","e").replace(
+/\.0$/,"")}function Is(o,e){return typeof e=="string"?e:_h.has(o.slice(o.lastIndexOf(".")+1))?String(e):Le(e)}var _h=new Set(Object.values(S.scenario.models).flatMap(
+({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:Xe}=S,Th=["load_fraction","eccentricity","inertia_ratio"],Ra=["mu_static","mu_kinetic"],Sh=["height","vx","vy","omega"],At=class extends Error{};function L(o,e){
+throw new At(R(o,e))}function Ls(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Ko({values:o,given:e},t){let s={...o},n=Th.filter(
+d=>e.has(d)&&o[d]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Ls("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,Mh(s.radius,s.parts,
+t))):s.load_fraction!==null||!n.length?(Ls("hoop","load_fraction",n),s.load_fraction??=Xe.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
+s.inertia_ratio=t.ideal(s.load_fraction)):n.length===1&&L("half_a_hoop",{missing:n[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:n[0]});let{mass:i,inertia_ratio:a,
+load_fraction:r,eccentricity:l}=s,h=Xe.ranges;if(Ye(h["hoop.mass"],i)||L("hoop_mass",{mass:i,words:h["hoop.mass"].words}),!Ye(h["hoop.inertia_ratio"],a)){let{words:d}=h["\
+hoop.inertia_ratio"];L(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:d})}return a===0&&l!==1&&L("massless_eccentricity",{eccentricity:l}),
+s}function Mh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+Xe.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
+radius:o}),n}function Pa({values:o,given:e}){let t={...o};t.apart=Ra.some(r=>e.has(r)),t.mu!==null?(Ls("plane","mu",Ra.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
+t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:n,slope:i}=t;n>s&&L("kinetic_above_static",{mu_kinetic:n,mu_static:s}),Math.abs(
+i)<.5*Math.PI||L("vertical",{slope:i});let a=Xe.ranges["plane.slope"];return Ye(a,i)||L("slope",{slope:i,words:a.words}),t}function Ia({values:o,given:e}){let t={
+...o};return t.speed!==null?(Ls("start","speed",Sh.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function La({values:o}){let e=o;
+return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&L("together",{section:"contact",other:"restitution",way:"damping"}),e}function Na(o,e,t){let{
+hoop:s,plane:n,contact:i}=o,a=s.inertia_ratio===0,r=i.model==="compliant";a&&n.slope!==0&&L("massless_slope",{slope:n.slope});let l=n.rolling_resistance;l!==0&&
+a&&L("massless_resistance",{given:l});let h=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);h!==void 0&&!(l<h)&&L("resistance",{given:l,most:h}),a&&
+r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Eh(i,e.compliance(t(o)))}function Eh(o,e){for(let[n,{of:i,...a}]of Object.
+entries(Xe.relative)){let r=o[n];if(r===null)continue;let l=e[n];Ye(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
+s=_t(Xe.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:_e}=S,Ah={rigid:"Rigid",compliant:"Compliant"};function Uo(o,e,t=qe()){let s=Go(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Go(o,e,t){let{
+fields:s,place:n}=_e.models.Scenario;if(!oe(o))return j(t,"",o,"table"),null;let i=Object.keys(o).find(g=>!Object.hasOwn(s,g));if(i!==void 0)return t.said.push(
+Co(n,i,Object.keys(s))),null;let a=g=>Object.hasOwn(o,g)?o[g]:_e.default[g],r=jo(s.duration,a("duration"),"duration",t),l=zt("Hoop",a("hoop"),"hoop",t,g=>Ko(g,e)),
+h=zt("Plane",a("plane"),"plane",t,Pa),d=zt("Start",a("start"),"start",t,Ia),u=Oo(a("contact"),"model",Ah,"contact",t,"rigid"),m=u&&zt(u,a("contact"),"contact",t,
+La);if(t.said.length||!l||!h||!d||!m)return null;let p={duration:r,hoop:l,plane:h,start:d,contact:m};return Ca(t,()=>(Na(p,e,X),p))}function zt(o,e,t,s,n){let i=qo(
+o,e,t,s);return i&&Ca(s,()=>n(i))}function Ca(o,e){try{return e()}catch(t){if(!(t instanceof At))throw t;return o.said.push(t.message),null}}function Vo(o,e){return Uo(
+Ea(o),e,qe(()=>!0))}function Qe(o,e,t){let s=Ma(o,Te(o),e,(n,i)=>zh(n,t,i));return Uo(s,t,qe(Bo([...e.keys()])))}function zh(o,e,t){let s=qe(t),n=zt("Hoop",o,"h\
+oop",s,i=>Ko(i,e));if(!n)throw new A(Mt(s.said));return n}var Rh=o=>o===1/0?"inf":o,Rt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Rh(o[t])])),
+Jo=o=>Object.keys(_e.models[o].fields);function Te({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Ph(e),plane:Ih(t),start:Lh(s),contact:Rt(
+n,Jo(n.model==="rigid"?"Rigid":"Compliant"))}}function Ph(o){if(o.parts){let t=o.parts.map(s=>Rt(s,Jo(_e.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.
+load_fraction===null?["eccentricity","inertia_ratio"]:["load_fraction"];return Rt(o,["radius","mass",...e])}function Ih(o){let e=o.apart?["mu"]:["mu_static","mu\
+_kinetic"];return o.rolling_resistance===0&&e.push("rolling_resistance"),Rt(o,Jo("Plane").filter(t=>!e.includes(t)))}function Lh(o){return Rt(o,o.speed===null?[
+"x","height","angle","vx","vy","omega"]:["x","angle","speed"])}function Yo(o,e){let{Hoop:t,Start:s}=_e.models;if(o==="hoop"){let{radius:n,mass:i,eccentricity:a}=t.
+fields;return{radius:n.default,mass:i.default,load_fraction:a.default}}return o==="plane"?_e.default.plane:o==="start"?{...qa(s),speed:void 0}:qa(_e.models[e===
+"compliant"?"Compliant":"Rigid"])}var qa=({fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function Zo(o){let e={};for(let[
+t,s]of Object.entries(Te(o))){let n=_e.default[t];if(Pt(s,n))continue;if(!oe(s)){e[t]=s;continue}let i=Yo(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="mo\
+del"||!Pt(i[r],l));e[t]=a.length?Object.fromEntries(a):s}return Aa(e)}function Pt(o,e){if(o===e)return!0;if(o===null||e===null||typeof o!="object"||typeof e!="o\
+bject")return!1;let t=Object.keys(o);return t.length===Object.keys(e).length&&t.every(s=>Pt(o[s],e[s]))}var{lab:Nh,limits:et}=S,Se=(o,e={})=>P(Nh[o],e);function Ns({scenario:o,query:e=null,changes:t=[]},s){let n=qe(),i=null;if(o!==void 0&&!oe(o)?j(n,"scenario",o,"\
+table"):o!==void 0&&(i=Go(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&j(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!qh(r)).
+map(Ch)):j(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Vo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Qe(
+i,a,s),a=new Map),a.set(r,l);return a.size?Qe(i,a,s):i}var qh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Ch=o=>Se("not_a_pair",{change:new Ie(St(o).
+slice(0,60))});function tt(o){let{duration:e,hoop:t,contact:s}=o;if(e>et.duration)throw new xe(Se("too_long",{duration:e,most:et.duration}));let n=t.parts?.length??
+0;if(n>et.parts)throw new xe(Se("too_many_parts",{parts:n,most:et.parts}));return s.max_events<=et.events?o:{...o,contact:{...s,max_events:et.events}}}var{cell:Xo,laws:jh,events:Oh,quantities:qs}=S.map,ja=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function Qo(o,{x:e,y:t}){if($o(e.
+path),$o(t.path),e.path===t.path)throw new A(Se("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new xe(Se("too_many_cells",{cells:s,
+most:S.limits.cells}));if(o.contact.model!=="rigid")throw new A(Se("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Se("two_axes",{one:n[0],other:n[1]}));
+let{contact:i,...a}=tt(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,Oh)}}}function en(o,{x:e,y:t},s){let n=ja(e),i=ja(t),a=n.length*i.length,r=new Float64Array(
+Xo.length*a),l=0;for(let h of i)for(let d of n){let u=Dh(o,e.path,d,t.path,h,s);if(u)for(let m=0;m<Xo.length;m++)r[m*a+l]=u[Xo[m]];l++}return{count:a,rows:r}}function Dh(o,e,t,s,n,i){
+let a=new Map([[s,n],[e,t]]);try{let r=X(Qe(o,a,i));return{...r,law:jh[r.impact_law],strike:r.painleve==="impact"?1:0,ideal:r.ideal?1:0,allowed:1}}catch(r){if(!(r instanceof
+A))throw r;return null}}function tn(o){if(Object.hasOwn(qs,o))return qs[o].span;throw new A(`what = ${o} must be one of ${Object.keys(qs).join(", ")}.`)}function sn({
+x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=qs[t],{values:r,names:l}=Fh(s,i===""?a:null),h=i===""?l.map(d=>({name:d,text:xa(d,t),color:ka(d,t)})):null;return{
+header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Fh({values:o,sequences:e},t){if(!t)return{values:o,names:[]};let s=e?[...e].sort((a,r)=>a.
+length-r.length||(a<r?-1:a>r?1:0)):t,n=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(o,a=>a>=0?n?.[a]??a:Number.NaN),names:s}}var{scenario:js}=S,Wh=30;function Oa(o,e){for(let t of js.sections[o]??["Scenario"]){let s=js.models[t].fields[e];if(s)return s.unit}return""}function Fa(o,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):Is(o,e)}function Da(o,e,t){let s=`${o} = ${Fa(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Wh)} # ${t}`}function Os(o){
+let{duration:e,...t}=Te(o),s=[Da("duration",e,Oa("","duration"))];for(let[n,i]of Object.entries(t)){s.push("",`[${n}]`);for(let[a,r]of Object.entries(i))if(!Array.
+isArray(r))s.push(Da(a,r,Oa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h=Object.entries(l).map(([d,u])=>`${d} = ${Fa(d,u)}`);s.push(`  { ${h.join(", ")}\
+ },`)}s.push("]")}}return`${s.join(`
+`)}
+`}var $h={hoop:"Hoop",plane:"Plane",start:"Start"},Bh=["load_fraction","mu"];function on(o){let e=Te(o),t=Pt(e.contact,js.default.contact)?"":`    contact=${Cs(
+"contact",e.contact)},
+`;return[`import hophoop as hh
+
+`,`motion = hh.simulate(
+`,`    ${Cs("hoop",e.hoop)},
+`,`    ${Cs("plane",e.plane)},
+`,`    ${Cs("start",e.start)},
+`,`    duration=${nn("duration",e.duration)},
+`,t,`)
+`,`print(motion.sequence, motion.status)
+`,`for event in motion.events:
+`,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
+`].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":$h[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:Yo(
+o,t.model),a=Object.entries(t).filter(([r,l])=>Bh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${nn(r,l)}`);return e&&a.push(`parts=[${e.map(Hh).join(", ")}]`),`hh\
+.${n}(${a.join(", ")})`}function Hh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${nn(s,n)}`);return`hh.${js.parts[o]}(${t.join(", ")})`}function nn(o,e){
+return e==="inf"?'float("inf")':typeof e=="string"?se(e):Is(o,e)}var{letters:$a,modes:rn,verbs:ln,events:Kh,statuses:Uh,story:Ce,summary:st}=S.words,Gh=["turn","apex","end"],Vh=400,[,an,Wa,Jh,Yh]=rn,Zh="⁰¹²³⁴⁵⁶⁷⁸⁹";
+function Ba(o,e){let{omega:t,to:s}=o[e];return t===0&&(s==="S"||s==="K")&&e+1<o.length}var hn=o=>[...o.keys()].filter(e=>Ba(o,e)),cn=(o,e)=>.5*(o[e].t+o[e+1].t);
+function dn(o,e=Vh){let t=[],s=0,n=Ka(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?Qh(o,i,a):P(Ce.more_bounces,
+{count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:$a[rn.indexOf(Ds(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Ce.left_out,
+{count:s})}),t}var Ha=o=>o.kind==="impact"&&o.to==="H"&&o.collision!==!1;function Ka(o,e=3,t=6){let s=new Map,n=[];for(let i=0;i<=o.length;i++){let a=o[i];if(a&&
+(Ha(a)||n.length&&a.kind==="apex")){n.push(i);continue}let r=n.filter(l=>o[l].kind==="impact");if(r.length>=t){for(let l of n.slice(n.indexOf(r[e])))s.set(l,0);
+s.set(r[e],r.length-e)}n=[]}return s}function un(o,e=6){let t=[],s=0,n=Ka(o.events,1);for(let[l,h]of o.events.entries()){let d=n.get(l);if(d!==void 0){d&&t.push(
+P(st.more_bounces,{count:d}));continue}if(h.kind==="start"||!t.length){t.push(ln[Ds(o,l)]);continue}let u=Xh(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Oe(
+h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Uh[o.
+status]};return P(st.sentence,r).trim()}function Xh(o,e,t){return t.collision===!1?st.without_collision:Ha(t)?st.bounces:["slip_start","slip_reversal"].includes(
+t.kind)||Ua(t)?ln[Ds(o,e)]:Gh.includes(t.kind)?"":Kh[t.kind]}function Qh(o,e,t){let s=Ds(o,e),n={where:Oe(t.angle),verb:ln[s],kind:t.kind.replaceAll("_"," ")},i=ec(
+o.events,e,s,n);return P(Ce[i]??Ce.other,n)}function ec(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=je(n.vx),s.started=P(t===Jh?Ce.started_flight:
+t===Yh?Ce.started_skim:Ce.started,s)),i==="slip_start"&&t===an?"slip_start_spin":i==="takeoff"?tc(o,e,s):i==="impact"?(s.speed=je(n.before.vy===null?null:Math.abs(
+n.before.vy)),n.collision===!1?"impact_without_collision":n.to==="H"?"impact_bounce":i):i==="turn"&&Ua(n)?"turn_in_slip":(i==="apex"&&(s.gap=Ga(n.height)),i==="\
+kane_gain"&&(s.gain=je(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function tc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
+height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t;a++)n=Math.max(n,o[a].height);if(!n)break;return t.top=Ga(n),t.time=je(o[i].t-s),
+"takeoff_and_landing"}return"takeoff"}function Ds(o,e){let t=o.events[e];return sc(t.to,Ba(o.events,e)?o.omega(e):t.omega)}function sc(o,e){return o==="S"?e>0?an:
+Wa:o==="K"?e<0?an:Wa:rn[$a.indexOf(o)]}var Ua=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Oe=o=>`${No(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ga(o){
+return o>=.995?`${je(o)} m`:o>=.00995?`${je(o*100)} cm`:`${je(o*1e3)} mm`}function je(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=Ne(o,3).split("e"),s=t===
+void 0?"":`·10${oc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var oc=o=>[...String(o)].map(e=>e==="-"?"⁻":Zh[Number(e)]).join("");var Va=2e3,mn=o=>o===1/0?"inf":o;function Fs(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:Te(
+o),status:e,sequence:t,events:s,final:n,energy:i}}function pn(o,e,t,s){let{hoop:n,plane:i,start:a}=o,{height:r,vx:l,vy:h,omega:d}=Ze(a,n.radius),u={events:e.events,
+status:e.status,omega:t};return{...Fs(o,e),events:e.events.slice(0,Va),query:Zo(o),duration:e.duration,values:{"hoop.radius":n.radius,"hoop.mass":n.mass,"hoop.l\
+oad_fraction":n.load_fraction,"hoop.eccentricity":n.eccentricity,"hoop.inertia_ratio":n.inertia_ratio,"plane.mu":mn(i.mu),"plane.mu_static":mn(i.mu_static),"pla\
+ne.mu_kinetic":mn(i.mu_kinetic),"plane.rolling_resistance":i.rolling_resistance,"start.speed":a.speed,"start.height":r,"start.vx":l,"start.vy":h,"start.omega":d},
+automatic:nc(o,s),massless:n.inertia_ratio===0,summary:un(u),story:dn(u),ending:S.words.statuses[e.status],shortened:e.events.length>Va}}function nc(o,e){if(o.contact.
+model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(X(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.\
+restitution":o.plane.restitution}}var{rate:ic,variables:fn}=S.table,ac="mode",gn=(o,e)=>JSON.stringify(Fs(o,e),null,1);function wn(o){let e=Math.min(Math.max(Math.floor(o*ic)+1,2),S.limits.samples),
+t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function bn(o,e){let t=Object.keys(fn),s=t.map(l=>fn[l]==="1"?l:`${l} [${fn[l]}]`),{kinetic:n,
+potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let d=t.map(u=>u===ac?String(a[u][l]):
+Le(a[u][l]));r.push([Le(h),...d].join(","))}return`${r.join(`\r
+`)}\r
+`}var{theory:O}=S.words;function vn({hoop:o,plane:e},t){let s=[],n=(r,l,h,d)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:d(l)})},
+i=()=>n("painleve",t.painleve_friction,"1",r=>lc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
+O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:Oe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:d,
+any_speed:u}=O;n("first_slip",t.first_slip_speed,"m/s",m=>yn(m,r,d)),n("first_hop",t.first_hop_speed,"m/s",m=>yn(m,l,d)),n("immediate_hop",t.immediate_hop_speed,
+"m/s",m=>yn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>rc(r,e)),i();
+let a=t.jam_angles.map(Oe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
+O.rest_at,{where:Oe(r)})),s}function yn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:Ne(o,4)}):O.no_speed}function rc(o,{
+mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:Ne(o,3)}):O.no_friction}function lc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:Ne(o,3),where:Oe(e)})}var cc=360,dc=240,uc=[0,2*Math.PI,-12,12],kn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},mc=["mot\
+ion.nc","motion.mp4","motion.gif"],It=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
+s!==null,this.files=[...Object.keys(kn),...n?mc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=Ns(t,this.mechanics);
+if(e==="film")return this.film(n,s);if(e==="code")return{header:{python:on(n),toml:Os(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(X(n),s);
+return{header:{thresholds:vn(n,i)},arrays:{}}}if(e==="regions"){let i=t.window??uc,a=X(n),r=await this.kernel.regions(a,i,cc,dc,s);return{header:{window:i},arrays:r}}
+if(e==="map")return this.map(n,t,s);throw new A(`call = '${e}' is not one that the page answers.`)}async film(e,t){let s=X(tt(e)),{motion:n,columns:i}=this.kernel.
+film?await this.kernel.film(s,t):{motion:await this.kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:pn(e,n,
+a,this.mechanics),arrays:i}}async turning(e,{events:t},s){let n=hn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>cn(t,r)),{omega:a}=await this.kernel.
+samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,y:s,what:n="sequence"},i){let a=tn(n),r=Qo(e,{x:t,y:s,what:n}),l=en(r,{x:t,y:s},this.mechanics);return sn(
+{x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){if(!(e in kn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run \
+hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:kn[e]})}async fileText(e,t){let s=Ns({query:t},this.mechanics);if(e==="motion.toml")return Os(s);
+let n=tt(s),i=X(n),a=await this.kernel.motion(i);if(e==="motion.json")return gn(n,a);let r=wn(a.duration);return bn(r,await this.kernel.samples(i,r))}link(e,t){
+return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function xn(o,e,t){let s=e&&new is(e);try{let n=await xt.load(o);return new It(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Ja(o){
+navigator.serviceWorker?.register(o).catch(()=>{})}async function Ya(o){let e=new as(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new It(
+t,t.mechanics,{server:e})}catch{return e}}var pc=new URL("./",import.meta.url);async function fc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,n;try{s=await xn(pc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Ja(t.getAttribute("content")??"");let i=new Ge(
+o,s,n,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Hn(location.hash);try{await i.open([
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Fg(o,e,t,s){let n=await xn(
+e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Ge(o,n,i,{panels:s});return await a.open([t]),a}async function gc({model:o,el:e}){let t=document.
+createElement("div");e.append(t);let s=await Ya(o),n=new Ge(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
+n.motions.set([$e(o.get("film"))]),n.begin();let i=()=>n.motions.replace($e(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
+n.close()}}var Za=document.getElementById("hophoop-lab");Za&&fc(Za);var Wg={render:gc};export{Wg as default,Fg as mount};
