@@ -373,6 +373,7 @@ interface Given {
   ideal: boolean; // given by its load fraction: κ = 1 − ε²
   gravity: number;
   slope: number;
+  rolling_resistance: number;
   mu_static: number; // may be Infinity, as μk
   mu_kinetic: number;
   restitution: number;
