@@ -144,6 +144,14 @@ class _Loop:
         with self.lock:
             _write(self.outward, said)
 
+    def pay(self) -> bool:
+        """Answer an interrupt that came while it could not be answered; whether there was one."""
+        if self.owed == 0:
+            return False
+        self.owed -= 1
+        self.say((STOPPED, None))
+        return True
+
     def report(self) -> None:
         """Say now and then that code is compiled."""
         while True:
@@ -168,9 +176,7 @@ class _Loop:
                 job = _read(self.inward)
             except EOFError:
                 return
-            if self.owed:  # it was given up before it began
-                self.owed -= 1
-                self.say((STOPPED, None))
+            if self.pay():  # it was given up before it began
                 continue
             try:
                 self.state = _COMPUTING
@@ -179,9 +185,8 @@ class _Loop:
             except _Stopped:
                 said = (STOPPED, None)
             self.say(said)
-            while self.owed:
-                self.owed -= 1
-                self.say((STOPPED, None))
+            while self.pay():
+                pass
             self.state = _IDLE
 
 
