@@ -78,10 +78,11 @@ export class WorkerKernel {
 
   /**
    * @param {Given} given
+   * @param {[number, number]} [window] from when to when [s]
    * @param {AbortSignal} [signal]
    */
-  columns(given, signal) {
-    return this.motions.ask("columns", [given], signal);
+  columns(given, window, signal) {
+    return this.motions.ask("columns", [given, window], signal);
   }
 
   /**
