@@ -55,7 +55,8 @@ export class LocalBackend {
       const window = body.window ?? WINDOW;
       const given = model.given(checked);
       const arrays = await this.kernel.regions(given, window, REGION_COLUMNS, REGION_ROWS, signal);
-      return { header: { window }, arrays };
+      // as the server's packing tells it
+      return { header: { window, arrays: [{ name: "modes", shape: [REGION_ROWS, REGION_COLUMNS] }] }, arrays };
     }
     if (name === "map") return this.map(checked, body, signal);
     throw new model.InputError(`call = '${name}' is not one that the page answers.`);
