@@ -43,7 +43,7 @@ CALLS.local = async ({ name, body }) => {
   const { header, arrays } = await local.call(name, body);
   return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };
 };
-CALLS.file = ({ name, query }) => local.fileText(name, query);
+CALLS.file = async ({ name, query }) => (await local.file(name, query)).text();
 
 for await (const line of createInterface({ input: process.stdin })) {
   const { call, body } = JSON.parse(line);

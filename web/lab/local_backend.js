@@ -43,10 +43,7 @@ export class LocalBackend {
     if (name === "setup") return { header: model.tables.setup, arrays: {} };
     const checked = model.asked(body, this.mechanics);
     if (name === "film") return this.film(checked, signal);
-    if (name === "samples") {
-      const given = model.given(model.within(checked));
-      return { header: { window: body.window }, arrays: await this.kernel.columns(given, signal, body.window) };
-    }
+    if (name === "samples") return this.samples(checked, body.window, signal);
     if (name === "code") {
       return { header: { python: model.pythonCode(checked), toml: model.toToml(checked) }, arrays: {} };
     }
@@ -73,9 +70,24 @@ export class LocalBackend {
     const given = model.given(model.within(checked));
     const { motion, columns } = this.kernel.film
       ? await this.kernel.film(given, signal)
-      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
+      : {
+          motion: await this.kernel.motion(given, signal),
+          columns: await this.kernel.columns(given, undefined, signal),
+        };
     const omega = await this.turning(given, motion, signal);
     return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays: columns };
+  }
+
+  /**
+   * A part of a film, finer.
+   * @param {Checked} checked
+   * @param {[number, number]} window from when to when [s]
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<Reply>}
+   */
+  async samples(checked, window, signal) {
+    const given = model.given(model.within(checked));
+    return { header: { window }, arrays: await this.kernel.columns(given, window, signal) };
   }
 
   /**
@@ -102,7 +114,7 @@ export class LocalBackend {
   async map(checked, { x, y, what = "sequence" }, signal) {
     const span = model.spanOf(what);
     const base = model.checkMap(checked, { x, y, what });
-    const cells = model.cellsOf(base, { x, y }, this.mechanics);
+    const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
     return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, span, signal));
   }
 

@@ -16,8 +16,8 @@ from pydantic import AfterValidator, BeforeValidator
 from pydantic.fields import FieldInfo
 
 from hophoop.export import SCHEMA
-from hophoop.lab.controls import DEGREES
 from hophoop.lab.files import SAMPLES_PER_SECOND
+from hophoop.lab.film import SHOWN
 from hophoop.lab.limits import USUAL
 from hophoop.lab.motion_map import MAP_EVENTS, MAP_QUANTITIES
 from hophoop.lab.setup import setup
@@ -81,7 +81,7 @@ def tables() -> dict[str, Any]:
         "lab": LAB,
         "limits": {name: getattr(USUAL, name) for name in ("duration", "events", "parts", "samples", "cells")},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: unit for name, (unit, _) in VARIABLES.items()}},
-        "degrees": sorted(DEGREES),
+        "shown": SHOWN,
     }
     return found
 

@@ -52,9 +52,8 @@ def test_corners_lie_where_the_camera_saw_them(filmed):
 def served(filmed):
     import uvicorn
 
-    from hophoop.lab import api, app
+    from hophoop.lab import api
 
-    app.warm_up()
     video, fit, folder = filmed
     under = backdrop(fit, video, folder / "served.mp4")
     server = uvicorn.Server(uvicorn.Config(api.create_app(backdrop=under), host="127.0.0.1", port=0, log_level="error"))

@@ -5,10 +5,14 @@ import math
 import numpy as np
 import pytest
 
-pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
 import hophoop as hh
 from hophoop.vocabulary.words import mode_word
+
+
+@pytest.fixture(scope="module")
+def address(site_address):
+    """The page that computes by itself."""
+    return site_address
 
 
 def wait_for(page, expression):
