@@ -166,8 +166,11 @@ def test_time_in_which_code_is_compiled_does_not_count(made, monkeypatch):
     monkeypatch.setattr(Process, "compiling", True)
 
     async def run():
-        computing = pool(processes=1, patience=0.05)
-        assert await computing.run(0.3, LIGHT) == b"done"
+        computing = pool(processes=1, patience=0.05, queue=0.1)
+        before = computing.lanes[LIGHT].seconds
+        asked = [computing.run(0.3, LIGHT), computing.run(0.3, LIGHT)]  # the second one waits meanwhile
+        assert await asyncio.gather(*asked) == [b"done"] * 2
+        assert computing.lanes[LIGHT].seconds <= before  # nor is it learnt
 
     alone(run())
 

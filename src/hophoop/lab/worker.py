@@ -137,6 +137,7 @@ class _Loop:
         self.inward, self.outward = inward, outward
         self.state = _IDLE
         self.owed = 0
+        self.compiles = 0
         self.lock = threading.Lock()
 
     def say(self, said: tuple[str, Any]) -> None:
@@ -147,7 +148,7 @@ class _Loop:
         """Say now and then that code is compiled."""
         while True:
             time.sleep(REPORT)
-            if self.state == _COMPUTING and busy():
+            if self.state == _COMPUTING and (self.compiles or busy()):
                 with contextlib.suppress(OSError):
                     self.say((COMPILING, None))
 
@@ -212,10 +213,25 @@ def main() -> None:
     loop = _Loop(inward, outward)
     signal.signal(signal.SIGINT, loop.interrupted)
     threading.Thread(target=loop.report, daemon=True).start()
+    _follow_compiler(loop)
     loop.state = _WRITING  # an interrupt meanwhile is answered with the first job
     _prepare()
     loop.state = _IDLE
     loop.run()
+
+
+def _follow_compiler(loop: _Loop) -> None:
+    """Count what this process compiles itself, where it does."""
+    from numba.core import event
+
+    class Compiles(event.Listener):  # type: ignore[misc]
+        def on_start(self, _: Any) -> None:
+            loop.compiles += 1
+
+        def on_end(self, _: Any) -> None:
+            loop.compiles -= 1
+
+    event.register("numba:compile", Compiles())
 
 
 def _prepare() -> None:

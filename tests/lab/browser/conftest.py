@@ -35,12 +35,14 @@ def visit(browser, address):
     def trouble(kind, text):
         troubles.append(f"{kind}: {text}")
 
-    def open_page(query="", ready=True, expected=(), **options):
+    def open_page(query="", ready=True, expected=(), script="", **options):
         options.setdefault("viewport", {"width": 1440, "height": 900})
         context = browser.new_context(**options)
         contexts.append(context)
         page = context.new_page()
         page.set_default_timeout(30_000)
+        if script:
+            page.add_init_script(script)
         page.on("pageerror", lambda error: trouble("page", error))
         page.on(
             "console",

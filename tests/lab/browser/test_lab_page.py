@@ -384,7 +384,8 @@ def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
 def test_a_map_waits_for_its_kernel_and_says_so(visit, monkeypatch):
     left = [(k, 187) for k in (150, 90, 0)]
     monkeypatch.setattr("hophoop.lab.calls.maps_compiling", lambda: left.pop() if left else None)
-    page = visit()
+    # a browser that cannot run the page's own kernel asks the server
+    page = visit(script="delete globalThis.WebAssembly")
     page.locator(".map-body").scroll_into_view_if_needed()
     wait_for(page, "document.querySelector('.map-head .hint').textContent.includes('0 of 187 functions')")
     wait_for(page, "lab.map.level === 3")
@@ -441,7 +442,9 @@ def test_the_picture_follows_the_hand(visit):
     assert page.evaluate("hophoopLab.latencies.length") > 5
 
 
-def test_the_widget_is_the_same_player(visit):
+@pytest.mark.parametrize("alone", [True, False])
+def test_the_widget_is_the_same_player(visit, alone):
+    """With the page's own kernel, and with the notebook's where the page may not run it."""
     pytest.importorskip("anywidget")
     page = visit()
     widget = hh.show(hh.simulate(hh.Scenario(duration=2.0)), panels=("controls", "plots"))
@@ -456,13 +459,13 @@ def test_the_widget_is_the_same_player(visit):
     page.expose_function("kernel", kernel)
     page.expose_function("chosen", lambda query: setattr(widget, "query", query))
     page.evaluate(
-        """async ({ film, setup, panels }) => {
+        """async ({ film, setup, panels, module, worker }) => {
           const bytes = (text) => {
             const raw = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
             return new DataView(raw.buffer);
           };
           const listeners = [];
-          const traits = { film: bytes(film), setup, panels, query: "" };
+          const traits = { film: bytes(film), setup, panels, module: bytes(module), worker, query: "" };
           const model = {
             get: (name) => traits[name],
             set: (name, value) => (traits[name] = value),
@@ -479,9 +482,15 @@ def test_the_widget_is_the_same_player(visit):
           document.body.replaceChildren();
           const el = document.createElement("div");
           document.body.append(el);
-          globalThis.leave = widget.render({ model, el });
+          globalThis.leave = await widget.render({ model, el });
         }""",
-        {"film": base64.b64encode(widget.film).decode(), "setup": widget.setup, "panels": widget.panels},
+        {
+            "film": base64.b64encode(widget.film).decode(),
+            "setup": widget.setup,
+            "panels": widget.panels,
+            "module": base64.b64encode(widget.module if alone else b"not a module").decode(),
+            "worker": widget.worker,
+        },
     )
     page.locator(".embedded[data-ready]").wait_for()
     assert "hops at 315.6°" in summary(page)

@@ -1,10 +1,10 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 2fc9cdfdb6cafee24065677c740ccf0e */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 9508c7389fee1347e95b7e9a58ba1ca3 */
 function ce(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var En=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ce(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ce(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ce(o).map(n=>Math.round(n+(255-n)*s).toString(
 16).padStart(2,"0")).join("")}`;return t}var Lt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function sr(){let o=[];
 for(let e=0;e<256;e++){let t=e/255*(Lt.length-1),s=Math.min(Math.floor(t),Lt.length-2),n=ce(Lt[s]),i=ce(Lt[s+1]);o.push(n.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
-return o}var We=sr(),Nt=We.map(o=>`rgb(${o.join(",")})`),or=["#6a3d9a","#33702a"],ne=(o,e)=>it(or[o],e);var An={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
+return o}var We=sr(),Nt=We.map(o=>`rgb(${o.join(",")})`),or=["#123a8c","#8a6d00"],ne=(o,e)=>it(or[o],e);var An={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
 spins:"dreht durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {ang\
 le} durch","skids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {\
 angle}":"hüpft bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"glei\
@@ -301,8 +301,8 @@ ritte, im Labor höchstens {most}.","A cell of this map is about {turns} revolut
 ewer cells, lower speeds or a shorter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger \
 Zellen, kleinere Geschwindigkeiten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf fü\
 r einen Film aus dem Labor höchstens {most} s sein.","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips or hops hangs on where it t\
-urns back; the map shows it":"bergauf (β < 0) keine Schwelle: ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","A violet, B green\
-; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violett, B grün; die Strichart nennt die Größe; Zahlen von {hoop}; {hands}"};var zn={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
+urns back; the map shows it":"bergauf (β < 0) keine Schwelle: ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","A blue, B ochre; \
+the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hands}"};var zn={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
 ueda",spins:"patina",skids:"derrapa",flies:"vuela","skims the plane":"roza el plano","rolls at {angle}":"rueda desde {angle}","spins at {angle}":"patina desde {\
 angle}","skids at {angle}":"derrapa desde {angle}","flies at {angle}":"vuela desde {angle}","skims the plane at {angle}":"roza el plano desde {angle}","hops at \
 {angle}":"salta a {angle}","lands at {angle}":"aterriza a {angle}","bounces at {angle}":"rebota a {angle}","slips the other way at {angle}":"desliza en sentido \
@@ -595,8 +595,8 @@ io como mucho {most}.","A cell of this map is about {turns} revolutions and must
 ls, lower speeds or a shorter duration.":"x e y dan {count} celdas con unas {turns} vueltas en total, y en el laboratorio como mucho {most}; toma menos celdas, \
 velocidades menores o una duración más corta.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} debe ser como mucho \
 {most} s para una película del laboratorio.","Slips, hops":"Desliza, salta","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back\
-; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A violet, B green; the dashe\
-s tell the quantities; numbers of {hoop}; {hands}":"A violeta, B verde; el trazo indica la magnitud; números de {hoop}; {hands}"};var Rn={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
+; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","A blue, B ochre; the dashes \
+tell the quantities; numbers of {hoop}; {hands}":"A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {hands}"};var Rn={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
 roule",spins:"patine",skids:"dérape",flies:"vole","skims the plane":"effleure le plan","rolls at {angle}":"roule à partir de {angle}","spins at {angle}":"pati\
 ne à partir de {angle}","skids at {angle}":"dérape à partir de {angle}","flies at {angle}":"vole à partir de {angle}","skims the plane at {angle}":"effleure\
  le plan à partir de {angle}","hops at {angle}":"saute à {angle}","lands at {angle}":"retombe à {angle}","bounces at {angle}":"rebondit à {angle}","slips th\
@@ -896,8 +896,8 @@ lus {most} dans le labo.","x and y make {count} cells of about {turns} revolutio
  or a shorter duration.":"x et y font {count} cellules d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plu\
 s faibles ou une durée plus courte.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} doit être au plus {most} s pour\
  un film du labo.","Slips, hops":"Glisse, saute","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"en mon\
-tée (β < 0) pas de seuil : qu'il glisse ou saute dépend de l'endroit où il rebrousse chemin ; la carte le montre","A violet, B green; the dashes tell the qu\
-antities; numbers of {hoop}; {hands}":"A violet, B vert ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}"};var Pn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
+tée (β < 0) pas de seuil : qu'il glisse ou saute dépend de l'endroit où il rebrousse chemin ; la carte le montre","A blue, B ochre; the dashes tell the quan\
+tities; numbers of {hoop}; {hands}":"A bleu, B ocre ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}"};var Pn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
 转",skids:"拖滑",flies:"腾空","skims the plane":"贴着平面滑过","rolls at {angle}":"在 {angle} 处开始滚动","spins at {angle}":"在 {angle} 处开始空转",
 "skids at {angle}":"在 {angle} 处开始拖滑","flies at {angle}":"在 {angle} 处腾空","skims the plane at {angle}":"在 {angle} 处开始贴着平面滑过",
 "hops at {angle}":"在 {angle} 处跳起","lands at {angle}":"在 {angle} 处落地","bounces at {angle}":"在 {angle} 处弹起","slips the other way at {angle\
@@ -1156,7 +1156,7 @@ ab.":"此分布图的一格约为 {turns} 圈，本实验室中不得超过 {mos
  be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"x 与 y 共 {count} 格，约 {turns} 圈，本实验室中不得超过 {most}；请减少格数、降低速度或缩短时长。",
 "duration = {value} must be at most {most} s for a film from the lab.":"从本实验室制作影片时 duration = {value} 不得超过 {most} s。","Slips, hops":"\
 打滑、跳起","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"上坡（β < 0）没有阈值：是否打滑或跳起取决于在何处折返；见参数图",
-"A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为紫色，B 为绿色；线型表示物理量；数值属于 {hoop}；{hands}"};var Bs=new Map;function ie(o){try{return localStorage.getItem(o)??Bs.get(o)??null}catch{return Bs.get(o)??null}}function ae(o,e){Bs.set(o,e);try{localStorage.setItem(
+"A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 为蓝色，B 为赭色；线型表示物理量；数值属于 {hoop}；{hands}"};var Bs=new Map;function ie(o){try{return localStorage.getItem(o)??Bs.get(o)??null}catch{return Bs.get(o)??null}}function ae(o,e){Bs.set(o,e);try{localStorage.setItem(
 o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Ks={de:An,es:zn,fr:Rn,zh:Pn},lr=new Set(["de","es","fr"]),Nn="hophoop-language",qn=4e3,
 hr=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,qt=/\{(\w+)\}/g,de="en",Cn=[],at=new Map,rt=new Set,ht=new Set,Ct=()=>de;
 function Us(o){de=o in lt?o:"en",at=new Map,rt=new Set,ht.clear(),Cn=Object.keys(Ks[de]??{}).filter(e=>e.includes("{")).map(dr).sort((e,t)=>In(t.key)-In(e.key))}
@@ -1761,7 +1761,7 @@ this.range=[0,2*Math.PI],this.asked="",this.soon=re(()=>this.sharpen(),140)}asyn
 asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=n,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
 pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,
 ...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:n,
-arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,n.arrays[0].shape)}}reach(){
+arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,i.paradox.length)}}reach(){
 return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
 e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
 this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-xe)/this.box.width,n=1-(e.clientY-t.top-C)/this.box.
@@ -1771,32 +1771,32 @@ bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-
 window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
 e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.some(n=>n.columns.omega.some(i=>i<
 -.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return xe+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return C+
-(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,[t,s]){let{modes:n}=this.colors,i=c("canvas",{width:s,height:t}),a=new ImageData(s,t);for(let r=0;r<
-t;r++)for(let l=0;l<s;l++){let h=Pl[e[r*s+l]],d=ce(n[h]??"#6E6E6E"),u=4*((t-1-r)*s+l);a.data.set([...d,255],u)}return me(i).putImageData(a,0,0),i}redraw(){if(!this.
-films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-xe-Ni,height:i-C-Rl},s.clearRect(0,0,n,i),s.save(),s.beginPath(),
-s.rect(xe,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,h,d,u]=r,m=[this.
-x(l),this.y(u),this.x(h)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),
-s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.
-entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>c("span",{class:"plot-key"},fo(e.modes[r]),l)))}this.cursor(
-this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let n=0;n<s;n++){
-if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),e.rect(a,C,r-a,this.box.height),
-e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?C+this.box.height:C),e.lineTo(a+h+this.box.height,l>0?C:
-C+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=
-this.films.length>1?ne(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(i[h])){l=null;continue}let d=Math.
-floor(n[h]/r),u=n[h]-d*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.x(m),this.y(i[h])),e.moveTo(this.x(r-m),
-this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:d,mode:a[h]}}e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:n}=this;
-e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(xe+.5,C+.5,this.box.width-1,this.box.height-1),e.textAlign="center";let i=this.
-range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){let d=this.x(h*r*Math.PI/180);e.beginPath(),
-e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),d,C+this.box.height+15)}e.textAlign="right",e.fillText(x("angle θ w\
-ithin a turn [°]"),t-Ni,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of ee(this.bottom(),this.top(),5))e.fillText(Y(h,U(l,5)),xe-6,this.
-y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){
-if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-
-Math.floor(r.angle/l)*l,d=this.x(h),u=this.y(r.omega);d>=xe&&d<=xe+this.box.width&&u>=C&&u<=C+this.box.height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=
-this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ne(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=
-`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[
-e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let d=0;d<
-i.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[d])-n);m<h.distance&&(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(
-h.t,0,i.duration))}};var go=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function qi(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,t){let s=e.length/t,{modes:n}=this.colors,i=c("canvas",{width:t,height:s}),a=new ImageData(
+t,s);for(let r=0;r<s;r++)for(let l=0;l<t;l++){let h=Pl[e[r*t+l]],d=ce(n[h]??"#6E6E6E"),u=4*((s-1-r)*t+l);a.data.set([...d,255],u)}return me(i).putImageData(a,0,
+0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-xe-Ni,height:i-C-Rl},s.clearRect(
+0,0,n,i),s.save(),s.beginPath(),s.rect(xe,C,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.
+pictures){let[l,h,d,u]=r,m=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(d)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.
+drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==
+t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>c("span",{class:"plot\
+-key"},fo(e.modes[r]),l)))}this.cursor(this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",
+.28),e.lineWidth=1;for(let n=0;n<s;n++){if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),
+e.rect(a,C,r-a,this.box.height),e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?C+this.box.height:C),e.
+lineTo(a+h+this.box.height,l>0?C:C+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,
+e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?ne(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(
+i[h])){l=null;continue}let d=Math.floor(n[h]/r),u=n[h]-d*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(d!==l.lap){let m=d>l.lap?r:0;e.lineTo(this.x(m),
+this.y(i[h])),e.moveTo(this.x(r-m),this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:d,mode:a[h]}}e.stroke(),e.setLineDash(
+[])}axes(e,t,s){let{look:n}=this;e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(xe+.5,C+.5,this.box.width-1,this.box.
+height-1),e.textAlign="center";let i=this.range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){
+let d=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(d,C+this.box.height),e.lineTo(d,C+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),d,C+this.box.height+15)}
+e.textAlign="right",e.fillText(x("angle θ within a turn [°]"),t-Ni,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of ee(this.bottom(),this.
+top(),5))e.fillText(Y(h,U(l,5)),xe-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,C+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="cent\
+er",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.
+films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-Math.floor(r.angle/l)*l,d=this.x(h),u=this.y(r.omega);d>=xe&&d<=xe+this.box.width&&u>=C&&u<=C+this.box.
+height&&(t.beginPath(),t.arc(d,u,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ne(a,this.look.
+dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],d+8,
+u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,
+omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let d=0;d<i.length;d++){let u=a[d]-Math.floor(a[d]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[d])-n);m<h.distance&&
+(h={distance:m,t:i.t[d]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var go=o=>Object.entries(B).map(([e,t])=>c("option",{value:e},o(t)));function qi(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
 B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=c("select",{"aria-label":"What your diagram shows",onchange:()=>{
 e=n.value,s(),o.changed()}},go(hi));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function Il(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
@@ -1813,7 +1813,7 @@ plots)s.observe(n.element);this.axis=c("select",{"aria-label":"Horizontal axis o
 null,this.redraw()}},go(({name:n})=>`over ${n}`)),this.back=c("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
 c("span",{class:"hint"}),this.element=c("div",{class:"plots"},c("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(n=>n.element))}draw(e,t,s){
 this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${Ke("")}`,
-i=e.length>1;M(this.hint,i?`A violet, B green; the dashes tell the quantities; numbers of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.
+i=e.length>1;M(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.
 plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Ll=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
 )"]],ms=class{constructor(e){this.lab=e,this.menu=c("details",{class:"menu"},c("summary",{class:"button"},"Keep"),c("div",{class:"menu-body"},e.backend.shares&&
@@ -2065,16 +2065,16 @@ tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${y
 (!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=g=>(g-r)/(l-r)*
 i;n.clearRect(0,0,i,a);let d=15,u=(a-15)/e.length-d;e.forEach((g,f)=>{let k=d+f*(d+u);for(let{mode:T,from:E,wide:N}of Qi(g.phases,h,i)){let I=s.modes[T];n.fillStyle=
 I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[T]),E,N,k,u-2,I,t)}g.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(g.duration),0),k,i,u-2)),this.marks(
-n,g,h,k,i,t),e.length>1&&(n.fillStyle=ne(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="left",n.fillText("AB"[f],1,k-4))});let m=U(l-r,i/60);n.fillStyle=t.soft,
-n.font=`10.5px ${t.font}`;let p=ee(r,l,i/60);for(let g of p){let f=h(g);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(Y(g,m)+(g===p[0]?" s":""),f,a-
-3)}let w=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,d-4,2,a-d-9),n.beginPath(),n.moveTo(w-6,d-10),n.lineTo(w+6,d-
-10),n.lineTo(b,d-1),n.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:n,playing:i}=this.clock,r=e.map((l,h)=>{let d=x(t.mode_names[l.at(s).mode]);return e.length>
-1?`${"AB"[h]} ${d}`:d}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",n.toFixed(3)),this.element.setAttribute("aria-valuen\
-ow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:_(s,4),what:ue(r)})))}named(e,t,s,n,i,a,r,l){e.font=`11px ${l.font}`,
-!(a<13||e.measureText(t).width+8>n)&&(e.fillStyle=En(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*n,i+.5*a+1),e.textBaseline="alphabetic")}marks(e,t,s,n,i,a){
-e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,x:s(h)})).filter(({x:l})=>l>=
--1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,n,1,5);e.fillStyle=a.ink;for(let{mark:l,x:h}of Xi(r))e.fillText(l,y(h,6,i-6),n-
-4)}};var Ol=1/60,Dl=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Fl={three:"In space"},_e=(o,e,t)=>c(
+n,g,h,k,i,t),e.length>1&&(n.fillStyle=ne(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="right",n.fillText("AB"[f],i-1,k-4))});let m=U(l-r,i/60);n.fillStyle=
+t.soft,n.font=`10.5px ${t.font}`;let p=ee(r,l,i/60);for(let g of p){let f=h(g);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(Y(g,m)+(g===p[0]?" s":
+""),f,a-3)}let w=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,d-4,2,a-d-9),n.beginPath(),n.moveTo(w-6,d-10),n.lineTo(
+w+6,d-10),n.lineTo(b,d-1),n.fill(),this.tell(e,s)}tell(e,t){let{time:s,duration:n,playing:i}=this.clock,r=e.map((l,h)=>{let d=x(t.mode_names[l.at(s).mode]);return e.
+length>1?`${"AB"[h]} ${d}`:d}).join(", ");i&&r===this.said||(this.said=r,this.element.setAttribute("aria-valuemax",n.toFixed(3)),this.element.setAttribute("aria\
+-valuenow",s.toFixed(3)),this.element.setAttribute("aria-valuetext",x("{time} seconds, {what}",{time:_(s,4),what:ue(r)})))}named(e,t,s,n,i,a,r,l){e.font=`11px ${l.
+font}`,!(a<13||e.measureText(t).width+8>n)&&(e.fillStyle=En(r),e.textAlign="center",e.textBaseline="middle",e.fillText(t,s+.5*n,i+.5*a+1),e.textBaseline="alphab\
+etic")}marks(e,t,s,n,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,x:s(
+h)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,n,1,5);e.fillStyle=a.ink;for(let{mark:l,x:h}of Xi(r))e.
+fillText(l,y(h,6,i-6),n-4)}};var Ol=1/60,Dl=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Fl={three:"In space"},_e=(o,e,t)=>c(
 "button",{type:"button",title:e,"aria-label":e,onclick:t},o),ea=(o,e)=>c("span",{},c("span",{"aria-hidden":"true"},`${o} `),e),Ms=class{titled="";constructor(e,t,s,n,i){
 this.clock=e,this.films=t,this.say=n,this.tell=i,this.playButton=_e($("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=c("\
 select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},dt.map(a=>c("option",{value:String(a)},`${a}×`))),this.speeds.value=
@@ -2164,14 +2164,14 @@ of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
 n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Bl=150,Hl=240,Kl=6e3,[sf,sa,oa]=[0,1,2],Ul={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function zo(o,e,t){let{rows:s,count:n,duration:i}=e,[a,r]=t?t.map(g=>Math.
-min(Math.max(g,0),i)):[0,i],l=r>a?Math.min(Math.max(Math.ceil((r-a)*Bl),Hl),Kl):0,h=v.events.length,d=new Set;for(let g=0;g<l;g++)d.add(a+g*((r-a)/l));d.add(r);
-let u=new Set;for(let g=0;g<n;g++){let f=Math.min(s[g*h+K.t],i);f>=a&&f<=r&&u.add(f)}for(let g of u)d.add(g);let m=Float64Array.from(d).sort(),p=Float64Array.from(
-u).filter(g=>g>0).sort(),w=o.states(e,m,!1),b=o.states(e,p,!0);return Gl(m,w,p,b)}function Gl(o,e,t,s){let n=o.length+t.length,i=v.samples.length,a=new Float64Array(
-n),r=new Float64Array(n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(
-u*i,(u+1)*i),l*i),l++;let d={t:a};for(let[u,m]of Object.entries(Ul)){let p=new Float64Array(n);for(let w of m)for(let b=0;b<n;b++)p[b]+=r[b*i+Mo[w]];d[u]=p}return d.
-mode=Vl(r,n,d.omega),d}function Vl(o,e,t){let s=v.samples.length,n=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){
-i=Math.sign(t[a])||i;let r=o[a*s+Mo.mode],l=r===sa?-1:r===oa?1:0;n[a]=l===0?r:l*i<0?sa:oa}return n}function na(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Jl(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function zo(o,e,t){let{rows:s,count:n,duration:i}=e,[a,r]=(t??[0,i]).map(g=>Math.
+min(Math.max(g,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Bl),Hl),Kl),h=v.events.length,d=new Set;for(let g=0;g<=l&&i>0;g++)d.add(g===l?r:a+g*((r-a)/l));let u=new Set;
+for(let g=0;g<n;g++){let f=Math.min(s[g*h+K.t],i);f>=a&&f<=r&&u.add(f)}for(let g of u)d.add(g);let m=Float64Array.from(d).sort(),p=Float64Array.from(u).filter(g=>g>
+0).sort(),w=o.states(e,m,!1),b=o.states(e,p,!0);return Gl(m,w,p,b)}function Gl(o,e,t,s){let n=o.length+t.length,i=v.samples.length,a=new Float64Array(n),r=new Float64Array(
+n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*
+i),l++;let d={t:a};for(let[u,m]of Object.entries(Ul)){let p=new Float64Array(n);for(let w of m)for(let b=0;b<n;b++)p[b]+=r[b*i+Mo[w]];d[u]=p}return d.mode=Vl(r,
+n,d.omega),d}function Vl(o,e,t){let s=v.samples.length,n=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.
+sign(t[a])||i;let r=o[a*s+Mo.mode],l=r===sa?-1:r===oa?1:0;n[a]=l===0?r:l*i<0?sa:oa}return n}function na(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Jl(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[n]=a}return{values:s,sequences:[...t.keys()]}}function Jl(o){let e="";for(let t of o){let s=t;for(let n=0;n<v.letters_a_key&&
 s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===v.more?"+":v.letters[i-1])}}return e}var Yl=256,Zl=2048,Xl=4096,Ql=2e5,eh=v.statuses.indexOf("buffer"),th=new Set(["turn","apex","kane_gain","rest"]),Ro=o=>Number.isFinite(o)?o:null,As=class{constructor(e){
 this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Es(this.exports),this.mostEvents=Yl,this.mostSegments=Zl,this.mostRows=
@@ -2216,7 +2216,7 @@ let t=new URL(`hophoop.wasm?${v.module}`,e),s=await fetch(t);if(!s.ok)throw new 
 headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(s):WebAssembly.compile(await s.arrayBuffer())),a=new URL(`kernel.js?${v.module}`,e);
 return a.origin===globalThis.location?.origin?new o(i,()=>new Worker(a,{type:"module"})):new o(i,la(await(await fetch(a)).text()))}static async unpack(e,t){let s=new Blob(
 [e]).stream().pipeThrough(new DecompressionStream("gzip")),n=await WebAssembly.compile(await new Response(s).arrayBuffer());return new o(n,la(t))}motion(e,t){return this.
-motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,t],s)}samples(e,t,s){return this.
+motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.
 motions.ask("samples",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,n,i){return this.motions.ask("regions",[e,t,s,n],i)}async map({
 count:e,rows:t},s,n,i){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],h=async u=>{let m=Math.min(Po,e-u),p=new Float64Array(a*m);for(let g=0;g<
 a;g++)p.set(t.subarray(g*e+u,g*e+u+m),g*m);let w=await this.maps.ask("map",[{count:m,rows:p},s,n],i,[p.buffer]),b=w.sequences?.map(g=>(l.includes(g)||l.push(g),
@@ -2587,17 +2587,17 @@ mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_shor
 null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var bc=360,yc=240,vc=[0,2*Math.PI,-12,12],_n={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},kc=["mot\
 ion.nc","motion.mp4","motion.gif"],Pt=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
 s!==null,this.files=[...Object.keys(_n),...n?kc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=qs(t,this.mechanics);
-if(e==="film")return this.film(n,s);if(e==="samples")return this.samples(n,t.window,s);if(e==="code")return{header:{python:rn(n),toml:Ds(n)},arrays:{}};if(e==="\
-theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:xn(n,i)},arrays:{}}}if(e==="regions"){let i=t.window??vc,a=J(n),r=await this.kernel.
-regions(a,i,bc,yc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(`call = '${e}' is not one that the page answers.`)}async film(e,t){
-let s=J(je(e)),{motion:n,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.kernel.motion(s,t),columns:await this.kernel.columns(s,void 0,
-t)},a=await this.turning(s,n,t);return{header:gn(e,n,a,this.mechanics),arrays:i}}async samples(e,t,s){let n=J(je(e));return{header:{window:t},arrays:await this.
-kernel.columns(n,t,s)}}async turning(e,{events:t},s){let n=un(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>mn(t,r)),{omega:a}=await this.kernel.samples(
-e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,y:s,what:n="sequence"},i){let a=nn(n),r=sn(e,{x:t,y:s,what:n}),l=await on(r,{x:t,y:s},this.mechanics,i);return an(
-{x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){if(!(e in _n)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run \
-hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:_n[e]})}async fileText(e,t){let s=qs({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);
-let n=je(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return bn(n,a);let r=yn(a.duration);return vn(r,await this.kernel.samples(i,r))}link(e,t){
-return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Tn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
+if(e==="film")return this.film(n,s);if(e==="samples"){let i=J(je(n));return{header:{window:t.window},arrays:await this.kernel.columns(i,s,t.window)}}if(e==="cod\
+e")return{header:{python:rn(n),toml:Ds(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:xn(n,i)},arrays:{}}}
+if(e==="regions"){let i=t.window??vc,a=J(n),r=await this.kernel.regions(a,i,bc,yc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
+`call = '${e}' is not one that the page answers.`)}async film(e,t){let s=J(je(e)),{motion:n,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.
+kernel.motion(s,t),columns:await this.kernel.columns(s,void 0,t)},a=await this.turning(s,n,t);return{header:gn(e,n,a,this.mechanics),arrays:i}}async turning(e,{
+events:t},s){let n=un(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>mn(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{
+x:t,y:s,what:n="sequence"},i){let a=nn(n),r=sn(e,{x:t,y:s,what:n}),l=await on(r,{x:t,y:s},this.mechanics,i);return an({x:t,y:s,what:n},await this.kernel.map(l,n,
+a,i))}async file(e,t){if(!(e in _n)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.
+fileText(e,t)],{type:_n[e]})}async fileText(e,t){let s=qs({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);let n=je(s),i=J(n),a=await this.kernel.motion(
+i);if(e==="motion.json")return bn(n,a);let r=yn(a.duration);return vn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.
+base)}${t}`}};async function Tn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
 navigator.serviceWorker?.register(o).catch(()=>{})}async function Qa(o){let e=new is(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new Pt(
 t,t.mechanics,{server:e})}catch{return e}}var xc=new URL("./",import.meta.url);async function _c(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
 ]"),s,n;try{s=await Tn(xc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
