@@ -73,10 +73,7 @@ export class LocalBackend {
     const given = model.given(model.within(checked));
     const { motion, columns } = this.kernel.film
       ? await this.kernel.film(given, signal)
-      : {
-          motion: await this.kernel.motion(given, signal),
-          columns: await this.kernel.columns(given, undefined, signal),
-        };
+      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
     const omega = await this.turning(given, motion, signal);
     return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays: columns };
   }

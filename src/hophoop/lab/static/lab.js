@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 9508c7389fee1347e95b7e9a58ba1ca3 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 8a17fb22f0ac81f8af10498f259abd01 */
 function ce(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var En=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ce(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ce(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ce(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -2591,13 +2591,12 @@ if(e==="film")return this.film(n,s);if(e==="samples"){let i=J(je(n));return{head
 e")return{header:{python:rn(n),toml:Ds(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:xn(n,i)},arrays:{}}}
 if(e==="regions"){let i=t.window??vc,a=J(n),r=await this.kernel.regions(a,i,bc,yc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
 `call = '${e}' is not one that the page answers.`)}async film(e,t){let s=J(je(e)),{motion:n,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.
-kernel.motion(s,t),columns:await this.kernel.columns(s,void 0,t)},a=await this.turning(s,n,t);return{header:gn(e,n,a,this.mechanics),arrays:i}}async turning(e,{
-events:t},s){let n=un(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>mn(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{
-x:t,y:s,what:n="sequence"},i){let a=nn(n),r=sn(e,{x:t,y:s,what:n}),l=await on(r,{x:t,y:s},this.mechanics,i);return an({x:t,y:s,what:n},await this.kernel.map(l,n,
-a,i))}async file(e,t){if(!(e in _n)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.
-fileText(e,t)],{type:_n[e]})}async fileText(e,t){let s=qs({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);let n=je(s),i=J(n),a=await this.kernel.motion(
-i);if(e==="motion.json")return bn(n,a);let r=yn(a.duration);return vn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.
-base)}${t}`}};async function Tn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
+kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:gn(e,n,a,this.mechanics),arrays:i}}async turning(e,{events:t},s){
+let n=un(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>mn(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,
+y:s,what:n="sequence"},i){let a=nn(n),r=sn(e,{x:t,y:s,what:n}),l=await on(r,{x:t,y:s},this.mechanics,i);return an({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){
+if(!(e in _n)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:_n[e]})}async fileText(e,t){
+let s=qs({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);let n=je(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return bn(n,a);let r=yn(
+a.duration);return vn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Tn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
 navigator.serviceWorker?.register(o).catch(()=>{})}async function Qa(o){let e=new is(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new Pt(
 t,t.mechanics,{server:e})}catch{return e}}var xc=new URL("./",import.meta.url);async function _c(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
 ]"),s,n;try{s=await Tn(xc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
