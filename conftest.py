@@ -12,3 +12,6 @@ if "NUMBA_CACHE_DIR" not in os.environ:
 
 # Figures are drawn without a display.
 os.environ.setdefault("MPLBACKEND", "agg")
+
+# the fixture `browser`, for the lab's page and for the documentation's
+pytest_plugins = ["browser_tools"]

@@ -1,8 +1,12 @@
 """Sphinx configuration; CI builds with warnings as errors."""
 
+import sys
+from pathlib import Path
+
 from pybtex.plugin import register_plugin
 from pybtex.style.formatting.plain import Style
 from pybtex.style.labels import BaseLabelStyle
+from sphinx_gallery.sorting import ExplicitOrder
 
 import hophoop
 
@@ -20,6 +24,8 @@ class ByKey(Style):
 
 register_plugin("pybtex.style.formatting", "by_key", ByKey)
 
+sys.path.insert(0, str(Path(__file__).parent / "_ext"))  # what Sphinx has no extension for
+
 project = "hophoop"
 author = "The hophoop developers"
 copyright = "2026, The hophoop developers"
@@ -29,14 +35,22 @@ extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
-    "sphinx.ext.mathjax",
+    "typeset",
+    "accessible",
+    "matplotlib.sphinxext.plot_directive",
+    "generated",
+    "slides",
+    "play",
+    "gallery",
+    "sphinx_gallery.gen_gallery",
     "numpydoc",
     "sphinxcontrib.bibtex",
     "sphinx_design",
 ]
-exclude_patterns = ["_build", "tables"]  # tables are included by pages
+exclude_patterns = ["_build", "tables", "gallery/used"]  # tables are included by pages
 templates_path = ["_templates"]
 nitpicky = False
+html_math_renderer = "mathml"
 
 myst_enable_extensions = ["amsmath", "attrs_block", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
@@ -51,8 +65,32 @@ bibtex_bibfiles = ["references.bib"]
 bibtex_default_style = "by_key"
 bibtex_reference_style = "author_year"
 
+# Each example is run; a warning of one is an error of the build.
+sphinx_gallery_conf = {
+    "examples_dirs": ["../examples/gallery"],
+    "gallery_dirs": ["gallery"],
+    "image_scrapers": ("matplotlib", "gallery.films"),
+    "backreferences_dir": "gallery/used",
+    "doc_module": ("hophoop",),
+    "subsection_order": ExplicitOrder([f"../examples/gallery/{folder}" for folder in ("plots", "maps", "films")]),
+    "within_subsection_order": "ExampleTitleSortKey",
+    "capture_repr": (),
+    "thumbnail_size": (400, 250),
+    "download_all_examples": False,
+    "show_memory": False,
+    "show_signature": False,
+    "min_reported_time": 600,
+    "write_computation_times": False,
+    "abort_on_example_error": True,
+}
+
+# Pictures of tutorials, drawn by the code above them.
+plot_html_show_formats = plot_html_show_source_link = False
+plot_formats = [("png", 110)]
+
 html_theme = "furo"
 html_title = f"hophoop {version}"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = [("print.js", {"defer": ""})]
 html_logo = html_favicon = "_static/logo.svg"

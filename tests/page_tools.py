@@ -3,7 +3,10 @@
 From top to bottom, in one namespace a page:
 
 - a block ``pycon`` is a doctest, a block ``python`` is run;
-- in a block ``console``, lines ``$ hophoop run …`` and ``$ hophoop theory …`` are run and must end with exit status 0;
+- a block ``toml`` is a scenario; one that begins with ``# name.toml`` is there under that name for the commands below it;
+- in a block ``console``, lines ``$ hophoop run …`` and ``$ hophoop theory …`` are run and must end with exit status 0; of other
+  commands every option must exist;
+- a block after a comment ``% not run: why`` is left alone, where it needs what no test has;
 - a comment ``% says: expression`` stands for itself in no page; the text that the expression gives must be in the paragraph
   (or table) that follows, so that no number in a sentence is typed by hand and forgotten.
 """
@@ -12,20 +15,27 @@ import doctest
 import re
 import shlex
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
+import typer
 from typer.testing import CliRunner
 
+import hophoop
 import hophoop.cli
 
-FENCE = re.compile(r"^(`{3,})(pycon|python|console)\n(.*?)^\1$", re.MULTILINE | re.DOTALL)
+FENCE = re.compile(r"^(`{3,})(pycon|python|console|toml)\n(.*?)^\1$", re.MULTILINE | re.DOTALL)
 SAYS = re.compile(r"((?:^% says: .+\n)+)((?:.+\n?)+)", re.MULTILINE)
 OPTIONS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
 
 
 def parts(text: str) -> Iterator[tuple[str, str, str, int]]:
     """Kind, content, paragraph and line of everything on a page that can be checked, in its order."""
-    found = [(match.start(), match[2], match[3], "") for match in FENCE.finditer(text)]
+    found = [
+        (match.start(), match[2], match[3], "")
+        for match in FENCE.finditer(text)
+        if not re.search(r"^% not run: .+\n\Z", text[: match.start()], re.MULTILINE)
+    ]
     for match in SAYS.finditer(text):
         for line in match[1].splitlines():
             found.append((match.start(), "says", line.removeprefix("% says: "), match[2]))
@@ -41,6 +51,8 @@ def faults(text: str, name: str = "page") -> list[str]:
         place = f"{name}:{line}"
         if kind == "pycon":
             result += _doctest(content, space, place)
+        elif kind == "toml":
+            result += _scenario(content, place)
         elif kind == "console":
             result += _commands(content, place)
         elif kind == "python":
@@ -60,13 +72,37 @@ def _doctest(content: str, space: dict[str, object], place: str) -> list[str]:
     return ["".join(said)] if said else []
 
 
+def _scenario(content: str, place: str) -> list[str]:
+    name = re.match(r"# ([\w-]+\.toml)", content)
+    path = Path(name[1] if name else "scenario-of-a-page.toml")
+    path.write_text(content, encoding="utf-8")
+    try:
+        hophoop.Scenario.load(path)
+    except ValueError as error:
+        return [f"{place}: {error}"]
+    return []
+
+
 def _commands(content: str, place: str) -> list[str]:
     result = []
-    for command in re.findall(r"^\$ hophoop ((?:run|theory)\b.*)$", content, re.MULTILINE):
-        answer = CliRunner().invoke(hophoop.cli.app, shlex.split(command))
-        if answer.exit_code != 0:
-            result.append(f"{place}: hophoop {command} ends with exit status {answer.exit_code}")
+    for name, rest in re.findall(r"^\$ hophoop (\w+)\b(.*)$", content.replace("\\\n", " "), re.MULTILINE):
+        words = shlex.split(rest, comments=True)
+        if name in ("run", "theory"):
+            answer = CliRunner().invoke(hophoop.cli.app, [name, *words])
+            if answer.exit_code != 0:
+                result.append(f"{place}: hophoop {name}{rest} ends with exit status {answer.exit_code}")
+        unknown = {word.partition("=")[0] for word in words if word.startswith("--")} - options(name)
+        result += [f"{place}: hophoop {name} has no option {word}" for word in sorted(unknown)]
     return result
+
+
+@cache
+def options(name: str) -> set[str]:
+    """Every option of a command."""
+    group = typer.main.get_command(hophoop.cli.app)
+    command = group.get_command(group.make_context("hophoop", [], resilient_parsing=True), name)
+    parameters = () if command is None else command.params
+    return {"--help", *(flag for parameter in parameters for flag in (*parameter.opts, *parameter.secondary_opts))}
 
 
 def toctree_pages(folder: Path) -> list[str]:

@@ -12,15 +12,22 @@ ROOT = Path(__file__).parents[1]
 WEB = ROOT / "web"
 BUILT = {
     "lab.js": ROOT / "src/hophoop/lab/static/lab.js",
+    "kernel.js": ROOT / "src/hophoop/lab/static/kernel.js",
+    "motion_element.js": ROOT / "src/hophoop/lab/static/motion_element.js",
+    "embed.js": ROOT / "src/hophoop/lab/static/embed.js",
+    "service_worker.js": ROOT / "src/hophoop/lab/static/service_worker.js",
     "scene.js": ROOT / "src/hophoop/animate/static/scene.js",
 }
+# What Python writes for the page.
+WRITTEN = ("../src/hophoop/lab/static/tables.json", "../src/hophoop/module/layout.json")
 
 
 def stamp():
     """As web/build.mjs computes it."""
-    sources = [path.relative_to(WEB).as_posix() for folder in ("lab", "scene", "space") for path in (WEB / folder).glob("*.js")]
+    folders = ("kernel", "lab", "model", "scene", "site", "space", "words")
+    sources = [path.relative_to(WEB).as_posix() for folder in folders for path in (WEB / folder).glob("*.js*")]
     digest = hashlib.sha256()
-    for name in ["build.mjs", *sorted(sources)]:
+    for name in ["build.mjs", *WRITTEN, *sorted(sources)]:
         digest.update(f"{name}\n".encode())
         digest.update((WEB / name).read_bytes())
     return digest.hexdigest()[:32]
@@ -29,7 +36,7 @@ def stamp():
 @pytest.mark.parametrize("name", BUILT)
 def test_what_is_built_is_as_new_as_its_sources(name):
     first = BUILT[name].read_text(encoding="utf-8").split("\n", 1)[0]
-    said = re.fullmatch(r"/\* Built from web/\w+/main\.js by esbuild [\d.]+; sources (\w+) \*/", first)
+    said = re.fullmatch(r"/\* Built from web/\w+/\w+\.js by esbuild [\d.]+; sources (\w+) \*/", first)
     assert said, first
     assert said[1] == stamp(), f"{name} is older than its sources: run `npm install && npm run build` in web/"
 

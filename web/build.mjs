@@ -8,9 +8,15 @@ import { fileURLToPath } from "node:url";
 import { build, version } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const SOURCES = ["lab", "scene", "space"];
+const SOURCES = ["kernel", "lab", "model", "scene", "site", "space", "words"];
+// What Python writes for the page: the layout of the WebAssembly module, and the tables of models, sentences and presets.
+const WRITTEN = ["../src/hophoop/lab/static/tables.json", "../src/hophoop/module/layout.json"];
 const TARGETS = [
   { entry: "lab/main.js", file: "../src/hophoop/lab/static/lab.js", format: "esm" },
+  { entry: "kernel/worker.js", file: "../src/hophoop/lab/static/kernel.js", format: "esm" },
+  { entry: "site/motion_element.js", file: "../src/hophoop/lab/static/motion_element.js", format: "esm" },
+  { entry: "site/embed.js", file: "../src/hophoop/lab/static/embed.js", format: "esm" },
+  { entry: "site/service_worker.js", file: "../src/hophoop/lab/static/service_worker.js", format: "esm" },
   { entry: "scene/main.js", file: "../src/hophoop/animate/static/scene.js", format: "iife" },
 ];
 
@@ -18,7 +24,7 @@ const TARGETS = [
 function stamp() {
   const names = SOURCES.flatMap((folder) => readdirSync(join(here, folder)).map((name) => `${folder}/${name}`));
   const hash = createHash("sha256");
-  for (const name of ["build.mjs", ...names.filter((name) => name.endsWith(".js")).sort()]) {
+  for (const name of ["build.mjs", ...WRITTEN, ...names.filter((name) => /\.js(on)?$/.test(name)).sort()]) {
     hash.update(`${name}\n`).update(readFileSync(join(here, name)));
   }
   return hash.digest("hex").slice(0, 32);

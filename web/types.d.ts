@@ -50,6 +50,14 @@ interface SliderInfo {
   step: number;
   logarithmic: boolean;
   degrees: boolean;
+  allowed?: { least: number; most: number; also: (number | "inf")[] }; // in SI units
+}
+
+// What a number may be: a range, both ends included, and single values besides.
+interface AllowedRange {
+  least: number;
+  most: number;
+  also: number[];
 }
 
 interface ChoiceInfo {
@@ -65,6 +73,7 @@ interface AxisInfo {
   unit: string;
   degrees: boolean;
   range: [number, number];
+  allowed: [number, number];
 }
 
 interface ControlsInfo {
@@ -146,6 +155,7 @@ interface Backend {
   call(name: string, body: object, signal?: AbortSignal): Promise<Reply>;
   file(name: string, query: string): Promise<Blob>;
   link(query: string, hash: string): string | null;
+  files?: string[]; // which files it makes; all where it does not say
 }
 
 // What is drawn of the hoop.
@@ -155,6 +165,7 @@ interface StageOptions {
   speed: boolean;
   whole: boolean;
   three: boolean;
+  ahead: boolean; // the path that is to come, while the hoop is held
 }
 
 interface Point {
@@ -204,7 +215,7 @@ interface MapLayer {
 interface Curve {
   name: string;
   color?: string;
-  dash?: "solid" | "dash" | "dot";
+  dash?: "solid" | "dash" | "dot" | "long" | "mixed";
   values: Column;
 }
 
@@ -299,6 +310,8 @@ interface SceneHoop {
   normalForce: Float32Array;
   frictionForce: Float32Array;
   traces: SceneTraces | null;
+  tag: string;
+  marks: [number, number, string, string][]; // when, how far along the plane, which kind, in a word
 }
 
 interface SceneTraces {
@@ -317,11 +330,209 @@ interface SceneData {
   height: number;
   grid: number;
   topSpeed: number;
-  newton: number;
+  newton: Float32Array | null; // length of a newton's arrow at each frame
+  flies: boolean;
   map: number[][];
   theme: { background: string; ground: string; ink: string; muted: string; load: string; dark: boolean };
   colors: { center: string; airborne: string; normal: string; friction: string };
   flight: number;
+  rate: Float32Array;
   modes: [string, string][];
   hoops: SceneHoop[];
+}
+
+// --- The page without a server: what it needs of the kernel that is compiled to WebAssembly -------------------------
+
+type MaybeLater<T> = T | Promise<T>;
+
+// A part of a hoop with every number that its shape has, in SI units.
+type WholePart =
+  | { shape: "ring"; mass: number; inner_radius: number; outer_radius: number }
+  | { shape: "disk"; mass: number; radius: number; at: number }
+  | { shape: "point_mass"; mass: number; at: number }
+  | { shape: "rod"; mass: number; length: number; at: number; direction: "radial" | "tangential" };
+
+// A compliant contact as its scenario gives it; null where a default stands for it.
+interface GivenContact {
+  stiffness: number | null;
+  damping: number | null;
+  restitution: number | null;
+  law: "kelvin-voigt" | "hunt-crossley";
+  friction: "tanh" | "linear" | "bristle";
+  slip_speed: number | null;
+  tangential_stiffness: number | null;
+  rtol: number | null;
+}
+
+// A scenario as numbers in SI units and radians, whichever way it was given: `given()` of model/given.js makes it.
+interface Given {
+  radius: number;
+  mass: number;
+  eccentricity: number;
+  inertia_ratio: number; // 0 for the massless hoop
+  ideal: boolean; // given by its load fraction: κ = 1 − ε²
+  gravity: number;
+  slope: number;
+  rolling_resistance: number;
+  mu_static: number; // may be Infinity, as μk
+  mu_kinetic: number;
+  restitution: number;
+  impact_law: "stronge" | "newton" | "poisson";
+  painleve: "flight" | "impact";
+  x: number;
+  height: number;
+  angle: number;
+  vx: number;
+  vy: number;
+  omega: number;
+  slip: number; // v_t: exactly 0 in a rolling start, else vx − radius · omega
+  rolling: boolean; // the scenario has start.speed: theory's numbers of a rolling start are asked for with vx
+  duration: number;
+  max_events: number;
+  contact: GivenContact | null; // null for rigid contact
+}
+
+// What checking a scenario needs of mechanics. All at once: nothing is awaited while a scenario is read.
+interface Mechanics {
+  /** κ of a thin ring with a point load, as Python's `Hoop` has it. */
+  ideal(load_fraction: number): number;
+  /** Python's `combine`, and how far each part reaches from the centre [m]. */
+  combine(
+    radius: number,
+    parts: WholePart[],
+  ): { mass: number; eccentricity: number; inertia_ratio: number; reaches: number[] };
+  /** Python's `most_resistance`; missing where the kernel knows none. */
+  resistance?(eccentricity: number, inertia_ratio: number): number;
+  /** A compliant contact beside its hoop, with the defaults filled in; missing where the kernel knows rigid contact only. */
+  compliance?(given: Given): Compliance;
+}
+
+interface Compliance {
+  stiffness: number; // over m g/R [1]
+  tangential_stiffness: number; // over m g/R [1]
+  slip_speed: number; // over √(g R) [1]
+  depth: number; // how far the rim sinks at the speeds of the start [R]
+  steps: number; // how many the integration takes, roughly (limits._steps)
+  automatic: { stiffness: number; slip_speed: number }; // in SI units, as film._automatic
+}
+
+interface ComputedMotion {
+  status: string;
+  sequence: string;
+  duration: number; // Trajectory.duration [s]
+  events: MotionEvent[]; // as Trajectory.to_dict()["events"]; null where not finite
+  final: Record<string, any>; // as in to_dict()
+  energy: Record<string, number>; // as in to_dict()
+  doubt?: number | null; // from when on doubles do not decide what comes, null where they do [s]
+}
+
+// Places of a motion's state: the fields of results.Sample. `mode` is the place of the letter in "RSKHM".
+type Samples = Record<string, Float64Array>;
+
+/**
+ * What theory knows, as theory.summary: null where there is no such number, Infinity where there is no limit.
+ * Numbers of a rolling start are null unless `given.rolling` and `given.angle` is 0.
+ */
+interface TheoryNumbers {
+  first_slip_speed: number | null;
+  first_hop_speed: number | null;
+  immediate_hop_speed: number | null;
+  needed_friction: number | null;
+  painleve_friction: number | null;
+  painleve_angle: number | null;
+  jam_angles: number[]; // in the order of jam_states
+  stable_angle: number | null;
+  massless_loss_angle: number | null; // of a start that does not roll: at speed 0
+  massless_loss_by_friction: boolean;
+}
+
+/** The cells of a map: rows in the order of `tables.cell`, maps.kernel.CELL, one number a cell in each. */
+interface MapCells {
+  count: number;
+  rows: Float64Array; // rows.length = tables.cell.length * count; `allowed` is 0 where values do not go together
+}
+
+interface MapValues {
+  values: Float32Array | Float64Array; // one a cell; nan where there is none; of a coded quantity the code
+  sequences?: string[]; // of "sequence": what its codes stand for
+}
+
+// The module; each answer may be a promise (a worker), and `signal` stops what is no longer wanted.
+interface Kernel {
+  /** A motion and its columns at once. */
+  film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
+  motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
+  /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
+  columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;
+  /** The state at some times, as Trajectory.at. */
+  samples(given: Given, times: Float64Array, signal?: AbortSignal): MaybeLater<Samples>;
+  thresholds(given: Given, signal?: AbortSignal): MaybeLater<TheoryNumbers>;
+  /** θ from and to, θ̇ from and to; arrays as lab/regions.regions: `modes` (rows upwards) and `paradox`. */
+  regions(
+    given: Given,
+    window: [number, number, number, number],
+    columns: number,
+    rows: number,
+    signal?: AbortSignal,
+  ): MaybeLater<{ modes: Uint8Array; paradox: Column }>;
+  /** One quantity of each cell over a span of maps.quantities ("first_revolution", "takeoff", "duration"). */
+  map(cells: MapCells, what: string, span: string, signal?: AbortSignal): MaybeLater<MapValues>;
+}
+
+// What is left in the module's memory of the motion that was computed last.
+interface Computed {
+  given: Given;
+  head: Float64Array;
+  rows: Float64Array;
+  count: number;
+  duration: number; // [s]
+  segments: number;
+}
+
+// --- A scenario that has been checked: web/model ---------------------------------------------------------------------
+
+interface CheckedHoop {
+  radius: number;
+  mass: number;
+  load_fraction: number | null; // how it was given: by this, by parts, or by the two numbers that follow from them
+  eccentricity: number;
+  inertia_ratio: number;
+  parts: WholePart[] | null;
+}
+
+interface CheckedPlane {
+  gravity: number;
+  slope: number;
+  rolling_resistance: number;
+  mu: number | null; // where both are one
+  mu_static: number;
+  mu_kinetic: number;
+  apart: boolean; // given as two
+  restitution: number;
+  impact_law: "stronge" | "newton" | "poisson";
+  painleve: "flight" | "impact";
+}
+
+interface CheckedStart {
+  x: number;
+  height: number;
+  angle: number;
+  speed: number | null; // of a rolling start
+  vx: number;
+  vy: number;
+  omega: number | null;
+}
+
+interface CheckedContact {
+  model: "rigid" | "compliant";
+  max_events: number;
+  [key: string]: any;
+}
+
+interface Checked {
+  duration: number;
+  hoop: CheckedHoop;
+  plane: CheckedPlane;
+  start: CheckedStart;
+  contact: CheckedContact;
 }

@@ -154,6 +154,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
         row["impulse_normal"], row["impulse_tangential"] = float(record.p_n), float(record.p_t)
         row["friction"], row["gain"] = float(state.friction), float(record.gain)
         row["impact_normal"], row["impact_tangential"] = float(state.impact_n), float(state.impact_t)
+        row["rolling_resistance"] = float(state.resisted)
         row["kind"] = record.kind
         row["before_mode"] = -1 if record.before_mode is None else record.before_mode
         row["after_mode"] = record.after_mode

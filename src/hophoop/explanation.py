@@ -11,8 +11,9 @@ import numpy as np
 import hophoop
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import MODE_LETTERS, Body, Mode, Status
-from hophoop.physics.contact import free_acceleration, rolling_forces, slip_motion, slip_stiffness
+from hophoop.physics.contact import free_acceleration
 from hophoop.physics.modes import slip_direction
+from hophoop.physics.resistance import forces_rolling, motion_slipping, stiffness_slipping
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import State, whole_angle
@@ -177,7 +178,7 @@ def _record(body: Body, units: Units, phase: Phase, after: Phase, events: tuple[
         angle_end=whole_angle(after.state),
         begin=margins(body, units, phase.mode, state),
         end=last,
-        ended_by=_ended_by(phase, after, last, events),
+        ended_by=_ended_by(body, phase, after, last, events),
         then=_then(body, units, after),
         events=events,
     )
@@ -207,16 +208,16 @@ def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
     margins : Margins
     """
     s, c = sine_cosine(state.th, state.th_low)
-    u = state.om * state.om
+    om = state.om
     normal = friction = p_sigma = math.nan
     mu = body.mu_s
     sigma = slip_direction(mode)
     if mode == Mode.ROLL:
-        friction, normal = rolling_forces(body, s, c, u)
+        friction, normal = forces_rolling(body, s, c, om)
     elif sigma != 0 and body.kap > 0.0 and math.isfinite(body.mu_k):
-        normal = slip_motion(body, s, c, u, sigma)[1]
+        normal = motion_slipping(body, s, c, om, sigma)[1]
         friction = -sigma * body.mu_k * normal
-        p_sigma = slip_stiffness(body, s, c, sigma) / body.kap
+        p_sigma = stiffness_slipping(body, s, c, om, sigma) / body.kap
         mu = body.mu_k
     elif mode in (Mode.FLIGHT, Mode.SKIM):
         friction = normal = 0.0
@@ -225,14 +226,14 @@ def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
         normal_force=normal * force,
         friction_force=friction * force,
         friction_limit=math.inf if math.isinf(mu) and normal > 0.0 else mu * normal * force if normal != 0.0 else 0.0,
-        free_acceleration=free_acceleration(body, s, c, u)[1] * units.length / units.time**2,
+        free_acceleration=free_acceleration(body, s, c, om * om)[1] * units.length / units.time**2,
         slip=state.vt * units.of("slip"),
         height=state.y * units.length,
         p_sigma=p_sigma,
     )
 
 
-def _ended_by(phase: Phase, after: Phase, last: Margins, events: tuple[EventRecord, ...]) -> str:
+def _ended_by(body: Body, phase: Phase, after: Phase, last: Margins, events: tuple[EventRecord, ...]) -> str:
     what = after.what
     kinds = [event.kind for event in events]
     if after.status == GOING and what == STUCK:
@@ -240,7 +241,7 @@ def _ended_by(phase: Phase, after: Phase, last: Margins, events: tuple[EventReco
     sentences = {
         LIMIT: "The time is over.",
         FULL_ANGLE: "The span of angle is over.",
-        TURNED: "θ̇ = 0: the hoop turns back, in the same mode.",
+        TURNED: "θ̇ = 0: the hoop turns back, in the same mode." if after.mode == phase.mode else "θ̇ = 0: it rolls no further.",
         LIFT: "Contact is lost: N = 0, and the rim is free to leave the plane.",
         STUCK: "The motion cannot be followed any further here.",
     }
@@ -250,6 +251,8 @@ def _ended_by(phase: Phase, after: Phase, last: Margins, events: tuple[EventReco
         if phase.mode == Mode.ROLL and not last.normal_force > 1e-9 * abs(last.friction_force):
             return "Rolling would need the plane to pull: N = 0."
         return f"Rolling needs the friction F = {last.friction_force:.6g} N, all of μs N."
+    if what == STILL and body.resist > 0.0:
+        return "θ̇ = 0: rolling resistance holds the hoop."
     if what == STILL:
         stable = next((event.stable for event in events if event.kind == "rest"), None)
         return f"The hoop rests in {'a stable' if stable else 'an unstable'} equilibrium."

@@ -41,7 +41,7 @@ EVENT_UNITS = {
     **dict.fromkeys(("vx", "vy", "slip", "before_vx", "before_vy", "before_slip"), "m/s"),
     **dict.fromkeys(("omega", "before_omega"), "rad/s"),
     **dict.fromkeys(("impulse_normal", "impulse_tangential"), "N s"),
-    **dict.fromkeys(("friction", "impact_normal", "impact_tangential", "gain"), "J"),
+    **dict.fromkeys(("friction", "impact_normal", "impact_tangential", "rolling_resistance", "gain"), "J"),
 }
 TABLES = ("events", "segments")
 _ENDINGS = "must end in .nc (netCDF), .zarr or .zarr.zip (Zarr)"

@@ -63,6 +63,7 @@ def load(path: str | Path) -> Trajectory:
 # --- inside ----------------------------------------------------------------------------------------
 
 MOST_READS = 100
+_LATER = "rolling_resistance"
 DAMAGED = "{} is damaged: its checksum is not that of its content."
 
 
@@ -83,8 +84,8 @@ def _load(file: Path, kind: str) -> Trajectory:
         motion = Trajectory(
             Scenario.from_dict(json.loads(attributes["scenario"])),
             int(Status[attributes["status"].upper()]),
-            _unpacked(groups["events"]),
-            _unpacked(groups["segments"]),
+            _completed(_unpacked(groups["events"])),
+            _completed(_unpacked(groups["segments"])),
             str(attributes["version"]),
         )
     except (KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
@@ -120,6 +121,19 @@ def _unpacked(dataset: Any) -> np.ndarray:
     for name, *_ in layout:
         table[name] = dataset[name].values
     return table
+
+
+def _completed(table: np.ndarray) -> np.ndarray:
+    """The table with the columns that files of before rolling resistance do not have: nothing was lost to it."""
+    names = table.dtype.names or ()
+    if any(name.startswith(_LATER) for name in names):
+        return table
+    powers = [name.removeprefix("damping") for name in names if name.startswith("damping_")]
+    layout = [(name, table.dtype[name]) for name in names] + [(_LATER + power, "f8") for power in powers or [""]]
+    wider = np.zeros(table.shape, np.dtype(layout))
+    for name in names:
+        wider[name] = table[name]
+    return wider
 
 
 def _read(file: Path, kind: str) -> dict[str, Any]:

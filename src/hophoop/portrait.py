@@ -18,6 +18,7 @@ MOST_ROWS = 12
 MOST_HOOPS = 10
 POINTS = 600  # of a trace
 WIDTH, HIGHEST = 760.0, 300.0  # of the picture [pixels]
+EDGE = 8.0  # around what is drawn [pixels]
 
 
 def html(motion: Motion) -> str:
@@ -81,8 +82,10 @@ def picture(motion: Motion) -> str:
     radius, slope = motion.scenario.hoop.radius, motion.scenario.plane.slope
     marks = np.unique(np.clip([event.t for event in motion.events], 0.0, motion.duration))
     way = poses_of(motion, np.union1d(motion.times(POINTS), marks))
-    low, high = way.center.min(axis=0) - 1.2 * radius, way.center.max(axis=0) + 1.2 * radius
-    scale = min(WIDTH / (high[0] - low[0]), HIGHEST / (high[1] - low[1]))
+    low, high = way.center.min(axis=0) - radius, way.center.max(axis=0) + radius
+    scale = min((WIDTH - 2.0 * EDGE) / (high[0] - low[0]), (HIGHEST - 2.0 * EDGE) / (high[1] - low[1]))
+    # lines and dots have a width in pixels, however small the hoop is
+    low, high = low - EDGE / scale, high + EDGE / scale
     wide, tall = (scale * (high - low)).tolist()
 
     def path(points: Floats) -> str:

@@ -15,7 +15,19 @@ from hophoop.units import Units
 
 @dataclass(frozen=True)
 class Velocity:
-    """Velocities just before an event: vx, vy of the centre [m/s], omega [rad/s], slip = v_t [m/s]."""
+    """Velocities just before an event.
+
+    Attributes
+    ----------
+    vx : float
+        Velocity of the centre along the plane [m/s].
+    vy : float
+        Velocity of the centre away from the plane [m/s].
+    omega : float
+        Angular velocity θ̇ [rad/s].
+    slip : float
+        Slip velocity v_t of the lowest point [m/s].
+    """
 
     vx: float
     vy: float
@@ -32,23 +44,43 @@ class EventRecord:
     t : float
         Time [s].
     kind : str
-        One of the kinds of the file format, such as 'slip_start'.
-    from_mode, to_mode : str or None
-        Letters of the modes before and after.
-    x, height, angle : float
-        Centre along the plane [m], gap [m], θ [rad].
-    vx, vy, omega, slip : float
-        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
+        What happened, such as 'slip_start'.
+    from_mode : str or None
+        Letter of the mode before; None at the start.
+    to_mode : str
+        Letter of the mode after.
+    x : float
+        Place of the centre along the plane [m].
+    height : float
+        Gap between rim and plane [m].
+    angle : float
+        θ, from the plane's outward normal to C→G, clockwise; it counts whole turns [rad].
+    vx : float
+        Velocity of the centre along the plane [m/s].
+    vy : float
+        Velocity of the centre away from the plane [m/s].
+    omega : float
+        Angular velocity θ̇ [rad/s].
+    slip : float
+        Slip velocity v_t of the lowest point [m/s].
     before : Velocity
         Velocities just before.
-    impulse_normal, impulse_tangential : float
-        Of an impact [N s], else 0.
-    friction, impact_normal, impact_tangential : float
-        Energy lost from the start to just after the event [J].
+    impulse_normal : float
+        Normal impulse of an impact, else 0 [N s].
+    impulse_tangential : float
+        Impulse of an impact along the plane, else 0 [N s].
+    friction : float
+        Energy lost to friction in slip, from the start to just after the event [J].
+    impact_normal : float
+        Energy lost so far in impacts, normal to the plane [J].
+    impact_tangential : float
+        Energy lost so far in impacts, along the plane [J].
+    rolling_resistance : float
+        Energy lost so far to rolling resistance [J].
     collision : bool or None
         Of an impact: whether the rim approached the plane (False: impact without collision).
     gain : float
-        Energy created by Newton's law in a `kane_gain` [J], else 0.
+        Energy created by Newton's law in a `kane_gain`, else 0 [J].
     stable : bool or None
         Of a `rest`: whether the equilibrium is stable.
     """
@@ -70,6 +102,7 @@ class EventRecord:
     friction: float
     impact_normal: float
     impact_tangential: float
+    rolling_resistance: float
     collision: bool | None
     gain: float
     stable: bool | None
@@ -85,18 +118,40 @@ class Sample:
         Time [s].
     mode : str or ndarray of str
         Letter of the mode: R roll, S and K slip with v_t < 0 and > 0, H flight, M skim.
-    x, height, angle : float or ndarray
-        Centre along the plane [m], gap [m], θ [rad].
-    vx, vy, omega, slip : float or ndarray
-        Velocity of the centre [m/s], θ̇ [rad/s], slip velocity v_t [m/s].
-    friction_force, normal_force : float or ndarray
-        F and N [N].
-    kinetic, potential : float or ndarray
-        Energies; the potential is zero with the load at the top in contact at x = 0 [J].
-    friction, impact_normal, impact_tangential : float or ndarray
-        Energy lost so far in slip and in the two parts of impacts [J].
-    spring, damping : float or ndarray
-        Energy stored in, and lost so far in the normal direction by, a compliant contact [J]; 0 in rigid contact.
+    x : float or ndarray
+        Place of the centre along the plane [m].
+    height : float or ndarray
+        Gap between rim and plane [m].
+    angle : float or ndarray
+        θ, from the plane's outward normal to C→G, clockwise; it counts whole turns [rad].
+    vx : float or ndarray
+        Velocity of the centre along the plane [m/s].
+    vy : float or ndarray
+        Velocity of the centre away from the plane [m/s].
+    omega : float or ndarray
+        Angular velocity θ̇ [rad/s].
+    slip : float or ndarray
+        Slip velocity v_t of the lowest point [m/s].
+    friction_force : float or ndarray
+        Friction F along +x [N].
+    normal_force : float or ndarray
+        Normal force N [N].
+    kinetic : float or ndarray
+        Kinetic energy [J].
+    potential : float or ndarray
+        Potential energy, zero with the load at the top in contact at x = 0 [J].
+    friction : float or ndarray
+        Energy lost so far to friction in slip [J].
+    impact_normal : float or ndarray
+        Energy lost so far in impacts, normal to the plane [J].
+    impact_tangential : float or ndarray
+        Energy lost so far in impacts, along the plane [J].
+    rolling_resistance : float or ndarray
+        Energy lost so far to rolling resistance [J].
+    spring : float or ndarray
+        Energy stored in a compliant contact; 0 in rigid contact [J].
+    damping : float or ndarray
+        Energy lost so far in the damper of a compliant contact; 0 in rigid contact [J].
     """
 
     t: Any
@@ -115,6 +170,7 @@ class Sample:
     friction: Any
     impact_normal: Any
     impact_tangential: Any
+    rolling_resistance: Any
     spring: Any
     damping: Any
 
@@ -166,14 +222,20 @@ class EventErrors:
     ----------
     t : ndarray, shape (n,)
         Of the time [s].
-    x, height : ndarray, shape (n,)
-        Of the place of the centre [m].
+    x : ndarray, shape (n,)
+        Of the place of the centre along the plane [m].
+    height : ndarray, shape (n,)
+        Of the gap between rim and plane [m].
     angle : ndarray, shape (n,)
         Of θ [rad].
-    vx, vy, slip : ndarray, shape (n,)
-        Of velocities [m/s].
+    vx : ndarray, shape (n,)
+        Of the velocity of the centre along the plane [m/s].
+    vy : ndarray, shape (n,)
+        Of the velocity of the centre away from the plane [m/s].
     omega : ndarray, shape (n,)
         Of θ̇ [rad/s].
+    slip : ndarray, shape (n,)
+        Of the slip velocity [m/s].
     """
 
     t: NDArray[np.float64]
@@ -254,10 +316,30 @@ def utilization_of(
 
 @dataclass(frozen=True)
 class Ledger:
-    """Where the energy went, from the start to the end [J].
+    """Where the energy went, from the start to the end.
 
-    `residual` is what does not add up: kinetic + potential + losses now, minus kinetic + potential at the
-    start; `range` is the size of the energies that took part, to judge it by.
+    Attributes
+    ----------
+    kinetic : float
+        Kinetic energy at the end [J].
+    potential : float
+        Potential energy at the end, zero with the load at the top in contact at x = 0 [J].
+    friction : float
+        Lost to friction in slip [J].
+    impact_normal : float
+        Lost in impacts, in the direction normal to the plane; negative where Newton's law creates energy [J].
+    impact_tangential : float
+        Lost in impacts, along the plane [J].
+    rolling_resistance : float
+        Lost to rolling resistance [J].
+    spring : float
+        Stored in a compliant contact at the end; 0 in rigid contact [J].
+    damping : float
+        Lost in the damper of a compliant contact; 0 in rigid contact [J].
+    residual : float
+        What does not add up: kinetic + potential + spring + losses now, less kinetic + potential at the start [J].
+    range : float
+        Size of the energies that took part, to judge the residual by [J].
     """
 
     kinetic: float
@@ -265,6 +347,7 @@ class Ledger:
     friction: float
     impact_normal: float
     impact_tangential: float
+    rolling_resistance: float
     spring: float
     damping: float
     residual: float

@@ -14,9 +14,8 @@ from hophoop._jit import precompile
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT, first_rows
-from hophoop.records.scratch import new_scratch, thread_scratch
+from hophoop.records.scratch import MOST_PANELS, new_scratch, thread_scratch
 from hophoop.records.state import State, start_state
-from hophoop.records.writing import MOST_PANELS
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
@@ -243,7 +242,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
             segments_size = min(16 * segments_size, MOST_PANELS)
         elif scratch.written[0] < 0 and events_size < contact.max_events:  # not where the panels are used up
             events_size = min(4 * events_size, contact.max_events)
-        elif scratch.written[2] >= MOST_PANELS:
+        elif scratch.written[2] >= scratch.written[3]:
             if not script.size:
                 break
             script, decisions = NO_SCRIPT, MOST  # the last of its events may lie beyond what the panels reach

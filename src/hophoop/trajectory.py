@@ -188,17 +188,15 @@ class Trajectory:
         first, last = self._events[0], self._events[-1]
         begin_kinetic, begin_potential = (float(energy) for energy in self._energies(_columns(first)))
         kinetic, potential = (float(energy) for energy in self._energies(_columns(last)))
-        friction, normal, tangential = (
-            float(last[name]) * unit.energy for name in ("friction", "impact_normal", "impact_tangential")
-        )
+        friction, normal, tangential, rolling = (float(last[name]) * unit.energy for name in LOSSES)
         begin, end = self.at(0.0, side="left"), self.at(self._seconds(float(last["t"])))
-        residual = (kinetic + potential + end.spring + end.damping + friction + normal + tangential) - (
+        residual = (kinetic + potential + end.spring + end.damping + friction + normal + tangential + rolling) - (
             begin_kinetic + begin_potential + begin.spring
         )
         hoop, plane = self.scenario.hoop, self.scenario.plane
         weight = hoop.mass * plane.gravity * hoop.radius
-        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, weight, end.spring, abs(end.damping))
-        return Ledger(kinetic, potential, friction, normal, tangential, end.spring, end.damping, residual, size)
+        size = max(abs(begin_kinetic), kinetic, abs(potential), friction, rolling, weight, end.spring, abs(end.damping))
+        return Ledger(kinetic, potential, friction, normal, tangential, rolling, end.spring, end.damping, residual, size)
 
     @property
     def tables(self) -> dict[str, np.ndarray]:
@@ -289,10 +287,7 @@ class Trajectory:
         """
         final = self.events[-1]
         ledger = self.ledger
-        energy = {
-            name: getattr(ledger, name)
-            for name in ("kinetic", "potential", "friction", "impact_normal", "impact_tangential", "residual")
-        }
+        energy = {name: getattr(ledger, name) for name in ("kinetic", "potential", *LOSSES, "residual")}
         if self.scenario.contact.model != "rigid":
             energy |= {"spring": ledger.spring, "damping": ledger.damping}
         return {
@@ -402,12 +397,13 @@ class Trajectory:
         )
 
 
+LOSSES = ("friction", "impact_normal", "impact_tangential", "rolling_resistance")
 _INTERNAL = {"mode", "theta", "theta_low"}  # columns that a sample does not have as they are
 _PASSING = {int(Event.TURN), int(Event.APEX), int(Event.KANE_GAIN), int(Event.REST)}
 _LETTERS = np.array(list(MODE_LETTERS))
 _EVENT_NUMBERS = (
     "x", "height", "angle", "vx", "vy", "omega", "slip", "impulse_normal", "impulse_tangential",
-    "friction", "impact_normal", "impact_tangential", "gain",
+    *LOSSES, "gain",
 )  # fmt: skip
 _JSON_STATE: Sequence[str] = ("x", "height", "angle", "vx", "vy", "omega")
 

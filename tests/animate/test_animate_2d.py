@@ -1,5 +1,6 @@
 """Films in 2D: decoded, measured against the motion, and looked at by a program."""
 
+import itertools
 import subprocess
 import sys
 
@@ -14,10 +15,11 @@ from animate_tools import darkest_spot, decoded, motion, places
 from hophoop.animate import Player, film, picture, player
 from hophoop.animate.canvas import Canvas
 from hophoop.animate.export import format_of, write
-from hophoop.animate.frames import Timing
+from hophoop.animate.frames import Timing, clock
 from hophoop.animate.look import Look
 from hophoop.animate.mpl import Film2D
 from hophoop.animate.panels import DRAWN
+from hophoop.animate.scaling import force_levels
 from hophoop.animate.themes import THEMES
 from hophoop.plots.curves import curve
 from hophoop.vocabulary import colors
@@ -225,22 +227,137 @@ def test_the_following_camera_keeps_the_hoop_in_the_picture():
 
 
 def test_arrows_are_to_scale():
-    """The tip of the arrow of the normal force rises over the contact as the force does."""
+    """The tip of the arrow of the normal force rises over the contact as the force does, at the scale of its picture."""
     run = motion(0.1, 1.0, 4.0)
     shown = Film2D([run], Timing(fps=2), Look(size=(1280, 720), traces=False))
-    lengths, forces = [], []
+    lengths, wanted = [], []
     for k in range(shown.count):
         sample = run.at(shown.clock.times[0][k])
         column, row = np.round(shown.pixel_of(k, 0, [sample.x, 0.0])).astype(int)
         strip = shown.draw(k)[110:row, column - 3 : column + 4, :3]
         # the load may lie over the arrow, but not over its tip
         lengths.append(row - 110 - np.flatnonzero(near(strip, colors.NORMAL_FORCE, 25).any(axis=1))[0])
-        forces.append(sample.normal_force)
-    (scale, cut), residual, *_ = np.polyfit(forces, lengths, 1, full=True)
-    assert scale == pytest.approx(shown._force_scale, rel=0.02)
-    assert -8 < cut < 0  # the tip and the arrow's light edge are no blue
-    assert np.sqrt(residual[0] / len(forces)) < 1.0
+        wanted.append(sample.normal_force * shown.newton(k))
+    cut = np.array(wanted) - lengths
+    assert (cut > 0).all()  # the tip and the arrow's light edge have another colour
+    assert (cut < 8).all()
     assert max(lengths) > 80
+
+
+def test_the_scale_of_arrows_follows_the_forces():
+    """Small forces show as well, no arrow is longer than the longest, and the key says the scale of the picture."""
+    run = motion(0.1, 1.0, 6.0)
+    shown = Film2D([run], Timing(fps=30), Look(size=(960, 540)))
+    forces = run.at(shown.clock.times[0])
+    greatest = np.maximum(forces.normal_force, np.abs(forces.friction_force))
+    full = 1.3 * shown.actors[0].view.scale
+    lengths = np.array([shown.newton(k) for k in range(shown.count)]) * greatest
+    assert lengths.max() <= full * (1.0 + 1e-12)
+    assert lengths.min() > 0.1 * full  # at one scale for all it would be 0.09 and less
+    steps = np.diff(np.log([shown.newton(k) for k in range(shown.count)]))
+    assert np.abs(steps).max() < 0.2  # it does not jump
+    start, bottom = shown.draw(0).copy(), shown.draw(int(np.argmax(greatest))).copy()
+    x, y, width, height = (round(part) for part in shown.layout.forces)
+    key = [drawn[540 - y - height : 540 - y, x : x + width].astype(int) for drawn in (start, bottom)]
+    assert np.abs(key[0] - key[1]).max() > 100
+
+
+def test_in_flight_the_scale_goes_over_to_what_follows():
+    levels = force_levels([motion()], clock([motion()], Timing(fps=20)), 20.0, 100.0)
+    assert np.isfinite(levels).all()
+    assert (levels > 0.0).all()
+    still = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(gravity=0.0), hh.Start(height=1.0, vx=1.0), duration=1.0)
+    assert set(force_levels([still], clock([still], Timing(fps=5)), 5.0, 7.0)) == {7.0}
+
+
+SIZES = [(64, 64), (128, 72), (160, 480), (360, 640), (400, 300), (640, 360), (960, 540), (1920, 400)]
+
+
+def rectangles(layout):
+    return [each for each in (layout.words, layout.bar, layout.forces, layout.pace, *layout.lines) if each and each[2] > 0]
+
+
+@pytest.mark.parametrize("size", SIZES, ids=[f"{w}x{h}" for w, h in SIZES])
+@pytest.mark.parametrize("several", [(), ("side", 2.0), ("overlay", 2.0, 0.5)], ids=["one", "side", "overlay"])
+def test_words_and_keys_never_meet(size, several):
+    """Nothing of what is laid out lies on anything else or leaves the picture; words keep to their places."""
+    layout = several[0] if several else "side"
+    runs = [motion(), *(motion(speed) for speed in several[1:])]
+    shown = Film2D(runs, Timing(fps=4, slow_at=("takeoff",)), Look(size=size, layout=layout))
+    found = rectangles(shown.layout)
+    for x, y, wide, high in found:
+        assert x >= -0.5
+        assert y >= -0.5
+        assert x + wide <= size[0] + 0.5
+        assert y + high <= size[1] + 0.5
+    for a, b in itertools.combinations(found, 2):
+        across = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
+        up = min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
+        assert across <= 0.5 or up <= 0.5, (a, b)
+    for actor in shown.actors:
+        _, bottom, _, high = actor.view.rectangle
+        assert high > 0.2 * size[1] / len(runs)
+        assert bottom + high <= size[1] - shown.layout.head + 1.0
+        assert bottom >= shown.layout.foot - 1.0
+    # what is drawn in the head lies within its rectangles
+    drawn = shown.draw(shown.count - 1).astype(int)
+    back = np.array([int(THEMES["light"].background[j : j + 2], 16) for j in (1, 3, 5)])
+    ink = np.abs(drawn[..., :3] - back).max(axis=-1) > 60
+    head = np.zeros_like(ink)
+    head[: int(shown.layout.head)] = True
+    for x, y, wide, high in found:
+        head[max(0, int(size[1] - y - high) - 2) : int(size[1] - y) + 3, max(0, int(x) - 3) : int(x + wide) + 4] = False
+    assert not (ink & head).any()
+
+
+def keys_of(shown):
+    return [words for _, words in shown._keys]
+
+
+def test_nothing_is_said_to_be_airborne_where_nothing_flies():
+    assert "airborne" in keys_of(Film2D([motion()], Timing(fps=4), Look(size=SIZE)))
+    assert "airborne" not in keys_of(Film2D([motion(2.0)], Timing(fps=4), Look(size=SIZE)))
+    assert "airborne" not in keys_of(Film2D([motion()], Timing(fps=4, end=0.9), Look(size=SIZE)))
+    assert keys_of(Film2D([motion()], Timing(fps=4), Look(size=SIZE, traces=False))) == []
+
+
+def test_take_offs_and_impacts_are_marked_where_they_happen():
+    run = motion()
+    look = Look(size=(1280, 720), traces=False, forces=False, camera="hold")
+    shown = Film2D([run], Timing(fps=30), look)
+    off, down = run.find("takeoff")[0], run.find("impact")[0]
+    for event in (off, down):
+        k = int(np.ceil(event.t * 30))
+        column, row = np.round(shown.pixel_of(k, 0, [event.x, 0.0])).astype(int)
+        before = shown.draw(k - 1).astype(int)
+        after = shown.draw(shown.count - 1).astype(int)
+        # under the plane, where nothing else moves
+        spot = (slice(row + 6, row + 60), slice(column - 12, column + 13))
+        assert np.abs(after[spot] - before[spot]).max(axis=-1).sum() > 2000
+    assert [one.kind for one in shown.actors[0].found] == ["takeoff", "impact"]
+    bare = Film2D([motion(2.0)], Timing(fps=4), Look(size=SIZE))
+    assert bare.actors[0].found == []
+
+
+def test_a_jam_is_marked():
+    run = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(mu=1.2), hh.Start(angle=5.45, vx=-3.0, omega=4.1), duration=1.0)
+    kinds = {event.kind for event in run.events} & {"jam", "painleve_inconsistent", "painleve_indeterminate"}
+    shown = Film2D([run], Timing(fps=20), Look(size=SIZE))
+    assert {one.kind for one in shown.actors[0].found} >= kinds
+
+
+def test_hoops_in_one_view_have_letters():
+    runs = [motion(), motion(2.0)]
+    over = Film2D(runs, Timing(fps=10), Look(size=(1280, 720), layout="overlay", camera="hold"))
+    assert [actor.tag for actor in over.actors] == ["A", "B"]
+    beside = Film2D(runs, Timing(fps=10), Look(size=(1280, 720), camera="hold"))
+    assert [actor.tag for actor in beside.actors] == ["", ""]
+    drawn = over.draw(6).astype(int)
+    for i, run in enumerate(runs):
+        column, row = np.round(over.pixel_of(6, i, [run.at(0.6).x, 1.0])).astype(int)
+        around = drawn[row - 5 : row + 6, column - 5 : column + 6, :3]
+        assert around.min() < 80  # the letter
+        assert around.max() > 230  # on its disc
 
 
 def test_the_trace_is_green_and_red_while_airborne():

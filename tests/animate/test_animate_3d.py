@@ -110,14 +110,48 @@ def test_arrows_show_where_there_are_forces():
     times = np.arange(61) / 30
     strongest = int(np.argmax(run.at(times).normal_force))
     flying = int((run.find("takeoff")[0].t + 0.2) * 30)
-    drawn = {}
+    drawn, drawn_from = {}, 90
     for forces in (False, True):
         with film({"forces": forces, "camera": "side"}, fps=30) as shown:
-            # the key of the arrows is at the bottom
-            drawn[forces] = [shown.draw(k)[40:200].astype(int) for k in (strongest, flying)]
+            # the key of the arrows is in the head
+            assert shown.layout.head < drawn_from
+            drawn[forces] = [shown.draw(k)[drawn_from:200].astype(int) for k in (strongest, flying)]
     changed = [(np.abs(a - b).max(axis=-1) > 40).sum() for a, b in zip(*drawn.values(), strict=True)]
     assert changed[0] > 150
     assert changed[1] == 0
+
+
+def test_the_scale_of_arrows_follows_the_forces_and_is_said():
+    run = motion()
+    with film({"forces": True, "camera": "side", "size": (640, 360)}, fps=20) as shown:
+        sample = run.at(shown.clock.times[0])
+        force = np.maximum(sample.normal_force, np.abs(sample.friction_force))
+        newtons = np.array([shown.newton(k) for k in range(shown.count)])
+        assert (newtons * force).max() <= 1.3 * (1.0 + 1e-12)
+        assert newtons.max() > 3.0 * newtons.min()
+        x, y, width, height = (round(part) for part in shown.layout.forces)
+        weak, strong = int(np.argmax(newtons)), int(np.argmin(newtons))
+        keys = [shown.draw(k)[360 - y - height : 360 - y, x : x + width].astype(int) for k in (weak, strong)]
+        assert np.abs(keys[0] - keys[1]).max() > 80
+
+
+def test_marks_letters_and_keys():
+    run = motion()
+    down = run.find("impact")[0]
+    with film({"camera": "hold", "traces": True}, fps=20) as shown:
+        assert [one.kind for one in shown.actors[0].found] == ["takeoff", "impact"]
+        assert shown.actors[0].tag == ""
+        assert "airborne" in [words for _, words in shown._keys]
+        shown.draw(0)  # the camera is set where a picture is drawn
+        spot = shown._seen(shown.actors[0].found[1].place, shown.actors[0].lane - 0.35)
+        k = int(down.t * 20)
+        row, column = round(SIZE[1] - spot[1]), round(spot[0])
+        window = (slice(row - 2, row + 25), slice(column - 12, column + 13))
+        before, after = shown.draw(k)[window].astype(int), shown.draw(shown.count - 1)[window].astype(int)
+        assert (np.abs(after - before).max(axis=-1) > 60).sum() > 15
+    with film({"traces": True}, runs=[motion(2.0), motion(1.0)]) as two:
+        assert [actor.tag for actor in two.actors] == ["A", "B"]
+        assert "airborne" not in [words for _, words in two._keys]
 
 
 def test_several_motions_run_in_lanes():

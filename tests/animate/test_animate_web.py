@@ -57,13 +57,27 @@ def test_slow_motion_traces_and_forces_in_the_data():
     slow = scene_data([motion()], Timing(fps=60, slow_at=("takeoff",)), Look3D(forces=False))
     assert slow["count"] > 121
     assert slow["rate"].min() < 0.13
-    assert slow["newton"] == 0.0
+    assert slow["newton"] is None
     track = slow["hoops"][0]["traces"]
     flown = track["t"][track["airborne"] == 1]
     assert flown.min() == pytest.approx(motion().find("takeoff")[0].t)
     plain = scene_data([motion()], Timing(fps=60), Look3D(theme="dark", traces=False))
     assert plain["hoops"][0]["traces"] is None
-    assert plain["newton"] > 0.0
+    force = np.maximum(plain["hoops"][0]["normalForce"], np.abs(plain["hoops"][0]["frictionForce"]))
+    lengths = plain["newton"] * force
+    assert lengths.max() <= 1.3 * (1.0 + 1e-12)
+    assert plain["steadyNewton"] == pytest.approx(plain["newton"].min(), rel=0.05)
+
+
+def test_marks_letters_and_keys_in_the_data():
+    one = scene_data([motion()], Timing(fps=20), Look3D())
+    off, down = motion().find("takeoff")[0], motion().find("impact")[0]
+    assert one["hoops"][0]["marks"] == [[off.t, off.x, "takeoff", "take-off"], [down.t, down.x, "impact", "landing"]]
+    assert one["flies"]
+    assert one["hoops"][0]["tag"] == ""
+    two = scene_data([motion(2.0), motion(1.0)], Timing(fps=20), Look3D())
+    assert not two["flies"]
+    assert [hoop["tag"] for hoop in two["hoops"]] == ["A", "B"]
 
 
 def read_glb(path):

@@ -10,10 +10,16 @@ import pytest
 from page_tools import faults, toctree_pages
 
 DOCS = Path(__file__).parents[2] / "docs"
-PAGES = [DOCS / "index.md", DOCS / "glossary.md", *sorted(DOCS.glob("learn/*.md")), *sorted(DOCS.glob("teach/*.md"))]
+# They make films, or compile more kernels.
+LONG = [DOCS / f"{name}.md" for name in ("article", "films", "derivatives", "compliant", "proofs", "maps")]
+PAGES = [
+    pytest.param(page, id=page.relative_to(DOCS.parent).as_posix(), marks=[pytest.mark.slow] if page in LONG else [])
+    for page in [DOCS.parent / "README.md", DOCS.parent / "CONTRIBUTING.md", *sorted(DOCS.rglob("*.md"))]
+    if page.parent.name not in ("tables", "generated") and "gallery" not in page.parts
+]
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(DOCS).as_posix())
+@pytest.mark.parametrize("page", PAGES)
 def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert faults(page.read_text(encoding="utf-8"), page.name) == []
@@ -25,7 +31,10 @@ def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
         ("```pycon\n>>> 6 * 7\n41\n```\n", "Expected:"),
         ("```python\na = 2.043\n```\n\n% says: f'{a:.2f} m/s'\nIt slips\nfrom 2.05 m/s on.\n", "2.04 m/s"),
         ("% says: 1 + 1\n% says: 1 + 2\n2 of them.\n\n3 in another paragraph.\n", "1 + 2 is 3"),
+        ("% not run: no film\n```python\n1 / 0\n```\n\n```pycon\n>>> 1\n2\n```\n", "Expected:"),
         ("```console\n$ hophoop run --v0 3.1 --duration -1\n```\n", "exit status 2"),
+        ("```console\n$ hophoop map --axes plane.mu=0:1:9 \\\n    --out a.zarr\n```\n", "no option --axes"),
+        ("```toml\n[plane]\nfriction = 1.0\n```\n", "plane.friction"),
     ],
 )
 def test_a_wrong_page_is_found(text, fault):
@@ -45,7 +54,7 @@ def test_names_pass_from_block_to_block_only_downwards():
 
 def test_every_page_stands_once_in_the_navigation():
     stored = {page.relative_to(DOCS).with_suffix("").as_posix() for page in DOCS.rglob("*.md") if page.parent.name != "tables"}
-    assert sorted(toctree_pages(DOCS)) == sorted(stored - {"index"})
+    assert sorted(toctree_pages(DOCS)) == sorted(stored - {"index"} | {"gallery/index"})
 
 
 def test_the_moving_picture_is_the_computed_motion(tmp_path, monkeypatch):

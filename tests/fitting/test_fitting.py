@@ -8,11 +8,17 @@ import pytest
 
 import hophoop as hh
 from hophoop.fitting import report
+from hophoop.fitting.channels import scatter
+from hophoop.fitting.covariance import Lasting, covariance_of, memories
 from hophoop.fitting.guess import gathered, rates
+from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.judging import least_static_friction, runs
-from hophoop.fitting.problem import defaults, problem_of, scatter
+from hophoop.fitting.losses import influence, influence_slope, soften, soften_slope
+from hophoop.fitting.parameters import PARAMETERS
+from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.reporting import energies, places_in_film
-from hophoop.fitting.solving import Choice, slopes, soften
+from hophoop.fitting.solving import Choice, slopes
+from hophoop.tracking.scatter import third_differences
 from hophoop.tracking.table import track_of
 
 # a fit asks for hundreds of motions
@@ -68,18 +74,6 @@ def test_the_truth_is_found_within_its_uncertainties(found):
     assert found.scenario.plane.mu_static == pytest.approx(0.55, abs=0.04)
 
 
-@pytest.mark.slow
-def test_pulls_over_two_hundred_films(hop):
-    fits = [hh.fit(filmed(hop, seed=seed)) for seed in range(200)]
-    assert sum(one.reduced < 1.2 for one in fits) >= 198
-    for name, value in TRUTH.items():
-        pulls = np.array([(one.values[name] - value) / one.error(name) for one in fits if name in one.free])
-        assert len(pulls) >= 195, name
-        # the mean of 200 has a standard error of 0.07, their spread one of 0.05
-        assert abs(np.mean(pulls)) < 0.25, name
-        assert 0.85 < np.std(pulls) < 1.15, name
-
-
 def test_the_centre_alone_tells_as_well(hop):
     fit = hh.fit(filmed(hop, angle=False))
     assert fit.good
@@ -107,17 +101,150 @@ def test_slopes_are_those_that_can_be_written_down(hop):
     problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
     values, _ = defaults(problem, track)
     values |= TRUTH
-    jacobian = slopes(
-        problem,
-        Choice(values, ("x0", "origin_y", "marker_angle"), {}, {}),
-        ("x0", "origin_y", "marker_angle"),
-        problem.residuals,
-    )
+    names = ("x0", "origin_y", "marker_angle")
+    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
     n = len(track.t)
     expected = np.zeros((3 * n, 3))
     expected[:n, 0] = expected[n : 2 * n, 1] = -1 / SIGMA
     expected[2 * n :, 2] = -1 / SIGMA_ANGLE
-    assert jacobian == pytest.approx(expected, rel=1e-5, abs=1e-3)
+    assert jacobian == pytest.approx(expected, rel=1e-12, abs=1e-9)
+
+
+def differences(problem, values, name, step):
+    """Derivative of the residuals from four motions, with an error of the fourth order in the step."""
+    at = {k: problem.residuals({**values, name: values[name] + k * step}) for k in (-2, -1, 1, 2)}
+    return (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
+
+
+STARTED = {
+    "rolling": hh.Start.rolling(1.9, angle=0.1),
+    "sliding": hh.Start(vx=2.0, omega=3.0, angle=0.4),
+    "flying": hh.Start(vx=1.0, height=0.05, vy=0.1, omega=4.0, angle=0.4),
+}
+
+
+@pytest.mark.parametrize("kind", STARTED)
+@pytest.mark.parametrize("marker", [False, True], ids=["centre", "marker"])
+def test_slopes_are_those_of_differences(kind, marker):
+    motion = hopping(start=STARTED[kind], duration=0.9)
+    track = filmed(motion)
+    rows = np.column_stack([np.full(len(track.t), np.nan), 300.0 - 100.0 * track.centre[:, 1]])
+    track = dataclasses.replace(track, pixel=rows)
+    if marker:
+        arrow = 0.2 * np.stack([np.sin(track.angle), np.cos(track.angle)], axis=-1)
+        none = np.full_like(track.centre, np.nan)
+        error = np.full(len(track.t), SIGMA)
+        track = dataclasses.replace(track, marker=track.centre + arrow, centre=none, marker_error=error)
+    problem = problem_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    start, state = motion.scenario.start, motion.at(0.0)
+    values |= {name: value for name, value in TRUTH.items() if name in values}
+    values |= {"angle0": start.angle, "slope": 0.02, "scale": 1.01, "tilt": 0.03, "origin_y": 0.01, "row_delay": 1e-5}
+    values |= {"marker_angle": 0.05, "marker_ratio": 0.7}
+    known = {"vx0": state.vx, "vy0": state.vy, "omega0": state.omega, "height0": state.height, "eccentricity": 0.6}
+    values |= {name: value for name, value in known.items() if name in values} | (
+        {"inertia_ratio": 0.6} if "inertia_ratio" in values else {}
+    )
+    jacobian = slopes(problem, Choice(values, problem.names, {}, {}), problem.names)
+    for k, name in enumerate(problem.names):
+        expected = differences(problem, values, name, 1e-8 if name == "row_delay" else 2e-6)
+        size = np.abs(expected).max() + 1.0
+        # a frame within a step of an event is off in the differences
+        off = np.abs(jacobian[:, k] - expected) / size
+        assert np.sort(off)[-4] < 1e-6, name
+        if kind == "rolling" and (marker or name not in ("marker_angle", "marker_ratio")):
+            assert size > 2.0, name
+
+
+def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
+    track = filmed(hop)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH | {"restitution": 0.0}  # with any restitution it would bounce
+    assert np.isnan(exact_slopes(problem, values, ("restitution", "speed"))[-1, 0])
+    jacobian = slopes(problem, Choice(values, ("restitution", "speed"), {}, {}), ("restitution", "speed"))
+    step = PARAMETERS["restitution"].step
+    expected = (problem.residuals({**values, "restitution": step}) - problem.residuals(values)) / step
+    assert jacobian[:, 0] == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.abs(expected).max())
+    assert np.isfinite(jacobian).all()
+
+
+def test_slopes_go_along_with_what_is_tied(hop):
+    track = filmed(hop)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH
+    tied = Choice(values, ("mu_kinetic",), {}, {"mu_excess": "mu_kinetic / 4.5"})
+    alone = slopes(problem, Choice(values, ("mu_kinetic", "mu_excess"), {}, {}), ("mu_kinetic", "mu_excess"))
+    assert slopes(problem, tied, ("mu_kinetic",))[:, 0] == pytest.approx(alone[:, 0] + alone[:, 1] / 4.5, rel=1e-6, abs=1e-4)
+
+
+def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
+    off = np.array([-8.0, -2.0, -1e-3, 0.5, 3.0, 20.0])
+    step = 1e-6
+    rise = (soften(off + step, True) - soften(off - step, True)) / (2 * step)
+    assert soften_slope(off) == pytest.approx(rise, rel=1e-8)
+    assert soften(np.array([1e-9]), True) == pytest.approx([1e-9], rel=1e-15)
+    loss = (soften(off + step, True) ** 2 - soften(off - step, True) ** 2) / (4 * step)
+    assert influence(off) == pytest.approx(loss, rel=1e-7, abs=1e-9)
+    assert influence_slope(off) == pytest.approx((influence(off + step) - influence(off - step)) / (2 * step), rel=1e-7)
+
+
+# --- how uncertain ---------------------------------------------------------------------------------
+
+
+def lasting(rng, n, sigma, alike):
+    """Errors of which neighbours correlate."""
+    fresh = rng.normal(0, 1, n)
+    for k in range(1, n):
+        fresh[k] = alike * fresh[k - 1] + np.sqrt(1 - alike**2) * fresh[k]
+    return sigma * fresh
+
+
+def test_a_share_of_the_errors_that_lasts_is_found():
+    """Under errors that are new in each frame a slow one hides, whose neighbours correlate by little, and for long."""
+    track = track_of(np.arange(1000.0), {"x": np.arange(1000.0), "y": np.zeros(1000)}, radius=0.3, placed=True)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (1.0, None))
+    rng = np.random.default_rng(6)
+    slow = np.sqrt(0.3) * lasting(rng, 1000, 1.0, 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
+    found = memories(problem, np.concatenate([slow, rng.normal(size=1000)]))
+    assert found["x"].frames == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
+    assert found["x"].share < 0.6
+    assert found["y"].share == 0.0
+    assert Lasting(0.3, 0.9).frames == pytest.approx(1 + 2 * sum(0.3 * 0.9**k for k in range(1, 200)))
+
+
+def test_errors_that_last_over_frames_count_less(hop):
+    track, rng = filmed(hop), np.random.default_rng(5)
+    n = len(track.t)
+    state = hop.at(track.t)
+    true = np.stack([state.x, state.height + RADIUS], axis=-1)
+    slow = np.stack([lasting(rng, n, SIGMA, 0.7), lasting(rng, n, SIGMA, 0.7)], axis=-1)
+    track = dataclasses.replace(track, centre=true + slow)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH
+    off = problem.residuals(values)
+    found = memories(problem, off)
+    for name in ("x", "y"):  # (1 + 0.7)/(1 − 0.7) of them say as much as one
+        assert found[name].share * found[name].fade == pytest.approx(0.7, abs=0.2)
+        assert found[name].frames == pytest.approx(17 / 3, rel=0.5)
+    assert found["angle"].share == 0.0
+    # A⁻¹ Jᵀ P J A⁻¹ with all of P written down
+    names = tuple(TRUTH)
+    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    apart = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
+    whole = np.zeros((3 * n, 3 * n))
+    for k, name in enumerate(("x", "y", "angle")):
+        whole[k * n : k * n + n, k * n : k * n + n] = np.where(
+            apart == 0, 1.0, found[name].share * found[name].fade ** apart.astype(float)
+        )
+    known = np.linalg.inv(jacobian.T @ jacobian)
+    expected = known @ jacobian.T @ whole @ jacobian @ known
+    assert covariance_of(problem, jacobian, off, False) == pytest.approx(expected, rel=1e-6)
+    fit = hh.fit(track)
+    assert fit.error("gamma") > 1.3 * hh.fit(filmed(hop)).error("gamma")
+    assert any("Errors of x last over several frames" in note for note in fit.notes)
 
 
 # --- what the film does not tell -------------------------------------------------------------------
@@ -133,13 +260,35 @@ def test_a_hoop_that_never_slips_gives_a_lower_limit(hop):
     theta = np.linspace(0.0, motion.at(motion.duration).angle, 4000)
     forces = hh.theory.rolling_forces(theta, motion.scenario.hoop, 1.0)
     expected = np.max(np.abs(forces.friction / forces.normal))
-    assert least == pytest.approx(expected, rel=0.02)
-    assert least < 0.9
+    # a slip that is too short is not seen
+    assert 0.85 * expected < least < 1.001 * expected
     assert fit.free == ("gamma", "x0", "angle0", "speed")
     assert any("never slips: static friction is at least" in note for note in fit.sentences())
     assert any("no impact" in note for note in fit.sentences())
     assert {row[0]: row[1] for row in fit.rows()}["restitution"] == "not seen"
-    assert least_static_friction(motion) == pytest.approx(least, rel=0.02)
+    assert least_static_friction(motion) == pytest.approx(expected, rel=1e-4)
+    assert least_static_friction(fit.motion) == pytest.approx(expected, rel=0.02)
+
+
+def test_the_least_friction_is_where_the_sum_of_squares_has_risen(hop):
+    """By 2.71 when friction is held there, and not when it is held a little higher."""
+    motion = hopping(plane=hh.Plane(mu=0.9, restitution=0.2), start=hh.Start.rolling(1.0), duration=0.9)
+    track = filmed(motion)
+    known = {"mu_excess": 0.0, "restitution": 0.0}
+    fit = hh.fit(track, fixed=known, soft=False)
+    least = fit.limits["mu_static"][1]
+    rise = [hh.fit(track, fixed={**known, "mu_kinetic": least * part}, soft=False).chi_square for part in (0.99, 1.01)]
+    assert rise[0] - fit.chi_square > 2.6
+    assert rise[1] - fit.chi_square < 2.8
+
+
+def test_slip_must_be_seen_to_be_believed():
+    """Noise is explained a little better by a short slip than by none, which does not make it one."""
+    for seed in range(4):
+        motion = hopping(plane=hh.Plane(mu=0.9), start=hh.Start.rolling(1.2, angle=0.1), duration=0.9)
+        fit = hh.fit(filmed(motion, seed=seed, rate=44.0, sigma=2e-3, sigma_angle=2e-3))
+        assert fit.limits["mu_static"][0] == "≥"
+        assert "mu_kinetic" not in fit.free
 
 
 def test_at_an_end_of_its_range_a_parameter_has_a_limit():
@@ -256,6 +405,10 @@ def test_scatter_from_third_differences():
     assert scatter(t, values) == pytest.approx(0.01, rel=0.1)
     with pytest.raises(ValueError, match="do not scatter: give sigma"):
         scatter(t, t**2)
+    # weights of a third difference are 1/Π(t_i − t_j), with which t³ gives 1; a four with a gap is left out
+    t, cubic = np.array([0.0, 1.0, 3.0, 4.0, 6.0, 7.0]), np.array([0.0, 1.0, 27.0, 64.0, 216.0, np.nan])
+    sizes = np.sqrt([2 / 12**2 + 2 / 6**2, 2 / 30**2 + 2 / 6**2])
+    assert third_differences(t, cubic) == pytest.approx(1 / sizes)
 
 
 def test_energies_from_the_data_are_those_of_the_motion(found):
@@ -326,3 +479,16 @@ def test_data_that_do_not_suffice(hop):
         hh.plan(hop.scenario, rate=2.0)
     with pytest.raises(ValueError, match="sigma = 0"):
         hh.plan(hop.scenario, sigma=0.0)
+
+
+def test_rolling_resistance_can_be_freed():
+    """A hoop that slows down: it is found, and without it the fit is not good."""
+    plane = hh.Plane(mu=0.5, rolling_resistance=0.02)
+    motion = hopping(plane=plane, start=hh.Start.rolling(1.2), duration=1.2)
+    track = filmed(motion, rate=120.0)
+    fixed = {"mu_kinetic": 0.5, "mu_excess": 0.0, "restitution": 0.0}
+    fit = hh.fit(track, free=["rolling_resistance"], fixed=fixed)
+    assert fit.good
+    assert abs(fit.values["rolling_resistance"] - 0.02) < 5.0 * fit.error("rolling_resistance")
+    assert fit.error("rolling_resistance") < 2e-3
+    assert not hh.fit(track, fixed=fixed).good

@@ -1,9 +1,6 @@
 """The lab's programming interface: results, errors in one sentence, limits, caching, no file but its own."""
 
-import asyncio
 import json
-import threading
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -16,15 +13,21 @@ from fastapi.testclient import TestClient  # noqa: E402
 import hophoop as hh  # noqa: E402
 from hophoop import maps  # noqa: E402
 from hophoop._jit import policy  # noqa: E402
-from hophoop.lab import api, app, calls, packing  # noqa: E402
-from hophoop.lab.limits import USUAL, TooBusy  # noqa: E402
+from hophoop.lab import api, app, calls, packing, worker  # noqa: E402
+from hophoop.lab.limits import USUAL  # noqa: E402
+from hophoop.lab.workers import Workers  # noqa: E402
 from hophoop.maps import evaluate  # noqa: E402
 from hophoop.scenario import InputError  # noqa: E402
 
 
 @pytest.fixture(scope="module")
 def client():
-    return TestClient(api.create_app())
+    with asking(api.create_app()) as client:
+        yield client
+
+
+def asking(application):
+    return TestClient(application, base_url="http://localhost")
 
 
 def test_simulate_gives_the_result_file(client):
@@ -62,6 +65,8 @@ def test_an_empty_body_is_the_reference_case(client):
         ("/api/v1/theory", 3, 422, "the scenario = 3 must be a table of keys."),
         ("/lab/film", 3, 422, "The body must be a JSON object, not 3."),
         ("/lab/film", {"changes": 1}, 422, "changes = 1 must be a list"),
+        ("/lab/film", {"scenario": {"contact": {"model": "soft"}}}, 422, "scenario.contact.model = 'soft' must be 'rigid' or"),
+        ("/lab/film", {"changes": [["hoop.radius", -1], ["start.omega", 2]]}, 422, "hoop.radius = -1 must be greater than 0."),
         ("/lab/nothing", {}, 404, "There is no call 'nothing'."),
     ],
 )
@@ -80,14 +85,26 @@ def test_what_is_not_json_is_said(client, body):
 
 
 def test_a_body_has_its_limit(client):
-    reply = client.post("/api/v1/simulate", content=b" " * (USUAL.body + 1))
+    reply = client.post("/api/v1/simulate", content=b" " * (USUAL.body + 1), headers={"Content-Type": "application/json"})
     assert reply.status_code == 413
     assert "more than 65536 bytes" in reply.json()["detail"]
 
 
 def test_other_content_is_refused(client):
-    reply = client.post("/api/v1/simulate", content=b"a=1", headers={"Content-Type": "text/csv"})
-    assert reply.status_code == 422
+    for kind in ("text/csv", "text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x", ""):
+        reply = client.post("/api/v1/simulate", content=b"{}", headers={"Content-Type": kind} if kind else {})
+        assert reply.status_code == 415, kind
+        assert "must be application/json" in reply.json()["detail"]
+
+
+def test_half_a_character_is_refused(client):
+    for body in (b'{"start": {"\\ud800": 1}}', b'{"hoop": "\\udfff"}', b'[["\\ud800"]]'):
+        for path in ("/api/v1/simulate", "/api/v1/theory", "/lab/film"):
+            reply = client.post(path, content=body, headers={"Content-Type": "application/json"})
+            assert reply.status_code == 422
+            assert "not valid JSON" in reply.json()["detail"]
+    whole = client.post("/api/v1/simulate", content=b'{"\\ud83d\\ude00": 1}', headers={"Content-Type": "application/json"})
+    assert "😀 is not a known key" in whole.json()["detail"]
 
 
 def test_equal_scenarios_have_equal_tags(client):
@@ -154,8 +171,13 @@ def test_the_page_names_its_assets_and_allows_no_others(client):
 def test_health(client):
     assert client.get("/healthz").json() == {"status": "ok", "version": hh.__version__}
     # as those ask who watch over a server
-    assert client.head("/healthz").status_code == 200
-    assert client.head("/").status_code == 200
+    page = client.get("/").text
+    tag = page.partition("static/")[2].partition("/")[0]
+    for path in ("/healthz", "/", "/openapi.json", "/favicon.ico", f"/static/{tag}/lab.js", "/api/v1/files/motion.mp4"):
+        reply = client.head(path)
+        assert reply.status_code == 200, path
+        assert reply.content == b""
+    assert int(client.head("/", headers={"Accept-Encoding": "identity"}).headers["content-length"]) == len(page.encode())
 
 
 def test_openapi_describes_every_route(client):
@@ -195,56 +217,27 @@ def test_every_default_and_word_in_the_document_is_accepted(client):
             assert client.get(f"/api/v1/files/{name}?duration=0.5").status_code == 200
 
 
-# Too much at once
-
-
-def alone(coroutine):
-    """Run in a thread of its own: the browser tests leave a running loop in this one."""
-    with ThreadPoolExecutor(1) as pool:
-        return pool.submit(asyncio.run, coroutine).result()
-
-
-def test_too_many_requests_are_turned_away():
-    async def crowd():
-        gate = api.Gate(threads=1, waiting=2, patience=5.0)
-        leave = threading.Event()
-        inside = [asyncio.create_task(gate.run(lambda: leave.wait(5) and b"done")) for _ in range(2)]
-        await asyncio.sleep(0.05)
-        with pytest.raises(TooBusy, match="try again"):
-            await gate.run(lambda: b"late")
-        leave.set()
-        assert await asyncio.gather(*inside) == [b"done", b"done"]
-        assert await gate.run(lambda: b"later") == b"later"
-
-    alone(crowd())
-
-
-def test_what_takes_too_long_is_given_up():
-    async def wait():
-        gate = api.Gate(threads=1, waiting=2, patience=0.05)
-        stop = threading.Event()
-        with pytest.raises(InputError, match=r"longer than 0\.05 s"):
-            await gate.run(lambda: stop.wait(2) and b"")
-        stop.set()
-
-    alone(wait())
-
-
-def test_a_busy_lab_answers_429():
-    client = TestClient(api.create_app(replace(USUAL, waiting=0)))
-    reply = client.post("/api/v1/simulate", json={})
-    assert reply.status_code == 429
-    assert reply.headers["retry-after"] == "1"
-    assert "busy" in reply.json()["detail"]
-
-
 def test_a_missing_extra_answers_501(monkeypatch, client):
     def missing(request, limits):
         raise ImportError("matplotlib is not installed; it comes with the extra 'plots'.")
 
     call = calls.CALLS["theory"]
     monkeypatch.setitem(calls.CALLS, "theory", call._replace(answer=missing))
-    assert client.post("/api/v1/theory", json={"duration": 3}).status_code == 501
+    application = api.create_app(workers=Workers(USUAL, Here))
+    assert asking(application).post("/api/v1/theory", json={"duration": 3}).status_code == 501
+
+
+class Here:
+    """Computes in this process."""
+
+    running = True
+    compiling = False
+
+    def exchange(self, job):
+        return worker.outcome(job)
+
+    def end(self):
+        pass
 
 
 # The server
@@ -271,7 +264,7 @@ def test_serve_listens_on_loopback_unless_told_otherwise(monkeypatch):
     monkeypatch.setattr(app, "warm_up", lambda: None)
     app.serve(port=0, workers=3)
     assert seen["host"] == "127.0.0.1"
-    assert seen["workers"] == 3
+    assert seen["app"].state.limits.processes == 3
     assert seen["port"] > 0
 
 
@@ -282,7 +275,10 @@ def test_schemathesis_finds_nothing():
     schemathesis = pytest.importorskip("schemathesis", reason="schemathesis is not installed")
     from hypothesis import HealthCheck, Phase, given, settings
 
-    schema = schemathesis.openapi.from_asgi("/openapi.json", api.create_app(replace(USUAL, duration=30.0, cells=400)))
+    # in this process, since hypothesis asks hundreds of times
+    limits = replace(USUAL, duration=30.0, cells=400)
+    application = api.create_app(limits, names=["testserver"], workers=Workers(limits, Here))
+    schema = schemathesis.openapi.from_asgi("/openapi.json", application)
     names = [
         "not_a_server_error",
         "status_code_conformance",
@@ -308,32 +304,6 @@ def test_schemathesis_finds_nothing():
     assert covered == {"/api/v1/simulate", "/api/v1/theory", "/api/v1/map", "/healthz"}
 
 
-def test_time_in_which_code_is_compiled_does_not_count(monkeypatch):
-    busy = True
-    monkeypatch.setattr(api, "compiling", lambda: busy)
-    monkeypatch.setattr(api, "LOOK", 0.01)
-
-    async def wait():
-        nonlocal busy
-        gate = api.Gate(threads=1, waiting=2, patience=0.05)
-        leave = threading.Event()
-        asked = asyncio.create_task(gate.run(lambda: leave.wait(5) and b"done"))
-        await asyncio.sleep(0.3)
-        assert not asked.done()
-        leave.set()
-        assert await asked == b"done"
-        leave.clear()
-        late = asyncio.create_task(gate.run(lambda: leave.wait(5) and b"done"))
-        await asyncio.sleep(0.1)
-        busy = False
-        with pytest.raises(InputError, match=r"longer than 0\.05 s"):
-            await late
-        leave.set()
-        assert gate.inside == 0
-
-    alone(wait())
-
-
 MAP = {
     "x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 3},
     "y": {"path": "plane.mu", "from": 0.0, "to": 1.5, "cells": 2},
@@ -346,7 +316,10 @@ def test_the_page_is_told_how_far_compiling_is(monkeypatch, client):
     assert reply.status_code == 202
     assert reply.json() == {"detail": "compiling the kernel of maps, this once: 34 of 187 functions"}
     assert client.post("/lab/theory", json={}).status_code == 200  # no map, nothing to wait for
+    left = [(34, 187)]
+    monkeypatch.setattr(calls, "maps_compiling", lambda: left.pop() if left else None)
     assert client.post("/api/v1/map", json=MAP).status_code == 200  # a program waits
+    assert left == []
     monkeypatch.setattr(calls, "maps_compiling", lambda: None)
     assert client.post("/lab/map", json=MAP).status_code == 200
 

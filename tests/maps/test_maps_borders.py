@@ -195,6 +195,10 @@ def test_a_picture_of_classes(dataset):
     assert max(shown) > 20
     assert ax.get_xlabel() == r"Speed at the start $v_0$ (m/s)"
     assert ax.get_ylabel() == "Friction μ"
+    title = ax.get_title(loc="left")
+    assert "γ = 0.75" in title
+    assert "μ" not in title
+    assert "v₀" not in title
 
 
 def test_the_line_of_painleve_is_the_threshold(dataset):

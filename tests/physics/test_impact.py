@@ -126,7 +126,7 @@ def test_singular_slip(sigma, th, vt, om, exact):
     p = ends[which]
     if math.isinf(p):
         pytest.skip("no end")
-    jams, after, spun, p_n, loss = impact.singular_slip(body, math.sin(at), math.cos(at), exact, ahead, vt, om)
+    jams, after, spun, p_n, loss = impact.singular_slip(body, math.sin(at), math.cos(at), exact, ahead, vt, om, 0.0)
     assert jams == (which == "jams")
     assert p_n == pytest.approx(p, rel=1e-8)
     assert spun == pytest.approx(om + turn * p, rel=1e-8, abs=1e-10)
@@ -141,7 +141,7 @@ def test_singular_angle(sigma, th):
     def at(distance, u):
         place = th - distance
         s, c = math.sin(place), math.cos(place)
-        return impact.singular_angle(STEEP, s, c, u, sigma, *exact_slip_stiffness(STEEP, place, 0.0, sigma))
+        return impact.singular_angle(STEEP, s, c, u, sigma, *exact_slip_stiffness(STEEP, place, 0.0, sigma, 0.0))
 
     for distance in (3e-12, -3e-12):
         found, exact, ahead = at(distance, 0.5)

@@ -2,18 +2,21 @@
 
 import itertools
 import math
+import re
 
 import matplotlib
 import numpy as np
 import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 import hophoop as hh
 from hophoop import plots
 from hophoop.convergence import landing_scenario
 from hophoop.plots import compliant
 from hophoop.plots.curves import curve, phases, turning
+from hophoop.plots.marks import clusters
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import mode_word
 
@@ -148,6 +151,49 @@ def test_modes_are_shaded_in_their_colours(hop, ax):
     assert not bare.patches
 
 
+def overlapping(boxes):
+    return [(a, b) for a, b in itertools.combinations(boxes, 2) if a.overlaps(b)]
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5, 0.9])
+@pytest.mark.parametrize("against", ["time", "angle"])
+def test_words_over_events_never_collide_and_none_is_left_out(restitution, against):
+    motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(restitution=restitution), hh.Start.rolling(3.1), duration=3.0)
+    for width in (4.0, 7.2, 12.0):
+        figure = Figure(figsize=(width, 4.1), layout="constrained")
+        FigureCanvasAgg(figure)
+        ax = figure.subplots()
+        plots.velocities(motion, against, ax=ax)
+        figure.canvas.draw()
+        words = [text for text in ax.texts if text.get_position()[1] > 1.1]
+        assert overlapping([text.get_window_extent() for text in words]) == []
+        said = " ".join(text.get_text() for text in words)
+        impacts = len(motion.find("impact"))
+        counted = sum(int(count) for count in re.findall(r"(\d+) impacts", said)) + said.count("landing")
+        assert counted == impacts
+        assert said.count("turns back") <= len(motion.find("turn"))
+
+
+def test_bounces_are_one_cluster():
+    """At e = 0.9 the marks of bounces lie on each other: one label counts them."""
+    places = [100.0 + 3.0 * k for k in range(18)]
+    (found,) = clusters(places, ["impact", "apex"] * 9, 400.0)
+    assert found.words == "9 impacts"
+    assert found.dense
+    apart = clusters([50.0, 200.0, 380.0], ["takeoff", "apex", "impact"], 400.0)
+    assert [one.words for one in apart] == ["take-off", "apex", "landing"]
+    assert [one.words for one in clusters([50.0, 60.0], ["apex", "impact"], 400.0)] == ["apex, landing"]
+    assert clusters([395.0], ["impact"], 400.0)[0].words == "landing"
+
+
+def test_several_motions_in_one_colour_of_what_they_show(hop, rocking, ax):
+    """A quantity keeps its colour; motions differ by their dashes."""
+    plots.friction_utilization([hop, rocking], ax=ax, labels=["one", "two"])
+    inks = {one.get_color() for one in ax.get_lines() if one.get_label() in ("one", "two")}
+    assert inks == {colors.FRICTION_FORCE}
+    assert len({one.get_linestyle() for one in ax.get_lines() if one.get_label() in ("one", "two")}) == 2
+
+
 def test_contact_forces_of_several(hop, rocking, ax):
     plots.contact_forces([hop, rocking], ax=ax, labels=["one", "two"])
     names = [one.get_label() for one in ax.get_lines()]
@@ -176,6 +222,30 @@ def test_path_is_red_only_in_the_air(hop, ax):
     assert np.max(np.abs(np.polyval(bend, seen[:, 0]) - seen[:, 1])) < 1e-9
 
 
+def test_every_mode_of_the_motion_is_in_the_picture_and_in_its_key(ax):
+    motion = hh.simulate(hh.article.scenarios()["low_friction"].replace("duration", 8.3))
+    plots.path(motion, ax=ax)
+    words = {piece.word for piece in phases(motion)}
+    assert words == {"roll", "spin", "skid"}
+    key = {text.get_text() for text in ax.get_legend().get_texts()}
+    drawn = {matplotlib.colors.to_hex(patch.get_edgecolor()).upper() for patch in ax.patches}
+    assert words <= key
+    assert {colors.MODES[word].upper() for word in words} <= drawn
+
+
+def test_the_ground_fills_all_below_a_slope(ax):
+    motion = hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(slope=0.5), hh.Start.rolling(2.0), duration=2.0)
+    plots.path(motion, ax=ax)
+    ground = ax.patches[0] if ax.patches and hasattr(ax.patches[0], "get_xy") else None
+    assert ground is not None
+    low, high = ax.get_xlim(), ax.get_ylim()
+    for x in np.linspace(*low, 7):
+        below = np.array([x, min(-math.tan(0.5) * x, high[1]) - 1e-3])
+        if below[1] > high[0]:
+            assert ground.get_path().contains_point(below)
+        assert ground.get_path().contains_point((x, high[0])) == (high[0] < -math.tan(0.5) * x)
+
+
 def test_path_on_a_slope(ax):
     motion = hh.simulate(hh.Hoop.ideal(0.5), hh.Plane(slope=0.2), hh.Start.rolling(1.0), duration=1.5)
     plots.path(motion, ax=ax)
@@ -194,8 +264,8 @@ def test_phase_plane_is_exact(ax):
         theta = (j + 0.5) * 2.0 * math.pi / columns
         omega = (i + 0.5) * 12.0 / rows
         mode = hh.theory.mode_of(theta, omega, hoop, plane)
-        share = 0.30
-        expected = [1.0 - share * (1.0 - part) for part in matplotlib.colors.to_rgb(colors.MODES[mode_word(str(mode), omega)])]
+        # a tint over whatever lies below: pages are light or dark
+        expected = (*matplotlib.colors.to_rgb(colors.MODES[mode_word(str(mode), omega)]), 0.30)
         assert np.allclose(picture[i, j], expected, atol=0.003)
 
 
@@ -208,6 +278,44 @@ def test_phase_plane_draws_motions(hop, rocking, ax):
         plots.phase_plane(motions=[hop], labels=[], ax=ax)
     with pytest.raises(ValueError, match="speeds"):
         plots.phase_plane(ax=ax, speeds=(2.0, 1.0))
+
+
+def test_the_border_of_rolling_comes_down_to_rest(ax):
+    """It is upright there: drawn on a grid of angles it would end short of θ̇ = 0."""
+    plots.phase_plane(hh.Hoop.ideal(0.75), hh.Plane(mu=0.3), ax=ax, speeds=(-8.0, 8.0))
+    feet = [one.get_xydata() for one in ax.get_lines() if len(one.get_xydata()) == 2]
+    assert len(feet) == 8  # two islands, both sides, above and below
+    for (angle, rest), (_, above) in feet:
+        assert rest == 0.0 < abs(above)
+        sine, cosine = math.sin(math.radians(angle)), math.cos(math.radians(angle))
+        turned = 0.75 * 9.81 * sine / (2.0 * (1.0 + 0.75 * cosine))  # θ̈ from rest, by conservation of energy
+        friction, normal = turned * (1.0 + 0.75 * cosine), 9.81 - 0.75 * turned * sine
+        assert abs(friction) / normal == pytest.approx(0.3, rel=1e-9)
+
+
+def label_boxes(ax, names):
+    ax.figure.canvas.draw()
+    # of the words alone, without the line that leads to the curve
+    return [Text.get_window_extent(text) for text in ax.texts if text.get_text() in names]
+
+
+def test_names_lie_on_no_curve_and_not_on_each_other():
+    """Five motions that run close to each other, as in the article's plane."""
+    runs = hh.article.scenarios()
+    motions = [hh.simulate(one) for one in runs.values()]
+    figure = Figure(figsize=(8.6, 5.6), layout="constrained")
+    FigureCanvasAgg(figure)
+    ax = figure.subplots()
+    plots.phase_plane(motions[0].scenario.hoop, motions[0].scenario.plane, motions, list(runs), ax=ax,
+                      angles=(0.0, 9.4), speeds=(0.0, 12.0))  # fmt: skip
+    boxes = label_boxes(ax, runs)
+    assert len(boxes) == len(runs)
+    for box, other in itertools.combinations(boxes, 2):
+        assert not box.overlaps(other)
+    for one in ax.get_lines():
+        points = ax.transData.transform(one.get_xydata())
+        if len(points) > 50:
+            assert not any(box.contains(x, y) for box in boxes for x, y in points)
 
 
 def test_geometry_renders(ax):
@@ -238,6 +346,13 @@ def test_overview_and_notebook(hop, tmp_path):
     assert html.count("<title>") == len({event.t for event in hop.events})
     assert "takeoff" in html
     assert html.count("<tr>") == 1 + len(hop.events)
+    for one in (hop, hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(2.8), duration=30.0)):
+        picture = one._repr_html_()
+        wide, tall = (float(side) for side in re.search(r"viewBox='0 0 ([\d.]+) ([\d.]+)'", picture).groups())
+        for x, y, r in re.findall(r"cx='([-\d.]+)' cy='([-\d.]+)' r='([\d.]+)'", picture):
+            reach = float(r) + 1.0  # half of the line
+            assert reach <= float(x) <= wide - reach
+            assert reach <= float(y) <= tall - reach
     long = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(), hh.Start.rolling(2.8), duration=20.0)
     assert "more</td>" in long._repr_html_()
 
@@ -261,8 +376,14 @@ def test_every_motion_can_be_drawn(hoop, plane, start):
 
 def test_colours_have_one_meaning_each():
     assert len(set(colors.MODES.values())) == len(colors.MODES)
-    quantities = {colors.ROTATION_SPEED, colors.KINETIC, colors.FRICTION_LOSS, colors.IMPACT_LOSS}
-    assert not quantities & set(colors.MODES.values())
+    quantities = [
+        colors.ROTATION_SPEED, colors.KINETIC, colors.POTENTIAL, colors.FRICTION_LOSS, colors.IMPACT_LOSS, colors.NORMAL_FORCE,
+        colors.GRAVITY_CENTER, colors.GRAVITY_CENTER_AIRBORNE,
+    ]  # fmt: skip
+    assert len(set(quantities)) == len(quantities)
+    assert not set(quantities) & set(colors.MODES.values())
+    assert not set(colors.SERIES) & {*quantities, *colors.MODES.values()}
+    assert colors.FRICTION_FORCE == colors.FRICTION_LOSS  # friction, as a force and as what it takes
     assert colors.mode_color("flight") == colors.MODES["flight"]
     with pytest.raises(ValueError, match="word = 'X' must be one of"):
         colors.mode_color("X")

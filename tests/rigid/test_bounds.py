@@ -13,9 +13,8 @@ from hophoop import arbitration
 from hophoop.numerics import roots
 from hophoop.panels import landing
 from hophoop.panels.panel import LEVELS, RESOLVED
-from hophoop.records.scratch import new_scratch
+from hophoop.records.scratch import MOST_PANELS, new_scratch
 from hophoop.records.state import start_state
-from hophoop.records.writing import MOST_PANELS
 from hophoop.rigid import panel_choice
 
 MASSLESS = hh.Hoop(eccentricity=1.0, inertia_ratio=0.0)

@@ -19,8 +19,17 @@ from hophoop.scenario import describe
             {"start.vx": 1.0, "start.vy": -0.5, "start.omega": 2.0, "plane.slope": 0.1, "plane.restitution": 0.5},
             "v = (1, -0.5) m/s, θ̇ = 2 rad/s, μ = 1, γ = 0.75, β = 5.73°, e = 0.5",
         ),
+        (
+            {"start.height": 0.5, "start.angle": 0.5, "start.vx": 0.0, "start.omega": 4.0, "plane.restitution": 0.9},
+            "gap 0.5 m, θ₀ = 28.65°, v = (0, 0) m/s, θ̇ = 4 rad/s, μ = 1, γ = 0.75, e = 0.9",
+        ),
         ({"contact.model": "compliant"}, "v₀ = 3.1 m/s, μ = 1, γ = 0.75, compliant contact"),
     ],
 )
 def test_in_one_line(changes, said):
     assert describe(hh.Scenario().with_values(changes)) == said
+
+
+def test_without_what_an_axis_says():
+    assert describe(hh.Scenario(), without=("start.speed", "plane.mu")) == "γ = 0.75"
+    assert describe(hh.Scenario(), without=("hoop.load_fraction",)) == "v₀ = 3.1 m/s, μ = 1"

@@ -192,6 +192,8 @@ REFUSED_KEYS = [
     ({"foo": 1}, "foo is not a known key; known are duration, hoop, plane, start, contact."),
     ({"contact": 3}, "contact = 3 must be a table of keys."),
     ({"contact": {"model": "soft"}}, "contact.model = 'soft' must be 'rigid' or 'compliant'."),
+    ({"contact": {"model": 3}}, "contact.model = '3' must be 'rigid' or 'compliant'."),
+    ({"contact": {"model": None}}, "contact.model is missing."),
     ({"contact": {"stiffness": 3}}, "contact.stiffness is not a known key; known are model, max_events."),
     ({"contact": {"model": "compliant", "stiffness": -3}}, "contact.stiffness = -3 must be greater than 0."),
     ({"hoop": {"parts": 3}}, "hoop.parts = 3 must be a list."),

@@ -251,6 +251,11 @@ def test_the_order_of_several_values_does_not_count(seed):
     assert made.contact.max_events == 7
 
 
+def test_a_hoop_that_is_not_allowed_is_said_also_where_its_start_follows_from_it():
+    changes = {"hoop.radius": -1.0, "start.omega": 2.0}
+    assert said(lambda: hh.Scenario().with_values(changes)) == "hoop.radius = -1.0 must be greater than 0."
+
+
 @given(mu=st.floats(0.0, 2.0), speed=st.floats(0.1, 5.0), slope=st.floats(0.0, 0.5), load=st.floats(0.05, 0.95))
 def test_several_values_are_those_of_one_replacement_after_the_other(mu, speed, slope, load):
     values = {"plane.mu": mu, "start.speed": speed, "plane.slope": slope, "hoop.load_fraction": load}

@@ -6,6 +6,8 @@ import { unpack } from "./packing.js";
 export class Compiling extends Error {}
 
 const AGAIN = 500; // milliseconds until it is asked for again
+const TRIES = 4; // of a server that says it is busy
+const GONE = "The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";
 
 /**
  * Ask until there is an answer, and tell what it waits for.
@@ -39,18 +41,36 @@ export class HttpBackend {
    * @param {AbortSignal} [signal]
    */
   async call(name, body, signal) {
-    const response = await fetch(new URL(`lab/${name}`, this.base), {
+    const asked = {
       method: "POST",
       headers: { "Content-Type": "application/json" },
       body: JSON.stringify(body),
       signal,
-    });
-    if (!response.ok) {
-      const said = await response.json().catch(() => ({}));
-      throw new Error(said.detail ?? `The server answered ${response.status}.`);
-    }
+    };
+    const response = await this.answered(new URL(`lab/${name}`, this.base), asked);
     if (response.status === 202) throw new Compiling((await response.json()).detail);
     return unpack(await response.arrayBuffer());
+  }
+
+  /**
+   * What the server answers; a busy one is asked again when it says so, and one that is gone is named in words.
+   * @param {URL} place
+   * @param {RequestInit} [asked]
+   */
+  async answered(place, asked) {
+    for (let left = TRIES; ; left--) {
+      const response = await fetch(place, asked).catch((error) => {
+        throw error.name === "AbortError" ? error : new Error(GONE);
+      });
+      if (response.ok) return response;
+      const again = Number(response.headers.get("Retry-After"));
+      if (response.status !== 503 || !(again > 0) || left <= 1) {
+        const said = await response.json().catch(() => ({}));
+        throw new Error(said.detail ?? `The server answered ${response.status}.`);
+      }
+      await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(again, 10)));
+      asked?.signal?.throwIfAborted();
+    }
   }
 
   /**
@@ -58,9 +78,7 @@ export class HttpBackend {
    * @param {string} query
    */
   async file(name, query) {
-    const response = await fetch(new URL(`api/v1/files/${name}?${query}`, this.base));
-    if (!response.ok) throw new Error((await response.json()).detail);
-    return response.blob();
+    return (await this.answered(new URL(`api/v1/files/${name}?${query}`, this.base))).blob();
   }
 
   /**

@@ -23,7 +23,7 @@ const channel = (value) => {
 };
 
 /** @param {string} color */
-function luminance(color) {
+export function luminance(color) {
   const [r, g, b] = parsed(color).map(channel);
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
@@ -67,3 +67,12 @@ function viridis() {
 export const SPEED_COLORS = viridis();
 
 export const SPEED_TEXTS = SPEED_COLORS.map((color) => `rgb(${color.join(",")})`);
+
+// What tells two hoops apart, beside their letters; neither is the colour of a mode or of a quantity.
+export const HOOP_INKS = ["#123a8c", "#8a6d00"];
+
+/**
+ * @param {number} lane
+ * @param {boolean} dark
+ */
+export const hoopInk = (lane, dark) => readable(HOOP_INKS[lane], dark);

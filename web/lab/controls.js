@@ -1,10 +1,27 @@
 // Sliders with exact entry, and choices; what they show comes back from the server with each motion.
 
-import { focused, h } from "./dom.js";
+import { h } from "./dom.js";
+import { Entry } from "./entry.js";
 import { clamp, show, withUnit } from "./numbers.js";
 import { Parts, partsLike } from "./parts.js";
+import { t } from "./words.js";
 
 const DEGREE = Math.PI / 180;
+
+/**
+ * The range that Python allows, in the unit of the field.
+ * @param {SliderInfo} info
+ * @returns {AllowedRange | undefined}
+ */
+function rangeOf({ allowed, degrees }) {
+  if (!allowed) return undefined;
+  const scale = degrees ? 1 / DEGREE : 1;
+  return {
+    least: allowed.least * scale,
+    most: allowed.most * scale,
+    also: allowed.also.map((value) => (value === "inf" ? Infinity : Number(value))),
+  };
+}
 
 class Slider {
   /**
@@ -14,7 +31,11 @@ class Slider {
   constructor(info, onchange) {
     this.info = info;
     this.onchange = onchange;
+    this.held = false;
     const id = `hh-${info.path}-${Math.random().toString(36).slice(2, 7)}`;
+    const hold = (/** @type {boolean} */ held) => () => {
+      this.held = held;
+    };
     this.range = h("input", {
       type: "range",
       id,
@@ -25,20 +46,21 @@ class Slider {
       "data-path": info.path,
       oninput: () => this.slid(false),
       onchange: () => this.slid(true),
+      onpointerdown: hold(true),
+      onpointerup: hold(false),
+      onpointercancel: hold(false),
+      onblur: hold(false),
     });
-    this.number = h("input", {
-      type: "number",
-      step: "any",
-      class: "exact",
-      "aria-label": `${info.label}, exact value${info.unit ? ` in ${info.unit}` : ""}`,
-      onchange: () => this.typed(),
-    });
+    const { label, unit } = info;
+    const name = `${label}, exact value${unit ? ` in ${unit}` : ""}`;
+    this.entry = new Entry({ label, unit, name, range: rangeOf(info) }, (value) => this.send(value, true));
     this.element = h(
       "div",
       { class: "control", title: info.help },
-      h("label", { for: id }, h("span", {}, info.label), h("span", { class: "symbol" }, info.symbol)),
+      h("label", { for: id }, h("span", {}, label), h("span", { class: "symbol" }, info.symbol)),
       this.range,
-      h("span", { class: "entry" }, this.number, h("span", { class: "unit" }, info.unit)),
+      h("span", { class: "entry" }, this.entry.input, h("span", { class: "unit" }, unit)),
+      this.entry.error,
     );
   }
 
@@ -54,14 +76,10 @@ class Slider {
   slid(commit) {
     const place = Number(this.range.value);
     const value = this.info.logarithmic ? Number((10 ** place).toPrecision(3)) : place;
-    this.number.value = String(value);
+    this.entry.typing = false;
+    this.entry.show(String(value));
     this.say(value);
     this.send(value, commit);
-  }
-
-  typed() {
-    if (this.number.value.trim() === "") return;
-    this.send(Number(this.number.value), true);
   }
 
   /**
@@ -69,7 +87,8 @@ class Slider {
    * @param {boolean} commit
    */
   send(value, commit) {
-    this.onchange([[this.info.path, this.info.degrees ? value * DEGREE : value]], commit);
+    const number = this.info.degrees ? value * DEGREE : value;
+    this.onchange([[this.info.path, Number.isFinite(number) ? number : "inf"]], commit);
   }
 
   /** @param {number} value */
@@ -82,22 +101,20 @@ class Slider {
    * @param {number | null} automatic what is chosen where there is no value
    */
   show(value, automatic = null) {
+    if (this.held) return; // what the hand says comes back with its own answer
     // what the lab chooses by itself stands behind an empty field
     const own = value !== null && value !== undefined;
     const found = own ? value : automatic;
     if (found === null || found === undefined) {
-      this.number.value = "";
+      this.entry.show("");
       return;
     }
     const shown = found === "inf" ? Infinity : Number(found) / (this.info.degrees ? DEGREE : 1);
-    const text = Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "";
-    this.number.value = own ? text : "";
-    this.number.placeholder = !own ? `auto ${show(shown, 2)}` : Number.isFinite(shown) ? "" : "∞";
-    this.number.title = own ? withUnit(String(shown), this.info.unit) : "";
-    const place = this.info.logarithmic ? Math.log10(shown) : shown;
-    if (!focused(this.range) || Math.abs(Number(this.range.value) - place) > 1e-6) {
-      this.range.value = String(clamp(place, this.low(), this.high()));
-    }
+    this.entry.show(!own ? "" : Number.isFinite(shown) ? String(Number(shown.toPrecision(9))) : "∞");
+    this.entry.input.placeholder = own ? "" : t("auto {value}", { value: show(shown, 2) });
+    this.entry.input.title = own ? withUnit(String(shown), this.info.unit) : "";
+    const place = clamp(this.info.logarithmic ? Math.log10(shown) : shown, this.low(), this.high());
+    if (Math.abs(Number(this.range.value) - place) > 1e-6) this.range.value = String(place);
     this.say(shown);
   }
 }
@@ -237,6 +254,7 @@ export class Controls {
       this.gravity.element,
       this.at("plane.gravity"),
       this.at("plane.restitution"),
+      this.at("plane.rolling_resistance"),
       this.at("plane.impact_law"),
       this.at("plane.painleve"),
     );
@@ -280,19 +298,57 @@ export class Controls {
     );
   }
 
-  /** @param {Film} film */
-  show(film) {
+  /**
+   * A change that was refused is said at its field, if it is one that is seen.
+   * @param {Change[]} changes
+   * @param {string} sentence
+   */
+  refuse(changes, sentence) {
+    const slider = changes.length === 1 ? this.sliders.get(changes[0][0]) : undefined;
+    if (!slider?.element.checkVisibility()) return false;
+    slider.entry.refuse(sentence);
+    return true;
+  }
+
+  /**
+   * Bring back what is so where a choice was refused; what was typed stays beside its sentence.
+   */
+  restore() {
+    if (this.film) this.showChoices(this.film, new Set());
+  }
+
+  /**
+   * @param {Film} film
+   * @param {Set<string>} waiting paths that have a newer value already, which must not be written over
+   */
+  show(film, waiting = new Set()) {
     this.film = film;
+    this.showChoices(film, waiting);
+    /** @type {Record<string, any>} */
+    const sections = film.scenario;
+    for (const [path, slider] of this.sliders) {
+      if (waiting.has(path)) continue;
+      const [section, key] = path.split(".");
+      slider.show(film.values[path] ?? (key ? sections[section]?.[key] : sections[section]), film.automatic?.[path]);
+    }
+  }
+
+  /**
+   * @param {Film} film
+   * @param {Set<string>} waiting
+   */
+  showChoices(film, waiting) {
     const { scenario, values } = film;
     const way = scenario.hoop.parts ? "parts" : "load_fraction" in scenario.hoop ? "load_fraction" : "eccentricity";
     const rolling = "speed" in scenario.start;
     const apart = "mu_static" in scenario.plane;
     const compliant = scenario.contact.model === "compliant";
-    this.way.select.value = way;
-    this.kind.select.value = rolling ? "rolling" : "free";
-    this.apart.checked = apart;
+    const newer = (/** @type {string[]} */ ...paths) => paths.some((path) => waiting.has(path));
+    if (!newer("hoop.load_fraction", "hoop.eccentricity", "hoop.parts")) this.way.select.value = way;
+    if (!newer("start.speed", "start.omega")) this.kind.select.value = rolling ? "rolling" : "free";
+    if (!newer("plane.mu", "plane.mu_static")) this.apart.checked = apart;
     const near = this.gravities.find(([, g]) => Math.abs(g - scenario.plane.gravity) < 1e-9);
-    this.gravity.select.value = near ? near[0] : "";
+    if (!newer("plane.gravity")) this.gravity.select.value = near ? near[0] : "";
     const visible = {
       "hoop.load_fraction": way === "load_fraction",
       "hoop.eccentricity": way === "eccentricity",
@@ -325,11 +381,8 @@ export class Controls {
           (way === "parts" ? `, m = ${show(values["hoop.mass"], 5)} kg` : "");
     /** @type {Record<string, any>} */
     const sections = scenario;
-    for (const [path, slider] of this.sliders) {
-      const [section, key] = path.split(".");
-      slider.show(values[path] ?? (key ? sections[section]?.[key] : sections[section]), film.automatic?.[path]);
-    }
     for (const [path, { select }] of this.choices) {
+      if (waiting.has(path)) continue;
       const [section, key] = path.split(".");
       if (sections[section]?.[key] !== undefined) select.value = sections[section][key];
     }

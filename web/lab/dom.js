@@ -1,4 +1,9 @@
-// Elements of the page.
+// Elements of the page. Words go through `t` on their way there, see words.js.
+
+import { luminance } from "./colors.js";
+import { name as called, spokenText } from "./words.js";
+
+const SAID = new Set(["aria-label", "title", "placeholder", "label"]);
 
 /**
  * An element with attributes, listeners (`onclick`) and children; what is null or false is left out.
@@ -16,13 +21,24 @@ export function h(tag, attributes = {}, ...children) {
     if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
     else if (name === "class") element.className = value;
     else if (name in element && name !== "list" && typeof value !== "string") properties[name] = value;
+    else if (SAID.has(name)) called(element, name, String(value));
     else element.setAttribute(name, value === true ? "" : value);
   }
   for (const child of children.flat()) {
     if (child === null || child === undefined || child === false) continue;
-    element.append(child.nodeType ? child : document.createTextNode(String(child)));
+    element.append(child.nodeType ? child : spokenText(String(child)));
   }
   return element;
+}
+
+/**
+ * Put other words into an element; they change with the language.
+ * @param {Element} element
+ * @param {string} text in English
+ */
+export function say(element, text) {
+  if (text) element.replaceChildren(spokenText(text));
+  else element.replaceChildren();
 }
 
 // Also inside a shadow tree, where notebooks put widgets.
@@ -54,10 +70,24 @@ export function fitted(canvas) {
   return { context, width: width / ratio, height: height / ratio };
 }
 
+/**
+ * A colour as #rrggbb, also one that the system names, such as CanvasText.
+ * @param {string} color
+ */
+function plainColor(color) {
+  if (/^#[0-9a-f]{6}$/i.test(color)) return color;
+  const context = pen(h("canvas", { width: 1, height: 1 }));
+  context.fillStyle = color;
+  context.fillRect(0, 0, 1, 1);
+  const [r, g, b] = context.getImageData(0, 0, 1, 1).data;
+  return `#${[r, g, b].map((part) => part.toString(16).padStart(2, "0")).join("")}`;
+}
+
 /** @param {HTMLElement} element */
 export function theme(element) {
   const style = getComputedStyle(element);
-  const read = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  const given = (/** @type {string} */ name) => style.getPropertyValue(name).trim();
+  const read = (/** @type {string} */ name) => plainColor(given(name));
   return {
     ink: read("--ink"),
     soft: read("--soft"),
@@ -65,8 +95,8 @@ export function theme(element) {
     paper: read("--paper"),
     panel: read("--panel"),
     ground: read("--ground"),
-    font: read("--font"),
-    dark: read("--dark") === "1",
+    font: given("--font"),
+    dark: luminance(read("--paper")) < 0.2,
   };
 }
 

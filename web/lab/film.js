@@ -1,10 +1,13 @@
 // A computed motion: what Python has sent, and the state at any time in it.
 
 import { clamp } from "./numbers.js";
+import { told } from "./words.js";
 
 export const MODE_LETTERS = "RSKHM";
 
 const STEADY = new Set(["x", "angle", "height"]);
+const COARSE = 1 / 60; // seconds between samples from which on a film is made finer where one looks
+const PART = 8; // seconds that are made finer at a time
 /** @type {Record<string, string>} */
 const RATES = { x: "vx", angle: "omega", height: "vy" };
 
@@ -29,7 +32,7 @@ export class Film {
     /** @type {Record<string, number>} */
     this.automatic = header.automatic;
     /** @type {string} */
-    this.summary = header.summary;
+    this.said = header.summary;
     /** @type {Sentence[]} */
     this.story = header.story;
     /** @type {boolean} */
@@ -53,6 +56,52 @@ export class Film {
     this.extent = this.findExtent();
     /** @type {Map<string, Column>} */
     this.cache = new Map();
+    /** @type {Film | null} the part that is looked at, if the whole is coarse */
+    this.part = null;
+  }
+
+  /**
+   * The part of a coarse film that should be made finer now, if any.
+   * @param {number} time
+   * @param {number} ahead how far the film runs until an answer is there
+   * @returns {[number, number] | null} times from and to
+   */
+  wanted(time, ahead = 0) {
+    if (this.duration < COARSE * this.length) return null;
+    const now = clamp(time, 0, this.duration);
+    const then = Math.min(now + ahead, this.duration);
+    if (this.part && now >= this.part.t[0] && then <= this.part.t[this.part.length - 1]) return null;
+    const from = Math.max(now - 0.25 * PART, 0);
+    return [from, Math.min(from + PART + ahead, this.duration)];
+  }
+
+  /**
+   * Take the finer part.
+   * @param {Record<string, any>} columns
+   */
+  refine(columns) {
+    this.part = Object.assign(Object.create(this), {
+      columns,
+      t: columns.t,
+      length: columns.t.length,
+      cache: new Map(),
+      part: null,
+    });
+  }
+
+  /**
+   * What holds a time: the finer part where it does, else the whole.
+   * @param {number} time
+   * @returns {Film}
+   */
+  holding(time) {
+    const { part } = this;
+    return part && time >= part.t[0] && time <= part.t[part.length - 1] ? part : this;
+  }
+
+  // What happens, in one sentence.
+  get summary() {
+    return told(this.said);
   }
 
   findPhases() {
@@ -103,9 +152,32 @@ export class Film {
     return low;
   }
 
-  /** @param {number} time */
+  /**
+   * Samples in order of time: those of the whole, with the finer part in its place.
+   * @returns {{ film: Film, from: number, to: number }[]}
+   */
+  pieces() {
+    const { part } = this;
+    if (!part) return [{ film: this, from: 0, to: this.length }];
+    const [begin, end] = [part.t[0], part.t[part.length - 1]];
+    let from = this.index(begin);
+    while (from > 0 && this.t[from] >= begin) from--;
+    const first = this.t[from] >= begin ? 0 : from + 1;
+    return [
+      { film: this, from: 0, to: first },
+      { film: part, from: 0, to: part.length },
+      { film: this, from: this.index(end) + 1, to: this.length },
+    ];
+  }
+
+  /**
+   * @param {number} time
+   * @returns {Pose}
+   */
   at(time) {
     const now = clamp(time, 0, this.duration);
+    const holding = this.holding(now);
+    if (holding !== this) return holding.at(now);
     const i = this.index(now);
     const j = Math.min(i + 1, this.length - 1);
     const span = this.t[j] - this.t[i];

@@ -30,6 +30,7 @@ export class Header {
     /** @type {Map<string, Preset[]>} */
     const groups = new Map();
     for (const preset of presets) groups.set(preset.group, [...(groups.get(preset.group) ?? []), preset]);
+    this.fresh = false; // a motion has just been chosen: Space plays it and does not open the list
     this.presets = h(
       "select",
       {
@@ -37,7 +38,14 @@ export class Header {
         "aria-label": "Motions to start from",
         onchange: () => {
           const preset = presets.find(({ key }) => key === this.presets.value);
+          this.fresh = preset !== undefined;
           if (preset) actions.take(preset);
+        },
+        onblur: () => {
+          this.fresh = false;
+        },
+        onpointerdown: () => {
+          this.fresh = false;
         },
       },
       h("option", { value: "" }, "Motions to start from …"),

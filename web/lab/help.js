@@ -6,19 +6,63 @@ const KEYS = [
   ["space", "play, pause"],
   ["← →", "one frame"],
   ["Shift ← →", "previous, next event"],
-  ["h  l", "next hop, landing"],
+  ["h  l", "next flight, landing"],
   ["[ ]", "slower, faster"],
   ["Home End", "start, end"],
   ["t f c w", "traces, forces, rim speed, whole path"],
   ["3", "in space"],
   ["+ − 0", "zoom, zoom back"],
-  ["z y", "undo, redo"],
+  ["Esc", "leave a field, a menu, a picture that the wheel zooms"],
+  ["z y  Ctrl Z", "undo, redo"],
   ["d", "dark, light"],
   ["p", "Python"],
 ];
 
-/** @param {string} version */
-export function helpDialog(version) {
+// A letter stands for a mode in sequences; slip is named by what the rim does.
+const MODES = [
+  ["R", "roll", "the rim does not slide"],
+  ["S", "spin", "slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],
+  ["K", "skid", "slip: the rim slides ahead (slip +, for a hoop that rolls ahead)"],
+  ["H", "flight", "the hop: from take-off to landing"],
+  ["M", "skim", "a massless rim that touches without force"],
+];
+const MARKED = [
+  ["▲ ▼", "take-off, landing"],
+  ["•", "highest point"],
+  ["↺", "turns back"],
+  ["◆ ◇", "Painlevé’s paradox: no solution, several"],
+  ["✖", "jam"],
+  ["✚", "Kane: energy out of nothing"],
+  ["≋", "bounces without number end"],
+  ["◗ ■", "skimming begins, rest"],
+];
+
+/**
+ * @param {string} title
+ * @param {string[][]} rows
+ * @param {(letter: string) => HTMLElement | false} [mark]
+ */
+const table = (title, rows, mark = () => false) =>
+  h(
+    "table",
+    {},
+    h("caption", {}, title),
+    rows.map(([key, ...words]) =>
+      h(
+        "tr",
+        {},
+        h("th", { scope: "row" }, mark(key), key),
+        words.map((word) => h("td", {}, word)),
+      ),
+    ),
+  );
+
+/**
+ * @param {string} version
+ * @param {Colors} colors
+ * @param {HTMLElement} keys what switches single keys off
+ */
+export function helpDialog(version, colors, keys) {
   const dialog = h(
     "dialog",
     { class: "help", "aria-label": "Keys and help" },
@@ -29,12 +73,10 @@ export function helpDialog(version) {
       "A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: " +
         "so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.",
     ),
-    h(
-      "table",
-      {},
-      h("caption", {}, "Keys"),
-      KEYS.map(([key, what]) => h("tr", {}, h("th", { scope: "row" }, key), h("td", {}, what))),
-    ),
+    table("Modes", MODES, (letter) => h("i", { class: "dot", style: `background:${colors.modes[letter]}` })),
+    table("Marks on the bar of time", MARKED),
+    table("Keys", KEYS),
+    keys,
     h("p", { class: "hint" }, `hophoop ${version}`),
     h("button", { type: "button", class: "close", onclick: () => dialog.close() }, "Close"),
   );

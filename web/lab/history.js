@@ -1,6 +1,7 @@
 // The motions that were shown before and after this one, as links.
 
 const MOST = 500;
+const TOGETHER = 1000; // milliseconds between two changes of the same thing that are one step
 
 export class History {
   constructor() {
@@ -10,31 +11,68 @@ export class History {
     this.future = [];
     /** @type {string[] | null} */
     this.now = null;
+    this.what = "";
+    this.when = -Infinity;
   }
 
   /**
-   * What is shown now is a step, unless it is what was shown before.
+   * What is shown now is a step, unless it is what was shown before; keys pressed in a row on one control are one step.
    * @param {string[]} queries
+   * @param {string} [what] what was changed, if one thing was
+   * @param {number} [when] in milliseconds
+   * @returns {"same" | "step" | "again"} whether it is a step of its own, or the last one with another value
    */
-  note(queries) {
-    if (this.now && JSON.stringify(this.now) !== JSON.stringify(queries)) {
-      this.past.push(this.now);
-      if (this.past.length > MOST) this.past.shift();
-      this.future = [];
-    }
+  note(queries, what = "", when = performance.now()) {
+    const before = this.now;
     this.now = queries;
+    if (before === null || same(before, queries)) return "same";
+    const again = what !== "" && what === this.what && when - this.when < TOGETHER && this.past.length > 0;
+    this.what = what;
+    this.when = when;
+    this.future = [];
+    if (again) return "again";
+    this.past.push(before);
+    if (this.past.length > MOST) this.past.shift();
+    return "step";
   }
 
   /**
-   * One step back (-1) or on (1): what is to be shown, if there is anything.
+   * What is to be shown one step back (-1) or on (1), if there is anything; `step` takes it once it is shown.
    * @param {-1 | 1} way
    */
+  next(way) {
+    return (way < 0 ? this.past : this.future).at(-1) ?? null;
+  }
+
+  /** @param {-1 | 1} way */
   step(way) {
     const [from, to] = way < 0 ? [this.past, this.future] : [this.future, this.past];
     const queries = from.pop();
-    if (!queries || !this.now) return null;
+    if (!queries || !this.now) return;
     to.push(this.now);
     this.now = queries;
-    return queries;
+    this.what = "";
+  }
+
+  /**
+   * Go to what the browser's own buttons have brought; what is not known here begins anew.
+   * @param {string[]} queries
+   */
+  arrive(queries) {
+    if (this.now && same(this.now, queries)) return;
+    for (const way of /** @type {const} */ ([-1, 1])) {
+      const list = way < 0 ? this.past : this.future;
+      const steps = list.length - list.findLastIndex((other) => same(other, queries));
+      if (steps > list.length) continue;
+      for (let k = 0; k < steps; k++) this.step(way);
+      return;
+    }
+    Object.assign(this, { past: [], future: [], now: queries, what: "" });
   }
 }
+
+/**
+ * @param {string[]} a
+ * @param {string[]} b
+ */
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);

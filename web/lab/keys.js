@@ -1,5 +1,10 @@
 // The keyboard of the player.
 
+import { h } from "./dom.js";
+import { recall, remember } from "./memory.js";
+
+const KEPT = "hophoop-single-keys";
+
 /** @typedef {import("./lab.js").Lab} Lab */
 
 /**
@@ -35,15 +40,65 @@ const actions = (lab, shift) => ({
 });
 
 /**
+ * With Ctrl or Command: undo and redo, as everywhere.
+ * @param {Lab} lab
+ * @param {KeyboardEvent} event
+ */
+function withControl(lab, event) {
+  const key = event.key.toLowerCase();
+  if (event.altKey || !(key === "z" || key === "y")) return;
+  event.preventDefault();
+  lab.travel(key === "y" || event.shiftKey ? 1 : -1);
+}
+
+// Closes the menu; a field, a picture and a dialog see to themselves.
+/** @param {Lab} lab */
+function leave(lab) {
+  const menu = lab.share.menu;
+  if (!menu.open) return;
+  menu.open = false;
+  menu.querySelector("summary")?.focus();
+}
+
+// Whether single keys do something; some speak to their machine, or press keys by mistake.
+export class SingleKeys {
+  /** @param {boolean} hosted whether the choice may be kept */
+  constructor(hosted) {
+    this.on = !hosted || recall(KEPT) !== "off";
+    const box = h("input", {
+      type: "checkbox",
+      checked: this.on,
+      onchange: () => {
+        this.on = box.checked;
+        if (hosted) remember(KEPT, this.on ? "on" : "off");
+      },
+    });
+    this.element = h("label", { class: "check" }, box, "Single keys (letters, digits, signs) do what the table says");
+  }
+}
+
+/**
  * @param {Lab} lab
  * @param {KeyboardEvent} event
  */
 function pressed(lab, event) {
   const target = /** @type {Element} */ (event.target);
-  if (event.ctrlKey || event.metaKey || event.altKey || lab.root.querySelector("dialog[open]")) return;
-  if (target.matches?.("input:not([type=range]), textarea, select")) return;
+  if (lab.root.querySelector("dialog[open]")) return;
+  if (event.key === "Escape") {
+    leave(lab);
+    return;
+  }
+  if (target.matches?.("input:not([type=range], [type=checkbox]), textarea")) return;
+  if (event.ctrlKey || event.metaKey) {
+    withControl(lab, event);
+    return;
+  }
+  if (event.altKey) return;
+  // Space plays what has just been chosen; else a choice has its own keys
+  if (target.matches?.("select") && !(event.key === " " && lab.header.fresh)) return;
   const sliding = target.matches?.("input[type=range]") && /^(Arrow|Home|End|Page)/.test(event.key);
-  if (sliding || (event.key === " " && target.matches?.("button, summary"))) return;
+  if (sliding || (event.key === " " && target.matches?.("button, summary, input[type=checkbox]"))) return;
+  if (!lab.singleKeys.on && event.key !== " " && event.key.length === 1) return;
   const action = actions(lab, event.shiftKey)[event.key];
   if (!action) return;
   event.preventDefault();

@@ -1,18 +1,21 @@
 // The lab: one or two motions, the clock, and everything that shows them.
 
+import { Address, written } from "./address.js";
 import { Clock } from "./clock.js";
 import { Controls } from "./controls.js";
-import { h, once } from "./dom.js";
+import { h, once, say } from "./dom.js";
+import { Extras } from "./extras.js";
 import { Header } from "./header.js";
 import { helpDialog } from "./help.js";
 import { Hoops } from "./hoops.js";
-import { listen } from "./keys.js";
+import { listen, SingleKeys } from "./keys.js";
 import { MotionMap } from "./map.js";
 import { Motions } from "./motions.js";
 import { Notice } from "./notice.js";
 import { PhasePlane } from "./phase.js";
 import { Plots } from "./plots.js";
 import { Share } from "./share.js";
+import { keepInSight } from "./sticky.js";
 import { Stage } from "./stage.js";
 import { Story, Theory } from "./story.js";
 import { Theme } from "./theme.js";
@@ -40,36 +43,49 @@ export class Lab {
     this.onmotion = onmotion;
     this.prepareRoot();
     const { colors } = setup;
+    this.known = setup.presets;
+    this.address = hosted ? new Address(this) : null;
     this.clock = new Clock();
     this.motions = new Motions(backend, {
       shown: (since) => this.changed(since),
+      refined: () => this.request(),
       settled: () => this.story.announce(this.films()),
-      noted: () => this.noted(),
-      failed: (error) => this.notice.fail(error),
+      noted: (step) => this.noted(step),
+      travelled: async (way) => this.address?.travel(way),
+      failed: (error, changes) => this.failed(error, changes),
     });
     this.notice = new Notice();
     this.theme = new Theme(root, colors, hosted, () => this.show());
-    this.stage = new Stage(colors, () => this.request());
+    this.stage = new Stage(colors, () => {
+      this.request();
+      this.address?.soon();
+    });
     this.transport = new Transport(
       this.clock,
       () => this.films(),
       (name) => this.toggle(name),
       (text) => this.notice.say(text),
+      (text) => this.story.say(text),
     );
     this.timeline = new Timeline(this.clock);
     this.story = new Story(this.clock);
     this.theory = new Theory();
     this.plots = new Plots(this.clock, colors);
     this.phase = new PhasePlane(backend, this.clock, colors);
-    this.map = new MotionMap(backend, setup, (changes) => {
-      this.clock.time = 0;
-      this.motions.change(changes, true);
+    this.map = new MotionMap(backend, setup, {
+      take: (changes) => {
+        this.clock.time = 0;
+        this.motions.change(changes, true);
+      },
+      say: (text) => this.story.say(text),
+      changed: () => this.address?.soon(),
     });
     this.controls = new Controls(setup.controls, (/** @type {Change[]} */ changes, /** @type {boolean} */ commit) =>
       this.motions.change(changes, commit),
     );
     this.share = new Share(this);
-    this.help = helpDialog(setup.version);
+    this.singleKeys = new SingleKeys(hosted);
+    this.help = helpDialog(setup.version, colors, this.singleKeys.element);
     this.hoops = new Hoops((lane) => this.motions.choose(lane));
     this.header = new Header(setup.presets, this.share.menu, {
       take: (preset) => this.take(preset),
@@ -80,8 +96,11 @@ export class Lab {
       help: () => this.help.showModal(),
     });
     this.layOut(panels);
+    this.extras = new Extras(this);
     this.requested = false; // a picture
     this.surrounding = false; // diagrams and words, which follow the picture
+    /** @type {Preset | null} */
+    this.taken = null;
     /** @type {(() => void) | null} */
     this.afterFrame = null;
     /** @type {AbortController | null} */
@@ -92,7 +111,10 @@ export class Lab {
     /** @type {number[]} */
     this.latencies = [];
     this.frame = this.frame.bind(this);
-    this.clock.listeners.add(() => this.request());
+    this.clock.listeners.add(() => {
+      this.request();
+      if (!this.clock.playing) this.address?.soon();
+    });
     this.deaf = listen(this, hosted);
     this.sizes = new ResizeObserver(() => this.show());
   }
@@ -118,10 +140,18 @@ export class Lab {
       notice.message,
       this.controls.element,
     );
+    const player = h("div", { class: "player" }, this.stage.element, this.timeline.element, this.transport.element);
+    this.sticky = this.hosted ? keepInSight(player, () => this.request()) : null;
+    const skip = h("a", { class: "skip button", href: "#hh-player" }, "Skip to the player");
+    skip.onclick = (event) => {
+      event.preventDefault(); // what stands behind the # of the address is the lab's own
+      this.timeline.element.focus();
+    };
     const middle = h(
       "div",
       { class: "middle" },
-      h("div", { class: "player" }, this.stage.element, this.timeline.element, this.transport.element),
+      this.sticky?.edge,
+      player,
       h("div", { class: "words" }, this.story.element, want("theory") && this.theory.element),
       want("map") && this.map.element,
     );
@@ -130,6 +160,7 @@ export class Lab {
       h(
         "div",
         { class: "page" },
+        this.hosted && skip,
         this.header.element,
         h("div", { class: "columns" }, want("controls") && side, middle, why),
       ),
@@ -143,16 +174,19 @@ export class Lab {
   /**
    * The first motions, by their links.
    * @param {string[]} queries
+   * @param {import("./address.js").Shown} [shown] what else the link says
    */
-  async open(queries) {
+  async open(queries, shown = {}) {
     await this.motions.load(queries);
+    this.clock.duration = Math.max(...this.films().map((film) => film.duration));
+    this.restore(shown);
     this.begin();
   }
 
   // The motions are there.
   begin() {
-    this.motions.note();
     this.show();
+    this.motions.note();
     this.sizes.observe(this.stage.element);
     this.root.dataset.ready = "true";
   }
@@ -160,8 +194,11 @@ export class Lab {
   close() {
     this.clock.playing = false;
     this.asked?.abort();
+    this.extras.close();
     this.map.close();
     this.theme.close();
+    this.address?.close();
+    this.sticky?.close();
     this.sizes.disconnect();
     this.deaf();
   }
@@ -178,35 +215,75 @@ export class Lab {
 
   /** @param {number | null} [since] */
   changed(since = null) {
-    // what a hand has changed is no preset any more
-    if (since !== null) this.header.presets.value = "";
     this.notice.clear();
     this.show(since);
   }
 
-  noted() {
+  /**
+   * A refusal is said at its field; what is shown stays as it was.
+   * @param {Error} error
+   * @param {Change[]} [changes]
+   */
+  failed(error, changes = []) {
+    if (!this.controls.refuse(changes, error.message)) {
+      this.notice.fail(error);
+      this.controls.restore();
+    }
+    this.showPreset();
+  }
+
+  /** @param {"same" | "step" | "again" | "travelled"} step */
+  noted(step) {
     this.header.show(this.motions.history, this.motions.lanes.length > 1);
-    if (this.hosted) history.replaceState(null, "", this.motions.link());
+    this.address?.write(step);
     this.onmotion(this.film().query);
+  }
+
+  // The link to what is shown: the motions, the time, the view, the map.
+  link() {
+    const { clock, stage, map } = this;
+    return this.motions.link(
+      written({ time: clock.time, options: stage.options, zoom: stage.flat.zoom, map: map.shown() }),
+    );
+  }
+
+  /** @param {import("./address.js").Shown} shown what a link says of it */
+  restore({ time, options, zoom, map }) {
+    if (options) {
+      const { three, ...others } = options;
+      Object.assign(this.stage.options, others);
+      if (three) this.toggle("three");
+    }
+    if (zoom) this.stage.flat.zoom = zoom;
+    if (map) this.map.restore(map);
+    if (time) this.clock.seek(time);
+  }
+
+  // The name of what is shown, and what there is to see in it, where it is one of the motions to start from.
+  showPreset() {
+    const { query } = this.film();
+    const preset = this.known.find((one) => one.query === query);
+    this.header.presets.value = preset?.key ?? "";
+    say(this.hoops.text, preset?.text ?? "");
   }
 
   /** @param {Preset} preset */
   async take(preset) {
+    this.taken = preset;
     try {
       const reply = await this.backend.call("film", { query: preset.query });
+      if (this.taken !== preset) return; // another was chosen meanwhile
       this.clock.time = 0;
       this.motions.replace(reply);
-      this.hoops.text.textContent = preset.text;
       this.story.announce(this.films());
     } catch (error) {
-      this.notice.fail(/** @type {Error} */ (error));
+      this.failed(/** @type {Error} */ (error));
     }
   }
 
   /** @param {-1 | 1} way */
-  async travel(way) {
-    await this.motions.travel(way);
-    this.hoops.text.textContent = "";
+  travel(way) {
+    return this.motions.travel(way);
   }
 
   // --- showing -------------------------------------------------------------------------------
@@ -227,7 +304,8 @@ export class Lab {
     this.header.show(motions.history, two);
     this.hoops.show(films.length, motions.active);
     this.drawStage();
-    this.controls.show(this.film());
+    this.controls.show(this.film(), this.motions.waiting());
+    this.showPreset();
     if (since !== null) {
       requestAnimationFrame(() => setTimeout(() => this.latencies.push(performance.now() - since), 0));
     }
@@ -249,6 +327,7 @@ export class Lab {
     this.drawTime();
     this.map.mark(this.film(), look);
     this.stage.describe(films);
+    this.extras.changed();
     this.later();
   }
 
@@ -277,8 +356,10 @@ export class Lab {
     this.requested = false;
     if (!this.motions.lanes.length) return;
     this.clock.tick(now);
+    this.motions.refine(this.clock.time, this.clock.playing ? 2 * this.clock.speed : 0);
     this.drawStage();
     this.drawTime();
+    this.extras.frame();
     this.afterFrame?.();
     this.frames += 1;
     if (this.clock.playing) this.request();
@@ -315,6 +396,7 @@ export class Lab {
       }
     }
     this.transport.show(options);
+    this.address?.soon();
     this.request();
   }
 }

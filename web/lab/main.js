@@ -1,25 +1,32 @@
 // Two ways in: the page of the lab, and the notebook widget. One source for both.
 
-import { HttpBackend, KernelBackend } from "./backend.js";
-import { unpack } from "./packing.js";
+import { readShown } from "./address.js";
 import { Lab } from "./lab.js";
+import { unpack } from "./packing.js";
+import { backendOf, keepOffline, widgetBackend } from "./start.js";
+
+const here = new URL("./", import.meta.url);
 
 /** @param {HTMLElement} root */
 async function startPage(root) {
   const base = new URL("./", document.baseURI.split(/[?#]/)[0]);
-  const backend = new HttpBackend(base);
+  const site = document.querySelector("meta[name=hophoop-site]");
+  let backend;
   let setup;
   try {
+    backend = await backendOf(here, site ? null : base, base);
     setup = (await backend.call("setup", {})).header;
   } catch (error) {
     root.textContent = /** @type {Error} */ (error).message;
     return;
   }
+  if (site) keepOffline(site.getAttribute("content") ?? "");
   const lab = new Lab(root, backend, setup, { hosted: true });
   Object.assign(globalThis, { hophoopLab: lab });
   const other = new URLSearchParams(location.hash.slice(1)).get("with");
+  const shown = readShown(location.hash);
   try {
-    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])]);
+    await lab.open([location.search.slice(1), ...(other === null ? [] : [other])], shown);
   } catch (error) {
     // a link that holds no scenario: say so, and show the reference case
     history.replaceState(null, "", base);
@@ -29,13 +36,28 @@ async function startPage(root) {
 }
 
 /**
+ * A live hoop in any page, for <hophoop-motion>.
+ * @param {HTMLElement} root
+ * @param {URL} folder of the script and the module
+ * @param {string} query
+ * @param {string[]} panels
+ */
+export async function mount(root, folder, query, panels) {
+  const backend = await backendOf(folder, null, new URL("../", folder));
+  const { header } = await backend.call("setup", {});
+  const lab = new Lab(root, backend, header, { panels });
+  await lab.open([query]);
+  return lab;
+}
+
+/**
  * anywidget: the motion travels with the notebook, so that it plays without a kernel as well.
  * @param {{ model: import("./backend.js").Model, el: HTMLElement }} widget
  */
-function render({ model, el }) {
+async function render({ model, el }) {
   const root = document.createElement("div");
   el.append(root);
-  const backend = new KernelBackend(model);
+  const backend = await widgetBackend(model);
   const lab = new Lab(root, backend, model.get("setup"), {
     panels: model.get("panels"),
     // the kernel has computed this motion already; what depends on it may follow now
@@ -51,7 +73,7 @@ function render({ model, el }) {
   model.on("change:film", replaced);
   return () => {
     model.off("change:film", replaced);
-    backend.close();
+    backend.close?.();
     lab.close();
   };
 }

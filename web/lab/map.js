@@ -1,10 +1,13 @@
 // A map of motions over two parameters: it sharpens while one looks, zooms to any depth, and a click takes a motion.
 
 import { patiently } from "./backend.js";
-import { fitted, focused, h, once } from "./dom.js";
+import { fitted, focused, h, once, say } from "./dom.js";
 import { AXES, cross, MapAxes } from "./map_axes.js";
 import { takeHands } from "./map_hands.js";
+import { otherStart } from "./map_words.js";
+import { zoomHint } from "./zoom.js";
 import { layerOf, legendOf, stacked, textAt } from "./map_layers.js";
+import { t } from "./words.js";
 
 const LEVELS = [
   [24, 16],
@@ -35,11 +38,16 @@ export class MotionMap {
   /**
    * @param {Backend} backend
    * @param {Setup} setup
-   * @param {(changes: Change[]) => void} take what a click on a motion does
+   * @param {object} rest
+   * @param {(changes: Change[]) => void} rest.take what a click on a motion does
+   * @param {(text: string) => void} rest.say for a screen reader
+   * @param {() => void} rest.changed another part of it is looked at
    */
-  constructor(backend, setup, take) {
+  constructor(backend, setup, { take, say, changed }) {
     this.backend = backend;
     this.onmotion = take;
+    this.say = say;
+    this.changed = changed;
     const axes = setup.controls.map_axes;
     this.axes = new MapAxes(axes);
     this.what = "sequence";
@@ -59,7 +67,7 @@ export class MotionMap {
       this.tip,
     );
     this.keys = h("div", { class: "map-keys" });
-    this.state = h("span", { class: "hint", role: "status" });
+    this.state = h("span", { class: "hint" });
     /** @type {(name: AxisName) => HTMLSelectElement} */
     const pick = (name) => {
       const select = h(
@@ -102,11 +110,7 @@ export class MotionMap {
       ),
       this.body,
       this.keys,
-      h(
-        "p",
-        { class: "hint" },
-        "Click to take that motion into the player; wheel or two fingers to zoom, drag to move.",
-      ),
+      h("p", { class: "hint" }, `Click to take that motion into the player; ${zoomHint("drag to move")}.`),
     );
     takeHands(this);
     this.soon = once(() => this.refresh(), 140);
@@ -174,8 +178,25 @@ export class MotionMap {
     this.redraw();
   }
 
+  // What a link says of it; nothing as long as it is as at first.
+  shown() {
+    const { paths, windows } = this.axes;
+    if (this.what === "sequence" && this.axes.isHome() && paths.x === "start.speed" && paths.y === "plane.mu") return;
+    const axis = (/** @type {AxisName} */ name) =>
+      /** @type {[string, number, number]} */ ([paths[name], ...windows[name]]);
+    return { what: this.what, x: axis("x"), y: axis("y") };
+  }
+
+  /** @param {NonNullable<ReturnType<MotionMap["shown"]>>} asked */
+  restore(asked) {
+    if (![...this.quantity.options].some(({ value }) => value === asked.what) || !this.axes.restore(asked)) return;
+    this.quantity.value = this.what = asked.what;
+    this.syncSelects();
+  }
+
   async refresh() {
     if (!this.film) return;
+    this.changed();
     if (!this.seen) {
       this.stale = true;
       return;
@@ -195,27 +216,29 @@ export class MotionMap {
     this.redraw();
     try {
       for (const [x, y] of LEVELS) {
-        this.state.textContent = `computing ${x * y} motions …`;
+        say(this.state, `computing ${x * y} motions …`);
         const asked = { x: this.axes.asked("x", x), y: this.axes.asked("y", y) };
         const body = { scenario: base, changes, ...asked, what: this.what };
         const reply = await patiently(
           () => this.backend.call("map", body, signal),
           (said) => {
-            this.state.textContent = said;
+            say(this.state, said);
           },
           signal,
         );
         const layer = layerOf(reply);
         this.layers = stacked(this.layers, layer);
         this.keys.replaceChildren(...legendOf(layer));
-        this.state.textContent = `${x * y} motions${changes.length ? ", with rigid contact" : ""}`;
+        const other = otherStart(base, Object.values(this.axes.paths));
+        const done = t(changes.length ? "{count} motions, with rigid contact" : "{count} motions", { count: x * y });
+        say(this.state, other ? `${done}; ${t(other)}` : done);
         this.redraw();
       }
       this.level = LEVELS.length;
     } catch (error) {
       const { name, message } = /** @type {Error} */ (error);
       if (name === "AbortError") return;
-      this.state.textContent = message;
+      say(this.state, message);
     }
     this.computing = false;
   }

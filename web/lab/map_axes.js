@@ -1,6 +1,7 @@
 // The two axes of a map: which parameters, from where to where, and where that is on the canvas.
 
 import { niceStep, show, tickText, ticks, withUnit, clamp } from "./numbers.js";
+import { t } from "./words.js";
 
 const [LEFT, LEFT_DEEP] = [62, 92]; // the numbers far in are longer
 const RIGHT = 12;
@@ -67,6 +68,16 @@ export class MapAxes {
   }
 
   /**
+   * How far out an axis goes: as far as its parameter is allowed, and no further than is of use.
+   * @param {AxisName} name
+   */
+  bounds(name) {
+    const { range, allowed } = this.info(name);
+    const room = 2 * (range[1] - range[0]);
+    return [Math.max(allowed[0], range[0] - room), Math.min(allowed[1], range[1] + room)];
+  }
+
+  /**
    * Whether there is room to zoom so.
    * @param {number} factor
    * @param {Place} [center]
@@ -77,13 +88,12 @@ export class MapAxes {
     for (const name of AXES) {
       const [low, high] = this.windows[name];
       const middle = center?.[name] ?? 0.5 * (low + high);
-      next[name] = [middle - (middle - low) * factor, middle + (high - middle) * factor];
+      next[name] = within([middle - (middle - low) * factor, middle + (high - middle) * factor], this.bounds(name));
       // as deep as numbers go, and no further
       const size = Math.max(Math.abs(next[name][0]), Math.abs(next[name][1]), 1e-9);
       if (next[name][1] - next[name][0] < 400 * Number.EPSILON * size) return false;
-      const { range } = this.info(name);
-      if (next[name][1] - next[name][0] > 4 * (range[1] - range[0])) return false;
     }
+    if (AXES.every((name) => next[name].every((value, i) => value === this.windows[name][i]))) return false;
     this.windows = next;
     return true;
   }
@@ -96,8 +106,27 @@ export class MapAxes {
    */
   drag(from, dx, dy) {
     const shift = (/** @type {AxisName} */ name, /** @type {number} */ part) =>
-      from[name].map((value) => value + part * (from[name][1] - from[name][0]));
+      within(
+        from[name].map((value) => value + part * (from[name][1] - from[name][0])),
+        this.bounds(name),
+      );
     this.windows = { x: shift("x", -dx / this.box.width), y: shift("y", dy / this.box.height) };
+  }
+
+  /**
+   * Show what a link says, if it is on an axis that there is.
+   * @param {Record<AxisName, [string, number, number]>} asked
+   */
+  restore(asked) {
+    if (!AXES.every((name) => this.known.has(asked[name][0])) || asked.x[0] === asked.y[0]) return false;
+    for (const name of AXES) this.paths[name] = asked[name][0];
+    for (const name of AXES) this.windows[name] = within(asked[name].slice(1).map(Number), this.bounds(name));
+    return true;
+  }
+
+  // Whether it shows all that it does at first.
+  isHome() {
+    return AXES.every((name) => this.windows[name].every((value, i) => value === this.whole(name)[i]));
   }
 
   // The middle of what is shown.
@@ -169,7 +198,7 @@ export class MapAxes {
       const [low, high] = this.windows[name];
       const size = Math.max(Math.abs(low), Math.abs(high));
       const digits = clamp(Math.ceil(Math.log10(size / (high - low))) + 4, 4, 16);
-      return `${info.label} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
+      return `${t(info.label)} = ${withUnit(show(info.degrees ? place[name] / DEGREE : place[name], digits), info.unit)}`;
     };
     return `${part("x")}, ${part("y")}`;
   }
@@ -209,7 +238,7 @@ export class MapAxes {
         }
       }
       const offset = deep ? ` − ${String(origin).replace("-", "−")}` : "";
-      const label = `${info.label}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
+      const label = `${t(info.label)}${offset}${info.unit ? ` [${info.unit}]` : ""}`;
       context.save();
       context.textAlign = "center";
       if (name === "x") context.translate(this.left + 0.5 * this.box.width, height - 5);
@@ -221,6 +250,18 @@ export class MapAxes {
       context.restore();
     }
   }
+}
+
+/**
+ * A window moved, and if it must be cut, so that it lies within bounds.
+ * @param {number[]} window
+ * @param {number[]} bounds
+ */
+export function within([low, high], [least, most]) {
+  const size = Math.min(high - low, most - least);
+  if (low < least) return [least, least + size];
+  if (high > most) return [most - size, most];
+  return [low, high];
 }
 
 /**

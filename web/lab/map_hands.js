@@ -1,7 +1,8 @@
-// Mouse, fingers and keys on a map: drag to move, wheel and two fingers to zoom, a click or Enter takes a motion.
+// Mouse, fingers and keys on a map: drag to move, a click or Enter takes a motion; it zooms as all pictures do.
 
 import { clamp } from "./numbers.js";
-import { follow, pinch } from "./pointer.js";
+import { follow } from "./pointer.js";
+import { zoomable } from "./zoom.js";
 
 /** @typedef {import("./map.js").MotionMap} MotionMap */
 
@@ -12,23 +13,17 @@ const STEPS = 48; // of the arrow keys across a map
 /** @param {MotionMap} map */
 export function takeHands(map) {
   const { body } = map;
-  const pinched = pinch(body, (factor, at) => map.axes.box && map.zoom(1 / factor, placeAt(map, at)));
   let dragging = false;
-  body.addEventListener(
-    "wheel",
-    (event) => {
-      if (!map.axes.box) return;
-      event.preventDefault();
-      map.zoom(Math.exp(clamp(event.deltaY, -200, 200) * 0.0022), placeAt(map, event));
-    },
-    { passive: false },
-  );
+  const pinched = zoomable(body, {
+    zoom: (factor, at) => map.axes.box && map.zoom(1 / factor, at ? placeAt(map, at) : (map.pointed ?? undefined)),
+    home: () => map.home(),
+    keys: true,
+  });
   body.addEventListener("pointerdown", (event) => press(map, event, pinched, (now) => (dragging = now)));
   body.addEventListener("pointermove", (event) => {
     if (map.axes.box && !dragging && event.pointerType !== "touch") hover(map, event);
   });
   body.addEventListener("pointerleave", () => (map.tip.hidden = true));
-  body.addEventListener("dblclick", () => map.zoom(0.35, map.pointed ?? undefined));
   body.addEventListener("keydown", (event) => key(map, event));
 }
 
@@ -95,12 +90,13 @@ function key(map, event) {
   if (WAYS[event.key]) {
     const [dx, dy] = WAYS[event.key];
     const { x, y } = map.axes.windows;
-    map.pointed = { x: place.x + (dx * (x[1] - x[0])) / STEPS, y: place.y + (dy * (y[1] - y[0])) / STEPS };
+    map.pointed = {
+      x: clamp(place.x + (dx * (x[1] - x[0])) / STEPS, x[0], x[1]),
+      y: clamp(place.y + (dy * (y[1] - y[0])) / STEPS, y[0], y[1]),
+    };
     map.state.textContent = map.said(map.pointed);
+    map.say(map.said(map.pointed));
   } else if (event.key === "Enter") map.take(place);
-  else if (event.key === "+" || event.key === "=") map.zoom(0.6, place);
-  else if (event.key === "-") map.zoom(1.7, place);
-  else if (event.key === "0") map.home();
   else return;
   event.preventDefault();
   event.stopPropagation();

@@ -3,6 +3,7 @@
 import { parsed, SPEED_COLORS } from "./colors.js";
 import { h, pen } from "./dom.js";
 import { clamp, show, withUnit } from "./numbers.js";
+import { t } from "./words.js";
 
 const DEGREE = Math.PI / 180;
 const MOST = 12; // layers that are kept
@@ -96,7 +97,7 @@ export function legendOf({ header, low, high, values }) {
     }
     const [scale, unit] = units(header);
     return [
-      h("span", {}, `${header.label}: ${high >= low ? show(low * scale, 3) : "none"} `),
+      h("span", {}, header.label, ": ", high >= low ? show(low * scale, 3) : "none", " "),
       bar,
       h("span", {}, high >= low ? withUnit(show(high * scale, 3), unit) : ""),
       values.some((value) => !Number.isFinite(value)) ? h("span", {}, h("i", { class: "blank" }), "none") : "",
@@ -126,9 +127,9 @@ export function textAt(layers, place) {
     const row = Math.floor(((place.y - y.from) / (y.to - y.from)) * y.cells);
     if (column < 0 || row < 0 || column >= x.cells || row >= y.cells) continue;
     const value = values[row * x.cells + column];
-    if (classes) return classes[value]?.text ?? "not allowed";
+    if (classes) return t(classes[value]?.text ?? "not allowed");
     const [scale, unit] = units(header);
-    return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : "none";
+    return Number.isFinite(value) ? withUnit(show(value * scale, 4), unit) : t("none");
   }
   return "…";
 }

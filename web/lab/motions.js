@@ -6,14 +6,17 @@ import { History } from "./history.js";
 /**
  * A motion, and what has been asked for since: only the latest value of each parameter waits while an answer is under way.
  * @typedef {{
- *   film: Film, busy?: boolean, pending?: Change[] | null, commit?: boolean, since?: number | null,
+ *   film: Film, busy?: boolean, pending?: Change[] | null, commit?: boolean, since?: number | null, what?: string,
+ *   refining?: boolean, coarse?: Film,
  * }} Lane
  *
  * @typedef {object} Listener
  * @property {(since?: number | null) => void} shown another motion is there; `since` is when the hand moved that asked for it
+ * @property {() => void} refined a film has become finer
  * @property {() => void} settled a change is complete
- * @property {() => void} noted what is shown is a step that can be undone, or one that was
- * @property {(error: Error) => void} failed
+ * @property {(step: "same" | "step" | "again" | "travelled") => void} noted what is shown is a step that can be undone, or was one
+ * @property {(way: -1 | 1) => Promise<void>} travelled it has gone back or on by a step
+ * @property {(error: Error, changes?: Change[]) => void} failed
  */
 
 export class Motions {
@@ -28,6 +31,8 @@ export class Motions {
     /** @type {Lane[]} */
     this.lanes = [];
     this.active = 0;
+    /** @type {Promise<any>} */
+    this.going = Promise.resolve();
   }
 
   film(lane = this.active) {
@@ -36,6 +41,11 @@ export class Motions {
 
   films() {
     return this.lanes.map((lane) => lane.film);
+  }
+
+  // What has been asked of the chosen hoop since its motion was computed: these controls are ahead of it.
+  waiting() {
+    return new Set((this.lanes[this.active].pending ?? []).map(([path]) => path));
   }
 
   // The name of the chosen hoop where there are two.
@@ -64,12 +74,13 @@ export class Motions {
     lane.since ??= performance.now();
     lane.pending = [...(lane.pending ?? []).filter(([path]) => !changes.some(([other]) => other === path)), ...changes];
     lane.commit ||= commit;
+    lane.what = changes.map(([path]) => path).join();
     this.pump(lane);
   }
 
   /** @param {Lane} lane */
   async pump(lane) {
-    if (lane.busy) return;
+    if (lane.busy || !this.lanes.includes(lane)) return; // it may have been undone meanwhile
     if (!lane.pending) {
       if (lane.commit) this.settle(lane);
       return;
@@ -81,25 +92,56 @@ export class Motions {
     lane.busy = true;
     try {
       lane.film = new Film(await this.backend.call("film", { scenario: lane.film.scenario, changes }));
-      this.listener.shown(since);
+      if (this.lanes.includes(lane)) this.listener.shown(since);
     } catch (error) {
-      this.listener.failed(/** @type {Error} */ (error));
+      if (this.lanes.includes(lane)) this.listener.failed(/** @type {Error} */ (error), changes);
     } finally {
       lane.busy = false;
     }
     this.pump(lane);
   }
 
+  /**
+   * Make films finer where one looks, if they are too long to be sent so densely.
+   * @param {number} time
+   * @param {number} ahead
+   */
+  refine(time, ahead) {
+    for (const lane of this.lanes) {
+      const { film } = lane;
+      const window = lane.refining || lane.coarse === film ? null : film.wanted(time, ahead);
+      if (!window) continue;
+      lane.refining = true;
+      this.backend
+        .call("samples", { scenario: film.scenario, window })
+        .then(({ arrays }) => {
+          film.refine(arrays);
+          this.listener.refined();
+        })
+        .catch(() => {
+          lane.coarse = film; // it stays as it is, and plays on
+        })
+        .finally(() => {
+          lane.refining = false;
+        });
+    }
+  }
+
   /** @param {Lane} lane */
   settle(lane) {
     lane.commit = false;
-    this.note();
+    this.note(lane.what);
     this.listener.settled();
   }
 
-  note() {
-    this.history.note(this.films().map((film) => film.query));
-    this.listener.noted();
+  // What the motions that are shown are known by.
+  queries() {
+    return this.films().map((film) => film.query);
+  }
+
+  /** @param {string} [what] what was changed, if one thing was */
+  note(what) {
+    this.listener.noted(this.history.note(this.queries(), what));
   }
 
   /**
@@ -107,18 +149,55 @@ export class Motions {
    * @param {Reply} reply
    */
   replace(reply) {
-    this.lanes[this.active].film = new Film(reply);
+    // an answer that is still under way belongs to what was there before
+    this.lanes[this.active] = { film: new Film(reply) };
     this.listener.shown();
     this.note();
   }
 
-  /** @param {-1 | 1} way */
-  async travel(way) {
-    const queries = this.history.step(way);
-    if (!queries) return;
-    await this.load(queries);
-    this.listener.shown();
-    this.listener.noted();
+  /**
+   * One step back or on; it is kept where it cannot be shown.
+   * @param {-1 | 1} way
+   */
+  travel(way) {
+    return this.inTurn(async () => {
+      const queries = this.history.next(way);
+      if (!queries) return;
+      await this.load(queries);
+      this.history.step(way);
+      await this.listener.travelled(way);
+      this.listener.shown();
+      this.listener.noted("travelled");
+    });
+  }
+
+  /**
+   * Show what the browser's own way back has brought.
+   * @param {string[]} queries
+   */
+  arrive(queries) {
+    return this.inTurn(async () => {
+      await this.load(queries);
+      this.history.arrive(queries);
+      this.listener.shown();
+      this.listener.noted("travelled");
+    });
+  }
+
+  /**
+   * One way at a time, in the order in which they were asked for; whether it could be gone.
+   * @param {() => Promise<void>} go
+   * @returns {Promise<boolean>}
+   */
+  inTurn(go) {
+    this.going = this.going.then(go).then(
+      () => true,
+      (error) => {
+        this.listener.failed(error);
+        return false;
+      },
+    );
+    return this.going;
   }
 
   // A second hoop like the first, or the chosen one alone.
@@ -138,11 +217,13 @@ export class Motions {
   choose(lane) {
     this.active = lane;
     this.listener.shown();
-    this.listener.noted();
+    this.listener.noted("same");
   }
 
-  link() {
-    const other = this.lanes.length > 1 ? `#with=${encodeURIComponent(this.film(1).query)}` : "";
-    return this.backend.link(this.film(0).query, other);
+  /** @param {string} [view] what else the link holds, as the part behind its # */
+  link(view = "") {
+    const other = this.lanes.length > 1 ? `with=${encodeURIComponent(this.film(1).query)}` : "";
+    const hash = [other, view].filter(Boolean).join("&");
+    return this.backend.link(this.film(0).query, hash && `#${hash}`);
   }
 }

@@ -1,8 +1,8 @@
 // What is said to the visitor: a refusal beside the controls, and what has just been done.
 
-import { h } from "./dom.js";
+import { h, say } from "./dom.js";
 
-const TOAST_TIME = 4000; // milliseconds
+const TOAST_TIME = 6000; // milliseconds
 
 export class Notice {
   constructor() {
@@ -13,18 +13,28 @@ export class Notice {
 
   /** @param {Error} error */
   fail(error) {
-    this.message.textContent = error.message;
+    say(this.message, error.message);
     this.message.hidden = false;
-    if (!this.message.isConnected) this.say(error.message);
+    if (!this.seen()) this.say(error.message, this.message.isConnected);
+  }
+
+  // Whether the refusal stands where one looks.
+  seen() {
+    const { top, bottom, height } = this.message.getBoundingClientRect();
+    return this.message.isConnected && height > 0 && top >= 0 && bottom <= innerHeight;
   }
 
   clear() {
     this.message.hidden = true;
   }
 
-  /** @param {string} text */
-  say(text) {
-    this.toast.textContent = text;
+  /**
+   * @param {string} text
+   * @param {boolean} [heard] whether a screen reader has it already
+   */
+  say(text, heard = false) {
+    this.toast.setAttribute("role", heard ? "presentation" : "status");
+    say(this.toast, text);
     this.toast.hidden = false;
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {

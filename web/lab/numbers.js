@@ -1,5 +1,7 @@
 // Numbers as a reader wants them, and round steps for axes.
 
+import { local } from "./words.js";
+
 /** @type {(value: number, least: number, most: number) => number} */
 export const clamp = (value, least, most) => Math.min(Math.max(value, least), most);
 
@@ -21,7 +23,7 @@ export function show(value, digits = 4) {
     text = trimZeros(value.toPrecision(digits));
     if (text.includes("e")) text = String(Math.round(value));
   }
-  return text.replace("-", "−");
+  return local(text.replace("-", "−"));
 }
 
 /** @param {string} text */
@@ -43,7 +45,7 @@ function superscript(number) {
 export const withUnit = (text, unit) => (unit ? (unit === "°" ? `${text}°` : `${text} ${unit}`) : text);
 
 /** @param {number} angle */
-export const degrees = (angle) => `${((angle * 180) / Math.PI).toFixed(1)}°`.replace("-", "−");
+export const degrees = (angle) => local(`${((angle * 180) / Math.PI).toFixed(1)}°`.replace("-", "−"));
 
 /**
  * A length in the unit in which it reads well.
@@ -91,5 +93,5 @@ export function tickText(value, step) {
   const decimals = clamp(-Math.floor(Math.log10(step) + 1e-9), 0, 15);
   const size = Math.max(Math.abs(value), step);
   if (size >= 1e6 || decimals > 12) return show(value, 3);
-  return (Math.abs(value) < step * 1e-6 ? 0 : value).toFixed(decimals).replace("-", "−");
+  return local((Math.abs(value) < step * 1e-6 ? 0 : value).toFixed(decimals).replace("-", "−"));
 }

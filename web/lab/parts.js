@@ -1,6 +1,7 @@
 // The table of a real hoop's parts.
 
 import { h } from "./dom.js";
+import { Entry } from "./entry.js";
 
 const SHAPES = {
   ring: { label: "Ring", keys: ["mass", "inner_radius", "outer_radius"] },
@@ -8,14 +9,14 @@ const SHAPES = {
   point_mass: { label: "Point mass", keys: ["mass", "at"] },
   rod: { label: "Rod", keys: ["mass", "length", "at"] },
 };
-/** @type {Record<string, string>} */
+/** @type {Record<string, [string, string]>} */
 const LABELS = {
-  mass: "mass [kg]",
-  inner_radius: "inner radius [m]",
-  outer_radius: "outer radius [m]",
-  radius: "radius [m]",
-  at: "distance from centre [m]",
-  length: "length [m]",
+  mass: ["mass", "kg"],
+  inner_radius: ["inner radius", "m"],
+  outer_radius: ["outer radius", "m"],
+  radius: ["radius", "m"],
+  at: ["distance from centre", "m"],
+  length: ["length", "m"],
 };
 
 /**
@@ -131,20 +132,21 @@ export class Parts {
             "×",
           ),
       ),
-      keys.map((key) =>
-        h(
-          "label",
-          {},
-          LABELS[key],
-          h("input", {
-            type: "number",
-            step: "any",
-            value: String(part[key] ?? 0),
-            onchange: (/** @type {any} */ event) =>
-              this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: Number(event.target.value) } : one))),
-          }),
-        ),
-      ),
+      keys.map((key) => this.field(part, i, key)),
     );
+  }
+
+  /**
+   * @param {Part} part
+   * @param {number} i
+   * @param {string} key
+   */
+  field(part, i, key) {
+    const [label, unit] = LABELS[key];
+    const entry = new Entry({ label, unit }, (value) =>
+      this.send(this.parts.map((one, k) => (k === i ? { ...one, [key]: value } : one))),
+    );
+    entry.show(String(part[key] ?? 0));
+    return h("div", {}, h("label", {}, `${label} [${unit}]`, entry.input), entry.error);
   }
 }

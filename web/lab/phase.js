@@ -1,10 +1,11 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
-import { faded, parsed } from "./colors.js";
+import { faded, hoopInk, parsed } from "./colors.js";
 import { fitted, h, once, pen } from "./dom.js";
 import { clamp, niceStep, tickText, ticks } from "./numbers.js";
 import { swatch } from "./plot.js";
-import { zoomable } from "./zoom.js";
+import { zoomable, zoomHint } from "./zoom.js";
+import { t } from "./words.js";
 
 const LEFT = 52;
 const RIGHT = 10;
@@ -67,10 +68,9 @@ export class PhasePlane {
       h(
         "p",
         { class: "hint" },
-        "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox. " +
-          (matchMedia("(hover: none)").matches
-            ? "Tap to go there, two fingers zoom."
-            : "Click to go there; with Ctrl or Shift the wheel zooms, double-click for all."),
+        "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.",
+        " ",
+        `Click to go there; ${zoomHint("")}.`,
       ),
     );
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
@@ -129,7 +129,7 @@ export class PhasePlane {
     return {
       window: header.window,
       paradox: arrays.paradox,
-      picture: this.paint(arrays.modes, header.arrays[0].shape),
+      picture: this.paint(arrays.modes, arrays.paradox.length),
     };
   }
 
@@ -226,10 +226,11 @@ export class PhasePlane {
   }
 
   /**
-   * @param {Column} codes
-   * @param {number[]} shape
+   * @param {Column} codes by rows
+   * @param {number} columns
    */
-  paint(codes, [rows, columns]) {
+  paint(codes, columns) {
+    const rows = codes.length / columns;
     const { modes } = this.colors;
     const picture = h("canvas", { width: columns, height: rows });
     const image = new ImageData(columns, rows);
@@ -322,7 +323,7 @@ export class PhasePlane {
     const turn = 2 * Math.PI;
     context.lineWidth = lane ? 1.2 : 1.8;
     context.setLineDash(lane ? [4, 3] : []);
-    context.strokeStyle = this.look.ink;
+    context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
     context.beginPath();
     let last = null;
     for (let i = 0; i < film.length; i++) {
@@ -371,7 +372,7 @@ export class PhasePlane {
       context.fillText(tickText(k * step, step), x, TOP + this.box.height + 15);
     }
     context.textAlign = "right";
-    context.fillText("angle θ within a turn [°]", width - RIGHT, height - 3);
+    context.fillText(t("angle θ within a turn [°]"), width - RIGHT, height - 3);
     context.textBaseline = "middle";
     const span = this.top() - this.bottom();
     for (const value of ticks(this.bottom(), this.top(), 5)) {
@@ -403,8 +404,13 @@ export class PhasePlane {
       context.fillStyle = this.colors.modes[pose.mode];
       context.fill();
       context.lineWidth = 2;
-      context.strokeStyle = this.look.ink;
+      context.strokeStyle = this.films.length > 1 ? hoopInk(lane, this.look.dark) : this.look.ink;
       context.stroke();
+      if (this.films.length < 2) return;
+      context.font = `700 12px ${this.look.font}`;
+      context.textAlign = "left";
+      context.fillStyle = context.strokeStyle;
+      context.fillText("AB"[lane], x + 8, y - 6);
     });
   }
 

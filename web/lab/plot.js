@@ -1,16 +1,20 @@
 // One diagram: curves over time or angle, with modes behind them, a cursor that runs with the film, and zoom.
 
-import { faded, readable } from "./colors.js";
+import { faded, hoopInk, readable } from "./colors.js";
 import { fitted, h } from "./dom.js";
 import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
 import { follow } from "./pointer.js";
+import { QUANTITIES } from "./quantities.js";
+import { t } from "./words.js";
 import { zoomable } from "./zoom.js";
 
 const LEFT = 52;
 const RIGHT = 10;
 const TOP = 8;
 const BOTTOM = 30;
-const DASHES = { solid: [], dash: [6, 4], dot: [2, 3] };
+const DASHES = { solid: [], dash: [6, 4], dot: [2, 3], long: [14, 4], mixed: [8, 3, 2, 3] };
+
+/** @typedef {Curve & { film: Film, lane: number, number: number }} Drawn */
 
 export class Plot {
   /** @type {Film[]} */
@@ -29,7 +33,7 @@ export class Plot {
   picked;
   /** @type {string} */
   named;
-  /** @type {HTMLOutputElement[]} */
+  /** @type {HTMLElement[]} */
   values;
 
   /**
@@ -72,8 +76,7 @@ export class Plot {
 
   /** @param {Film} film */
   abscissa(film) {
-    if (this.shared.axis === "time") return film.columns.t;
-    return film.derived("degrees", ({ angle }) => Float64Array.from(angle, (value) => (value * 180) / Math.PI));
+    return QUANTITIES[this.shared.axis].values(film);
   }
 
   fullRange() {
@@ -103,7 +106,9 @@ export class Plot {
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
     this.range = this.shared.range ?? this.fullRange();
-    const drawn = films.flatMap((film, lane) => this.shades(film).map((curve) => ({ ...curve, film, lane })));
+    const drawn = films.flatMap((film, lane) =>
+      this.shades(film, lane).map((curve, number) => ({ ...curve, film, lane, number })),
+    );
     this.heights = this.limits ?? this.findHeights(drawn);
     if (this.shared.axis === "time") this.bands(context, films[active], colors);
     this.grid(context, look, width, height);
@@ -111,17 +116,30 @@ export class Plot {
     context.beginPath();
     context.rect(LEFT, TOP, this.box.width, this.box.height);
     context.clip();
-    for (const curve of drawn) this.curve(context, curve, films.length > 1);
+    for (const curve of drawn) this.curve(context, curve);
+    if (films.length > 1) for (const curve of drawn) if (curve.number === 0) this.letter(context, curve);
     context.restore();
-    this.legend(this.shades(films[active]), look.dark);
+    this.legend(this.shades(films[active], active), look.dark);
     this.describe(drawn);
   }
 
-  /** @param {Film} film */
-  shades(film) {
-    return this.curves(film).map((curve) => ({
+  /**
+   * The curves as they are drawn: one hoop's by the colour of the quantity; of two, by the colour of the hoop and a dash for
+   * the quantity.
+   * @param {Film} film
+   * @param {number} lane
+   * @returns {Curve[]}
+   */
+  shades(film, lane) {
+    const { dark } = this.look;
+    if (this.films.length < 2) {
+      return this.curves(film).map((curve) => ({ ...curve, color: curve.color && readable(curve.color, dark) }));
+    }
+    const dashes = /** @type {Curve["dash"][]} */ (Object.keys(DASHES));
+    return this.curves(film).map((curve, k) => ({
       ...curve,
-      color: curve.color && readable(curve.color, this.look.dark),
+      color: hoopInk(lane, dark),
+      dash: dashes[k % dashes.length],
     }));
   }
 
@@ -209,7 +227,8 @@ export class Plot {
     const across = niceStep(this.range[1] - this.range[0], wide);
     context.textAlign = "center";
     context.textBaseline = "alphabetic";
-    const unit = this.shared.axis === "time" ? "time [s]" : "angle [°]";
+    const { name, unit: inUnit } = QUANTITIES[this.shared.axis];
+    const unit = inUnit ? `${t(name)} [${inUnit}]` : t(name);
     for (const value of ticks(this.range[0], this.range[1], wide)) {
       const x = this.x(value);
       context.beginPath();
@@ -224,37 +243,57 @@ export class Plot {
     context.translate(11, TOP + 0.5 * this.box.height);
     context.rotate(-Math.PI / 2);
     context.textAlign = "center";
-    context.fillText(this.unit, 0, 0);
+    context.fillText(t(this.unit), 0, 0);
     context.restore();
   }
 
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {Curve & { film: Film, lane: number }} drawn
-   * @param {boolean} two
+   * @param {Drawn} drawn
    */
-  curve(context, { film, lane, values, color, dash }, two) {
-    const across = this.abscissa(film);
+  curve(context, { film, color, dash, number }) {
     context.strokeStyle = color ?? this.look.ink;
-    context.lineWidth = two && lane === 1 ? 1.2 : 1.8;
-    context.setLineDash(two && lane === 1 ? [3, 3] : DASHES[dash ?? "solid"]);
-    context.globalAlpha = two && lane === 1 ? 0.85 : 1;
+    context.lineWidth = 1.8;
+    context.setLineDash(DASHES[dash ?? "solid"]);
     context.beginPath();
     let open = false;
-    for (let i = 0; i < values.length; i++) {
-      if (!Number.isFinite(values[i]) || !Number.isFinite(across[i])) {
-        open = false;
-        continue;
+    for (const piece of film.pieces()) {
+      const across = this.abscissa(piece.film);
+      const { values } = this.curves(piece.film)[number];
+      for (let i = piece.from; i < piece.to; i++) {
+        if (!Number.isFinite(values[i]) || !Number.isFinite(across[i])) {
+          open = false;
+          continue;
+        }
+        const x = this.x(across[i]);
+        const y = clamp(this.y(values[i]), -1e4, 1e4);
+        if (open) context.lineTo(x, y);
+        else context.moveTo(x, y);
+        open = true;
       }
-      const x = this.x(across[i]);
-      const y = clamp(this.y(values[i]), -1e4, 1e4);
-      if (open) context.lineTo(x, y);
-      else context.moveTo(x, y);
-      open = true;
     }
     context.stroke();
     context.setLineDash([]);
-    context.globalAlpha = 1;
+  }
+
+  /**
+   * Which of two hoops a curve is of.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Drawn} drawn
+   */
+  letter(context, { film, lane, values, color }) {
+    const across = this.abscissa(film);
+    const place = this.range[0] + (lane ? 0.84 : 0.7) * (this.range[1] - this.range[0]);
+    const i = across.findIndex((value) => value >= place);
+    if (i < 0 || !Number.isFinite(values[i])) return;
+    const [x, y] = [this.x(across[i]), clamp(this.y(values[i]) - 8, TOP + 10, TOP + this.box.height - 4)];
+    context.font = `700 12px ${this.look.font}`;
+    context.textAlign = "center";
+    context.lineWidth = 4;
+    context.strokeStyle = this.look.panel;
+    context.strokeText("AB"[lane], x, y);
+    context.fillStyle = color ?? this.look.ink;
+    context.fillText("AB"[lane], x, y);
   }
 
   /**
@@ -262,10 +301,10 @@ export class Plot {
    * @param {boolean} dark
    */
   legend(curves, dark) {
-    const names = curves.map((curve) => curve.name).join() + dark;
+    const names = curves.map((curve) => curve.name + curve.color + curve.dash).join() + dark;
     if (this.named !== names) {
       this.named = names;
-      this.values = curves.map(() => h("output", {}));
+      this.values = curves.map(() => h("span", { class: "value" }));
       this.keys.replaceChildren(
         ...curves.map((curve, i) =>
           h("span", { class: "plot-key" }, swatch(curve.color, curve.dash), curve.name, " ", this.values[i]),
@@ -283,9 +322,11 @@ export class Plot {
         if (value > high) high = value;
       }
       const which = this.films.length > 1 ? `${"AB"[lane]}: ` : "";
-      return high >= low ? `${which}${name} from ${show(low, 3)} to ${show(high, 3)}` : "";
+      const found = { name: t(name), low: show(low, 3), high: show(high, 3) };
+      return high >= low ? `${which}${t("{name} from {low} to {high}", found)}` : "";
     });
-    this.body.setAttribute("aria-label", `${this.title} in ${this.unit}. ${parts.filter(Boolean).join("; ")}.`);
+    const head = t("Diagram: {title} in {unit}.", { title: t(this.title), unit: t(this.unit) });
+    this.body.setAttribute("aria-label", `${head} ${parts.filter(Boolean).join("; ")}.`);
   }
 
   /** @param {number} time */
@@ -293,13 +334,15 @@ export class Plot {
     if (!this.films) return;
     const { context, width, height } = fitted(this.over);
     context.clearRect(0, 0, width, height);
-    this.films.forEach((film, lane) => {
+    this.films.forEach((whole, lane) => {
+      const film = whole.holding(time);
       const pose = film.at(time);
-      const x = this.x(this.shared.axis === "time" ? pose.t : (pose.angle * 180) / Math.PI);
-      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
       const i = film.index(pose.t);
       const j = Math.min(i + 1, film.length - 1);
       const share = film.t[j] > film.t[i] ? (pose.t - film.t[i]) / (film.t[j] - film.t[i]) : 0;
+      const across = this.abscissa(film);
+      const x = this.x(across[i] + share * (across[j] - across[i]));
+      const inside = x >= LEFT - 1 && x <= LEFT + this.box.width + 1;
       if (inside) {
         context.strokeStyle = this.look.soft;
         context.lineWidth = 1;
@@ -308,7 +351,7 @@ export class Plot {
         context.lineTo(x, TOP + this.box.height);
         context.stroke();
       }
-      this.shades(film).forEach((curve, k) => {
+      this.shades(film, lane).forEach((curve, k) => {
         const next = curve.values[j];
         const value = Number.isFinite(next) ? curve.values[i] + share * (next - curve.values[i]) : curve.values[i];
         if (lane === this.active && this.values?.[k]) this.values[k].textContent = show(value, 3);
@@ -398,11 +441,22 @@ export class Plot {
 
 /**
  * @param {string | undefined} color
- * @param {"solid" | "dash" | "dot"} dash
+ * @param {Curve["dash"]} dash
  */
 export function swatch(color, dash = "solid") {
   const element = h("i", { class: "swatch", "aria-hidden": "true" });
   element.style.borderTopColor = color ?? "var(--ink)";
-  element.style.borderTopStyle = { solid: "solid", dash: "dashed", dot: "dotted" }[dash];
+  element.style.borderTopStyle = { solid: "solid", dash: "dashed", dot: "dotted", long: "none", mixed: "none" }[dash];
+  if (dash === "long" || dash === "mixed") {
+    // what no border can draw
+    let at = 0;
+    const parts = DASHES[dash].map((size, k) => {
+      at += size;
+      return `${k % 2 ? "transparent" : (color ?? "var(--ink)")} ${at - size}px ${at}px`;
+    });
+    element.style.height = "2.5px";
+    element.style.width = "28px";
+    element.style.background = `repeating-linear-gradient(90deg, ${parts.join(", ")})`;
+  }
   return element;
 }

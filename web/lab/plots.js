@@ -1,7 +1,9 @@
 // Which diagrams there are: velocities, energies and losses, forces, friction utilization.
 
-import { h } from "./dom.js";
+import { h, say } from "./dom.js";
+import { optionsOf, ownPlot } from "./own_plot.js";
 import { Plot } from "./plot.js";
+import { zoomHint } from "./zoom.js";
 
 /**
  * @param {Colors} colors
@@ -45,6 +47,15 @@ function definitions(colors) {
           values: film.columns.normal_loss,
           dash: "dot",
         },
+        ...(film.scenario.plane.rolling_resistance
+          ? [
+              {
+                name: "lost to rolling resistance",
+                values: film.columns.rolling_resistance,
+                dash: /** @type {const} */ ("dot"),
+              },
+            ]
+          : []),
       ],
     },
     {
@@ -83,7 +94,7 @@ export class Plots {
   constructor(clock, colors) {
     this.colors = colors;
     this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
-    this.plots = definitions(colors).map((definition) => new Plot(definition, this.shared));
+    this.plots = [...definitions(colors).map((definition) => new Plot(definition, this.shared)), ownPlot(this.shared)];
     for (const plot of this.plots) plot.onseek = (/** @type {number} */ time) => clock.seek(time);
     // diagrams that are scrolled away wait until they are seen
     this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
@@ -106,8 +117,7 @@ export class Plots {
           this.redraw();
         },
       },
-      h("option", { value: "time" }, "over time"),
-      h("option", { value: "angle" }, "over angle"),
+      optionsOf(({ name }) => `over ${name}`),
     );
     this.back = h(
       "button",
@@ -134,9 +144,12 @@ export class Plots {
     this.look = look;
     const hands = matchMedia("(hover: none)").matches
       ? "slide to go there, two fingers zoom"
-      : "drag to zoom, double-click for all, click to go there";
-    this.hint.textContent =
-      films.length > 1 ? `A full, B dotted; numbers and colours of ${"AB"[active]}; ${hands}` : hands;
+      : `click to go there, drag to zoom; ${zoomHint("")}`;
+    const two = films.length > 1;
+    say(
+      this.hint,
+      two ? `A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[active]}; ${hands}` : hands,
+    );
     this.redraw();
   }
 

@@ -1,7 +1,8 @@
 // Keep and share: link, downloads, picture, film recorded here, and the Python that makes the same motion.
 
-import { h, pen, saveBlob } from "./dom.js";
+import { h, pen, saveBlob, say } from "./dom.js";
 import { degrees, show } from "./numbers.js";
+import { t } from "./words.js";
 
 const FILES = [
   ["motion.toml", "Scenario (TOML)"],
@@ -23,7 +24,9 @@ export class Share {
         "div",
         { class: "menu-body" },
         lab.backend.shares && this.item("Copy the link", () => this.copyLink()),
-        FILES.map(([name, label]) => this.item(label, () => this.download(name))),
+        FILES.filter(([name]) => lab.backend.files?.includes(name) ?? true).map(([name, label]) =>
+          this.item(label, () => this.download(name)),
+        ),
         this.item("Picture (PNG)", () => this.picture()),
         this.item("Record a film here (WebM)", () => this.record()),
         this.item("Show me the Python", () => this.code()),
@@ -58,7 +61,7 @@ export class Share {
   }
 
   async copyLink() {
-    const link = this.lab.motions.link() ?? "";
+    const link = this.lab.link() ?? "";
     try {
       await navigator.clipboard.writeText(link);
       this.lab.notice.say("The link is copied.");
@@ -109,7 +112,7 @@ export class Share {
       const pose = film.at(lab.clock.time);
       const words = [
         films.length > 1 ? `${"AB"[i]}: ` : "",
-        `${lab.theme.colors.mode_names[pose.mode]}, t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`,
+        `${t(lab.theme.colors.mode_names[pose.mode])}, t = ${pose.t.toFixed(3)} s, θ = ${degrees(pose.angle)}, v = ${show(pose.vx, 3)} m/s`,
       ].join("");
       const top = lab.stage.options.three
         ? 10 + 20 * i
@@ -169,9 +172,12 @@ export class Share {
       const copy = h("button", { type: "button" }, "Copy");
       copy.onclick = async () => {
         await navigator.clipboard?.writeText(text).catch(() => {});
-        copy.textContent = "Copied";
+        say(copy, "Copied");
       };
-      blocks.push(h("header", {}, h("h2", {}, pairs[i]), copy), h("pre", { tabindex: "0" }, h("code", {}, text)));
+      blocks.push(
+        h("header", {}, h("h2", {}, pairs[i]), copy),
+        h("pre", { tabindex: "0" }, h("code", {}, document.createTextNode(text))),
+      );
     }
     this.dialog.replaceChildren(
       ...blocks,

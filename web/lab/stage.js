@@ -5,6 +5,7 @@ import { h } from "./dom.js";
 import { degrees, length, show, withUnit } from "./numbers.js";
 import { Stage2D } from "./stage2d.js";
 import { Stage3D } from "./stage3d.js";
+import { local, t } from "./words.js";
 
 const OUTPUTS = ["hoop", "mode", "time", "angle", "v", "R θ̇", "gap"];
 
@@ -17,7 +18,7 @@ export class Stage {
     this.colors = colors;
     this.onview = onview;
     /** @type {StageOptions} */
-    this.options = { traces: true, forces: true, speed: true, whole: false, three: false };
+    this.options = { traces: true, forces: true, speed: true, whole: false, three: false, ahead: false };
     this.plane = h("canvas", { class: "stage-canvas" });
     this.space = h("canvas", { class: "stage-canvas", hidden: true });
     this.flat = new Stage2D(this.plane, onview);
@@ -53,7 +54,7 @@ export class Stage {
         { class: "stage-keys", "aria-hidden": "true" },
         dot("var(--ink)", "load"),
         dot(colors.gravity_center, "centre of gravity"),
-        dot(colors.airborne, "airborne"),
+        dot(colors.airborne, "the same in flight"),
         this.order,
       ),
     );
@@ -92,8 +93,8 @@ export class Stage {
     const pose = film.at(time);
     const values = [
       films.length > 1 ? "AB"[active] : "",
-      this.colors.mode_names[pose.mode],
-      `${pose.t.toFixed(3)} s`,
+      t(this.colors.mode_names[pose.mode]),
+      local(`${pose.t.toFixed(3)} s`),
       degrees(pose.angle),
       withUnit(show(pose.vx, 3), "m/s"),
       withUnit(show(pose.omega * film.radius, 3), "m/s"),
@@ -110,7 +111,8 @@ export class Stage {
 
   /** @param {Film[]} films */
   describe(films) {
-    this.element.setAttribute("aria-label", `The hoop. ${films.map((film) => film.summary).join(" ")}`);
+    const said = films.map((film) => film.summary).join(" ");
+    this.element.setAttribute("aria-label", `${t("The hoop.")} ${said}`);
   }
 
   /**

@@ -1,6 +1,6 @@
 // The hoop on its plane, drawn on a canvas.
 
-import { SPEED_TEXTS } from "./colors.js";
+import { hoopInk, SPEED_TEXTS } from "./colors.js";
 import { fitted } from "./dom.js";
 import { clamp, niceStep, show, tickText } from "./numbers.js";
 import { follow } from "./pointer.js";
@@ -18,6 +18,12 @@ export class Stage2D {
     this.onview = onview;
     this.zoom = 1;
     this.shift = [0, 0];
+    /** The picture of each hoop as it was drawn last, for what lies over it. @type {Scene[]} */
+    this.views = [];
+    /** The scale while the hoop is held: it must not slip out of the hand. @type {number | null} */
+    this.fixed = null;
+    /** Takes what is under the pointer, if there is anything to take. @type {(event: PointerEvent) => boolean} */
+    this.grab = () => false;
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     this.pinched = zoomable(canvas, {
       zoom: (factor) => this.zoomBy(factor),
@@ -40,6 +46,7 @@ export class Stage2D {
 
   /** @param {PointerEvent} event */
   drag(event) {
+    if (this.grab(event)) return;
     const start = [event.clientX, event.clientY];
     const before = this.shift;
     follow(this.canvas, event, (/** @type {PointerEvent} */ moved) => {
@@ -73,10 +80,15 @@ export class Stage2D {
       context.rect(0, i * each, width, each);
       context.clip();
       context.translate(0, i * each);
-      new Scene(context, width, each, film, time, options, look, colors, this.zoom, this.shift, common).draw();
+      const scene = new Scene(context, width, each, film, time, options, look, colors, this.zoom, this.shift, common);
+      scene.top = i * each;
+      scene.scale = this.fixed ?? scene.scale;
+      scene.draw();
+      this.views[i] = scene;
       if (films.length > 1) {
-        context.fillStyle = look.soft;
-        context.font = `600 15px ${look.font}`;
+        scene.mark("AB"[i], hoopInk(i, look.dark));
+        context.fillStyle = hoopInk(i, look.dark);
+        context.font = `700 17px ${look.font}`;
         context.textAlign = "left";
         context.fillText("AB"[i], 12, each - 12);
       }
@@ -89,7 +101,9 @@ export class Stage2D {
   }
 }
 
-class Scene {
+export class Scene {
+  top = 0; // of the hoop's part of the picture, in pixels
+
   /**
    * @param {CanvasRenderingContext2D} context
    * @param {number} width
@@ -149,9 +163,20 @@ class Scene {
     ];
   }
 
+  /**
+   * Pixels, from the top left of the hoop's part of the picture, to plane coordinates: the reverse of `point`.
+   * @param {number} right
+   * @param {number} down
+   */
+  unpoint(right, down) {
+    const x = (right - this.place[0]) / this.scale;
+    const y = -(down - this.place[1]) / this.scale;
+    return [this.focus[0] + x * this.cosine - y * this.sine, this.focus[1] + x * this.sine + y * this.cosine];
+  }
+
   draw() {
     this.ground();
-    if (this.options.traces) this.traces();
+    if (this.options.traces || this.options.ahead) this.traces();
     this.hoop();
     if (this.options.forces) this.forces();
   }
@@ -195,9 +220,8 @@ class Scene {
 
   traces() {
     const { film, context, look, colors } = this;
-    const last = film.index(this.pose.t);
     const R = film.radius;
-    const { x, height, angle, mode } = film.columns;
+    const until = this.options.ahead ? film.duration : this.pose.t;
     /** @type {(distance: number, color: string, width: number, wanted?: boolean) => void} */
     const path = (distance, color, width, wanted) => {
       context.strokeStyle = color;
@@ -211,19 +235,43 @@ class Scene {
         else context.moveTo(px, py);
         open = true;
       };
-      for (let i = 0; i <= last; i++) {
-        const here = wanted === undefined || (mode[i] === 3) === wanted;
-        if (here) add(x[i], height[i], angle[i]);
-        else open = false;
+      for (const piece of film.pieces()) {
+        const { x, height, angle, mode } = piece.film.columns;
+        for (let i = piece.from; i < piece.to && piece.film.t[i] <= until; i++) {
+          const here = wanted === undefined || (mode[i] === 3) === wanted;
+          if (here) add(x[i], height[i], angle[i]);
+          else open = false;
+        }
       }
-      if (wanted === undefined || (this.pose.mode === "H") === wanted) {
+      if (!this.options.ahead && (wanted === undefined || (this.pose.mode === "H") === wanted)) {
         add(this.pose.x, this.pose.height, this.pose.angle);
       }
       context.stroke();
     };
+    context.globalAlpha = this.options.ahead ? 0.45 : 1;
     path(R, look.ink, 1.3);
     path(film.eccentricity * R, colors.gravity_center, 1.8, false);
     path(film.eccentricity * R, colors.airborne, 2.4, true);
+    context.globalAlpha = 1;
+  }
+
+  /**
+   * Which of two hoops it is: a ring within the rim and a letter in its colour.
+   * @param {string} letter
+   * @param {string} color
+   */
+  mark(letter, color) {
+    const { context, film, pose, scale } = this;
+    const [x, y] = this.point(pose.x, film.radius + pose.height);
+    context.strokeStyle = color;
+    context.lineWidth = 3;
+    context.beginPath();
+    context.arc(x, y, Math.max(film.radius * scale - clamp(0.07 * film.radius * scale, 2, 14) - 3, 2), 0, 2 * Math.PI);
+    context.stroke();
+    context.fillStyle = color;
+    context.font = `700 17px ${this.look.font}`;
+    context.textAlign = "center";
+    context.fillText(letter, x - 14, y + 20);
   }
 
   hoop() {

@@ -1,7 +1,8 @@
 // The motion in words, as a list that leads to each moment, and what theory says about this hoop.
 
-import { h } from "./dom.js";
+import { h, say } from "./dom.js";
 import { show } from "./numbers.js";
+import { utter } from "./words.js";
 
 export class Story {
   /** @type {Film} */
@@ -36,7 +37,7 @@ export class Story {
    */
   draw(films, active, colors) {
     this.film = films[active];
-    this.heading.textContent = films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens";
+    say(this.heading, films.length > 1 ? `What happens to hoop ${"AB"[active]}` : "What happens");
     this.summary.replaceChildren(
       ...films.flatMap((film, i) => [
         films.length > 1 ? h("b", {}, `${"AB"[i]}: `) : "",
@@ -63,9 +64,17 @@ export class Story {
     this.cursor(this.clock.time);
   }
 
+  /**
+   * Tell a screen reader: the one place where changes are said, so that they do not talk over each other.
+   * @param {string} text
+   */
+  say(text) {
+    say(this.live, text);
+  }
+
   /** @param {Film[]} films */
   announce(films) {
-    this.live.textContent = films.map((film) => film.summary).join(" ");
+    this.say(utter(films.map((film) => film.summary).join(" ")));
   }
 
   /** @param {number} time */
@@ -99,7 +108,7 @@ export class Theory {
 
   /** @param {{ label: string, text: string }[]} thresholds */
   draw(thresholds, hoop = "") {
-    this.heading.textContent = hoop ? `What theory says of hoop ${hoop}` : "What theory says";
+    say(this.heading, hoop ? `What theory says of hoop ${hoop}` : "What theory says");
     this.list.replaceChildren(
       ...thresholds.flatMap(({ label, /** @type {string} */ text }) => [h("dt", {}, label), h("dd", {}, text)]),
     );

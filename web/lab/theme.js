@@ -2,6 +2,7 @@
 
 import { readable } from "./colors.js";
 import { theme } from "./dom.js";
+import { recall, remember } from "./memory.js";
 
 const KEY = "hophoop-theme";
 const LINES = /** @type {const} */ (["gravity_center", "airborne", "normal_force", "friction_force"]);
@@ -31,7 +32,7 @@ export class Theme {
   }
 
   mark() {
-    const kept = this.hosted ? stored(KEY) : null;
+    const kept = this.hosted ? recall(KEY) : null;
     this.root.dataset.theme = this.chosen ?? kept ?? (this.media.matches ? "dark" : "light");
     if (this.hosted) document.documentElement.style.colorScheme = this.root.dataset.theme;
   }
@@ -51,33 +52,11 @@ export class Theme {
 
   toggle() {
     this.chosen = this.root.dataset.theme === "dark" ? "light" : "dark";
-    if (this.hosted) store(KEY, this.chosen);
+    if (this.hosted) remember(KEY, this.chosen);
     this.apply();
   }
 
   close() {
     this.media.removeEventListener("change", this.listen);
-  }
-}
-
-// Storage may be forbidden; the choice then lasts as long as the page.
-/** @param {string} key */
-function stored(key) {
-  try {
-    return localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-/**
- * @param {string} key
- * @param {string} value
- */
-function store(key, value) {
-  try {
-    localStorage.setItem(key, value);
-  } catch {
-    // nothing to keep
   }
 }

@@ -1,52 +1,26 @@
-// The bar of time: modes as coloured stretches, events as marks, and the hand that scrubs.
+// The bar of time: modes as coloured stretches, events as marks, the hand that scrubs; it zooms as all pictures do.
 
-import { writing } from "./colors.js";
+import { hoopInk, writing } from "./colors.js";
 import { fitted, h } from "./dom.js";
+import { EVENT_WORDS } from "./events.js";
+import { within } from "./map_axes.js";
+import { placed, stretches } from "./marks.js";
 import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
 import { follow } from "./pointer.js";
-
-/** @type {Record<string, string>} */
-const MARKS = {
-  takeoff: "▲",
-  impact: "▼",
-  apex: "•",
-  jam: "✖",
-  kane_gain: "✚",
-  bounce_limit: "≋",
-  turn: "↺",
-  rest: "■",
-  painleve_inconsistent: "◆",
-  painleve_indeterminate: "◇",
-  skim: "◗",
-};
-
-/** @type {Record<string, string>} */
-export const EVENT_WORDS = {
-  start: "start",
-  slip_start: "slip begins",
-  stick: "slip ends",
-  slip_reversal: "slip turns round",
-  takeoff: "take-off",
-  impact: "landing",
-  turn: "turns back",
-  apex: "highest point",
-  bounce_limit: "bounces end",
-  painleve_inconsistent: "Painlevé: no solution",
-  painleve_indeterminate: "Painlevé: several solutions",
-  jam: "jam",
-  kane_gain: "energy gain (Kane)",
-  skim: "skimming begins",
-  rest: "at rest",
-  end: "end",
-};
+import { zoomable } from "./zoom.js";
+import { t, utter } from "./words.js";
 
 export class Timeline {
   /** @type {Film[]} */
   films;
+  /** @type {string} */
+  said;
 
   /** @param {Clock} clock */
   constructor(clock) {
     this.clock = clock;
+    /** @type {number[] | null} the part of the motion that is seen; all of it by default */
+    this.window = null;
     this.canvas = h("canvas", { class: "timeline-canvas" });
     this.tip = h("div", { class: "tip", hidden: true });
     this.element = h(
@@ -65,12 +39,54 @@ export class Timeline {
     this.element.addEventListener("pointerdown", (event) => this.scrub(event));
     this.element.addEventListener("pointermove", (event) => this.hover(event));
     this.element.addEventListener("pointerleave", () => (this.tip.hidden = true));
+    this.pinched = zoomable(this.element, {
+      zoom: (factor, at) => this.zoom(1 / factor, at ? this.timeAt(at) : this.clock.time),
+      home: () => this.zoom(Infinity, 0),
+      keys: true,
+    });
   }
 
-  /** @param {PointerEvent} event */
+  // The times at both ends of the bar.
+  ends() {
+    const whole = [0, this.clock.duration || 1];
+    if (!this.window || this.window[1] - this.window[0] >= whole[1]) return whole;
+    return within(this.window, whole);
+  }
+
+  /**
+   * @param {number} factor of the time that is seen
+   * @param {number} center
+   */
+  zoom(factor, center) {
+    const [from, to] = this.ends();
+    const least = 1e-6 * this.clock.duration;
+    const size = Math.max((to - from) * factor, least);
+    const share = (center - from) / (to - from);
+    this.window =
+      size < this.clock.duration
+        ? within([center - share * size, center + (1 - share) * size], [0, this.clock.duration])
+        : null;
+    this.clock.changed();
+  }
+
+  // Where it is zoomed in, it follows the time.
+  keep() {
+    if (!this.window) return;
+    const [from, to] = this.ends();
+    const { time, duration } = this.clock;
+    if (time >= from && time <= to) return;
+    const size = to - from;
+    this.window = within(time > to ? [time - 0.1 * size, time + 0.9 * size] : [time - 0.5 * size, time + 0.5 * size], [
+      0,
+      duration,
+    ]);
+  }
+
+  /** @param {Point} event */
   timeAt(event) {
     const box = this.canvas.getBoundingClientRect();
-    return clamp((event.clientX - box.left) / box.width, 0, 1) * this.clock.duration;
+    const [from, to] = this.ends();
+    return from + clamp((event.clientX - box.left) / box.width, 0, 1) * (to - from);
   }
 
   /** @param {PointerEvent} event */
@@ -79,7 +95,7 @@ export class Timeline {
     this.element.focus({ preventScroll: true });
     const resume = this.clock.playing;
     this.clock.playing = false;
-    const move = (/** @type {PointerEvent} */ moved) => this.clock.seek(this.timeAt(moved));
+    const move = (/** @type {PointerEvent} */ moved) => !this.pinched() && this.clock.seek(this.timeAt(moved));
     move(event);
     follow(this.element, event, move, () => resume && this.clock.play(true));
   }
@@ -89,7 +105,7 @@ export class Timeline {
     const time = this.timeAt(event);
     const near = this.nearest(time, 8);
     const said = near
-      ? `${EVENT_WORDS[near.kind] ?? near.kind} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
+      ? `${t(EVENT_WORDS[near.kind] ?? near.kind)} · ${show(near.t, 5)} s · ${show((near.angle * 180) / Math.PI, 4)}°`
       : `${show(time, 4)} s`;
     this.tip.textContent = said;
     this.tip.hidden = false;
@@ -102,7 +118,8 @@ export class Timeline {
    * @param {number} pixels
    */
   nearest(time, pixels) {
-    const reach = (pixels * this.clock.duration) / (this.canvas.getBoundingClientRect().width || 1);
+    const [from, to] = this.ends();
+    const reach = (pixels * (to - from)) / (this.canvas.getBoundingClientRect().width || 1);
     let best = null;
     for (const film of this.films ?? []) {
       for (const event of film.events) {
@@ -122,39 +139,40 @@ export class Timeline {
   draw(films, look, colors) {
     this.films = films;
     const { context, width, height } = fitted(this.canvas);
-    const duration = this.clock.duration || 1;
-    const place = (/** @type {number} */ t) => (t / duration) * width;
+    this.keep();
+    const [begin, end] = this.ends();
+    const place = (/** @type {number} */ t) => ((t - begin) / (end - begin)) * width;
     context.clearRect(0, 0, width, height);
     const above = 15; // room for the marks of each hoop
     const band = (height - 15) / films.length - above;
     films.forEach((film, i) => {
       const y = above + i * (above + band);
-      for (const phase of film.phases) {
-        const from = place(phase.from);
-        const wide = Math.max(place(phase.to) - from, 0.6);
-        const color = colors.modes[phase.mode];
+      for (const { mode, from, wide } of stretches(film.phases, place, width)) {
+        const color = colors.modes[mode];
         context.fillStyle = color;
         context.fillRect(from, y, wide, band - 2);
-        this.named(context, colors.mode_names[phase.mode], from, wide, y, band - 2, color, look);
+        this.named(context, t(colors.mode_names[mode]), from, wide, y, band - 2, color, look);
       }
-      if (film.duration < duration) {
+      if (film.duration < end) {
         context.fillStyle = look.line;
-        context.fillRect(place(film.duration), y, width, band - 2);
+        context.fillRect(Math.max(place(film.duration), 0), y, width, band - 2);
       }
       this.marks(context, film, place, y, width, look);
       if (films.length > 1) {
-        context.fillStyle = look.soft;
-        context.font = `600 11px ${look.font}`;
-        context.textAlign = "left";
-        context.fillText("AB"[i], 1, y - 4);
+        context.fillStyle = hoopInk(i, look.dark);
+        context.font = `700 12px ${look.font}`;
+        context.textAlign = "right";
+        context.fillText("AB"[i], width - 1, y - 4);
       }
     });
-    const step = niceStep(duration, width / 60);
+    const step = niceStep(end - begin, width / 60);
     context.fillStyle = look.soft;
     context.font = `10.5px ${look.font}`;
-    for (const t of ticks(0, duration, width / 60)) {
-      context.textAlign = t === 0 ? "left" : place(t) > width - 14 ? "right" : "center";
-      context.fillText(tickText(t, step) + (t === 0 ? " s" : ""), place(t), height - 3);
+    const all = ticks(begin, end, width / 60);
+    for (const t of all) {
+      const x = place(t);
+      context.textAlign = x < 14 ? "left" : x > width - 14 ? "right" : "center";
+      context.fillText(tickText(t, step) + (t === all[0] ? " s" : ""), x, height - 3);
     }
     const x = clamp(place(this.clock.time), 6, width - 6);
     const now = clamp(place(this.clock.time), 1, width - 1);
@@ -165,9 +183,29 @@ export class Timeline {
     context.lineTo(x + 6, above - 10);
     context.lineTo(now, above - 1);
     context.fill();
+    this.tell(films, colors);
+  }
+
+  /**
+   * The time and the mode for a screen reader; while the film runs, only when the mode changes.
+   * @param {Film[]} films
+   * @param {Colors} colors
+   */
+  tell(films, colors) {
+    const { time, duration, playing } = this.clock;
+    const modes = films.map((film, i) => {
+      const word = t(colors.mode_names[film.at(time).mode]);
+      return films.length > 1 ? `${"AB"[i]} ${word}` : word;
+    });
+    const said = modes.join(", ");
+    if (playing && said === this.said) return;
+    this.said = said;
     this.element.setAttribute("aria-valuemax", duration.toFixed(3));
-    this.element.setAttribute("aria-valuenow", this.clock.time.toFixed(3));
-    this.element.setAttribute("aria-valuetext", `${show(this.clock.time, 4)} seconds`);
+    this.element.setAttribute("aria-valuenow", time.toFixed(3));
+    this.element.setAttribute(
+      "aria-valuetext",
+      t("{time} seconds, {what}", { time: show(time, 4), what: utter(said) }),
+    );
   }
 
   /**
@@ -202,18 +240,14 @@ export class Timeline {
   marks(context, film, place, top, width, look) {
     context.font = `11px ${look.font}`;
     context.textAlign = "center";
-    let last = -Infinity;
-    for (const event of film.events) {
-      const mark = MARKS[event.kind];
-      const x = place(event.t);
-      if (event.kind !== "start" && event.kind !== "end") {
-        context.fillStyle = look.panel;
-        context.fillRect(x - 0.5, top, 1, 5);
-      }
-      if (!mark || x - last < 8) continue;
-      last = x;
-      context.fillStyle = look.ink;
-      context.fillText(mark, clamp(x, 6, width - 6), top - 4);
-    }
+    const seen = film.events
+      .filter(({ kind }) => kind !== "start" && kind !== "end")
+      .map(({ kind, t }) => ({ kind, x: place(t) }))
+      .filter(({ x }) => x >= -1 && x <= width + 1);
+    context.fillStyle = look.panel;
+    // lines between phases, unless there would be nothing but lines
+    if (seen.length < width / 6) for (const { x } of seen) context.fillRect(x - 0.5, top, 1, 5);
+    context.fillStyle = look.ink;
+    for (const { mark, x } of placed(seen)) context.fillText(mark, clamp(x, 6, width - 6), top - 4);
   }
 }

@@ -3,6 +3,9 @@
 import { SPEEDS } from "./clock.js";
 import { h } from "./dom.js";
 import { icon } from "./icons.js";
+import { degrees, show } from "./numbers.js";
+import { EVENT_WORDS, leaves } from "./events.js";
+import { name, t, utter } from "./words.js";
 
 const STEP = 1 / 60; // seconds
 
@@ -31,16 +34,20 @@ const button = (label, title, action) =>
 const marked = (mark, word) => h("span", {}, h("span", { "aria-hidden": "true" }, `${mark} `), word);
 
 export class Transport {
+  titled = "";
+
   /**
    * @param {Clock} clock
    * @param {() => Film[]} films
    * @param {(name: keyof StageOptions) => void} toggle
-   * @param {(text: string) => void} say
+   * @param {(text: string) => void} say what is seen
+   * @param {(text: string) => void} tell what a screen reader says
    */
-  constructor(clock, films, toggle, say) {
+  constructor(clock, films, toggle, say, tell) {
     this.clock = clock;
     this.films = films;
     this.say = say;
+    this.tell = tell;
     this.playButton = button(icon("play"), "Play (space)", () => clock.play());
     this.playButton.classList.add("play");
     this.speeds = h(
@@ -75,8 +82,8 @@ export class Transport {
       ),
       h(
         "div",
-        { class: "buttons" },
-        button(marked("▲", "hop"), "To the next hop (h)", () => this.jump(1, "takeoff")),
+        { class: "buttons jumps" },
+        button(marked("▲", "flight"), "To the next flight (h)", () => this.jump(1, "takeoff")),
         button(marked("▼", "landing"), "To the next landing (l)", () => this.jump(1, "impact")),
       ),
       this.speeds,
@@ -89,10 +96,11 @@ export class Transport {
     const { clock, playButton } = this;
     for (const [name, box] of this.switches) box.setAttribute("aria-pressed", String(options[name]));
     const title = clock.playing ? "Pause (space)" : "Play (space)";
-    if (playButton.title !== title || !playButton.firstChild) {
+    if (this.titled !== title) {
+      this.titled = title;
       playButton.replaceChildren(icon(clock.playing ? "pause" : "play"));
-      playButton.title = title;
-      playButton.setAttribute("aria-label", title);
+      name(playButton, "title", title);
+      name(playButton, "aria-label", title);
     }
     if (this.speeds.value !== String(clock.speed)) this.speeds.value = String(clock.speed);
   }
@@ -106,22 +114,30 @@ export class Transport {
   /**
    * To the next event of all films, or of one kind; where there is none of that kind any more, to its first.
    * @param {-1 | 1} way
-   * @param {string | null} kind
+   * @param {"takeoff" | "impact" | null} kind
    */
   jump(way, kind = null) {
     this.clock.playing = false;
-    const times = this.films()
-      .flatMap((film) => film.events)
-      .filter((event) => (kind ? event.kind === kind : true))
-      .map((event) => event.t)
-      .sort((a, b) => a - b);
+    const all = this.films()
+      .flatMap((film, lane) => film.events.map((event) => ({ event, lane })))
+      .filter(({ event }) => !kind || (kind === "impact" ? event.kind === kind : leaves(event)))
+      .sort((a, b) => a.event.t - b.event.t);
     const now = this.clock.time;
-    let next = way > 0 ? times.find((t) => t > now + 1e-9) : times.findLast((t) => t < now - 1e-9);
-    if (next === undefined && kind) next = times[0];
-    if (next === undefined) {
-      if (kind) this.say(kind === "takeoff" ? "This motion has no hop." : "This motion has no landing.");
+    let next =
+      way > 0 ? all.find(({ event }) => event.t > now + 1e-9) : all.findLast(({ event }) => event.t < now - 1e-9);
+    if (!next && kind) next = all[0];
+    if (!next) {
+      if (kind) this.say(kind === "takeoff" ? "This motion has no flight." : "This motion has no landing.");
       return;
     }
-    this.clock.seek(next);
+    this.clock.seek(next.event.t);
+    const { event, lane } = next;
+    const hoop = this.films().length > 1 ? `${t(`Hoop ${"AB"[lane]}`)}: ` : "";
+    const what = t(EVENT_WORDS[event.kind] ?? event.kind);
+    this.tell(
+      utter(
+        `${hoop}${t("{what} at {angle}, {time} s", { what, angle: degrees(event.angle), time: show(event.t, 4) })}`,
+      ),
+    );
   }
 }

@@ -3,11 +3,19 @@
 import { focused } from "./dom.js";
 import { pinch } from "./pointer.js";
 
+// How it is said beside each of them.
+/** @type {(drags: string) => string} */
+export const zoomHint = (drags) =>
+  matchMedia("(hover: none)").matches
+    ? "two fingers zoom"
+    : `once clicked, or with Ctrl, the wheel zooms${drags && `; ${drags}`}; double-click for all`;
+
 const WHEEL = 0.0018;
+const MOST = 200; // of one turn of the wheel
 const [CLOSER, AWAY] = [1 / 0.6, 1 / 1.7];
 
 /**
- * The page scrolls on under the wheel unless the picture has been chosen, or with Ctrl or Shift.
+ * The page scrolls on under the wheel unless the picture has been clicked, until Escape, or with Ctrl.
  * @param {HTMLElement} element
  * @param {object} rule
  * @param {(factor: number, at?: Point) => void} rule.zoom a factor above 1 comes closer to the place
@@ -20,9 +28,9 @@ export function zoomable(element, { zoom, home, chosen = () => element, keys = f
   element.addEventListener(
     "wheel",
     (event) => {
-      if (!(event.ctrlKey || event.shiftKey || focused(chosen()))) return;
+      if (!(event.ctrlKey || event.metaKey || focused(chosen()))) return;
       event.preventDefault();
-      zoom(Math.exp(-(event.deltaY || event.deltaX) * WHEEL), event);
+      zoom(Math.exp(-Math.min(Math.max(event.deltaY, -MOST), MOST) * WHEEL), event);
     },
     { passive: false },
   );
@@ -32,6 +40,7 @@ export function zoomable(element, { zoom, home, chosen = () => element, keys = f
       if (event.key === "+" || event.key === "=") zoom(CLOSER);
       else if (event.key === "-") zoom(AWAY);
       else if (event.key === "0") home();
+      else if (event.key === "Escape") element.blur();
       else return;
       event.preventDefault();
       event.stopPropagation();

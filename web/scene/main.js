@@ -90,7 +90,7 @@ class Player {
     }
     this.before = clock;
     this.picture.draw(this.now, this.camera);
-    this.words.show(this.now);
+    this.words.show(this.now, this.picture.metre);
     requestAnimationFrame((next) => this.tick(next));
   }
 }

@@ -3,6 +3,7 @@
 import { moved, rgb } from "../space/algebra.js";
 import { Space, sheet, sheets } from "../space/space.js";
 import { between } from "./data.js";
+import { drawMarks } from "./marks.js";
 
 const TUBE = 0.05;
 const LOAD = 0.1;
@@ -31,6 +32,7 @@ export class Picture {
     const last = Math.min(Math.floor((data.along[1] + 6 * data.radius) / data.grid), first + 1999);
     this.marks = Array.from({ length: Math.max(last - first + 1, 0) }, (_, k) => (first + k) * data.grid);
     this.floor = this.floorMeshes();
+    this.metre = 1;
     this.traces = data.hoops.map((hoop) => hoop.traces && this.traceMeshes(hoop.traces));
   }
 
@@ -83,9 +85,15 @@ export class Picture {
     for (const [i, hoop] of hoops.entries()) {
       this.drawHoop(hoop, false);
       this.drawTraces(data.hoops[i], this.traces[i], now, focus, scale, camera.away);
-      if (data.newton > 0) this.drawForces(data.hoops[i], now, focus);
+      if (data.newton) this.drawForces(data.hoops[i], data.newton[Math.floor(now)], now, focus);
     }
-    this.drawNumbers(focus, ratio);
+    const pen = /** @type {CanvasRenderingContext2D} */ (labels.getContext("2d"));
+    pen.clearRect(0, 0, labels.width, labels.height);
+    pen.textAlign = "center";
+    this.drawNumbers(pen, focus, ratio);
+    for (const hoop of hoops) drawMarks(pen, this, hoop, now, focus, scale, ratio);
+    for (const { hoop, center } of hoops) this.drawTag(pen, hoop.tag, center, ratio);
+    this.metre = scale / ratio; // in pixels of the page
   }
 
   /**
@@ -154,30 +162,52 @@ export class Picture {
   /**
    * Forces jump; they are not drawn in between.
    * @param {SceneHoop} hoop
+   * @param {number} newton length of a newton's arrow
    * @param {number} now
    * @param {number} focus
    */
-  drawForces(hoop, now, focus) {
+  drawForces(hoop, newton, now, focus) {
     const { data, space } = this;
     const k = Math.floor(now);
     const front = -hoop.lane + (TUBE + 0.04) * hoop.radius;
     const from = [between(hoop.contact, now, 2) - focus, between(hoop.contact, now, 2, 1), front];
-    const [normal, friction] = [hoop.normalForce[k], hoop.frictionForce[k]].map((force) => data.newton * force);
+    const [normal, friction] = [hoop.normalForce[k], hoop.frictionForce[k]].map((force) => newton * force);
     space.arrow(from, [0, Math.sign(normal), 0], Math.abs(normal), data.radius, rgb(data.colors.normal));
     space.arrow(from, [Math.sign(friction), 0, 0], Math.abs(friction), data.radius, rgb(data.colors.friction));
   }
 
   /**
+   * The letter of a hoop at its centre, by which several are told apart.
+   * @param {CanvasRenderingContext2D} pen
+   * @param {string} tag
+   * @param {Vector} center
+   * @param {number} ratio
+   */
+  drawTag(pen, tag, center, ratio) {
+    const spot = tag && this.space.onScreen(center);
+    if (!spot) return;
+    const { theme } = this.data;
+    pen.beginPath();
+    pen.arc(spot[0], spot[1], 10 * ratio, 0, 2 * Math.PI);
+    pen.fillStyle = theme.background;
+    pen.fill();
+    pen.strokeStyle = theme.ink;
+    pen.lineWidth = 1.2 * ratio;
+    pen.stroke();
+    pen.fillStyle = theme.ink;
+    pen.font = `bold ${12 * ratio}px ${NUMBER_FONT}`;
+    pen.fillText(tag, spot[0], spot[1] + 4.3 * ratio);
+  }
+
+  /**
    * Metres beside the track, as many as there is room for.
+   * @param {CanvasRenderingContext2D} pen
    * @param {number} focus
    * @param {number} ratio
    */
-  drawNumbers(focus, ratio) {
+  drawNumbers(pen, focus, ratio) {
     const { labels, data, half } = this;
-    const pen = /** @type {CanvasRenderingContext2D} */ (labels.getContext("2d"));
-    pen.clearRect(0, 0, labels.width, labels.height);
     pen.fillStyle = data.theme.muted;
-    pen.textAlign = "center";
     pen.font = `${13 * ratio}px ${NUMBER_FONT}`;
     let last = -1e9;
     for (const mark of this.marks) {

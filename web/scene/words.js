@@ -2,6 +2,8 @@
 
 import { between } from "./data.js";
 
+const MOST_RULER = 90; // pixels
+
 /** @type {(id: string) => HTMLElement} */
 const element = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
@@ -27,7 +29,7 @@ export class Words {
   /** @param {SceneHoop} hoop */
   row(hoop) {
     const [dot, word, time, angle] = ["dot", "word", "t", "angle"].map((name) => named("span", name));
-    const label = named("span", "label", hoop.label);
+    const label = named("span", "label", hoop.tag ? `${hoop.tag}: ${hoop.label}` : hoop.label);
     element("words").append(named("div", "row", named("span", "mode", dot, word), time, angle, label));
     return { dot, word, time, angle };
   }
@@ -46,23 +48,47 @@ export class Words {
   }
 
   key() {
-    const { hoops, colors, theme, newton } = this.data;
+    const { hoops, colors, theme, newton, flies } = this.data;
     const lines = [];
     if (hoops.some((hoop) => hoop.traces !== null)) {
-      lines.push([theme.load, "load"], [colors.center, "centre of gravity"], [colors.airborne, "airborne"]);
+      lines.push([theme.load, "load"], [colors.center, "centre of gravity"]);
+      if (flies) lines.push([colors.airborne, "airborne"]);
     }
-    if (newton > 0) lines.push([colors.normal, "normal force"], [colors.friction, "friction"]);
+    if (newton) lines.push([colors.normal, "normal force"], [colors.friction, "friction"]);
     for (const [color, word] of lines) {
       const swatch = document.createElement("i");
       swatch.style.borderColor = color;
       element("lines").append(named("span", "", swatch, word));
     }
+    if (!newton) return;
+    // its length is that of the arrow of a round force, at the hoop's distance
+    this.ruler = document.createElement("i");
+    this.force = document.createTextNode("");
+    element("lines").append(named("span", "ruler", this.ruler, this.force));
   }
 
-  /** @param {number} now */
-  show(now) {
+  /**
+   * @param {number} newton length of a newton's arrow [m]
+   * @param {number} metre [pixels]
+   */
+  showScale(newton, metre) {
+    if (!this.ruler || !this.force) return;
+    const most = MOST_RULER / (newton * metre);
+    const power = 10 ** Math.floor(Math.log10(most));
+    const amount = [5, 2, 1].map((x) => x * power).find((x) => x <= most * 1.000001) ?? power;
+    this.ruler.style.width = `${(amount * newton * metre).toFixed(1)}px`;
+    this.force.textContent = `${+amount.toPrecision(6)} N`;
+  }
+
+  /**
+   * @param {number} now
+   * @param {number} metre at what is looked at [pixels]
+   */
+  show(now, metre) {
+    const frame = Math.floor(now);
+    if (this.data.newton) this.showScale(this.data.newton[frame], metre);
     for (const [i, hoop] of this.data.hoops.entries()) {
-      const [word, color] = this.data.modes[hoop.mode[Math.floor(now)]];
+      const [word, color] = this.data.modes[hoop.mode[frame]];
       const row = this.rows[i];
       const degrees = ((between(hoop.angle, now) * 180) / Math.PI).toFixed(1);
       row.dot.style.background = color;

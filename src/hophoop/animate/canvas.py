@@ -218,6 +218,10 @@ class Canvas:
         spot = self._pixels[top + c : top + d, left + a : left + b, :3]
         spot[...] = np.rint(spot + cover * (255.0 * np.array(rgba(color)[:3]) - spot)).astype(np.uint8)
 
+    def text_width(self, words: str, size: float, weight: str = "normal") -> float:
+        """How far a text reaches, or would [pixels]."""
+        return self._mask(words, size, weight)[2] if words else 0.0
+
     def _mask(self, words: str, size: float, weight: str) -> tuple[Points, int, float]:
         """Cover of a text from 0 to 1, its baseline's row, and how far the next text would start."""
         key = (words, size, weight)

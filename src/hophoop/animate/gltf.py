@@ -158,7 +158,7 @@ def glb(data: dict[str, Any]) -> bytes:
         half = -0.5 * (hoop["angle"] + slope)  # clockwise
         nothing = np.zeros_like(half)
         writer.animate(node, "rotation", moments, np.stack([nothing, nothing, np.sin(half), np.cos(half)], axis=-1))
-        if data["newton"] > 0.0:
+        if data["steadyNewton"] > 0.0:
             tilt = [0.0, 0.0, float(np.sin(-0.5 * slope)), float(np.cos(-0.5 * slope))]
             for name, axis in (("normal", 1), ("friction", 0)):
                 arrow = writer.mesh(*_arrow(0.03 * size, axis), data["colors"][name])
@@ -166,7 +166,7 @@ def glb(data: dict[str, Any]) -> bytes:
                 roots.append(pointer)
                 writer.animate(pointer, "translation", moments, _lifted(hoop["contact"], lane - (TUBE + 0.04) * radius))
                 scale = np.ones((data["count"], 3))
-                length = data["newton"] * hoop[f"{name}Force"]
+                length = data["steadyNewton"] * hoop[f"{name}Force"]
                 # a scale of zero has no inverse, which viewers want for the normals
                 scale[:, axis] = np.where(np.abs(length) < 1e-4 * size, 1e-4 * size, length)
                 writer.animate(pointer, "scale", moments, scale)

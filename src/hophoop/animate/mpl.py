@@ -10,13 +10,28 @@ import numpy as np
 
 from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle
 from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, extent, trace
+from hophoop.animate.happenings import Happening, draw_happenings, happenings
+from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
+from hophoop.animate.parts import LOAD, draw_parts
+from hophoop.animate.scaling import force_levels
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.views import BELOW, View, followed, followed_scale, grid, held, held_scale, project
-from hophoop.animate.words import draw_keys, draw_pace, draw_state, minus, shades_of, speed_words, wide
-from hophoop.poses import Floats, Poses, part_side, poses_of, rim_speeds, to_world
-from hophoop.scenario import Disk, PointMass, Ring, Rod
+from hophoop.animate.words import (
+    draw_force_key,
+    draw_keys,
+    draw_label,
+    draw_pace,
+    draw_state,
+    draw_tag,
+    line_keys,
+    longest_pace,
+    minus,
+    shades_of,
+    speed_words,
+)
+from hophoop.poses import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
@@ -25,8 +40,10 @@ BLOCK = 256  # frames whose poses are computed together
 TRACE_POINTS = 6000  # the last ones are drawn
 # Length of the greatest force's arrow, in radii
 FORCE_LENGTH = 1.3
-RING, LOAD = 0.05, 0.085  # widths in radii
+RING = 0.05  # width in radii
 FADE = 0.45  # opacity of all but the first of motions in one view
+TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of motions in one view
+HEAD_LINE, VIEW_HEAD = 26.0, 58.0  # of further rows, and of a view's own words [units]
 
 
 @dataclass
@@ -40,6 +57,8 @@ class _Actor:
     trace: Trace
     view: View
     alpha: float
+    found: list[Happening]
+    tag: str
     block: int = -1
     poses: Poses | None = None
     speeds: Floats | None = None
@@ -74,23 +93,27 @@ class Film2D:
         self.top_speed = max((size.speed for size in extents), default=0.0) or 1.0
         self._force = max(size.force for size in extents) or 1.0
         self._around = np.linspace(0.0, 2.0 * math.pi, PIECES, endpoint=False)
-        stage = self._lay_out(len(motions))
+        traces = [trace(motion, timing.start, end) for motion, end in zip(motions, ends, strict=True)]
+        self._keys = line_keys(look.traces, any(airborne for track in traces for _, _, airborne in track.runs))
+        stage = self._lay_out(labels)
         views = self._views(stage, motions, extents)
+        overlay = look.layout == "overlay" and len(motions) > 1
         self.actors = [
             _Actor(
                 motion=motion,
                 times=self.clock.times[i],
                 label=labels[i],
                 extent=extents[i],
-                trace=trace(motion, timing.start, ends[i]),
+                trace=traces[i],
                 view=views[i],
-                alpha=FADE if look.layout == "overlay" and i else 1.0,
+                alpha=FADE if overlay and i else 1.0,
+                found=happenings(motion, self.clock.times[i]),
+                tag=TAGS[i % len(TAGS)] if overlay else "",
             )
             for i, motion in enumerate(motions)
         ]
-        self._force_scale = (
-            min(FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors) / self._force
-        )  # pixels a newton
+        self._full = min(FORCE_LENGTH * actor.motion.scenario.hoop.radius * actor.view.scale for actor in self.actors)
+        self.force_levels = force_levels(motions, self.clock, self.fps, self._force)
         self.panels = Panels(self.canvas, self._panel_area, self.theme, motions, look.panels, timing.start, max(ends))
         self._draw_heading()
         self._background: Bytes = self.canvas.pixels.copy()
@@ -131,12 +154,19 @@ class Film2D:
         for actor in reversed(self.actors):
             canvas.clip(actor.view.rectangle)
             self._draw_hoop(actor, k)
+            self._draw_happenings(actor, k)
             canvas.clip(None)
         for i, actor in enumerate(self.actors):
             self._draw_words(actor, k, i if overlay else 0)
-        draw_pace(canvas, self.theme, 22.0 * canvas.unit, float(self.clock.rate[k]))
+        if self.look.forces:
+            draw_force_key(canvas, self.theme, self.layout, self.newton(k), float(self.force_levels[k]))
+        draw_pace(canvas, self.theme, self.layout, float(self.clock.rate[k]))
         self.panels.draw([(actor.times[k], actor.poses, k % BLOCK) for actor in self.actors])
         return canvas.pixels
+
+    def newton(self, k: int) -> float:
+        """Length of a newton's arrow in the k-th picture [pixels]."""
+        return float(self._full / self.force_levels[k])
 
     def pixel_of(self, k: int, actor: int, point: Floats) -> Points:
         """Where a point of the world [m] lies in the k-th picture: column, row from the top left [pixels]."""
@@ -145,13 +175,22 @@ class Film2D:
 
     # --- layout --------------------------------------------------------------------------------
 
-    def _lay_out(self, motions: int) -> Rectangle:
+    def _lay_out(self, labels: Sequence[str]) -> Rectangle:
         width, height = self.look.size
-        u = self.canvas.unit
-        head = (84.0 if wide(self.canvas) else 140.0) * u
-        self._view_head = 0.0 if motions == 1 else (58.0 if self.look.layout == "side" else 26.0 * (motions - 2)) * u
-        foot = 30.0 * u
-        body = height - head - foot
+        canvas, u = self.canvas, self.canvas.unit
+        self._view_head = VIEW_HEAD * u if len(labels) > 1 and self.look.layout == "side" else 0.0
+        if len(labels) == 1:
+            words = [canvas.text_width(labels[0], 16.0), state_width(canvas, "v = −10.00 m/s")]
+            high = 64.0 * u
+        elif self.look.layout == "side":
+            words, high = [], 0.0
+        else:
+            words = [state_width(canvas, label) for label in labels]
+            high = (38.0 + HEAD_LINE * (len(labels) - 1)) * u
+        keys = [word for _, word in self._keys]
+        self.layout: Layout = lay_out(canvas, words, high, self.look.forces, keys, longest_pace(self.clock.rate))
+        foot = self.layout.foot
+        body = height - self.layout.head - foot
         if not self.look.panels:
             self._panel_area: Rectangle = (0.0, 0.0, 0.0, 0.0)
             return 0.0, foot, width, body
@@ -268,7 +307,7 @@ class Film2D:
         airborne = poses.mode[i] == "H"
         heavy_color = theme.shown(colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER)
         if hoop.parts is not None:
-            self._draw_parts(actor, poses, i, center, view.scale)
+            draw_parts(canvas, theme, hoop, center, float(poses.angle[i]) + view.slope, view.scale, alpha)
         else:
             canvas.line(np.array([center, load]), theme.muted, 1.2, 0.7 * alpha)
         # the ring is drawn within the rim, so that its outer edge touches the plane
@@ -291,8 +330,15 @@ class Film2D:
                 (poses.friction_force[i], colors.FRICTION_FORCE),
             ):
                 if alpha == 1.0:
-                    tip = contact + force * self._force_scale
-                    canvas.arrow(contact, tip, theme.shown(color), theme.background, 7.0)
+                    canvas.arrow(contact, contact + force * self.newton(k), theme.shown(color), theme.background, 7.0)
+        if actor.tag:
+            draw_tag(canvas, theme, center, actor.tag)
+
+    def _draw_happenings(self, actor: _Actor, k: int) -> None:
+        matrix = actor.view.matrix(k)
+        size = actor.motion.scenario.hoop.radius * actor.view.scale
+        now = float(actor.times[k]), float(self.clock.rate[k])
+        draw_happenings(self.canvas, self.theme, actor.found, now, lambda place: project(matrix, place), size, 0.42 * size)
 
     def _mixed(self, shades: Floats, alpha: float) -> Floats:
         # Pieces of the ring overlap, where opacity would add up: mixed with the background instead.
@@ -319,27 +365,6 @@ class Film2D:
             color = colors.GRAVITY_CENTER_AIRBORNE if airborne else colors.GRAVITY_CENTER
             canvas.line(part, self.theme.shown(color), 2.6, actor.alpha, matrix=matrix)
 
-    def _draw_parts(self, actor: _Actor, poses: Poses, i: int, center: Points, scale: float) -> None:
-        canvas, theme = self.canvas, self.theme
-        hoop = actor.motion.scenario.hoop
-        side = part_side(hoop)
-        tilt = poses.angle[i] + actor.view.slope
-        along = np.array([math.sin(tilt), math.cos(tilt)])
-        across = np.array([along[1], -along[0]])
-        for part in sorted(hoop.parts or (), key=lambda part: not isinstance(part, Ring)):
-            middle = center + side * part.at * scale * along
-            if isinstance(part, Ring):
-                mean = 0.5 * (part.inner_radius + part.outer_radius) * scale
-                thick = max((part.outer_radius - part.inner_radius) * scale / canvas.unit, 1.0)
-                canvas.disc(center, mean, None, theme.muted, thick, 0.35 * actor.alpha)
-            elif isinstance(part, Disk):
-                canvas.disc(middle, part.radius * scale, theme.load, theme.background, 1.2, 0.8 * actor.alpha)
-            elif isinstance(part, PointMass):
-                canvas.disc(middle, LOAD * hoop.radius * scale, theme.load, theme.background, 1.5, actor.alpha)
-            elif isinstance(part, Rod):
-                half = 0.5 * part.length * scale * (along if part.direction == "radial" else across)
-                canvas.line(np.array([middle - half, middle + half]), theme.load, 4.0, 0.8 * actor.alpha)
-
     # --- words ---------------------------------------------------------------------------------
 
     def _draw_words(self, actor: _Actor, k: int, row: int) -> None:
@@ -350,23 +375,21 @@ class Film2D:
         if several and self.look.layout == "side":
             place = left + 22.0 * u, bottom + height + 8.0 * u
         else:
-            place = 22.0 * u, self.look.size[1] - ((40.0 if several else 64.0) + 26.0 * row) * u
+            place = 22.0 * u, self.look.size[1] - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
         ended = actor.times[k] >= actor.motion.duration and 0 < k < self.count - 1
-        if several and self.look.layout == "overlay":
-            extra = actor.label
-        else:
-            extra = speed_words(poses, k % BLOCK) if width / u > 500.0 or not several else ""
-        room = width / u - 22.0 if several and self.look.layout == "side" else math.inf
-        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, ended, extra, room)
+        overlay = several and self.look.layout == "overlay"
+        extra = actor.label if overlay else speed_words(poses, k % BLOCK)
+        room = width - 30.0 * u if several and not overlay else self.layout.words[2]
+        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, ended, extra, room, actor.tag)
 
     def _draw_heading(self) -> None:
         """What stays: labels and keys."""
         canvas, theme, u = self.canvas, self.theme, self.canvas.unit
         if len(self.actors) == 1:
-            canvas.text(22.0 * u, self.look.size[1] - 32.0 * u, self.actors[0].label, theme.muted, 16.0)
+            place = 22.0 * u, self.look.size[1] - 32.0 * u
+            draw_label(canvas, theme, place, self.actors[0].label, self.layout.words[2])
         elif self.look.layout == "side":
             for actor in self.actors:
-                left, bottom, _, high = actor.view.rectangle
-                canvas.text(left + 22.0 * u, bottom + high + 36.0 * u, actor.label, theme.muted, 15.0)
-        newton = self._force_scale if self.look.forces else None
-        draw_keys(canvas, theme, self.top_speed, newton, self._force, self.look.traces)
+                left, bottom, wide, high = actor.view.rectangle
+                draw_label(canvas, theme, (left + 22.0 * u, bottom + high + 36.0 * u), actor.label, wide - 30.0 * u)
+        draw_keys(canvas, theme, self.layout, self.top_speed, self._keys)

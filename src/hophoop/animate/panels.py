@@ -153,7 +153,7 @@ class Panels:
         way = np.vstack([np.column_stack(line.get_data())[:past], here])
         canvas.clip((box.x0, box.y0, box.width, box.height))
         canvas.line(axes.transData.transform(way), self._theme.ink, 1.6)
-        canvas.disc(axes.transData.transform(here), 5.5 * canvas.unit, colors.VERMILION, self._theme.background, 1.2)
+        canvas.disc(axes.transData.transform(here), 5.5 * canvas.unit, self._theme.ink, self._theme.background, 1.2)
         canvas.clip(None)
 
 
@@ -162,17 +162,23 @@ def _value(line: Any, t: float) -> float:
     return float(np.interp(t, x, y)) if len(x) > 1 else math.nan
 
 
-def _legend(axes: Any) -> None:
+def _legend(axes: Any) -> int:
+    """A key in as many columns as the axes are wide for; returns how many rows it has."""
+    _, names = axes.get_legend_handles_labels()
+    room = axes.get_position().width * axes.figure.get_size_inches()[0] * 72.0
+    widest = 7.0 * max(map(len, names)) + 36.0  # letters, handle and space [points]
+    columns = max(1, min(len(names), int(room / widest)))
     axes.legend(
         fontsize=11,
         loc="upper left",
         frameon=True,
         framealpha=0.75,
-        ncols=5,
+        ncols=columns,
         borderpad=0.2,
         handlelength=1.4,
         columnspacing=1.0,
     )
+    return math.ceil(len(names) / columns)
 
 
 def _velocity(axes: Any, motion: Trajectory, sample: Sample) -> None:
@@ -227,8 +233,7 @@ def _over_time(axes: Any, times: Floats) -> None:
     axes.set_xlim(times[0], times[-1] if times[-1] > times[0] else times[0] + 1.0)
     axes.set_xlabel(labels.TIME)
     low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.18 * (high - low))
-    _legend(axes)
+    axes.set_ylim(low, high + 0.16 * _legend(axes) * (high - low))
 
 
 DRAWN = {

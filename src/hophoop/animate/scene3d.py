@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from types import TracebackType
 from typing import Any, Self
 
@@ -13,7 +14,11 @@ import numpy as np
 from hophoop._extras import need
 from hophoop.animate.canvas import Bytes, Canvas
 from hophoop.animate.frames import Extent, Timing, Trace, clock, extent, follow, trace
-from hophoop.animate.look import Look3D, labels_of, nice
+from hophoop.animate.happenings import Happening, draw_happenings, happenings
+from hophoop.animate.layout import Layout, lay_out, state_width
+from hophoop.animate.look import Look3D, labels_of
+from hophoop.animate.plane3d import plane_meshes
+from hophoop.animate.scaling import force_levels
 from hophoop.animate.shapes3d import (
     FORCE_LENGTH,
     HEAVY,
@@ -32,13 +37,27 @@ from hophoop.animate.shapes3d import (
     torus_faces,
 )
 from hophoop.animate.themes import Theme, theme_of
-from hophoop.animate.words import draw_keys, draw_pace, draw_state, shades_of, speed_words
+from hophoop.animate.words import (
+    draw_force_key,
+    draw_keys,
+    draw_label,
+    draw_pace,
+    draw_state,
+    draw_tag,
+    line_keys,
+    longest_pace,
+    shades_of,
+    speed_words,
+)
 from hophoop.poses import Floats, Poses, poses_of, rim_speeds, to_world
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 
 SMOOTH = 4  # samples a pixel
 CALM = 0.6  # of the camera [s of film]
+ANGLE = 30.0  # of the view, from its lower to its upper edge [°]
+HEAD_LINE = 26.0  # of further rows of words [units]
+TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of several motions
 
 
 @dataclass
@@ -51,6 +70,8 @@ class _Actor:
     trace: Trace
     lane: float
     speeds: Floats
+    found: list[Happening]
+    tag: str
     meshes: dict[str, Any]
     actors: dict[str, Any]
 
@@ -94,11 +115,16 @@ class Film3D:
             max(size.speed for size in extents) or 1.0,
             max(size.force for size in extents) or 1.0,
         )
-        self._newton = FORCE_LENGTH * self._radius / self.extent.force  # metres a newton
+        self.force_levels = force_levels(motions, self.clock, self.fps, self.extent.force)
         self._open()
         self._light()
         self._flat = flattened(self._slope, 0.002 * self._radius)
-        self._build_plane(len(motions))
+        ground = self.theme.ground if look.theme != "print" else "#F4F4F4"
+        self._shade = mix(ground, "#000000", 0.38)
+        for sheet in plane_meshes(
+            self._pyvista, self.theme, ground, self.extent.along, self._radius, self._slope, len(motions)
+        ):
+            self._add(sheet.mesh, sheet.color, lit=False, **sheet.options)
         _, _, angles = torus(1.0, TUBE)
         self.actors = []
         for i, motion in enumerate(motions):
@@ -112,12 +138,17 @@ class Film3D:
                     lane=LANE * self._radius * (i - 0.5 * (len(motions) - 1)),
                     # the torus does not turn: its points are coloured by the speed of what passes there
                     speeds=rim_speeds(poses, angles - self._slope, motion.scenario.hoop.radius),
+                    found=happenings(motion, self.clock.times[i]),
+                    tag=TAGS[i % len(TAGS)] if len(motions) > 1 else "",
                     meshes={},
                     actors={},
                 )
             )
             self._build_hoop(self.actors[-1])
         self._path = self._camera_path()
+        flies = any(airborne for actor in self.actors for _, _, airborne in actor.trace.runs)
+        self._keys = line_keys(look.traces, flies)
+        self.layout = self._lay_out(labels)
 
     # --- the sequence of pictures --------------------------------------------------------------
 
@@ -157,15 +188,29 @@ class Film3D:
         self._draw_words(k)
         return self.canvas.pixels
 
+    def newton(self, k: int) -> float:
+        """Length of a newton's arrow in the k-th picture [m]."""
+        return float(FORCE_LENGTH * self._radius / self.force_levels[k])
+
     def pixel_of(self, k: int, actor: int, point: Floats) -> Floats:
         """Where a point of the world [m] lies in the k-th picture: column, row from the top left [pixels]."""
         camera = self._plotter.camera
         camera.position, camera.focal_point = (tuple(row[min(k, len(row) - 1)]) for row in self._path)
-        renderer = self._plotter.renderer
-        renderer.SetWorldPoint(*place_3d(np.asarray(point), self.actors[actor].lane), 1.0)
-        renderer.WorldToDisplay()
-        x, y, _ = renderer.GetDisplayPoint()
+        x, y = self._display(np.asarray(point), self.actors[actor].lane)
         return np.array([x, self.look.size[1] - y])
+
+    def _display(self, point: Floats, lane: float) -> Floats:
+        """Where the camera sees a point of the world, from the lower left [pixels]."""
+        renderer = self._plotter.renderer
+        renderer.SetWorldPoint(*place_3d(point, lane), 1.0)
+        renderer.WorldToDisplay()
+        return np.array(renderer.GetDisplayPoint()[:2])
+
+    def _metre(self, k: int) -> float:
+        """Length of a metre at what is looked at [pixels]."""
+        position, focus = (row[min(k, len(row) - 1)] for row in self._path)
+        away = float(np.linalg.norm(position - focus))
+        return float(self.look.size[1] / (2.0 * away * math.tan(math.radians(0.5 * ANGLE))))
 
     def close(self) -> None:
         """Free the renderer."""
@@ -218,53 +263,6 @@ class Film3D:
             reset_camera=False,
             **options,
         )
-
-    def _build_plane(self, lanes: int) -> None:
-        pyvista, theme, radius = self._pyvista, self.theme, self._radius
-        tilt = self._slope
-        low, high = self.extent.along[0] - 60.0 * radius, self.extent.along[1] + 60.0 * radius
-        deep = 60.0 * radius
-        ground = theme.ground if self.look.theme != "print" else "#F4F4F4"
-        self._shade = mix(ground, "#000000", 0.38)
-
-        def sheet(along: tuple[float, float], across: tuple[float, float], lift: float) -> Any:
-            corners = [
-                (along[0], across[0]),
-                (along[1], across[0]),
-                (along[1], across[1]),
-                (along[0], across[1]),
-            ]
-            points = [place_3d(to_world(s, lift * radius, tilt), y) for s, y in corners]
-            return pyvista.PolyData(np.array(points), faces=[4, 0, 1, 2, 3])
-
-        self._add(sheet((low, high), (-deep, deep), -0.012), ground, lit=False)
-        half = (0.5 * (lanes - 1) * LANE + 1.1) * radius
-        self._add(sheet((low, high), (-half, half), -0.008), mix(ground, theme.ink, 0.05), lit=False)
-        step = nice(1.01 * radius)
-        first = math.floor((self.extent.along[0] - 8.0 * radius) / step)
-        last = math.ceil((self.extent.along[1] + 8.0 * radius) / step)
-        marks = np.arange(first, min(last, first + 2000) + 1) * step
-        feet = place_3d(to_world(marks, np.full(len(marks), -0.005 * radius), tilt), -half)
-        ends = feet + np.array([0.0, 2.0 * half, 0.0])
-        cells = np.column_stack([np.full(len(marks), 2), np.arange(len(marks)), np.arange(len(marks)) + len(marks)])
-        lines = pyvista.PolyData(np.vstack([feet, ends]), lines=cells.ravel())
-        self._add(lines, mix(ground, theme.ink, 0.25), lit=False, line_width=1.3)
-        for mark in marks[np.abs(np.round(marks / step)) % 2 == 0][:400]:
-            self._build_number(mark, half)
-
-    def _build_number(self, mark: float, half: float) -> None:
-        """A distance, painted on the plane before the track."""
-        size = 0.24 * self._radius
-        text = self._pyvista.Text3D(f"{mark:g} m", depth=0.0)
-        # Text3D fills a height of its own choice; its box tells which
-        bounds = text.bounds
-        scale = size / max(bounds[3] - bounds[2], 1e-9)
-        text.points = (text.points - [0.5 * (bounds[0] + bounds[1]), bounds[2], 0.0]) * scale
-        flat = text.points.copy()
-        along = flat[:, 0] + mark
-        points = to_world(along, np.full(len(along), -0.004 * self._radius), self._slope)
-        text.points = np.column_stack([points[:, 0], flat[:, 1] - half - 1.5 * size, points[:, 1]])
-        self._add(text, mix(self.theme.ground, self.theme.ink, 0.55), lit=False)
 
     def _build_hoop(self, actor: _Actor) -> None:
         pyvista, theme = self._pyvista, self.theme
@@ -348,7 +346,7 @@ class Film3D:
         meshes["spoke"].points = np.array([center, load])
         if self.look.forces:
             for name, force in (("normal", poses.normal_force[k]), ("friction", poses.friction_force[k])):
-                self._point(actors, name, contact, place_3d(force * self._newton, 0.0))
+                self._point(actors, name, contact, place_3d(force * self.newton(k), 0.0))
         if self.look.traces:
             past = int(np.searchsorted(actor.trace.t, poses.t[k]))
             for name, spot in (("load trace", load), ("heavy trace", heavy)):
@@ -388,9 +386,9 @@ class Film3D:
         radius, tilt, n = self._radius, self._slope, self.count
         width, height = self.look.size
         camera = self._plotter.camera
-        camera.view_angle = 30.0
+        camera.view_angle = ANGLE
         camera.up = (0.0, 0.0, 1.0)
-        wide = 2.0 * math.tan(math.radians(15.0)) * width / height  # of the view, at a distance of 1
+        wide = 2.0 * math.tan(math.radians(0.5 * ANGLE)) * width / height  # of the view, at a distance of 1
         # A narrow picture needs more distance for the same width.
         away = radius * max(6.2 + 1.1 * (len(self.actors) - 1), 4.2 / wide) + 1.5 * self.extent.height
         if self.look.camera == "hold":
@@ -415,16 +413,44 @@ class Film3D:
 
     # --- words ---------------------------------------------------------------------------------
 
+    def _lay_out(self, labels: Sequence[str]) -> Layout:
+        canvas, u = self.canvas, self.canvas.unit
+        if len(labels) == 1:
+            words, high = [canvas.text_width(labels[0], 16.0), state_width(canvas, "v = −10.00 m/s")], 64.0 * u
+        else:
+            words, high = [state_width(canvas, label) for label in labels], (38.0 + HEAD_LINE * (len(labels) - 1)) * u
+        keys = [word for _, word in self._keys]
+        return lay_out(canvas, words, high, self.look.forces, keys, longest_pace(self.clock.rate))
+
     def _draw_words(self, k: int) -> None:
         canvas, theme, u = self.canvas, self.theme, self.canvas.unit
         height = self.look.size[1]
         several = len(self.actors) > 1
+        room = self.layout.words[2]
+        metre = self._metre(k)
         if not several:
-            canvas.text(22.0 * u, height - 32.0 * u, self.actors[0].label, theme.muted, 16.0)
+            draw_label(canvas, theme, (22.0 * u, height - 32.0 * u), self.actors[0].label, room)
         for row, actor in enumerate(self.actors):
             ended = actor.poses.t[k] >= actor.motion.duration and 0 < k < self.count - 1
             extra = actor.label if several else speed_words(actor.poses, k)
-            place = 22.0 * u, height - ((40.0 if several else 64.0) + 26.0 * row) * u
-            draw_state(canvas, theme, place, actor.poses, k, ended, extra)
-        draw_pace(canvas, theme, 22.0 * u, float(self.clock.rate[k]))
-        draw_keys(canvas, theme, self.extent.speed, None, self.extent.force, self.look.traces, self.look.forces)
+            place = 22.0 * u, height - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
+            draw_state(canvas, theme, place, actor.poses, k, ended, extra, room, actor.tag)
+            if actor.tag:
+                draw_tag(canvas, theme, self._display(actor.poses.center[k], actor.lane), actor.tag)
+            # on the track's near side, where the ring does not hide it
+            near = actor.lane - 0.35 * self._radius
+            canvas.clip((0.0, self.layout.foot, self.look.size[0], height - self.layout.head - self.layout.foot))
+            draw_happenings(
+                canvas, theme, actor.found, (float(actor.poses.t[k]), float(self.clock.rate[k])),
+                partial(self._seen, lane=near), self._radius * metre, 34.0 * u,
+            )  # fmt: skip
+            canvas.clip(None)
+        if self.look.forces:
+            draw_force_key(canvas, theme, self.layout, self.newton(k) * metre, float(self.force_levels[k]))
+        draw_pace(canvas, theme, self.layout, float(self.clock.rate[k]))
+        draw_keys(canvas, theme, self.layout, self.extent.speed, self._keys)
+
+    def _seen(self, point: Floats, lane: float) -> Floats | None:
+        spot = self._display(point, lane)
+        width, height = self.look.size
+        return spot if -width < spot[0] < 2 * width and 0.0 < spot[1] < height else None

@@ -49,13 +49,8 @@ class Theme:
             return color
         if color == colors.BLACK:
             return self.ink
-        parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-        lightness = (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]) / 255.0
-        share = max(0.0, LEAST_LIGHTNESS - lightness) / max(1.0 - lightness, 1e-9)
-        return "#" + "".join(f"{round(part + share * (255 - part)):02X}" for part in parts)
+        return colors.on_dark(color)
 
-
-LEAST_LIGHTNESS: Final = 0.48
 
 THEMES: Final[dict[str, Theme]] = {
     "light": Theme("#FCFCFB", "#E7E5E0", "#1B1B1B", colors.GRAY, colors.LOAD, "#3A3A3A"),

@@ -15,14 +15,16 @@ import numpy as np
 from hophoop._files import replacing
 from hophoop.animate.frames import Clock, Timing, clock, extent, trace
 from hophoop.animate.gltf import glb
+from hophoop.animate.happenings import happenings
 from hophoop.animate.look import Look3D, labels_of, nice
+from hophoop.animate.scaling import force_levels
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
 from hophoop.animate.words import shades_of
 from hophoop.poses import Floats, load_distance, poses_of
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
-from hophoop.vocabulary.words import FLIGHT, MODES, PARTICIPLES
+from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, PARTICIPLES
 
 TRACE_POINTS = 4000
 SUFFIXES = (".html", ".glb")
@@ -112,6 +114,8 @@ def scene_data(
     for i, motion in enumerate(motions):
         hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1))))
         hoops[-1]["traces"] = _traces(motion, timing.start, ends[i]) if look.traces else None
+        hoops[-1]["tag"] = chr(ord("A") + i % 26) if len(motions) > 1 else ""
+    levels = force_levels(motions, shown, timing.frame_rate, force)
     return {
         "fps": timing.frame_rate,
         "count": shown.count,
@@ -122,7 +126,9 @@ def scene_data(
         "height": max(size.height for size in extents),
         "grid": nice(1.01 * radius),
         "topSpeed": top,
-        "newton": FORCE_LENGTH * radius / force if look.forces else 0.0,
+        "newton": FORCE_LENGTH * radius / levels if look.forces else None,
+        "steadyNewton": FORCE_LENGTH * radius / force if look.forces else 0.0,
+        "flies": any(hoop["traces"] is not None and hoop["traces"]["airborne"].any() for hoop in hoops),
         "map": np.rint(255.0 * shades_of(np.linspace(0.0, 1.0, 64), 1.0)[:, :3]).astype(int),
         "theme": {
             "background": theme.background,
@@ -153,6 +159,7 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[st
         "radius": hoop.radius,
         "load": load_distance(hoop),
         "heavy": hoop.eccentricity * hoop.radius,
+        "marks": [[one.t, one.along, one.kind, EVENTS[one.kind].noun] for one in happenings(motion, times)],
         "mode": [MODES.index(str(word)) for word in poses.words],
         "t": poses.t,
         "center": poses.center,

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from hophoop._extras import need
-from hophoop.animate.canvas import Canvas
+from hophoop.animate.canvas import Canvas, Rectangle
+from hophoop.animate.layout import COLUMNS, KEY_FONT, LABEL_FONT, PACE_FONT, STATE_FONT, Layout
 from hophoop.animate.look import nice
 from hophoop.animate.themes import Theme
 from hophoop.poses import Floats, Poses
@@ -34,6 +35,18 @@ def shades_of(speeds: Floats, top: float) -> Floats:
     return shades
 
 
+def fitted(canvas: Canvas, words: str, size: float, room: float) -> str:
+    """A line of parameters as far as there is room [pixels]: its last ones are left out first."""
+    if canvas.text_width(words, size) <= room:
+        return words
+    parts = words.split(", ")
+    while len(parts) > 1:
+        parts.pop()
+        if canvas.text_width(", ".join([*parts, "…"]), size) <= room:
+            return ", ".join([*parts, "…"])
+    return ""
+
+
 def draw_state(
     canvas: Canvas,
     theme: Theme,
@@ -43,20 +56,41 @@ def draw_state(
     ended: bool,
     extra: str,
     room: float = math.inf,
+    tag: str = "",
 ) -> None:
     """The mode in words, time and angle, and one thing more, in a line from a place on [pixels].
 
-    What would reach beyond `room` units of the canvas is left out: many views in one picture are narrow.
+    What would reach beyond `room` pixels is left out. A tag is the letter that the hoop has in the picture.
     """
     u = canvas.unit
     x, y = place
     word = str(poses.words[i])
-    canvas.disc(np.array([x + 7.0 * u, y + 6.0 * u]), 7.0 * u, colors.mode_color(word), theme.ink, 0.8)
-    canvas.text(x + 22.0 * u, y, "ended" if ended else PARTICIPLES[word], theme.ink, 18.0, weight="bold")
+    spot = np.array([x + 7.0 * u, y + 6.0 * u])
+    if tag:
+        draw_tag(canvas, theme, spot, tag, colors.mode_color(word))
+    else:
+        canvas.disc(spot, 7.0 * u, colors.mode_color(word), theme.ink, 0.8)
+    said = "ended" if ended else PARTICIPLES[word]
+    if 22.0 * u + canvas.text_width(said, 18.0, "bold") <= room:
+        canvas.text(x + 22.0 * u, y, said, theme.ink, 18.0, weight="bold")
     turned = f"θ = {math.degrees(poses.angle[i]):.1f}°"
-    for offset, words in ((140.0, f"t = {poses.t[i]:.3f} s"), (268.0, turned), (396.0, extra)):
-        if offset + 8.0 * len(words) <= room:
-            canvas.text(x + offset * u, y, minus(words), theme.ink, 15.0)
+    for offset, words in zip(COLUMNS, (f"t = {poses.t[i]:.3f} s", turned, extra), strict=True):
+        shown = fitted(canvas, words, STATE_FONT, room - offset * u)
+        if not shown:
+            break
+        canvas.text(x + offset * u, y, minus(shown), theme.ink, STATE_FONT)
+
+
+def draw_label(canvas: Canvas, theme: Theme, place: tuple[float, float], label: str, room: float) -> None:
+    """A motion's label, as far as there is room [pixels]."""
+    canvas.text(*place, fitted(canvas, label, LABEL_FONT, room), theme.muted, LABEL_FONT)
+
+
+def draw_tag(canvas: Canvas, theme: Theme, spot: Floats, tag: str, fill: str = "") -> None:
+    """A letter in a disc, by which hoops in one view are told apart."""
+    canvas.disc(spot, 9.5 * canvas.unit, fill or theme.background, theme.ink, 1.2)
+    ink = theme.ink if not fill else ("#FFFFFF" if colors.lightness(fill) < 0.5 else colors.BLACK)
+    canvas.text(float(spot[0]), float(spot[1]), tag, ink, 12.0, "center", "bold", "center")
 
 
 def speed_words(poses: Poses, i: int) -> str:
@@ -69,94 +103,104 @@ def minus(words: str) -> str:
     return words.replace("-", "−")
 
 
-def draw_pace(canvas: Canvas, theme: Theme, x: float, rate: float) -> None:
-    """Says that the film is slower or faster than the motion; nothing in real time."""
+def pace_words(rate: float) -> str:
+    """How much slower or faster the film is than the motion; nothing in real time."""
     if 0.985 < rate < 1.015:
-        return
-    words = f"slow motion, 1/{1.0 / rate:.1f}" if rate < 1.0 else f"{rate:.1f} times as fast"
-    canvas.text(x, 10.0 * canvas.unit, words, theme.ink, 14.0, weight="bold")
+        return ""
+    return f"slow motion, 1/{1.0 / rate:.1f}" if rate < 1.0 else f"{rate:.1f} times as fast"
 
 
-def draw_keys(
-    canvas: Canvas,
-    theme: Theme,
-    top_speed: float,
-    newton: float | None,
-    force: float,
-    traces: bool,
-    forces: bool = False,
-) -> None:
-    """Colour bar, and keys of the arrows and of the traces.
+def longest_pace(rates: Floats) -> str:
+    """The longest text about the pace in a film; empty where there is none."""
+    return max((pace_words(float(rate)) for rate in (np.min(rates), np.max(rates))), key=len)
+
+
+def draw_pace(canvas: Canvas, theme: Theme, layout: Layout, rate: float) -> None:
+    """Say how much slower or faster the film is, where the layout has room."""
+    if layout.pace is not None:
+        x, y, room, _ = layout.pace
+        words = pace_words(rate)
+        if canvas.text_width(words, PACE_FONT, "bold") <= room + 1.0:
+            canvas.text(x, y + 10.0 * canvas.unit, words, theme.ink, PACE_FONT, weight="bold")
+
+
+def line_keys(traces: bool, airborne: bool) -> tuple[tuple[str, str], ...]:
+    """Colour and words of each line that a film has: what never flies has no line in the air."""
+    if not traces:
+        return ()
+    return _TRACE_KEY if airborne else _TRACE_KEY[:2]
+
+
+def draw_keys(canvas: Canvas, theme: Theme, layout: Layout, top_speed: float, keys: tuple[tuple[str, str], ...]) -> None:
+    """Colour bar and keys of the lines, where the layout has them.
 
     Parameters
     ----------
     canvas : Canvas
     theme : Theme
+    layout : Layout
     top_speed : float
         At the right end of the colour bar [m/s].
-    newton : float or None
-        Length of a newton's arrow; None draws no scale [pixels].
-    force : float
-        The greatest force that occurs [N].
-    traces, forces : bool
-        Whether the traces, and arrows without a scale, need a key.
+    keys : tuple of (str, str)
+        Colour and words of each line.
     """
+    if layout.bar is not None:
+        _draw_color_bar(canvas, theme, top_speed, layout.bar)
     u = canvas.unit
-    width, height = canvas.size
-    right = width - 24.0 * u
-    top = height - (20.0 if wide(canvas) else 84.0) * u
-    _draw_color_bar(canvas, theme, top_speed, (right - 270.0 * u, top - 26.0 * u, 270.0 * u, 12.0 * u))
-    if newton is not None:
-        _draw_force_key(canvas, theme, (right - 440.0 * u, top - 20.0 * u), newton, force)
-    _draw_line_key(canvas, theme, (_TRACE_KEY if traces else ()) + (_FORCE_KEY if forces else ()))
+    for (color, word), (x, y, _, height) in zip(keys, layout.lines, strict=False):
+        level = y + 0.5 * height
+        canvas.line(np.array([[x, level], [x + 26.0 * u, level]]), theme.shown(color), 3.0)
+        canvas.text(x + 33.0 * u, level, word, theme.ink, KEY_FONT, vertical="center")
 
 
-def wide(canvas: Canvas) -> bool:
-    """Whether the keys find room beside the words."""
-    return bool(canvas.size[0] / canvas.unit >= 1050.0)
-
-
-def _draw_color_bar(canvas: Canvas, theme: Theme, top_speed: float, place: tuple[float, float, float, float]) -> None:
+def _draw_color_bar(canvas: Canvas, theme: Theme, top_speed: float, place: Rectangle) -> None:
     u = canvas.unit
-    x, y, width, height = place
+    x, y, width, _ = place
+    x, width, height = x + 4.0 * u, width - 12.0 * u, 12.0 * u  # numbers at its ends reach beyond it
+    y += 22.0 * u
     columns = round(width)
     shades = shades_of(np.linspace(0.0, 1.0, columns), 1.0)
     a, b = round(x), canvas.size[1] - round(y + height)
-    canvas.pixels[b : b + round(height), a : a + columns] = np.round(255 * shades)[None].astype(np.uint8)
+    canvas.pixels[b : b + max(round(height), 1), a : a + columns] = np.round(255 * shades)[None].astype(np.uint8)
     frame = np.array([[x, y], [x + width, y], [x + width, y + height], [x, y + height]])
     canvas.polygon(frame, None, theme.ink, 0.8)
-    canvas.text(x, y + height + 7.0 * u, "speed of the ring's points, m/s", theme.ink, 13.0)
+    canvas.text(x, y + height + 7.0 * u, "speed of the ring's points, m/s", theme.ink, KEY_FONT)
     for value in np.arange(0.0, top_speed * (1.0 + 1e-9), nice(top_speed / 3.0)):
         spot = x + width * value / top_speed
         canvas.line(np.array([[spot, y], [spot, y - 4.0 * u]]), theme.ink, 0.8)
         canvas.text(spot, y - 8.0 * u, f"{value:g}", theme.ink, 12.0, "center", vertical="top")
 
 
-def _draw_force_key(canvas: Canvas, theme: Theme, place: tuple[float, float], newton: float, force: float) -> None:
+def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, most: float) -> None:
+    """The arrows' key at the scale of a picture: a round force, as long as its arrow would be.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    theme : Theme
+    layout : Layout
+    newton : float
+        Length of a newton's arrow [pixels].
+    most : float
+        Force whose arrow has the full length [N].
+    """
+    if layout.forces is None:
+        return
     u = canvas.unit
-    x, y = place
-    amount = nice(min(120.0 * u / newton, force))
+    left, bottom, width, _ = layout.forces
+    x, y = left + width - 124.0 * u, bottom + 28.0 * u
+    amount = nice(min(120.0 * u / newton, most))
     kinds = ((colors.NORMAL_FORCE, "normal force"), (colors.FRICTION_FORCE, "friction"))
     for row, (color, words) in enumerate(kinds):
         level = y - 20.0 * u * row
-        canvas.text(x - 8.0 * u, level, words, theme.ink, 13.0, "right", vertical="center")
+        canvas.text(x - 8.0 * u, level, words, theme.ink, KEY_FONT, "right", vertical="center")
         tail = np.array([x, level])
         canvas.arrow(tail, tail + np.array([amount * newton, 0.0]), theme.shown(color), theme.background, 7.0)
     canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, f"{amount:g} N", theme.ink, 12.0, "center")
 
 
 _TRACE_KEY = (
-    (colors.LOAD, "load", 86.0),
-    (colors.GRAVITY_CENTER, "centre of gravity", 172.0),
-    (colors.GRAVITY_CENTER_AIRBORNE, "airborne", 116.0),
+    (colors.LOAD, "load"),
+    (colors.GRAVITY_CENTER, "centre of gravity"),
+    (colors.GRAVITY_CENTER_AIRBORNE, "airborne"),
 )
-_FORCE_KEY = ((colors.NORMAL_FORCE, "normal force", 142.0), (colors.FRICTION_FORCE, "friction", 106.0))
-
-
-def _draw_line_key(canvas: Canvas, theme: Theme, words: tuple[tuple[str, str, float], ...]) -> None:
-    u = canvas.unit
-    x = canvas.size[0] - 10.0 * u - sum(room for _, _, room in words) * u
-    for color, word, room in words:
-        canvas.line(np.array([[x, 15.0 * u], [x + 26.0 * u, 15.0 * u]]), theme.shown(color), 3.0)
-        canvas.text(x + 33.0 * u, 15.0 * u, word, theme.ink, 13.0, vertical="center")
-        x += room * u

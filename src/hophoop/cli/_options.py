@@ -37,6 +37,7 @@ OPTIONS = (
     ScenarioOption("--slope-deg", "plane.slope", "The same in degrees.", PLANE, to_si=math.radians),
     ScenarioOption("--gravity", "plane.gravity", "Gravity, m/s².", PLANE),
     ScenarioOption("--restitution", "plane.restitution", "Restitution of an impact, e.", PLANE),
+    ScenarioOption("--rolling-resistance", "plane.rolling_resistance", "Couple against the rotation over R N, f.", PLANE),
     ScenarioOption("--law", "plane.impact_law", "stronge, newton or poisson.", PLANE, str),
     ScenarioOption("--painleve", "plane.painleve", "Where indeterminate: flight or impact.", PLANE, str),
     ScenarioOption("--v0", "start.speed", "Rolling start: velocity of the centre, m/s.", START),

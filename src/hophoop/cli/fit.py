@@ -23,11 +23,15 @@ def fit(
         Path | None, typer.Option(metavar="DIR", help="Folder for index.html, fit.json, scenario.toml.", rich_help_panel=OUTPUT)
     ] = None,
     film: Annotated[
-        Path | None, typer.Option(metavar="VIDEO", help="The film, to lay the motion over; with --out.", rich_help_panel=OUTPUT)
+        Path | None,
+        typer.Option(metavar="VIDEO", help="The film, to lay the motion over; with --out or --lab.", rich_help_panel=OUTPUT),
     ] = None,
     save: Annotated[
         Path | None, typer.Option(metavar="FILE", help="The fit with its data, .json.", rich_help_panel=OUTPUT)
     ] = None,
+    lab: Annotated[
+        bool, typer.Option("--lab", help="Open the lab with what was found, and over --film if given.", rich_help_panel=OUTPUT)
+    ] = False,
     json: Annotated[bool, typer.Option("--json", help="Print it as JSON, without the data.", rich_help_panel=OUTPUT)] = False,
     quiet: Annotated[bool, typer.Option("--quiet", help="Show no progress.", rich_help_panel=OUTPUT)] = False,
     radius: Annotated[float | None, typer.Option(help="Of the rim, m, if the data do not say.", rich_help_panel=DATA)] = None,
@@ -63,6 +67,10 @@ def fit(
     ] = None,
     gravity: Annotated[float, typer.Option(help="m/s².", rich_help_panel=MODEL)] = 9.81,
     law: Annotated[str, typer.Option(help="Of impacts: stronge, newton or poisson.", rich_help_panel=MODEL)] = "stronge",
+    sample: Annotated[
+        int | None,
+        typer.Option(metavar="STEPS", help="Walk through the posterior, some 1000 steps (emcee).", rich_help_panel=MODEL),
+    ] = None,
     squares: Annotated[
         bool, typer.Option("--squares", help="Plain squares: outliers count in full.", rich_help_panel=MODEL)
     ] = False,
@@ -79,8 +87,8 @@ def fit(
             check_folder(option, path)
     if save is not None:
         check_ending("--save", save, (".json",))
-    if film is not None and out is None:
-        raise InputError("--film needs --out, the folder of the page that shows it.")
+    if film is not None and out is None and not lab:
+        raise InputError("--film needs --out, the folder of the page that shows it, or --lab.")
     track = read_track(data, Reading(centre, marker, angle_unit, radius, sigma, sigma_angle))
     found = find(
         track,
@@ -95,13 +103,29 @@ def fit(
         sigma_angle,
         not squares,
     )
+    if sample is not None:
+        found = _sampled(found, sample, quiet)
     _show(found, json)
     if save is not None:
         found.save(save)
     if out is not None:
         _write(found, out, film, quiet)
+    if lab:
+        from hophoop.cli.lab import open_fit
+
+        open_fit(found, film)
     if not found.good:
         raise typer.Exit(NO_ANSWER)
+
+
+def _sampled(found: Any, steps: int, quiet: bool) -> Any:
+    from contextlib import nullcontext
+
+    from hophoop.animate.export import bar
+    from hophoop.fitting import sample
+
+    with nullcontext(None) if quiet else bar("sampling") as progress:
+        return sample(found, steps, progress=progress)
 
 
 def _hoop(text: str) -> Any:

@@ -2,21 +2,84 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated, Any
 
 import typer
 
 
 def lab(
-    file: Annotated[str | None, typer.Argument(metavar="[FILE]", help="Scenario to open with; '-' is standard input.")] = None,
+    file: Annotated[
+        str | None, typer.Argument(metavar="[FILE]", help="Scenario to open with, or a fit (fit.json); '-' is standard input.")
+    ] = None,
     host: Annotated[str, typer.Option(help="Address to listen on; 0.0.0.0 answers other machines as well.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port to listen on; 0 takes a free one.")] = 8765,
-    workers: Annotated[int, typer.Option(help="Processes that answer, for many users.")] = 1,
+    workers: Annotated[int, typer.Option(help="Processes that compute.")] = 2,
+    name: Annotated[
+        list[str] | None, typer.Option(help="A name under which it is reached, such as a proxy's; may be given again.")
+    ] = None,
     browser: Annotated[bool, typer.Option("--browser/--no-browser", help="Open the page in a browser.")] = True,
+    film: Annotated[
+        Path | None, typer.Option(metavar="VIDEO", help="With a fit: the film that was tracked, to lay under the hoop.")
+    ] = None,
+    export: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Write the lab as a folder of files for any web host instead of serving it."),
+    ] = None,
 ) -> None:
     """Play with the hoop in a browser."""
-    from hophoop.lab.app import serve
-    from hophoop.scenario import Scenario
+    if export is not None:
+        from hophoop.lab import site
 
-    query = "" if file is None else Scenario.load(file).to_query()
-    serve(host, port, workers, browser, query)
+        typer.echo(site.summary(export, site.export(export)))
+        return
+    from hophoop.scenario import InputError, Scenario
+
+    found = fit_in(file)
+    if found is None:
+        if film is not None:
+            raise InputError("--film needs a fit to a track of that film, such as fitted/fit.json.")
+        from hophoop.lab.app import serve
+
+        serve(host, port, workers, browser, "" if file is None else Scenario.load(file).to_query(), name or ())
+        return
+    open_fit(found, film, host, port, workers, browser, name or ())
+
+
+def fit_in(file: str | None) -> Any:
+    """The fit that a file holds; None where it holds none."""
+    if file is None or not file.lower().endswith(".json") or not Path(file).is_file():
+        return None
+    with open(file, "rb") as stream:
+        head = stream.read(200)
+    if b'"hophoop-fit/' not in head:
+        return None
+    from hophoop.fitting import load_fit
+
+    return load_fit(file)
+
+
+def open_fit(
+    found: Any,
+    film: Path | None,
+    host: str = "127.0.0.1",
+    port: int = 8765,
+    workers: int = 2,
+    browser: bool = True,
+    names: Sequence[str] = (),
+) -> None:
+    """Open the lab with a fit's scenario, and its film under the hoop."""
+    from tempfile import TemporaryDirectory
+
+    from hophoop.animate.export import bar
+    from hophoop.lab.app import serve
+
+    with TemporaryDirectory(prefix="hophoop-") as folder:
+        backdrop = None
+        if film is not None:
+            from hophoop.fitting import backdrop as prepared
+
+            with bar("preparing the film") as progress:
+                backdrop = prepared(found, film, Path(folder) / "film.mp4", progress)
+        serve(host, port, workers, browser, found.scenario.to_query(), names, backdrop)

@@ -381,6 +381,8 @@ def _summary(motion: Trajectory) -> Table:
 
     ledger = motion.ledger
     impacts = ledger.impact_normal + ledger.impact_tangential
+    resists = motion.scenario.plane.rolling_resistance > 0.0
+    rolling = f", rolling resistance {ledger.rolling_resistance:.6g} J" if resists else ""
     table = Table.grid(padding=(0, 2))
     phases = motion.sequence if len(motion.sequence) <= 60 else motion.sequence[:59] + "…"
     table.add_row("phases", f"{phases}   ({LETTERS_SENTENCE})")
@@ -388,6 +390,6 @@ def _summary(motion: Trajectory) -> Table:
     table.add_row(
         "energy",
         f"kinetic {ledger.kinetic:.6g} J, potential {ledger.potential:.6g} J; lost: friction "
-        f"{ledger.friction:.6g} J, impacts {impacts:.6g} J; residual {ledger.residual:.1e} J",
+        f"{ledger.friction:.6g} J, impacts {impacts:.6g} J{rolling}; residual {ledger.residual:.1e} J",
     )
     return table

@@ -14,7 +14,7 @@ from hophoop.compliant.records import DYNAMIC, HOLD, OM, SIZE, STEP, TH, VN, VT,
 from hophoop.compliant.step import FAILED, attempt, make_poly, poly_value, predict
 from hophoop.compliant.tableau import STAGES
 from hophoop.physics.body import Event, Status
-from hophoop.physics.compliant import BRISTLE, TANH, friction_force, normal_force
+from hophoop.physics.compliant import BRISTLE, TANH, friction_force, normal_force, resisting_couple
 from hophoop.physics.contact import delassus
 from hophoop.physics.roll import rest_curvature
 from hophoop.records.writing import has_room
@@ -43,6 +43,8 @@ def first_step(body, comp, regime, u, rtol):
     if comp.friction == BRISTLE:
         speed += math.sqrt(comp.k_t * W_tt)
     speed += 1.0 + abs(u[OM])
+    if body.resist > 0.0:
+        speed += abs(resisting_couple(comp, body.resist, normal, u[OM])[2]) / body.kap
     return 0.3 * rtol ** (1.0 / ORDER_OF_ERROR) / speed
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from hophoop._jit import jit
 from hophoop.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note
-from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, SIZE, TH, VN, VT, X, Y, Z
+from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.numerics.collocation import NODES, ORDER, coefficients
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.landing import MOST_PANELS, PHASE, first_landing
@@ -34,6 +34,7 @@ def fly_state(body, comp, begin, opening, tau, out):
     out[OM] = begin[OM]
     out[Z] = 0.0
     out[FRICTION] = begin[FRICTION]
+    out[RESISTED] = begin[RESISTED]
     if comp.friction == BRISTLE and begin[Z] != 0.0:
         # the free bristle relaxes; its spring's energy ends in its damper
         out[Z] = begin[Z] * math.exp(-comp.k_t / comp.c_t * tau)

@@ -26,13 +26,13 @@ COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 
 
 @jit
-def set_tolerances(comp, work):
+def set_tolerances(body, comp, work):
     """Sizes of the variables beside which errors are measured."""
     work.atol[Y] = min(1.0, 1.0 / comp.k)
     work.atol[TH] = 1.0
     work.atol[VT] = min(1.0, comp.v_s)
     work.atol[VN] = min(1.0, 1.0 / math.sqrt(comp.k))
-    work.atol[OM] = 1.0
+    work.atol[OM] = min(1.0, comp.om_s) if body.resist > 0.0 else 1.0
     work.atol[Z] = 1.0
     if comp.friction == BRISTLE:
         work.atol[Z] = min(1.0, 1.0 / comp.k_t)
@@ -84,8 +84,8 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     armed = np.zeros(GUARDS, np.bool_)
     for m in range(SIZE):
         work.state[m] = start[m]
-    set_tolerances(comp, work)
-    log = Log(events, no_segments, np.zeros(3, np.int64))
+    set_tolerances(body, comp, work)
+    log = Log(events, no_segments, np.array([0, 0, 0, max_steps + 1]))
     phase = begin(comp, touching, log, work)
     while phase.status == GOING and phase.t < t_end and has_room(log):
         count_panel(log)  # also of a step that failed

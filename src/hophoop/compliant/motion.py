@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
-from hophoop.compliant.records import DAMPING, DYNAMIC, FRICTION, OM, TH, VN, VT, X, Y, Z
-from hophoop.physics.compliant import BRISTLE, bristle_rate, friction_force, normal_force
+from hophoop.compliant.records import DAMPING, DYNAMIC, FRICTION, OM, RESISTED, TH, VN, VT, X, Y, Z
+from hophoop.physics.compliant import BRISTLE, bristle_rate, friction_force, normal_force, resisting_couple
 from hophoop.physics.contact import delassus, free_acceleration
 
 
@@ -30,14 +30,19 @@ def rates(body, comp, regime, u, out):
     out[VT] = W_tt * friction + W_tn * normal + f_t
     out[VN] = W_tn * friction + W_nn * normal + f_n
     out[OM] = (body.eps * s * normal - (1.0 + body.eps * c) * friction) / body.kap
+    if body.resist > 0.0:  # a couple turns the hoop alone, and with it the rim
+        turned = resisting_couple(comp, body.resist, normal, u[OM])[0] / body.kap
+        out[OM] += turned
+        out[VT] -= (1.0 + body.eps * c) * turned
+        out[VN] += body.eps * s * turned
     out[Z] = 0.0
     if comp.friction == BRISTLE:
         out[Z] = bristle_rate(comp, regime, normal, u[Z], u[VT])
 
 
 @jit
-def powers(comp, regime, u, out, begin):
-    """ẋ and the power lost in friction and in the normal damper, from out[begin] on."""
+def powers(body, comp, regime, u, out, begin):
+    """ẋ and the power lost in friction, in the normal damper and to rolling resistance, from out[begin] on."""
     friction, normal = contact_force(comp, regime, u)
     out[begin + X - DYNAMIC] = u[VT] + u[OM]
     lost = -friction * u[VT]
@@ -45,6 +50,9 @@ def powers(comp, regime, u, out, begin):
         lost -= comp.k_t * u[Z] * bristle_rate(comp, regime, normal, u[Z], u[VT])
     out[begin + FRICTION - DYNAMIC] = lost
     out[begin + DAMPING - DYNAMIC] = -(normal + comp.k * u[Y]) * u[VN]
+    out[begin + RESISTED - DYNAMIC] = 0.0
+    if body.resist > 0.0:
+        out[begin + RESISTED - DYNAMIC] = -resisting_couple(comp, body.resist, normal, u[OM])[0] * u[OM]
 
 
 @jit
@@ -86,6 +94,14 @@ def jacobian(body, comp, regime, u, out):
     out[OM, TH] = eps * (c * normal + s * friction) / kap
     out[VT, OM] = 2.0 * eps * s * om
     out[VN, OM] = 2.0 * eps * c * om
+    if body.resist > 0.0:
+        couple, couple_n, couple_om = resisting_couple(comp, body.resist, normal, u[OM])
+        for row, share in ((OM, 1.0 / kap), (VT, -arm / kap), (VN, eps * s / kap)):
+            out[row, Y] += share * couple_n * normal_y
+            out[row, VN] += share * couple_n * normal_vn
+            out[row, OM] += share * couple_om
+        out[VT, TH] += eps * s * couple / kap
+        out[VN, TH] += eps * c * couple / kap
     if comp.friction == BRISTLE:
         if regime == 0:
             out[Z, VT] = 1.0

@@ -16,6 +16,7 @@ from hophoop.compliant.records import (
     OM,
     ORIGIN,
     REGIME,
+    RESISTED,
     SIZE,
     STEP,
     T_END,
@@ -29,7 +30,7 @@ from hophoop.compliant.records import (
 )
 from hophoop.compliant.tableau import STAGES
 from hophoop.physics.body import Event, Mode
-from hophoop.records.state import moved, start_state, with_losses
+from hophoop.records.state import moved, start_state, with_losses, with_resisted
 from hophoop.records.writing import has_room, quiet, write_event
 
 # As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
@@ -83,7 +84,7 @@ def as_state(t, u):
     """The state as events are written."""
     start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
     there = moved(start, t, 0.0, start.x, 0.0, start.y, start.turns, start.th, start.th_low)
-    return with_losses(there, u[FRICTION], 0.0, 0.0)
+    return with_resisted(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
 
 
 @jit

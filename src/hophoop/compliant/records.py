@@ -11,11 +11,12 @@ from hophoop.compliant.tableau import PAIRS, STAGES
 from hophoop.numerics.collocation import ORDER
 from hophoop.numerics.roots import DEPTH
 
-# What the state array holds, in kernel units; `bristle` is z; `friction`, `damping`: energy lost so far.
-VARIABLES = ("height", "angle", "slip", "vy", "omega", "bristle", "x", "friction", "damping")
-Y, TH, VT, VN, OM, Z, X, FRICTION, DAMPING = range(9)
+# What the state array holds, in kernel units; `bristle` is z; `friction`, `damping`, `rolling_resistance`: energy lost so far.
+VARIABLES = ("height", "angle", "slip", "vy", "omega", "bristle", "x", "friction", "damping", "rolling_resistance")
+Y, TH, VT, VN, OM, Z, X, FRICTION, DAMPING, RESISTED = range(10)
 DYNAMIC = 6  # the first ones; the others are integrals over the motion that nothing depends on
 SIZE = len(VARIABLES)
+MEASURED = 9  # the error of a step is a mean over so many
 
 # Kinds of segments.
 STEP, FLY, HOLD = 0.0, 1.0, 2.0

@@ -20,6 +20,7 @@ from hophoop.compliant.records import (
     OM,
     ORIGIN,
     REGIME,
+    RESISTED,
     SIZE,
     T_END,
     TH,
@@ -38,7 +39,7 @@ from hophoop.scenario import Scenario
 # Columns of a sample, in kernel units.
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
-    "friction", "impact_normal", "impact_tangential", "spring", "damping",
+    "friction", "impact_normal", "impact_tangential", "spring", "damping", "rolling_resistance",
 )  # fmt: skip
 
 
@@ -105,6 +106,7 @@ def sample(body, comp, rows, times, left, out):
         place[12] = 0.0
         place[13] = spring_energy(comp, u[Y], u[Z])
         place[14] = u[DAMPING]
+        place[15] = u[RESISTED]
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

@@ -315,6 +315,11 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
     scenario = motion.scenario
     if scenario.contact.model != "rigid":
         raise InputError("Derivatives need rigid contact: contact.model = 'compliant' has none.")
+    resistance = scenario.plane.rolling_resistance
+    if resistance > 0.0:
+        raise InputError(
+            f"Derivatives need a plane without rolling resistance: plane.rolling_resistance = {resistance!r} is not 0."
+        )
     given = directions_of(scenario, paths)
     events, segments = motion.tables["events"], motion.tables["segments"]
     count = len(paths)

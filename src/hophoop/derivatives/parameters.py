@@ -171,6 +171,8 @@ def change_of(scenario: Scenario, path: str) -> Change:
         return _SIMPLE[path](scenario)
     if path in _FRICTION:
         return _of_friction(scenario, path)
+    if path == "plane.rolling_resistance":
+        raise InputError(f"{path} has no derivatives: compare motions with two values of it.")
     known = parameter(path)
     if path.startswith("hoop.parts.") and known.unit != "":
         return _of_part(scenario, path)

@@ -26,7 +26,7 @@ def sample_changes(body, segments, at_segments, changes, clock, times, left, sta
     """
     z = np.empty(at_segments.shape[1:])
     solved = -1
-    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for i in range(times.shape[0]):
         index = find_segment(segments, times[i], left)

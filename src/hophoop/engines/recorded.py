@@ -65,5 +65,6 @@ class Recorded:
         return Sample(
             t=times, mode=mode, height=np.interp(times, states.t, states.y), slip=slip, normal_force=normal,
             friction_force=zero, kinetic=zero, potential=zero, friction=zero, impact_normal=zero, impact_tangential=zero,
+            rolling_resistance=zero,
             spring=zero, damping=zero, **fields,
         )  # fmt: skip

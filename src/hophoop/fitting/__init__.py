@@ -1,8 +1,11 @@
 """Parameters of a filmed hoop, with what the film does not tell; and what a film would tell before it is taken."""
 
+from hophoop.fitting.backdrop import Backdrop, backdrop
 from hophoop.fitting.fitting import fit
 from hophoop.fitting.planning import Plan, plan
+from hophoop.fitting.posterior import Posterior
 from hophoop.fitting.reporting import report
 from hophoop.fitting.result import Fit, load_fit
+from hophoop.fitting.sampling import sample
 
-__all__ = ["fit", "Fit", "load_fit", "report", "plan", "Plan"]
+__all__ = ["fit", "Fit", "load_fit", "report", "sample", "Posterior", "plan", "Plan", "backdrop", "Backdrop"]

@@ -7,11 +7,15 @@ from pathlib import Path
 
 import numpy as np
 
+from hophoop.fitting.covariance import memories
 from hophoop.fitting.guess import candidates, guess, start_kind
-from hophoop.fitting.judging import correlations, lacking, least_static_friction, shares
-from hophoop.fitting.problem import PARAMETERS, REFUSED, STARTS, Problem, defaults, problem_of
+from hophoop.fitting.judging import WORDS, correlations, lacking, least_static_friction, shares
+from hophoop.fitting.limits import at_end, least_friction, one_sided
+from hophoop.fitting.losses import influence
+from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
+from hophoop.fitting.problem import Problem, defaults, problem_of
 from hophoop.fitting.result import Fit
-from hophoop.fitting.solving import Choice, Solution, at_end, best_of, one_sided, solve
+from hophoop.fitting.solving import Choice, Solution, best_of, solve
 from hophoop.scenario import Hoop, InputError, Plane
 from hophoop.tracking import Track, read_track
 
@@ -108,6 +112,9 @@ def fit(
         "soft": soft,
         "sigma": sigma,
         "sigma_angle": sigma_angle,
+        "free": list(choice.free),
+        "bounds": {name: list(limits) for name, limits in choice.bounds.items()},
+        "tied": dict(choice.tied),
     }
     return _told(problem, choice, solution, blind, track, settings)
 
@@ -150,7 +157,7 @@ def _told(
     """The fit with what it does not say: limits of what is at an end, or out of sight."""
     limits: dict[str, tuple[str, float]] = {}
     notes = []
-    soft = bool(settings["soft"])
+    soft, wanted = bool(settings["soft"]), choice
     for name in solution.free:
         side = at_end(choice, solution, name)
         if side:
@@ -168,6 +175,8 @@ def _told(
         limits[name] = ("", float("nan"))
     if not slips and {"mu_kinetic", "mu_excess"} & set(blind):
         least = least_static_friction(motion)
+        if not choice.tied:
+            least = least_friction(problem, wanted, solution, least, soft)
         limits["mu_static"] = ("≥", least)
         notes.append(f"The hoop never slips: static friction is at least {least:.3g}, and kinetic friction is not seen.")
     if not lands and "restitution" in blind:
@@ -175,6 +184,13 @@ def _told(
     for name in blind:
         if name not in ("mu_kinetic", "mu_excess", "restitution"):
             notes.append(f"The film says nothing about {name}.")
+    pulls = influence(solution.residuals) if soft else solution.residuals
+    for name, memory in memories(problem, pulls).items():
+        if memory.share:
+            notes.append(
+                f"Errors of {WORDS[name]} last over several frames ({memory.frames:.1f} of them say as much as one); "
+                "the uncertainties count with that."
+            )
     chi_square = float((solution.residuals**2).sum())
     freedom = problem.count - len(solution.free)
     scale = max(1.0, float(np.sqrt(chi_square / max(freedom, 1))))
@@ -191,5 +207,5 @@ def _told(
         tuple(notes),
         track,
         settings,
-        solution.calls,
+        problem.computed[0],
     )

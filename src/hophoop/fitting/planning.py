@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from hophoop.fitting.covariance import inverse
 from hophoop.fitting.judging import correlations, least_static_friction
-from hophoop.fitting.problem import PARAMETERS, REFUSED, Problem, defaults, problem_of
+from hophoop.fitting.parameters import PARAMETERS, REFUSED
+from hophoop.fitting.problem import Problem, defaults, problem_of
 from hophoop.fitting.result import rounded
-from hophoop.fitting.solving import Choice, Solution, inverse, slopes, unseen
+from hophoop.fitting.solving import Choice, Solution, slopes, unseen
 from hophoop.scenario import InputError, Scenario
 from hophoop.simulation import simulate
 from hophoop.tracking import Track
@@ -147,10 +149,10 @@ def plan(
     choice = Choice(values, names, {}, {})
     blind = tuple(unseen(problem, choice))
     seen = tuple(name for name in names if name not in blind)
-    jacobian = slopes(problem, choice, seen, problem.residuals)
+    jacobian = slopes(problem, choice, seen)
     covariance = inverse(jacobian.T @ jacobian)
     errors = {name: float(np.sqrt(covariance[k, k])) for k, name in enumerate(seen)}
-    solution = Solution(values, seen, covariance, 0.0, np.zeros(0), 0)
+    solution = Solution(values, seen, covariance, 0.0, np.zeros(0))
     never = not set(motion.sequence) & {"S", "K"}
     least = least_static_friction(motion) if never else float("nan")
     return Plan(values, errors, blind, correlations(solution), motion.sequence, count, least)
@@ -181,7 +183,8 @@ def _values(problem: Problem, track: Track, scenario: Scenario) -> dict[str, flo
     known = {
         "gamma": hoop.load_fraction, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio,
         "mu_kinetic": plane.mu_kinetic, "mu_excess": plane.mu_static - plane.mu_kinetic, "restitution": plane.restitution,
-        "slope": plane.slope, "x0": start.x, "angle0": start.angle, "speed": start.vx, "height0": start.height,
+        "slope": plane.slope, "rolling_resistance": plane.rolling_resistance,
+        "x0": start.x, "angle0": start.angle, "speed": start.vx, "height0": start.height,
         "vx0": start.vx, "vy0": start.vy, "omega0": start.omega,
     }  # fmt: skip
     return values | {name: float(value) for name, value in known.items() if name in values and value is not None}

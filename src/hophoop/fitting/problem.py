@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.fitting.channels import Channel, channels_of
+from hophoop.fitting.parameters import STARTS
 from hophoop.scenario import Hoop, InputError, Plane, Scenario, Start
 from hophoop.simulation import simulate
 from hophoop.tracking import Track
@@ -17,64 +19,6 @@ Floats = NDArray[np.float64]
 
 FAR = 1e4  # residual of a motion that cannot be, in standard deviations
 BEYOND = 1.0 + 1e-9  # by how much the motion is longer than the data
-
-
-class Kind(NamedTuple):
-    """A parameter that can be fitted."""
-
-    unit: str
-    meaning: str
-    low: float
-    high: float
-    step: float  # of a numerical derivative
-
-
-INFINITE = float("inf")
-PARAMETERS: dict[str, Kind] = {
-    "gamma": Kind("1", "share of the mass in the load", 0.01, 0.99, 1e-5),
-    "eccentricity": Kind("1", "distance of the centre of gravity from the centre over the radius", 0.001, 0.999, 1e-5),
-    "inertia_ratio": Kind("1", "moment of inertia over m R²", 0.001, 2.0, 1e-5),
-    "mu_kinetic": Kind("1", "kinetic friction", 0.0, 3.0, 1e-5),
-    "mu_excess": Kind("1", "static less kinetic friction", 0.0, 2.0, 1e-5),
-    "restitution": Kind("1", "restitution", 0.0, 0.9, 1e-5),
-    "slope": Kind("rad", "slope of the plane", -1.0, 1.0, 1e-6),
-    "x0": Kind("m", "place of the centre in the first frame", -INFINITE, INFINITE, 1e-6),
-    "angle0": Kind("rad", "angle in the first frame", -INFINITE, INFINITE, 1e-6),
-    "speed": Kind("m/s", "speed of the centre in the first frame, rolling", -INFINITE, INFINITE, 1e-6),
-    "height0": Kind("m", "height of the rim above the plane in the first frame", 0.0, INFINITE, 1e-6),
-    "vx0": Kind("m/s", "velocity of the centre along the plane in the first frame", -INFINITE, INFINITE, 1e-6),
-    "vy0": Kind("m/s", "velocity of the centre away from the plane in the first frame", -INFINITE, INFINITE, 1e-6),
-    "omega0": Kind("rad/s", "angular velocity in the first frame", -INFINITE, INFINITE, 1e-6),
-    "scale": Kind("1", "length in the data over length", 0.5, 2.0, 1e-6),
-    "tilt": Kind("rad", "angle by which the plane rises along x of the data", -1.0, 1.0, 1e-6),
-    "origin_y": Kind("m", "height of the plane in the data at x = 0", -INFINITE, INFINITE, 1e-6),
-    "row_delay": Kind("s", "from the exposure of a row to that of the next", -1e-3, 1e-3, 1e-8),
-    "marker_angle": Kind("rad", "angle from the load to the marker", -INFINITE, INFINITE, 1e-6),
-    "marker_ratio": Kind("1", "distance of the marker from the centre over the radius", 0.01, 1.5, 1e-6),
-}  # fmt: skip
-# How the first frame may be: which parameters say it.
-STARTS = {
-    "rolling": ("x0", "angle0", "speed"),
-    "sliding": ("x0", "angle0", "vx0", "omega0"),
-    "flying": ("x0", "height0", "angle0", "vx0", "vy0", "omega0"),
-}
-# Said in place of a parameter that cannot be one.
-REFUSED = {
-    "t0": "the time of the start says the same as its place, angle and speed together, so the start is the first frame",
-    "radius": "the radius gives the scale of the film and is measured; scale can be fitted",
-    "mass": "no film can tell the mass: the motion does not depend on it",
-    "mu_static": "static friction is mu_kinetic + mu_excess; fix or free those",
-    "gravity": "gravity is given, not fitted; scale can be",
-}
-
-
-class Channel(NamedTuple):
-    """One quantity that was measured."""
-
-    name: str  # x, y, angle, marker_x or marker_y
-    rows: NDArray[np.int64]  # of the track
-    values: Floats
-    errors: Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +42,8 @@ class Problem:
         A key of STARTS.
     plane : Plane
         Gravity and the law of impacts.
+    computed : list of int
+        How many motions were computed so far [1].
     """
 
     t: Floats
@@ -108,13 +54,14 @@ class Problem:
     general: bool
     start: str
     plane: Plane = field(default_factory=Plane)
+    computed: list[int] = field(default_factory=lambda: [0])
 
     @property
     def names(self) -> tuple[str, ...]:
         """Parameters that this problem has."""
         hoop = () if self.hoop is not None else ("eccentricity", "inertia_ratio") if self.general else ("gamma",)
         return (
-            *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", *STARTS[self.start],
+            *hoop, "mu_kinetic", "mu_excess", "restitution", "slope", "rolling_resistance", *STARTS[self.start],
             "scale", "tilt", "origin_y", "row_delay", "marker_angle", "marker_ratio",
         )  # fmt: skip
 
@@ -162,6 +109,7 @@ class Problem:
             mu_static=values["mu_kinetic"] + values["mu_excess"],
             mu_kinetic=values["mu_kinetic"],
             restitution=values["restitution"],
+            rolling_resistance=values["rolling_resistance"],
             impact_law=self.plane.impact_law,
             painleve=self.plane.painleve,
         )
@@ -197,7 +145,25 @@ class Problem:
         ValueError
             If there is no such hoop or plane.
         """
+        self.computed[0] += 1
         return simulate(self.scenario(values))
+
+    def moments(self, motion: Trajectory, values: dict[str, float]) -> Floats:
+        """When the centre was seen in every frame, by the clock of a motion.
+
+        Parameters
+        ----------
+        motion : Trajectory
+        values : dict
+            All of `names`.
+
+        Returns
+        -------
+        t : ndarray, shape (n,)
+            [s]
+        """
+        times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
+        return np.clip(times, 0.0, motion.duration)
 
     def places(self, motion: Trajectory, values: dict[str, float]) -> dict[str, Floats]:
         """What the data would be for a motion, in every frame.
@@ -213,8 +179,7 @@ class Problem:
         places : dict of ndarray
             By names of channels [m or rad].
         """
-        times = self.t if self.rows is None else self.t + values["row_delay"] * self.rows
-        state = motion.at(np.clip(times, 0.0, motion.duration))
+        state = motion.at(self.moments(motion, values))
         reach = values["marker_ratio"] * self.radius
         marked = state.angle + values["marker_angle"]
         x, y = state.x, state.height + self.radius
@@ -290,7 +255,7 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
     radius = hoop.radius if isinstance(hoop, Hoop) else track.radius
     if not (np.isfinite(radius) and radius > 0):
         raise InputError("The radius of the hoop is missing: the data do not say it.")
-    channels = _channels(track, sigma)
+    channels = channels_of(track, sigma)
     first = min(int(channel.rows[0]) for channel in channels)
     last = max(int(channel.rows[-1]) for channel in channels)
     kept = tuple(channel._replace(rows=channel.rows - first) for channel in channels)
@@ -306,66 +271,6 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
         start,
         plane,
     )
-
-
-def _channels(track: Track, sigma: tuple[float | None, float | None]) -> tuple[Channel, ...]:
-    """The centre with the angle, or the marker where there is no centre."""
-    t, result = track.t, []
-    centred = np.isfinite(track.centre[:, 0]).any()
-    pairs: list[tuple[str, Floats, Floats, float | None]] = []
-    if centred:
-        pairs += [(name, track.centre[:, k], track.centre_error[:, k], sigma[0]) for k, name in enumerate(("x", "y"))]
-    elif np.isfinite(track.marker[:, 0]).any():
-        pairs += [(f"marker_{name}", track.marker[:, k], track.marker_error, sigma[0]) for k, name in enumerate(("x", "y"))]
-    if centred and np.isfinite(track.angle).any():
-        error = track.angle_error
-        if np.isnan(error).all() and np.isfinite(track.marker_error).any():
-            reach = np.hypot(*(track.marker - track.centre).T)
-            error = np.hypot(track.marker_error, track.centre_error.mean(axis=1)) / reach
-        pairs.append(("angle", track.angle, error, sigma[1]))
-    elif np.isfinite(track.angle).any() and not pairs:
-        pairs.append(("angle", track.angle, track.angle_error, sigma[1]))
-    for name, values, errors, given in pairs:
-        rows = np.flatnonzero(np.isfinite(values))
-        own = errors[rows] if given is None else np.full(len(rows), given)
-        if not (np.isfinite(own) & (own > 0)).all():
-            usual = scatter(t[rows], values[rows])
-            own = np.where(np.isfinite(own) & (own > 0), own, usual)
-        result.append(Channel(name, rows, values[rows], own))
-    if sum(len(channel.rows) for channel in result) < 12:
-        raise InputError("The track knows the hoop in too few frames to fit anything.")
-    return tuple(result)
-
-
-def scatter(t: Floats, values: Floats) -> float:
-    """Standard deviation of one value, from third differences, to which a smooth motion adds little.
-
-    Parameters
-    ----------
-    t, values : ndarray, shape (n,)
-        Times [s] and what was measured then [1].
-
-    Returns
-    -------
-    sigma : float
-        In the values' own unit [1].
-
-    Raises
-    ------
-    ValueError
-        If there are less than eight values, or they are free of scatter.
-    """
-    if len(t) < 8:
-        raise InputError(f"The uncertainty of the data is missing, and {len(t)} frames do not tell it: give sigma.")
-    thirds = []
-    for k in range(len(t) - 3):
-        at = t[k : k + 4] - t[k]
-        weights = np.array([1.0 / np.prod([at[i] - at[j] for j in range(4) if j != i]) for i in range(4)])
-        thirds.append(float(weights @ values[k : k + 4] / np.sqrt(weights @ weights)))
-    usual = 1.4826 * float(np.median(np.abs(thirds)))
-    if not usual > 1e-12 * max(1.0, float(np.abs(values).max())):
-        raise InputError("The uncertainty of the data is missing, and they do not scatter: give sigma.")
-    return usual
 
 
 def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]]:
@@ -385,6 +290,7 @@ def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]
     values: dict[str, Any] = {
         "gamma": 0.5, "eccentricity": 0.5, "inertia_ratio": 0.75, "mu_kinetic": 0.5, "mu_excess": 0.05, "restitution": 0.3,
         "slope": float(track.slope) if np.isfinite(track.slope) else 0.0,
+        "rolling_resistance": problem.plane.rolling_resistance,
         "x0": 0.0, "angle0": 0.0, "speed": 1.0, "height0": 0.0, "vx0": 1.0, "vy0": 0.0, "omega0": 1.0 / problem.radius,
         "scale": 1.0, "tilt": 0.0, "origin_y": 0.0, "row_delay": 0.0, "marker_angle": 0.0, "marker_ratio": 1.0,
     }  # fmt: skip
@@ -399,8 +305,3 @@ def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]
     if "marker_x" in measured:
         free |= {"marker_ratio"}
     return {name: values[name] for name in problem.names}, free
-
-
-__all__ = [
-    "Channel", "Floats", "Kind", "PARAMETERS", "Problem", "REFUSED", "STARTS", "defaults", "problem_of", "scatter",
-]  # fmt: skip

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import hophoop
 from hophoop._files import replacing
 from hophoop.fitting.guess import rates_of
-from hophoop.fitting.result import Fit
+from hophoop.fitting.result import GIVEN, Fit
 from hophoop.tracking import overlay
 from hophoop.tracking.page import STYLE, Curve, plot
 from hophoop.vocabulary import colors
@@ -22,7 +22,7 @@ from hophoop.vocabulary.words import mode_words
 Floats = NDArray[np.float64]
 
 UNITS = {"x": ("m", 1e3, "mm"), "y": ("m", 1e3, "mm"), "angle": ("rad", 1e3, "mrad")}
-MEASURED, COMPUTED = "#0b6", "#222"
+MEASURED, COMPUTED = "#0a6", "currentColor"
 
 
 def report(
@@ -81,7 +81,7 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
     """
     problem = fit.problem
     places = problem.places(fit.motion, fit.values)
-    first = len(fit.track.t) - int(np.searchsorted(-fit.track.t[::-1], -_first_time(fit), side="right"))
+    first = first_row(fit)
     count = len(problem.t)
     centre, angle = np.full((len(fit.track.t), 2), np.nan), np.full(len(fit.track.t), np.nan)
     centre[first : first + count] = np.stack([places["x"], places["y"]], axis=-1)
@@ -89,9 +89,31 @@ def places_in_film(fit: Fit) -> tuple[Floats, Floats]:
     return centre, angle
 
 
-def _first_time(fit: Fit) -> float:
+def first_row(fit: Fit) -> int:
+    """The first row of the track in which something is known, where the motion begins [1]."""
     known = np.isfinite(fit.track.centre[:, 0]) | np.isfinite(fit.track.marker[:, 0]) | np.isfinite(fit.track.angle)
-    return float(fit.track.t[np.flatnonzero(known)[0]])
+    return int(np.flatnonzero(known)[0])
+
+
+def on_plane(values: dict[str, float], x: Floats, y: Floats, ground: float) -> tuple[Floats, Floats]:
+    """Places or velocities of the data along the plane and away from it: tilt and scale undone.
+
+    Parameters
+    ----------
+    values : dict
+        Of a fit.
+    x, y : ndarray, shape (n,)
+        In the data's axes [m or m/s].
+    ground : float
+        Height of the plane in the data, 0 for velocities [m].
+
+    Returns
+    -------
+    along, away : ndarray, shape (n,)
+        [m or m/s]
+    """
+    cos, sin = np.cos(values["tilt"]) / values["scale"], np.sin(values["tilt"]) / values["scale"]
+    return cos * x + sin * (y - ground), -sin * x + cos * (y - ground)
 
 
 def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
@@ -115,13 +137,9 @@ def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
     t = angle.t
     turn, offset = fit.values["tilt"], fit.values["marker_angle"]
     theta, omega = angle.value + turn - offset, angle.rate
-    cos, sin = np.cos(turn), np.sin(turn)
-    flat = [np.interp(t, one.t, part) / fit.values["scale"] for one in (x, y) for part in (one.value, one.rate)]
-    place_x, place_y = (
-        cos * flat[0] + sin * (flat[2] - fit.values["origin_y"]),
-        -sin * flat[0] + cos * (flat[2] - fit.values["origin_y"]),
-    )
-    speed_x, speed_y = cos * flat[1] + sin * flat[3], -sin * flat[1] + cos * flat[3]
+    flat = [np.interp(t, one.t, getattr(one, part)) for part in ("value", "rate") for one in (x, y)]
+    place_x, place_y = on_plane(fit.values, flat[0], flat[1], fit.values["origin_y"])
+    speed_x, speed_y = on_plane(fit.values, flat[2], flat[3], 0.0)
     arm = hoop.eccentricity * hoop.radius
     vx, vy = speed_x + arm * omega * np.cos(theta), speed_y - arm * omega * np.sin(theta)
     kinetic = 0.5 * (vx**2 + vy**2 + hoop.inertia_ratio * (hoop.radius * omega) ** 2)
@@ -137,25 +155,24 @@ def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
 
 def _page(fit: Fit, film: str | None) -> str:
     name = escape(fit.track.source or "a hoop")
-    rows = "".join(
-        f"<tr><td>{escape(a)}</td><td class='value'>{escape(b)}</td><td>{escape(c)}</td></tr>" for a, b, c in fit.rows()
-    )
+    found = [row for row in fit.rows() if not row[1].endswith(GIVEN)]
+    given = [(first, text.removesuffix(GIVEN), meaning) for first, text, meaning in fit.rows() if text.endswith(GIVEN)]
     said = "".join(f"<li>{escape(sentence)}</li>" for sentence in fit.sentences())
     parts = [
         "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'>",
         f"<title>Fit of {name}</title><style>{STYLE}</style></head><body><h1>Fit of {name}</h1>",
-        f"<ul>{said}</ul><table><thead><tr><th>parameter</th><th>value</th><th>meaning</th></tr></thead><tbody>{rows}</tbody></table>",
-        "<p>In the lab: <code>hophoop lab scenario.toml</code>, or its link with "
-        f"<code>?{escape(fit.scenario.to_query())}</code></p>",
+        f"<ul>{said}</ul>{_table(found)}<details><summary>What was given</summary>{_table(given)}</details>",
+        "<p>In the lab: <code>hophoop lab fit.json</code>, with <code>--film</code> over the film.</p>",
+        f"<details><summary>Its link</summary><code>?{escape(fit.scenario.to_query())}</code></details>",
     ]
     if film is not None:
         parts.append(
             f"<h2>Film</h2><p>Yellow is the hoop as tracked, dashed magenta the fitted motion.</p>"
-            f"<video controls loop muted src='{escape(film, quote=True)}'></video>"
+            f"<video controls loop muted playsinline src='{escape(film, quote=True)}#t=0.001'></video>"
         )
-    parts.append("<h2>Residuals</h2><p>Data less motion; the ribbon is the motion's mode.</p>")
     t, problem = fit.problem.t, fit.problem
     ribbon = _ribbon(fit)
+    parts.append(f"<h2>Residuals</h2><p>Data less motion; the ribbon under each is what the motion does.</p>{_key(fit)}")
     for channel in problem.channels:
         _, factor, unit = UNITS.get(channel.name, ("m", 1e3, "mm"))
         off = fit.residuals[channel.name] * channel.errors * factor
@@ -169,6 +186,19 @@ def _page(fit: Fit, film: str | None) -> str:
             parts.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
     parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
     return "".join(parts)
+
+
+def _table(rows: list[tuple[str, str, str]]) -> str:
+    cells = "".join(f"<tr><td>{escape(a)}</td><td class='value'>{escape(b)}</td><td>{escape(c)}</td></tr>" for a, b, c in rows)
+    return f"<table><thead><tr><th>parameter</th><th>value</th><th>meaning</th></tr></thead><tbody>{cells}</tbody></table>"
+
+
+def _key(fit: Fit) -> str:
+    """Colours of what the motion does, with their words."""
+    state = fit.motion.at(fit.motion.times(600))
+    words = dict.fromkeys(mode_words(state.mode, state.omega).tolist())
+    spans = "".join(f"<span><i style='background:{colors.mode_color(word)}'></i>{escape(word)}</span>" for word in words)
+    return f"<p class='key'>{spans}</p>"
 
 
 def _ribbon(fit: Fit) -> list[tuple[float, float, str]]:

@@ -16,7 +16,10 @@ import hophoop
 from hophoop._files import replacing
 from hophoop.fitting.guess import gathered
 from hophoop.fitting.judging import WORDS
-from hophoop.fitting.problem import PARAMETERS, Problem, problem_of
+from hophoop.fitting.parameters import PARAMETERS
+from hophoop.fitting.posterior import Posterior, posterior_from_dict
+from hophoop.fitting.problem import Problem, problem_of
+from hophoop.fitting.solving import Choice
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.tracking import Track
 from hophoop.tracking.table import track_from_dict
@@ -25,6 +28,7 @@ from hophoop.trajectory import Trajectory
 Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-fit/1"
+GIVEN = " (given)"  # behind the value of a parameter that was not fitted
 WORST = 2.0  # chi-square over degrees of freedom, above which no fit is good
 
 
@@ -57,9 +61,11 @@ class Fit:
     track : Track
         The data.
     settings : dict
-        How it was fitted: start, hoop, gravity, law, soft, sigma, sigma_angle.
+        How it was fitted: start, hoop, gravity, law, soft, sigma, sigma_angle, free, bounds, tied.
     calls : int
         How many motions were computed [1].
+    posterior : Posterior or None
+        From a chain, where `hophoop.fitting.sample` made one.
     """
 
     values: dict[str, float]
@@ -75,6 +81,7 @@ class Fit:
     track: Track
     settings: dict[str, Any]
     calls: int = 0
+    posterior: Posterior | None = None
 
     @property
     def reduced(self) -> float:
@@ -127,6 +134,13 @@ class Fit:
         return problem_of(self.track, hoop, how["start"], plane, (how["sigma"], how["sigma_angle"]))
 
     @cached_property
+    def choice(self) -> Choice:
+        """What was fitted and within what, also what the data turned out not to tell."""
+        how = self.settings
+        bounds = {name: (float(low), float(high)) for name, (low, high) in how["bounds"].items()}
+        return Choice(self.values, tuple(how["free"]), bounds, how["tied"])
+
+    @cached_property
     def scenario(self) -> Scenario:
         """The fitted motion's scenario, for the lab or another duration."""
         return self.problem.scenario(self.values)
@@ -159,14 +173,19 @@ class Fit:
             if name in self.limits:
                 sign, value = self.limits[name]
                 text = f"{sign} {value:.3g}{unit}" if np.isfinite(value) else "not seen"
+            elif name in self.free and self.posterior is not None:
+                text = f"{ranged(*self.posterior.quantiles(name))}{unit}"
             elif name in self.free:
                 text = f"{rounded(self.values[name], self.error(name))}{unit}"
             else:
-                text = f"{self.values[name]:.6g}{unit} (given)"
+                text = f"{self.values[name]:.6g}{unit}{GIVEN}"
             result.append((name, text, kind.meaning))
         if "mu_static" not in self.limits and {"mu_kinetic", "mu_excess"} <= set(self.free):
             static = self.values["mu_kinetic"] + self.values["mu_excess"]
-            result.append(("mu_static", rounded(static, self.error("mu_static")), "static friction, the sum of the two"))
+            text = rounded(static, self.error("mu_static"))
+            if self.posterior is not None:
+                text = ranged(*self.posterior.quantiles("mu_static"))
+            result.append(("mu_static", text, "static friction, the sum of the two"))
         elif "mu_static" in self.limits:
             sign, value = self.limits["mu_static"]
             result.append(("mu_static", f"{sign} {value:.3g}", "static friction"))
@@ -189,6 +208,8 @@ class Fit:
         if len(self.shares) > 1:
             others = ", ".join(f"{name} {100 * part:.0f} %" for name, part in list(self.shares.items())[:4])
             said[-1] = said[-1].rstrip(".") + f" ({others})."
+        if self.posterior is not None:
+            said.append(_about(self.posterior))
         for first, second, size in self.correlated[:4]:
             said.append(f"{first} and {second} can hardly be told apart (correlation {size:+.3f}).")
         for place in self.lacking:
@@ -223,6 +244,7 @@ class Fit:
             "notes": list(self.notes),
             "settings": self.settings,
             "calls": self.calls,
+            "posterior": None if self.posterior is None else self.posterior.to_dict(),
             "scenario": self.scenario.to_dict(),
             "track": self.track.to_dict(),
         }
@@ -282,6 +304,33 @@ def rounded(value: float, error: float) -> str:
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
+def ranged(low: float, middle: float, high: float) -> str:
+    """The middle of a posterior, and how far its middle two thirds reach.
+
+    Parameters
+    ----------
+    low, middle, high : float
+        [1]
+
+    Returns
+    -------
+    text : str
+        Such as '0.102 +0.011 −0.013'.
+    """
+    size = min(high - middle, middle - low)
+    if not (np.isfinite(size) and size > 0):
+        return f"{middle:.6g}"
+    digits = max(0, min(12, 1 - int(np.floor(np.log10(size)))))
+    return f"{middle:.{digits}f} +{high - middle:.{digits}f} −{middle - low:.{digits}f}"
+
+
+def _about(posterior: Posterior) -> str:
+    text = f"Values and shares are those of a chain of {posterior.walkers} walkers and {posterior.steps} steps"
+    if posterior.long_enough:
+        return f"{text}: the median, and how far the middle two thirds reach."
+    return f"{text}, which is short: a walker forgets its place in {posterior.memory:.0f}, and 50 times as many are needed."
+
+
 def load_fit(path: str | Path) -> Fit:
     """Read a fit that was saved.
 
@@ -325,6 +374,7 @@ def load_fit(path: str | Path) -> Fit:
             track_from_dict(data["track"], str(file)),
             data["settings"],
             int(data["calls"]),
+            None if data.get("posterior") is None else posterior_from_dict(data["posterior"]),
         )
     except (KeyError, TypeError, IndexError) as error:
         raise InputError(f"{file} is not whole: {error}.") from None

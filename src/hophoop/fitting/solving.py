@@ -10,19 +10,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._extras import need
+from hophoop.fitting.covariance import covariance_of
 from hophoop.fitting.guess import SPREADS, Candidate, gathered
-from hophoop.fitting.problem import PARAMETERS, Problem
+from hophoop.fitting.jacobian import exact_slopes
+from hophoop.fitting.losses import soften, soften_slope
+from hophoop.fitting.parameters import PARAMETERS
+from hophoop.fitting.problem import Problem
 from hophoop.scenario import InputError
 
 Floats = NDArray[np.float64]
 
-SOFT = 3.0  # standard deviations from which a residual counts less than its square
-FIRST_CALLS, MOST_CALLS = 60, 600  # of the motion: in the first approach, and in the last
+FIRST_CALLS, MOST_CALLS = 12, 100  # of the motion: in the first approach, and in the last
 BLIND = 1e-3  # rise of the sum of squares over the whole range of a parameter that the data do not see
 WALK = 15  # steps along a parameter
 WORTH_TRYING, MOST_WALKS = 4.0, 4  # how much worse a step may be, and how many are tried
-AT_END = 0.02  # so near to an end of its range, in standard deviations or the range, a parameter is at it
 CONFIDENT = 2.71  # rise of the sum of squares at a one-sided limit of 95 %
+ENOUGH = 1.0  # friction with which most motions never slip
 
 
 @dataclass(frozen=True)
@@ -69,16 +72,6 @@ class Solution(NamedTuple):
     covariance: Floats  # of the free ones
     cost: float  # sum of the squares, softened
     residuals: Floats  # as they are [standard deviations]
-    calls: int
-
-
-def soften(residuals: Floats, soft: bool) -> Floats:
-    """Residuals whose square is the soft loss: as they are when small, growing as a root when large."""
-    if not soft:
-        return residuals
-    part = np.abs(residuals) / SOFT
-    size: Floats = SOFT * np.sqrt(2.0 * (np.sqrt(1.0 + part * part) - 1.0))
-    return np.sign(residuals) * size
 
 
 def solve(problem: Problem, choice: Choice, soft: bool, most: int = MOST_CALLS) -> Solution:
@@ -104,57 +97,59 @@ def solve(problem: Problem, choice: Choice, soft: bool, most: int = MOST_CALLS) 
     """
     lmfit = need("lmfit", "fit")
     parameters = _parameters(lmfit, problem, choice)
+    seen = _Seen(problem, soft)
+    if choice.free:
 
-    def residuals(now: Any) -> Floats:
-        return soften(problem.residuals(now.valuesdict()), soft)
+        def jacobian(now: Any) -> Floats:
+            off = seen.residuals(now)  # known: the step to here was taken
+            found = slopes_at(problem, choice, now, choice.free)
+            return found if not soft else found * soften_slope(off)[:, None]
 
-    if not choice.free:
-        values = dict(parameters.valuesdict())
-        off = problem.residuals(values)
-        return Solution(values, (), np.zeros((0, 0)), float((soften(off, soft) ** 2).sum()), off, 1)
-    result = lmfit.minimize(
-        residuals, parameters, method="leastsq", epsfcn=1e-11, max_nfev=most, scale_covar=False, ftol=1e-8, xtol=1e-8
-    )
-    values = dict(result.params.valuesdict())
-    off = problem.residuals(values)
-    free = tuple(result.var_names)
-    jacobian = slopes(problem, choice.at(values), free, problem.residuals)
-    return Solution(
-        values, free, _covariance(jacobian, off, soft), float((soften(off, soft) ** 2).sum()), off, int(result.nfev)
-    )
+        lmfit.minimize(
+            seen.softened, parameters, method="leastsq", Dfun=jacobian, max_nfev=most, scale_covar=False, ftol=1e-8, xtol=1e-8
+        )
+    else:
+        seen.softened(parameters)
+    values, off = seen.values, seen.off
+    found = slopes(problem, choice.at(values), choice.free)
+    return Solution(values, choice.free, covariance_of(problem, found, off, soft), seen.cost, off)
 
 
-def _covariance(jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
-    """Of the parameters: that of least squares, or of an M-estimator, in which outliers say little.
+class _Seen:
+    """Residuals at values that lmfit holds; remembers the best, since lmfit keeps the last where calls run out."""
 
-    With ψ the slope of half the loss it is E[ψ²]/E[ψ']² times the inverse of the information, for residuals as large
-    as the data say.
+    def __init__(self, problem: Problem, soft: bool) -> None:
+        self.problem, self.soft = problem, soft
+        self.values: dict[str, float] = {}
+        self.off, self.cost = np.zeros(0), np.inf
+        self._last: tuple[dict[str, float], Floats] = {}, np.zeros(0)
+
+    def residuals(self, now: Any) -> Floats:
+        values = dict(now.valuesdict())
+        if values != self._last[0]:
+            self._last = values, self.problem.residuals(values)
+        return self._last[1]
+
+    def softened(self, now: Any) -> Floats:
+        off = self.residuals(now)
+        result = soften(off, self.soft)
+        cost = float((result**2).sum())
+        if cost < self.cost:
+            self.values, self.off, self.cost = self._last[0], off, cost
+        return result
+
+
+def _parameters(lmfit: Any, problem: Problem, choice: Choice, away: float = 1e-4) -> Any:
+    """Parameters for lmfit, free ones away from their bounds by a part of the range.
+
+    The transform of a bound has no slope at the bound itself.
     """
-    if not soft:
-        return inverse(jacobian.T @ jacobian)
-    nodes, weights = np.polynomial.hermite_e.hermegauss(40)
-    weights = weights / weights.sum()
-    square, slope = weights @ _psi(nodes) ** 2, weights @ _psi_slope(nodes)
-    information = jacobian.T @ (_psi_slope(residuals)[:, None] * jacobian) / slope
-    return inverse(information) * float(square / slope**2)
-
-
-def _psi(residuals: Floats) -> Floats:
-    return np.asarray(residuals / np.sqrt(1.0 + (residuals / SOFT) ** 2), dtype=float)
-
-
-def _psi_slope(residuals: Floats) -> Floats:
-    return np.asarray((1.0 + (residuals / SOFT) ** 2) ** -1.5, dtype=float)
-
-
-def _parameters(lmfit: Any, problem: Problem, choice: Choice) -> Any:
     parameters = lmfit.Parameters()
     for name in problem.names:
         low, high = choice.limits(name)
         value = choice.values[name]
         if name in choice.free:
-            # the transform of a bound has no slope at the bound itself
-            inside = 1e-4 * (high - low) if np.isfinite(high - low) else 0.0
+            inside = away * (high - low) if np.isfinite(high - low) else 0.0
             value = float(np.clip(value, low + inside, high - inside))
             parameters.add(name, value=value, min=low, max=high)
         else:
@@ -169,8 +164,34 @@ def _parameters(lmfit: Any, problem: Problem, choice: Choice) -> Any:
     return parameters
 
 
-def slopes(problem: Problem, choice: Choice, names: tuple[str, ...], residuals: Callable[[dict[str, float]], Floats]) -> Floats:
-    """Derivatives of the residuals by parameters, from differences both ways where there is room.
+def complete(problem: Problem, choice: Choice, free: Mapping[str, float]) -> dict[str, float]:
+    """All values, those that are tied following from the free ones.
+
+    Parameters
+    ----------
+    problem : Problem
+    choice : Choice
+    free : mapping of str to float
+
+    Returns
+    -------
+    values : dict
+        [SI units]
+
+    Raises
+    ------
+    ValueError
+        If an expression makes no sense.
+    """
+    if not choice.tied:
+        return {**choice.values, **free}
+    return dict(_parameters(need("lmfit", "fit"), problem, choice.at(free), 0.0).valuesdict())
+
+
+def slopes(problem: Problem, choice: Choice, names: tuple[str, ...]) -> Floats:
+    """Derivatives of the residuals by parameters, those that are tied to them going along.
+
+    They are exact where the motion has derivatives, and from differences, both ways where there is room, elsewhere.
 
     Parameters
     ----------
@@ -178,21 +199,43 @@ def slopes(problem: Problem, choice: Choice, names: tuple[str, ...], residuals: 
     choice : Choice
         Where.
     names : tuple of str
-    residuals : callable
-        Of values.
 
     Returns
     -------
     jacobian : ndarray, shape (count, len(names))
-        [1]
+        [1 over the parameter's unit]
     """
-    lmfit = need("lmfit", "fit")
-    parameters = _parameters(lmfit, problem, choice)
+    parameters = _parameters(need("lmfit", "fit"), problem, choice, 0.0)
+    return slopes_at(problem, choice, parameters, names)
+
+
+def slopes_at(problem: Problem, choice: Choice, parameters: Any, names: tuple[str, ...]) -> Floats:
+    """As `slopes`, at values that lmfit holds."""
+    values = dict(parameters.valuesdict())
+    tied = tuple(choice.tied)
+    try:
+        jacobian = exact_slopes(problem, values, (*names, *tied))
+    except ValueError:
+        jacobian = np.full((problem.count, len(names) + len(tied)), np.nan)
+    result = jacobian[:, : len(names)]
+    if tied:
+        together = _differences(choice, parameters, names, lambda now: [now[name] for name in tied])
+        result = result + jacobian[:, len(names) :] @ together
+    missing = tuple(name for k, name in enumerate(names) if not np.isfinite(result[:, k]).all())
+    if missing:
+        places = [names.index(name) for name in missing]
+        result[:, places] = _differences(choice, parameters, missing, problem.residuals)
+    return result
+
+
+def _differences(
+    choice: Choice, parameters: Any, names: tuple[str, ...], of: Callable[[dict[str, float]], Floats | list[float]]
+) -> Floats:
+    """Derivatives by differences."""
 
     def at(name: str, value: float) -> Floats:
         parameters[name].value = value
-        found = residuals(dict(parameters.valuesdict()))
-        return found
+        return np.asarray(of(dict(parameters.valuesdict())), dtype=float)
 
     columns = []
     for name in names:
@@ -202,17 +245,7 @@ def slopes(problem: Problem, choice: Choice, names: tuple[str, ...], residuals: 
         above, below = min(here + step, high), max(here - step, low)
         columns.append((at(name, above) - at(name, below)) / (above - below))
         parameters[name].value = here
-    return np.column_stack(columns) if columns else np.zeros((problem.count, 0))
-
-
-def inverse(information: Floats) -> Floats:
-    """The inverse, scaled so that units do not matter; infinite where there is nothing known."""
-    size = np.sqrt(np.maximum(np.diag(information), 1e-300))
-    try:
-        inverse = np.linalg.inv(information / np.outer(size, size))
-    except np.linalg.LinAlgError:
-        inverse = np.full_like(information, np.inf)
-    return np.asarray(inverse / np.outer(size, size), dtype=float)
+    return np.column_stack(columns)
 
 
 def unseen(problem: Problem, choice: Choice) -> list[str]:
@@ -227,7 +260,7 @@ def unseen(problem: Problem, choice: Choice) -> list[str]:
     -------
     names : list of str
     """
-    jacobian = slopes(problem, choice, choice.free, problem.residuals)
+    jacobian = slopes(problem, choice, choice.free)
     result = []
     for k, name in enumerate(choice.free):
         low, high = choice.limits(name)
@@ -268,6 +301,9 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
         other = _approach(problem, choice.at(values), soft)
         if other[0].cost < best.cost - 1e-6:
             best, blind = other
+    plain = _without_slip(problem, choice, best, soft)
+    if plain is not None:
+        best, blind = plain
     seeing = _blinded(choice.at(best.values), blind)
     last = solve(problem, seeing, soft)
     again = unseen(problem, seeing.at(last.values))
@@ -275,6 +311,29 @@ def best_of(problem: Problem, choice: Choice, starts: list[Candidate], soft: boo
         blind = [*blind, *again]
         last = solve(problem, _blinded(choice.at(last.values), blind), soft)
     return last, blind
+
+
+def _without_slip(problem: Problem, choice: Choice, best: Solution, soft: bool) -> tuple[Solution, list[str]] | None:
+    """A motion that never slips, if the data do not tell it from the best one: slip must be seen to be believed."""
+    if "mu_kinetic" not in choice.free or choice.tied or not _slips(problem, best.values):
+        return None
+    low, high = choice.limits("mu_kinetic")
+    for friction in (float(np.clip(ENOUGH, low, high)), high):
+        values = {**best.values, "mu_kinetic": friction}
+        cost = float((soften(problem.residuals(values), soft) ** 2).sum())
+        if cost < WORTH_TRYING * best.cost and not _slips(problem, values):
+            other, blind = _approach(problem, choice.at(values), soft)
+            scale = max(1.0, best.cost / max(problem.count - len(choice.free), 1))
+            alike = other.cost < best.cost + CONFIDENT * scale
+            return (other, blind) if alike and not _slips(problem, other.values) else None
+    return None
+
+
+def _slips(problem: Problem, values: dict[str, float]) -> bool:
+    try:
+        return bool({"S", "K"} & set(problem.motion(values).sequence))
+    except ValueError:
+        return True
 
 
 def _walks(problem: Problem, choice: Choice, best: Solution, soft: bool) -> list[dict[str, float]]:
@@ -307,48 +366,3 @@ def _blinded(choice: Choice, blind: list[str]) -> Choice:
     for name in blind:
         choice = choice.without(name, choice.values[name])
     return choice
-
-
-def at_end(choice: Choice, solution: Solution, name: str) -> int:
-    """Whether a free parameter has come to an end of its range: −1 the lower, 1 the upper, 0 neither."""
-    low, high = choice.limits(name)
-    value = solution.values[name]
-    error = float(np.sqrt(max(solution.covariance[solution.free.index(name), solution.free.index(name)], 0.0)))
-    if not np.isfinite(error):
-        error = 0.0
-    near = max(AT_END * error, 1e-4 * (high - low) if np.isfinite(high - low) else 0.0)
-    return -1 if value - low < near else 1 if high - value < near else 0
-
-
-def one_sided(problem: Problem, choice: Choice, solution: Solution, name: str, side: int, soft: bool) -> float:
-    """How far a parameter that is at the end of its range may be from it, at 95 %, the others adapting.
-
-    Parameters
-    ----------
-    problem : Problem
-    choice : Choice
-    solution : Solution
-        With the parameter at the end of its range.
-    name : str
-    side : {-1, 1}
-        At which end it is.
-    soft : bool
-
-    Returns
-    -------
-    limit : float
-        In the parameter's own unit [1].
-    """
-    low, high = choice.limits(name)
-    end = low if side < 0 else high
-    near, far, step = end, None, 0.01 * min(high - low, 1.0)
-    for _ in range(12):
-        value = float(np.clip(near - side * step, low, high))
-        cost = solve(problem, choice.at(solution.values).without(name, value), soft, 30).cost
-        if cost - solution.cost > CONFIDENT:
-            far, step = value, 0.5 * abs(value - near)
-        else:
-            near, step = value, (2.0 * step if far is None else 0.5 * abs(far - value))
-        if value in (low, high) and value != end and far is None:
-            break
-    return near

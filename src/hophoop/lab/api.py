@@ -8,86 +8,67 @@ session for each visitor in one process.
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import gzip
 import json
-import logging
-from collections.abc import Callable, Coroutine
-from typing import Annotated, Any
+import re
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterable
+from typing import TYPE_CHECKING, Annotated, Any
 
-import anyio
 from anyio import to_thread
 from fastapi import Body, FastAPI, HTTPException, Path, Query, Request, Response
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import JSONResponse
 from fastapi.routing import APIRoute, APIRouter
 from pydantic import AfterValidator
+from starlette.requests import ClientDisconnect
 
 import hophoop
-from hophoop._jit.beside import busy as compiling
 from hophoop.lab import calls, files, page, replies, requests
+from hophoop.lab.guard import HEAD, Guard
 from hophoop.lab.limits import USUAL, Limits, TooBusy, TooMuch
+from hophoop.lab.worker import Job
+from hophoop.lab.workers import FILM, HEAVY, Workers, while_there
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.sentences import findings_sentence
 
-logger = logging.getLogger("hophoop.lab")
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
 
-Compute = Callable[[], bytes]
-LOOK = 0.5  # seconds between two looks whether code is compiled meanwhile
-
-
-class Gate:
-    """Lets so many requests compute, so many wait, and turns the others away."""
-
-    def __init__(self, threads: int, waiting: int, patience: float) -> None:
-        self.waiting = waiting
-        self.patience = patience
-        self.inside = 0
-        self._threads = threads
-        self._limiter: anyio.CapacityLimiter | None = None
-
-    async def run(self, compute: Compute) -> bytes:
-        """Compute in a thread.
-
-        Raises
-        ------
-        TooBusy
-            If too many requests wait already.
-        TooMuch
-            If it takes too long; time in which code is compiled does not count.
-        """
-        if self.inside >= self.waiting:
-            raise TooBusy("The lab is busy; try again in a second.")
-        if self._limiter is None:
-            self._limiter = anyio.CapacityLimiter(self._threads)
-        self.inside += 1
-        work = asyncio.ensure_future(to_thread.run_sync(compute, limiter=self._limiter, abandon_on_cancel=True))
-        left = self.patience
-        try:
-            while left > 0.0:
-                look = min(left, LOOK)
-                done, _ = await asyncio.wait({work}, timeout=look)
-                if done:
-                    return work.result()
-                if not compiling():  # which is no fault of the request
-                    left -= look
-            raise TooMuch(f"This takes longer than {self.patience:g} s; ask for a shorter motion or fewer cells.")
-        finally:
-            work.cancel()
-            self.inside -= 1
+WAIT = 0.5  # seconds between two looks whether the kernel of maps is compiled
+PACK = 1000  # bytes from which on an answer is compressed
+GONE = 499  # what nginx writes down where the asker has gone; nobody reads it
 
 
-def create_app(limits: Limits = USUAL) -> FastAPI:
+def create_app(
+    limits: Limits = USUAL, names: Iterable[str] = (), workers: Workers | None = None, backdrop: Backdrop | None = None
+) -> FastAPI:
     """The whole lab as an ASGI application.
 
     Parameters
     ----------
     limits : Limits, optional
-        Bounds of one request.
+        Bounds of one request, and how many processes compute.
+    names : iterable of str, optional
+        Names under which it is reached, besides addresses, localhost and this machine's own.
+    workers : Workers, optional
+        What computes; processes of its own by default.
+    backdrop : Backdrop, optional
+        A film to lay under the hoop.
 
     Returns
     -------
     app : FastAPI
     """
     # The usual documentation pages load scripts from elsewhere; /openapi.json is enough for any tool.
+    computing = Workers(limits) if workers is None else workers
+
+    @contextlib.asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        computing.prepare()
+        yield
+        computing.close()
+
     app = FastAPI(
         title="hophoop lab",
         version=hophoop.__version__,
@@ -95,11 +76,10 @@ def create_app(limits: Limits = USUAL) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         generate_unique_id_function=lambda route: route.name,
+        lifespan=lifespan,
     )
     app.state.limits = limits
-    app.state.gate = Gate(2, limits.waiting, limits.patience)
-    # a film keeps a core busy for a while: one at a time, and few that wait
-    app.state.film_gate = Gate(1, 3, limits.film_patience)
+    app.state.workers = computing
 
     @app.exception_handler(InputError)
     async def _bad_input(request: Request, error: InputError) -> JSONResponse:
@@ -113,20 +93,15 @@ def create_app(limits: Limits = USUAL) -> FastAPI:
 
     @app.exception_handler(TooBusy)
     async def _busy(request: Request, error: TooBusy) -> JSONResponse:
-        return JSONResponse({"detail": str(error)}, 429, headers={"Retry-After": "1"})
+        return JSONResponse({"detail": str(error)}, 503, headers={"Retry-After": str(error.seconds)})
 
     @app.exception_handler(ImportError)
     async def _missing(request: Request, error: ImportError) -> JSONResponse:
         return JSONResponse({"detail": str(error)}, 501)
 
-    @app.middleware("http")
-    async def _guard(request: Request, following: Any) -> Response:
-        response: Response = await following(request)
-        response.headers.update(page.SECURITY_HEADERS)
-        return response
-
+    app.add_middleware(Guard, names=names)
     app.include_router(router)
-    page.mount(app)
+    page.mount(app, backdrop)
     return app
 
 
@@ -142,18 +117,27 @@ class LabRequest(Request):
             If it is too long or of another type.
         """
         if not hasattr(self, "_body"):
-            kind = self.headers.get("content-type", JSON).partition(";")[0].strip().lower()
-            if kind != JSON:
-                raise HTTPException(422, f"Content-Type = {kind[:60]!r} must be {JSON}.")
-            most = self.app.state.limits.body
-            size, pieces = 0, []
-            async for piece in self.stream():
-                size += len(piece)
-                if size > most:
-                    raise HTTPException(413, f"The body has more than {most} bytes.")
-                pieces.append(piece)
-            self._body = b"".join(pieces) or b"{}"
+            try:
+                async with asyncio.timeout(self.app.state.limits.reading):
+                    self._body = await self._whole() or b"{}"
+            except TimeoutError:
+                raise HTTPException(408, "The body of the request did not come.") from None
         return self._body
+
+    async def _whole(self) -> bytes:
+        most = self.app.state.limits.body
+        size, pieces = 0, []
+        async for piece in self.stream():
+            size += len(piece)
+            if size > most:
+                raise HTTPException(413, f"The body has more than {most} bytes.")
+            pieces.append(piece)
+        body = b"".join(pieces)
+        kind = self.scope.get(WRITTEN, "").partition(";")[0].strip().lower()
+        # a form elsewhere can send anything but this
+        if body and kind != JSON:
+            raise HTTPException(415, f"Content-Type = {kind[:60]!r} must be {JSON}.")
+        return body
 
     async def json(self) -> Any:
         """The body as JSON.
@@ -164,7 +148,11 @@ class LabRequest(Request):
             If it is not valid.
         """
         try:
-            return json.loads(await self.body(), parse_constant=_no_constant)
+            body = await self.body()
+            found = json.loads(body, parse_constant=_no_constant)
+            if re.search(rb"\\u[dD][89a-fA-F]", body):
+                json.dumps(found, ensure_ascii=False).encode()  # half a character cannot be written again
+            return found
         except (ValueError, RecursionError) as error:
             why = str(error).rstrip(".")
             raise HTTPException(422, f"The body is not valid JSON: {why}.") from None
@@ -178,40 +166,83 @@ class LabRoute(APIRoute):
         following = super().get_route_handler()
 
         async def handle(request: Request) -> Response:
-            scope = request.scope
-            if "content-type" not in request.headers:
-                # FastAPI would take a body without a type for bytes
-                scope = {**scope, "headers": [*scope["headers"], (b"content-type", JSON.encode())]}
-            return await following(LabRequest(scope, request.receive))
+            # FastAPI would take a body of another type for bytes, and not read it our way
+            scope = {**request.scope, WRITTEN: request.headers.get("content-type", "")}
+            others = [(name, value) for name, value in scope["headers"] if name != b"content-type"]
+            scope["headers"] = [*others, (b"content-type", JSON.encode())]
+            try:
+                return await following(LabRequest(scope, request.receive))
+            except (ClientDisconnect, asyncio.CancelledError):  # the asker has gone, or the server stops
+                return Response(status_code=GONE)
 
         return handle
 
 
 JSON = "application/json"
+WRITTEN = "hophoop.content-type"  # as the request has it
 router = APIRouter(route_class=LabRoute)
 
 
 async def _reply(request: Request, call: str, body: Any, packed: bool = False) -> Response:
-    limits, gate = request.app.state.limits, request.app.state.gate
+    limits = request.app.state.limits
     asked = calls.read(call, body, limits)
     tag = f'"{asked.tag}{"-b" if packed else ""}"'
     headers = {"ETag": tag, "Cache-Control": "public, max-age=0, must-revalidate", "Vary": "Accept"}
     if tag in _tags(request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=headers)
-
-    def compute() -> bytes:
-        answered = calls.answer(asked, limits)
-        return answered.packed() if packed else answered.json()
-
+    content = await _computed(request, Job(asked, limits, "packed" if packed else "json"), calls.cost(asked, limits))
     kind = "application/octet-stream" if packed else JSON
-    return Response(await gate.run(compute), media_type=kind, headers=headers)
+    return answered(request, content, kind, headers)
+
+
+async def _computed(request: Request, job: Job, cost: str) -> bytes | None:
+    """What a process computes; None where the asker has gone, who takes it along."""
+
+    async def work() -> bytes:
+        while await to_thread.run_sync(calls.waits_for, job.request):  # compiling is no fault of the request
+            await asyncio.sleep(WAIT)
+        content: bytes = await request.app.state.workers.run(job, cost)
+        return content
+
+    async def gone() -> None:
+        while (await request.receive())["type"] != "http.disconnect":
+            pass
+
+    return await while_there(work(), gone())
+
+
+def answered(request: Request, content: bytes | None, kind: str, headers: dict[str, str]) -> Response:
+    """An answer, compressed where that is worth while and the asker takes it.
+
+    Parameters
+    ----------
+    request : Request
+    content : bytes or None
+        None where the asker has gone.
+    kind : str
+        Its media type.
+    headers : dict
+
+    Returns
+    -------
+    response : Response
+    """
+    if content is None:
+        return Response(status_code=GONE)
+    # arrays hold hardly anything that can be left out
+    if len(content) < PACK or kind == "application/octet-stream" or not page.takes_gzip(request.headers):
+        return Response(content, media_type=kind, headers=headers)
+    headers = {**headers, "Content-Encoding": "gzip", "Vary": f"{headers.get('Vary', '')}, Accept-Encoding".lstrip(", ")}
+    if "ETag" in headers:
+        headers["ETag"] = f"W/{headers['ETag']}"  # the same, in other bytes
+    return Response(gzip.compress(content, 5, mtime=0), media_type=kind, headers=headers)
 
 
 @router.post(
     "/api/v1/simulate",
     summary="Compute a motion",
     response_model=replies.Result,
-    responses=replies.responses(413, 422, 429),
+    responses=replies.responses(413, 415, 422, 503),
 )
 async def simulate(
     request: Request,
@@ -230,7 +261,7 @@ async def simulate(
     "/api/v1/theory",
     summary="Thresholds of theory",
     response_model=replies.Theory,
-    responses=replies.responses(413, 422, 429),
+    responses=replies.responses(413, 415, 422, 503),
 )
 async def theory(request: Request, scenario: Annotated[Scenario, Body()]) -> Response:
     """What theory says about the hoop of a scenario."""
@@ -241,7 +272,7 @@ async def theory(request: Request, scenario: Annotated[Scenario, Body()]) -> Res
     "/api/v1/map",
     summary="A map over two parameters",
     response_model=replies.Map,
-    responses=replies.responses(413, 422, 429),
+    responses=replies.responses(413, 415, 422, 503),
 )
 async def map_of_motions(request: Request, body: Annotated[requests.MapRequest, Body()]) -> Response:
     """One quantity of the motion in the middle of each cell; packed as bytes if `Accept` asks for them."""
@@ -265,7 +296,7 @@ async def page_call(request: Request, call: str, body: Annotated[Any, Body()]) -
     summary="A file of a motion",
     response_class=Response,
     responses={
-        **replies.responses(404, 413, 422, 429, 501),
+        **replies.responses(404, 413, 422, 501, 503),
         200: {
             "description": "The file",
             "content": {kind.media_type: {} for kind in files.KINDS.values()},
@@ -292,21 +323,16 @@ async def download(
     if tag in _tags(request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=headers)
     kind = files.KINDS[name]
-    gate = request.app.state.film_gate if kind.slow else request.app.state.gate
-    content = await gate.run(lambda: kind.make(asked.scenario, limits))
-    return Response(content, media_type=kind.media_type, headers=headers)
+    if HEAD in request.scope:  # nobody makes a film for its headers
+        return Response(media_type=kind.media_type, headers=headers)
+    content = await _computed(request, Job(asked, limits, name), FILM if kind.slow else HEAVY)
+    return answered(request, content, kind.media_type, headers)
 
 
 @router.get("/healthz", summary="Whether the server answers")
 async def health() -> replies.Health:
     """The version that answers."""
     return replies.Health(status="ok", version=hophoop.__version__)
-
-
-@router.head("/healthz", include_in_schema=False)
-async def health_head() -> Response:
-    """The same without a body, as those ask who watch over a server."""
-    return Response()
 
 
 def _tags(header: str) -> set[str]:

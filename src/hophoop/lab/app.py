@@ -1,4 +1,4 @@
-"""Serving the lab: one process or several, on loopback unless told otherwise."""
+"""Serving the lab: one process that answers, others that compute; on loopback unless told otherwise."""
 
 from __future__ import annotations
 
@@ -8,17 +8,24 @@ import sys
 import threading
 import time
 import webbrowser
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
 from urllib.request import urlopen
 
 from hophoop._extras import need
 from hophoop._jit import mode
 from hophoop._jit.beside import launch
+from hophoop.lab.limits import USUAL
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.simulation import simulate
 
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
+
 LOOPBACK = "127.0.0.1"
 PORT = 8765
-APPLICATION = "hophoop.lab.api:create_app"
+CONNECTIONS = 1000  # at the same time; who comes then is told that the server is busy
 
 
 def warm_up() -> None:
@@ -51,9 +58,11 @@ def compile_beside() -> None:
 def serve(
     host: str = LOOPBACK,
     port: int = PORT,
-    workers: int = 1,
+    workers: int = 2,
     browser: bool = False,
     query: str = "",
+    names: Sequence[str] = (),
+    backdrop: Backdrop | None = None,
 ) -> None:
     """Serve the lab until it is stopped.
 
@@ -63,12 +72,17 @@ def serve(
         Address to listen on; the default answers this machine only.
     port : int, default 8765
         0 takes a free one [1].
-    workers : int, default 1
-        Processes that answer; every request stands alone, so that any of them can take it [1].
+    workers : int, default 2
+        Processes that compute, besides one for films; every request stands alone, so that any of them can take it [1].
     browser : bool, default False
         Open the page in a browser.
     query : str, default ''
         A scenario's link that the browser opens with.
+    names : sequence of str, optional
+        Names under which it is reached, such as that of a proxy in front of it; addresses and this machine's own name
+        are known. Under any other name it refuses to answer.
+    backdrop : Backdrop, optional
+        A film to lay under the hoop.
 
     Raises
     ------
@@ -99,16 +113,21 @@ def serve(
         file=sys.stderr,
         flush=True,
     )
+    from hophoop.lab.api import create_app
+    from hophoop.lab.connections import Connection
+
     uvicorn.run(
-        APPLICATION,
-        factory=True,
+        create_app(replace(USUAL, processes=workers), [host, *names], backdrop=backdrop),
         host=host,
         port=port,
-        workers=workers,
+        http=Connection,
+        ws="none",
         log_level="warning",
         access_log=False,
         server_header=False,
         timeout_keep_alive=30,
+        timeout_graceful_shutdown=1,
+        limit_concurrency=CONNECTIONS,
         h11_max_incomplete_event_size=32768,
     )
 

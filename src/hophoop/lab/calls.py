@@ -12,21 +12,19 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-import hophoop
 from hophoop.lab import files, film, motion_map, requests, thresholds
-from hophoop.lab.controls import controls
-from hophoop.lab.limits import USUAL, Limits, TooMuch, within
+from hophoop.lab.limits import USUAL, Limits, TooMuch, turns_of, within
 from hophoop.lab.packing import pack
-from hophoop.lab.presets import presets
 from hophoop.lab.python_code import python_code
 from hophoop.lab.regions import regions
+from hophoop.lab.setup import setup
 from hophoop.maps.evaluate import compiling as maps_compiling
-from hophoop.physics.body import MODE_LETTERS
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Frozen
 from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
-from hophoop.vocabulary import colors
+
+LIGHT_SAMPLES, LIGHT_TURNS = 2000, 2000.0  # more than these is not answered at once
 
 
 @dataclass(frozen=True)
@@ -98,41 +96,14 @@ def _film(request: Request, limits: Limits) -> Reply:
     return film_of(computed(request.scenario, limits), request.scenario)
 
 
+def _samples(request: Request, limits: Limits) -> Reply:
+    """A part of a motion, for a film that is too long to be sent as densely as it is seen."""
+    window = request.body.window
+    return Reply({"window": list(window)}, film.columns(computed(request.scenario, limits), window=window))
+
+
 def _setup(request: Request, limits: Limits) -> Reply:
-    """What the page needs once: controls, presets, colours, version."""
-    return Reply(
-        {
-            "version": hophoop.__version__,
-            "controls": controls(),
-            "map_quantities": [[name, words] for name, (words, _) in motion_map.MAP_QUANTITIES.items()],
-            "presets": [
-                {
-                    "key": p.key,
-                    "group": p.group,
-                    "title": p.title,
-                    "text": p.text,
-                    "query": p.scenario.to_query(),
-                }
-                for p in presets()
-            ],
-            "colors": {
-                # by the letters of a hoop that rolls ahead; what is shown has the letter of its word
-                "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
-                "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
-                "gravity_center": colors.GRAVITY_CENTER,
-                "airborne": colors.GRAVITY_CENTER_AIRBORNE,
-                "center_speed": colors.CENTER_SPEED,
-                "rotation_speed": colors.ROTATION_SPEED,
-                "kinetic": colors.KINETIC,
-                "potential": colors.POTENTIAL,
-                "friction_loss": colors.FRICTION_LOSS,
-                "impact_loss": colors.IMPACT_LOSS,
-                "normal_force": colors.NORMAL_FORCE,
-                "friction_force": colors.FRICTION_FORCE,
-                "limit": colors.LIMIT,
-            },
-        }
-    )
+    return Reply(setup())
 
 
 def _code(request: Request, limits: Limits) -> Reply:
@@ -185,6 +156,7 @@ class Call(NamedTuple):
 CALLS: dict[str, Call] = {
     "setup": Call(requests.SetupRequest, _setup),
     "film": Call(requests.ScenarioRequest, _film),
+    "samples": Call(requests.SamplesRequest, _samples),
     "code": Call(requests.ScenarioRequest, _code),
     "simulate": Call(requests.SimulateRequest, _simulate),
     "theory": Call(requests.ScenarioRequest, _theory),
@@ -240,6 +212,25 @@ def waits_for(request: Request) -> str:
     if progress is None:
         return ""
     return f"compiling the kernel of maps, this once: {progress[0]} of {progress[1]} functions"
+
+
+def cost(request: Request, limits: Limits = USUAL) -> str:
+    """Which lane of the server a request belongs to.
+
+    Parameters
+    ----------
+    request : Request
+    limits : Limits, optional
+
+    Returns
+    -------
+    lane : {'light', 'heavy'}
+        Light is what is answered at once, as the page's sliders ask it.
+    """
+    scenario = request.scenario
+    many = request.call == "map" or getattr(request.body, "samples", 0) > LIGHT_SAMPLES
+    long = not scenario.duration <= limits.duration or turns_of(scenario) > LIGHT_TURNS
+    return "heavy" if many or long or scenario.contact.model == "compliant" else "light"
 
 
 def answer(request: Request, limits: Limits = USUAL) -> Reply:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from hophoop.scenario import parameter
+from hophoop.scenario.ranges import RANGES, Range
 
 DEGREES = {"plane.slope", "start.angle"}
 
@@ -24,6 +25,7 @@ _SLIDERS: dict[str, list[tuple[str, str, str, float, float, float]]] = {
         ("plane.slope", "Slope", "β", -30.0, 30.0, 0.5),
         ("plane.gravity", "Gravity", "g", 0.0, 25.0, 0.01),
         ("plane.restitution", "Restitution", "e", 0.0, 1.0, 0.01),
+        ("plane.rolling_resistance", "Rolling resistance", "f", 0.0, 0.2, 0.001),
     ],
     "start": [
         ("start.speed", "Speed", "v₀", -6.0, 6.0, 0.01),
@@ -84,7 +86,29 @@ MAP_AXES = [
     ("plane.slope", "Slope β", -0.35, 0.35),
     ("plane.gravity", "Gravity g", 1.0, 20.0),
     ("plane.restitution", "Restitution e", 0.0, 1.0),
+    ("plane.rolling_resistance", "Rolling resistance f", 0.0, 0.1),
 ]
+
+
+def range_of(path: str) -> Range:
+    """What a number of a scenario may be.
+
+    Parameters
+    ----------
+    path : str
+        Such as ``"plane.mu_static"``.
+
+    Returns
+    -------
+    range : Range
+        In its SI unit.
+    """
+    return RANGES["plane.mu" if path.startswith("plane.mu") else path]
+
+
+def _allowed(allowed: Range) -> dict[str, Any]:
+    also = ["inf" if value == float("inf") else value for value in allowed.also]
+    return {"least": allowed.least, "most": allowed.most, "also": also}
 
 
 def controls() -> dict[str, Any]:
@@ -113,13 +137,21 @@ def controls() -> dict[str, Any]:
                     "step": step,
                     "logarithmic": step == 0.0,
                     "degrees": angle,
+                    "allowed": _allowed(range_of(path)),
                 }
             )
     axes = []
     for path, label, low, high in MAP_AXES:
         angle = path in DEGREES
         unit = "°" if angle else "" if parameter(path).unit == "1" else parameter(path).unit
-        axes.append({"path": path, "label": label, "unit": unit, "degrees": angle, "range": [low, high]})
+        allowed = range_of(path)
+        least = min(allowed.least, 0.0) if 0.0 in allowed.also else allowed.least
+        axes.append(
+            {
+                "path": path, "label": label, "unit": unit, "degrees": angle, "range": [low, high],
+                "allowed": [least, allowed.most],
+            }
+        )  # fmt: skip
     return {
         "groups": groups,
         "choices": [

@@ -7,8 +7,11 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from hophoop.scenario import Compliant, InputError, Scenario
 from hophoop.scenario.scenario import time_unit
+from hophoop.vocabulary.sentences import LAB
 
 
 class TooMuch(InputError):
@@ -16,7 +19,27 @@ class TooMuch(InputError):
 
 
 class TooBusy(RuntimeError):
-    """The lab has as much to do as it takes on (HTTP 429)."""
+    """The lab has as much to do as it takes on (HTTP 503)."""
+
+    seconds = 1
+
+    @classmethod
+    def after(cls, seconds: float) -> TooBusy:
+        """Say when it is worth while to ask again.
+
+        Parameters
+        ----------
+        seconds : float
+            How long a request that comes now would have to wait [s].
+
+        Returns
+        -------
+        error : TooBusy
+        """
+        whole = min(max(math.ceil(seconds), 1), 600)
+        error = cls(f"The lab is busy; try again in {whole} second{'s' if whole > 1 else ''}.")
+        error.seconds = whole
+        return error
 
 
 @dataclass(frozen=True)
@@ -46,9 +69,21 @@ class Limits:
     film_patience : float
         Time after which a request for a film is answered at the latest [s].
     waiting : int
-        Requests that compute or wait at the same time, in one process [1].
+        Requests that wait at the same time [1].
+    queue, film_queue : float
+        Longest time that a request waits, and one for a film; who would wait longer is told at once [s].
     patience : float
-        Time after which a request is answered at the latest [s].
+        Longest time that a request is computed [s].
+    processes : int
+        That compute, besides one for films [1].
+    turns : float
+        Estimated revolutions of a motion [1].
+    map_turns : float
+        Estimated revolutions in all cells of a map [1].
+    changes : int
+        To a scenario, in one request [1].
+    reading : float
+        Time in which the body of a request must be there [s].
     """
 
     body: int = 65_536
@@ -62,7 +97,14 @@ class Limits:
     film: float = 20.0
     film_patience: float = 180.0
     waiting: int = 64
+    queue: float = 10.0
+    film_queue: float = 60.0
     patience: float = 20.0
+    processes: int = 2
+    turns: float = 2e5
+    map_turns: float = 4e6
+    changes: int = 200
+    reading: float = 15.0
 
 
 USUAL = Limits()
@@ -77,13 +119,13 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
         If the motion is longer, stiffer or made of more parts than the limits allow.
     """
     if scenario.duration > limits.duration:
-        raise TooMuch(
-            f"duration = {scenario.duration:g} must be at most {limits.duration:g} s in the lab; "
-            "the library itself has no such limit."
-        )
+        raise TooMuch(LAB["too_long"].format(duration=scenario.duration, most=limits.duration))
     parts = len(scenario.hoop.parts or ())
     if parts > limits.parts:
-        raise TooMuch(f"hoop.parts has {parts} parts and must have at most {limits.parts} in the lab.")
+        raise TooMuch(LAB["too_many_parts"].format(parts=parts, most=limits.parts))
+    turns = float(turns_of(scenario))
+    if turns > limits.turns:
+        raise TooMuch(LAB["too_many_turns"].format(duration=scenario.duration, turns=turns, most=limits.turns))
     if isinstance(scenario.contact, Compliant):
         steps = _steps(scenario, scenario.contact)
         if steps > limits.steps:
@@ -96,13 +138,40 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
     return scenario
 
 
+def turns_of(scenario: Scenario, **values: Any) -> Any:
+    """About how often the hoop turns, or would turn if all its energy went into rolling: what computing it costs.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    **values : array_like
+        Other values of its duration, radius, gravity, slope, vx, vy and omega [SI].
+
+    Returns
+    -------
+    turns : float or ndarray
+        An estimate from above, good to a factor of a few [1].
+    """
+    hoop, plane = scenario.hoop, scenario.plane
+    state = scenario.start.state(hoop)
+    given = {
+        "duration": scenario.duration, "radius": hoop.radius, "gravity": plane.gravity, "slope": plane.slope,
+        "vx": state.vx, "vy": state.vy, "omega": state.omega,
+    }  # fmt: skip
+    duration, radius, gravity, slope, vx, vy, omega = (np.asarray(values.get(name, value)) for name, value in given.items())
+    # twice what the start has and the fall of the load gives, and what the slope adds on the way
+    start = np.abs(vx) + np.abs(vy) + radius * np.abs(omega) + 2.0 * np.sqrt(gravity * (radius + state.height))
+    speed = 2.0 * start + 0.5 * gravity * np.abs(np.sin(slope)) * duration
+    return speed * duration / (2.0 * math.pi * radius)
+
+
 def _steps(scenario: Scenario, contact: Compliant) -> float:
     """Rough count of steps: a few for each oscillation of the contact; a small slip speed costs an implicit method none."""
     mass = scenario.hoop.mass
     rate = 10.0 / time_unit(scenario.hoop, scenario.plane)
     if contact.stiffness is not None:
         rate += math.sqrt(contact.stiffness / mass)
-    return 10.0 * scenario.duration * rate
+    return 10.0 * scenario.duration * rate + 40.0 * float(turns_of(scenario))
 
 
 def whole_number(value: Any, name: str, least: int, most: int, but_not: int | None = None) -> int:

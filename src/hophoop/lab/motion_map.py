@@ -11,11 +11,13 @@ from pydantic import AfterValidator, Field
 from pydantic_core import PydanticCustomError
 
 from hophoop import maps
-from hophoop.lab.limits import Limits, TooMuch, within
+from hophoop.lab.controls import range_of
+from hophoop.lab.limits import Limits, TooMuch, turns_of, within
 from hophoop.maps.evaluate import CHUNK_CELLS
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.vocabulary.classes import class_color, class_text
+from hophoop.vocabulary.sentences import LAB
 
 # name, words, span; what a map in the lab can show
 MAP_QUANTITIES: dict[str, tuple[str, str]] = {
@@ -34,6 +36,7 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
 _one_at_a_time = threading.Lock()
 
 MAP_EVENTS = 2000
+FLIGHT_TURNS = 2000.0  # a longer flight costs no more: it is looked at near the plane only
 
 
 def _number_path(path: str) -> str:
@@ -73,24 +76,32 @@ def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) 
         If the axes do not go with the scenario.
     TooMuch
         If it would take too long.
+
+    Notes
+    -----
+    A cell with a value that no scenario may have is nan.
     """
     if isinstance(scenario.contact, Compliant):
-        raise InputError("contact.model = 'compliant' must be 'rigid' for a map.")
+        raise InputError(LAB["rigid_maps"])
     words, span = MAP_QUANTITIES[what]
-    cells = x.cells * y.cells
-    if cells * scenario.duration > limits.map_seconds and span != "first_revolution":
-        raise TooMuch(
-            f"{cells} cells times duration = {scenario.duration:g} s is {cells * scenario.duration:.3g} s of "
-            f"motion and must be at most {limits.map_seconds:.3g} s in the lab."
-        )
+    inside = {axis.path: _allowed(axis) for axis in (y, x)}
     base = within(scenario, limits)
     if isinstance(base.contact, Rigid) and base.contact.max_events > MAP_EVENTS:
         base = base.replace("contact.max_events", MAP_EVENTS)
-    values = {axis.path: axis.middles() for axis in (y, x)}
-    with _one_at_a_time:
-        dataset = maps.sweep(base, values, (what,), span, chunk_cells=CHUNK_CELLS)
-    array = dataset[what].transpose(y.path, x.path)
+    values = {axis.path: axis.middles()[inside[axis.path]] for axis in (y, x)}
+    _bounded(base, x, y, values, span, limits)
+    numbers = np.full((y.cells, x.cells), math.nan)
+    names: list[str] = []
     quantity = maps.QUANTITIES[what]
+    if all(column.size for column in values.values()):
+        with _one_at_a_time:
+            dataset = maps.sweep(base, values, (what,), span, chunk_cells=CHUNK_CELLS)
+        array = dataset[what].transpose(y.path, x.path)
+        found = array.values.astype(float)
+        if quantity.is_code:
+            names = maps.words_of(array)
+            found[found < 0] = math.nan
+        numbers[np.ix_(inside[y.path], inside[x.path])] = found
     header: dict[str, Any] = {
         "x": x.to_dict(),
         "y": y.to_dict(),
@@ -99,9 +110,53 @@ def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) 
         "unit": quantity.unit,
         "classes": None,
     }
-    numbers = array.values.astype(float)
     if quantity.is_code:
-        names = maps.words_of(array)
         header["classes"] = [{"name": name, "text": class_text(name, what), "color": class_color(name, what)} for name in names]
-        numbers[numbers < 0] = math.nan
     return header, numbers
+
+
+def _allowed(axis: Axis) -> np.ndarray:
+    """Which cells of an axis have a value that a scenario may have."""
+    try:
+        allowed = range_of(axis.path)
+    except KeyError:
+        return np.ones(axis.cells, bool)
+    middles = axis.middles()
+    return (middles >= allowed.least) & (middles <= allowed.most) | np.isin(middles, allowed.also)
+
+
+def _bounded(base: Scenario, x: Axis, y: Axis, values: dict[str, np.ndarray], span: str, limits: Limits) -> None:
+    """Refuse a map that would take too long, by its revolutions.
+
+    Raises
+    ------
+    TooMuch
+        If it would.
+    """
+    down, across = np.meshgrid(values[y.path], values[x.path], indexing="ij")
+    given: dict[str, Any] = {}
+    for path, cells in ((y.path, down), (x.path, across)):
+        if path == "start.speed":
+            given.update(vx=cells, vy=0.0, omega=0.0)  # the rim's own speed is part of the estimate
+        else:
+            given[path.rpartition(".")[2]] = cells
+    if span == "first_revolution":  # a turn, and the flight after it
+        speed = np.abs(given.get("vx", base.start.state(base.hoop).vx))
+        turns = 1.0 + np.minimum(speed**2 / (10.0 * base.plane.gravity * base.hoop.radius + 1e-300), FLIGHT_TURNS)
+        total = float(np.sum(np.broadcast_to(turns, down.shape)))
+    else:
+        known = {
+            key: cells for key, cells in given.items() if key in ("duration", "radius", "gravity", "slope", "vx", "vy", "omega")
+        }
+        each = turns_of(base, **known)
+        if np.any(each > limits.turns):
+            worst = float(np.max(each))
+            raise TooMuch(
+                f"A cell of this map is about {worst:.0e} revolutions and must be at most {limits.turns:.0e} in the lab."
+            )
+        total = float(np.sum(np.broadcast_to(each, down.shape)))
+    if total > limits.map_turns:
+        raise TooMuch(
+            f"x and y make {down.size} cells of about {total:.2g} revolutions in all, and must be at most "
+            f"{limits.map_turns:.0e} in the lab; take fewer cells, lower speeds or a shorter duration."
+        )

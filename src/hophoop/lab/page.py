@@ -6,20 +6,24 @@ in the repository's web/lab and web/space, see CONTRIBUTING.md.
 
 from __future__ import annotations
 
+import gzip
 import hashlib
+from collections.abc import Mapping
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 from fastapi import FastAPI, Request, Response
+from fastapi.responses import FileResponse, JSONResponse
 
-# Nothing may come from, or go, anywhere else; a film recorded in the page is a blob.
+from hophoop.lab.site import POLICY, site_files
+
+if TYPE_CHECKING:
+    from hophoop.fitting import Backdrop
+
 SECURITY_HEADERS = {
-    "Content-Security-Policy": (
-        "default-src 'self'; img-src 'self' data: blob:; media-src 'self' blob:; "
-        "style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'; "
-        "frame-ancestors 'self'"
-    ),
+    "Content-Security-Policy": f"{POLICY}; frame-ancestors 'self'",
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
 }
@@ -45,29 +49,75 @@ def style() -> str:
 @cache
 def _assets() -> dict[str, tuple[bytes, str, str]]:
     """Name → content, type and tag."""
-    texts = {
-        "lab.js": (script(), "text/javascript; charset=utf-8"),
-        "lab.css": (style(), "text/css; charset=utf-8"),
-        "icon.svg": (static_text("icon.svg"), "image/svg+xml"),
-    }
-    return {name: (text.encode(), kind, hashlib.sha256(text.encode()).hexdigest()[:16]) for name, (text, kind) in texts.items()}
+    kinds = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".svg": "image/svg+xml"}
+    found = {}
+    for path, content in site_files().items():
+        folder, _, name = path.rpartition("/")
+        if folder == "static":
+            kind = kinds.get(Path(name).suffix, "application/wasm")
+            found[name] = (content, kind, hashlib.sha256(content).hexdigest()[:16])
+    return found
 
 
-def html() -> str:
-    """The document; the names of its assets change with their content, so that caches may keep them."""
+def html(filmed: bool = False) -> str:
+    """The document; the names of its assets change with their content, so that caches may keep them.
+
+    Parameters
+    ----------
+    filmed : bool, default False
+        Whether a film lies under the hoop.
+
+    Returns
+    -------
+    text : str
+    """
     text = static_text("index.html")
+    if filmed:
+        text = text.replace("</head>", '<script type="module" src="backdrop.js"></script>\n</head>')
     for name, (_, _, tag) in _assets().items():
         text = text.replace(f"static/{name}", f"static/{tag}/{name}")
     return text
 
 
-def mount(app: FastAPI) -> None:
-    """Add the page to the application."""
+def takes_gzip(headers: Mapping[str, str]) -> bool:
+    """Whether the asker takes an answer that is compressed.
 
-    # those who watch over a server ask with HEAD
-    @app.api_route("/", methods=["GET", "HEAD"], include_in_schema=False)
-    async def index() -> Response:
-        return Response(html(), media_type="text/html; charset=utf-8", headers={"Cache-Control": "no-cache"})
+    Parameters
+    ----------
+    headers : mapping of str to str
+        Of the request.
+
+    Returns
+    -------
+    takes : bool
+    """
+    for part in headers.get("accept-encoding", "").split(","):
+        name, _, quality = part.partition(";")
+        if name.strip().lower() == "gzip":
+            return quality.replace(" ", "") not in ("q=0", "q=0.0", "q=0.00", "q=0.000")
+    return False
+
+
+@cache
+def _compressed(content: bytes) -> bytes:
+    return gzip.compress(content, 9, mtime=0)
+
+
+def _sent(request: Request, content: bytes, kind: str, headers: dict[str, str]) -> Response:
+    headers = {**headers, "Vary": "Accept-Encoding"}
+    if not takes_gzip(request.headers):
+        return Response(content, media_type=kind, headers=headers)
+    return Response(_compressed(content), media_type=kind, headers={**headers, "Content-Encoding": "gzip"})
+
+
+def mount(app: FastAPI, backdrop: Backdrop | None = None) -> None:
+    """Add the page to the application, and the film under its hoop."""
+    if backdrop is not None:
+        _mount_film(app, backdrop)
+
+    @app.get("/", include_in_schema=False)
+    async def index(request: Request) -> Response:
+        return _sent(request, html(backdrop is not None).encode(), "text/html; charset=utf-8", {"Cache-Control": "no-cache"})
 
     # A table of names, not a folder: no other file can be reached.
     @app.get("/static/{tag}/{name}", include_in_schema=False)
@@ -76,9 +126,23 @@ def mount(app: FastAPI) -> None:
         if found is None:
             return Response("There is no such file.", 404, media_type="text/plain")
         content, kind, _ = found
-        return Response(content, media_type=kind, headers={"Cache-Control": "public, max-age=31536000, immutable"})
+        return _sent(request, content, kind, {"Cache-Control": "public, max-age=31536000, immutable"})
 
     @app.get("/favicon.ico", include_in_schema=False)
-    async def icon() -> Response:
+    async def icon(request: Request) -> Response:
         content, kind, _ = _assets()["icon.svg"]
-        return Response(content, media_type=kind, headers={"Cache-Control": "public, max-age=86400"})
+        return _sent(request, content, kind, {"Cache-Control": "public, max-age=86400"})
+
+
+def _mount_film(app: FastAPI, backdrop: Backdrop) -> None:
+    @app.get("/film.json", include_in_schema=False)
+    async def place() -> JSONResponse:
+        return JSONResponse(backdrop.to_dict())
+
+    @app.get("/film.mp4", include_in_schema=False)
+    async def film() -> FileResponse:
+        return FileResponse(backdrop.film, media_type="video/mp4")
+
+    @app.get("/backdrop.js", include_in_schema=False)
+    async def following(request: Request) -> Response:
+        return _sent(request, static_text("backdrop.js").encode(), "text/javascript; charset=utf-8", {})

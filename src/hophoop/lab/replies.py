@@ -134,8 +134,9 @@ _MEANINGS = {
     404: "There is no such file",
     413: "More than the lab computes at a time",
     422: "Bad input",
-    429: "Too many requests at once; try again",
+    415: "The body is not JSON",
     501: "What makes this file is not installed on the server",
+    503: "The lab is busy; Retry-After says when to try again",
 }
 
 

@@ -19,6 +19,7 @@ from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.base import Count, Frozen, Number, refuse
 from hophoop.scenario.paths import contradiction
 from hophoop.scenario.sentences import findings_sentence
+from hophoop.vocabulary.sentences import LAB
 
 
 def _among(names: Iterable[str]) -> Callable[[str], str]:
@@ -41,7 +42,7 @@ def not_one(samples: int) -> int:
 
 def _pair(change: Any) -> Any:
     if not (isinstance(change, list | tuple) and len(change) == 2 and isinstance(change[0], str)):
-        raise refuse(f"changes holds {json.dumps(change)[:60]}, which is not a pair of path and value.")
+        raise refuse(LAB["not_a_pair"].format(change=json.dumps(change)[:60]))
     return change
 
 
@@ -112,6 +113,8 @@ class ScenarioRequest(Frozen):
         TooMuch
             If it is.
         """
+        if len(self.changes) > limits.changes:
+            raise TooMuch(f"changes has {len(self.changes)} pairs and must have at most {limits.changes} in the lab.")
 
 
 class SimulateRequest(ScenarioRequest):
@@ -127,8 +130,21 @@ class SimulateRequest(ScenarioRequest):
         TooMuch
             If there are.
         """
+        super().bounded(limits)
         if self.samples > limits.samples:
             raise TooMuch(f"samples = {self.samples} must be at most {limits.samples} in the lab.")
+
+
+def _times(window: tuple[float, float]) -> tuple[float, float]:
+    if not 0.0 <= window[0] < window[1]:
+        raise PydanticCustomError("value", "must be two times, from and to [s], rising from 0")
+    return window
+
+
+class SamplesRequest(ScenarioRequest):
+    """Asks for a part of a motion, as densely as the player shows it."""
+
+    window: Annotated[tuple[Number, Number], AfterValidator(_times)] = Field(description="Times from and to [s]")
 
 
 class RegionsRequest(ScenarioRequest):
@@ -154,11 +170,12 @@ class MapRequest(ScenarioRequest):
         TooMuch
             If there are too many cells.
         """
+        super().bounded(limits)
         if self.x.path == self.y.path:
-            raise InputError(f"x.path and y.path are both {self.x.path!r} and must differ.")
+            raise InputError(LAB["equal_axes"].format(path=self.x.path))
         cells = self.x.cells * self.y.cells
         if cells > limits.cells:
-            raise TooMuch(f"x.cells times y.cells = {cells} must be at most {limits.cells} in the lab.")
+            raise TooMuch(LAB["too_many_cells"].format(cells=cells, most=limits.cells))
 
 
 class FileRequest(ScenarioRequest):

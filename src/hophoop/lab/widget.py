@@ -57,7 +57,7 @@ def _widget_class() -> Any:
         return _made[0]
     anywidget = need("anywidget", "lab")
     traitlets = need("traitlets", "lab")
-    from hophoop.lab import calls, page
+    from hophoop.lab import calls, page, site
 
     class MotionWidget(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
         """One motion, its player and its sliders."""
@@ -67,6 +67,9 @@ def _widget_class() -> Any:
         film = traitlets.Bytes().tag(sync=True)
         setup = traitlets.Dict().tag(sync=True)
         panels = traitlets.List().tag(sync=True)
+        # the page's own kernel and its worker: sliders need no round trip, also in a notebook that was exported to HTML
+        module = traitlets.Bytes().tag(sync=True)
+        worker = traitlets.Unicode().tag(sync=True)
         # the scenario's link; changes when another motion has been chosen, so that other cells can follow
         query = traitlets.Unicode().tag(sync=True)
 
@@ -75,6 +78,8 @@ def _widget_class() -> Any:
                 film=calls.film_of(motion).packed(),
                 setup=calls.answer(calls.read("setup", {})).header,
                 panels=panels,
+                module=site.packed_module(),
+                worker=site.static_bytes("kernel.js").decode(),
                 query=motion.scenario.to_query(),
             )
             self._motion = motion

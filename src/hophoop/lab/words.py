@@ -8,7 +8,8 @@ from typing import Any
 from hophoop.physics.body import MODE_LETTERS
 from hophoop.results import EventRecord
 from hophoop.trajectory import Trajectory
-from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, SKIM, SPIN, STATUSES, VERBS, mode_word
+from hophoop.vocabulary.sentences import STORY, SUMMARY
+from hophoop.vocabulary.words import EVENTS, FLIGHT, MODES, SKIM, SPIN, STATUSES, VERBS, mode_word, plain
 
 UNTOLD = ("turn", "apex", "end")  # events that a summary leaves out
 
@@ -34,7 +35,7 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
     for number, event in enumerate(motion.events):
         if many.get(number) == 0:
             continue
-        text = f"It bounces {many[number]} more times." if number in many else _say(motion, number, event)
+        text = STORY["more_bounces"].format(count=many[number]) if number in many else _say(motion, number, event)
         if not text:
             continue
         if len(told) >= most:
@@ -43,7 +44,7 @@ def story(motion: Trajectory, most: int = 400) -> list[dict[str, Any]]:
         letter = MODE_LETTERS[MODES.index(_word(motion, number))]
         told.append({"t": event.t, "event": number, "mode": letter, "text": text})
     if left_out:
-        told.append({**told[-1], "text": f"… and {left_out} more."})
+        told.append({**told[-1], "text": STORY["left_out"].format(count=left_out)})
     return told
 
 
@@ -86,7 +87,7 @@ def summary(motion: Trajectory, most: int = 6) -> str:
     for number, event in enumerate(motion.events):
         if number in many:
             if many[number]:
-                phrases.append(f"and {many[number]} more times")
+                phrases.append(SUMMARY["more_bounces"].format(count=many[number]))
             continue
         if event.kind == "start" or not phrases:
             phrases.append(VERBS[_word(motion, number)])
@@ -95,17 +96,18 @@ def summary(motion: Trajectory, most: int = 6) -> str:
         if event.kind in ("slip_start", "slip_reversal") or _turns_in_slip(event):
             phrase = VERBS[_word(motion, number)]
         if _bounces(event):
-            phrase = "bounces"
+            phrase = SUMMARY["bounces"]
         if event.collision is False:
-            phrase = "stops its slip at once"
+            phrase = SUMMARY["without_collision"]
         if not phrase:
             continue
         changes += 1
         if changes <= most:
-            phrases.append(f"{phrase} at {degrees(event.angle)}")
-    more = f", … ({changes - most} more)" if changes > most else ""
+            phrases.append(SUMMARY["change"].format(phrase=phrase, where=degrees(event.angle)))
+    more = SUMMARY["more_changes"].format(count=changes - most) if changes > most else ""
     text = ", ".join(phrases).replace(", and ", " and ") + more
-    return f"{text[:1].upper()}{text[1:]}. {STATUSES[motion.status]}".strip()
+    whole = SUMMARY["sentence"].format(phrases=f"{text[:1].upper()}{text[1:]}", ending=STATUSES[motion.status])
+    return whole.strip()
 
 
 def degrees(angle: float) -> str:
@@ -125,47 +127,33 @@ def degrees(angle: float) -> str:
 
 
 def _say(motion: Trajectory, number: int, event: EventRecord) -> str:
-    where = degrees(event.angle)
     word = _word(motion, number)
-    verb, kind = VERBS[word], event.kind
-    if kind == "start":
-        return f"It {_started(word)} with the load at {where} and the centre at {_number(event.vx)} m/s."
-    if kind == "slip_start":
-        why = "friction is used up: the rim"
-        turn = "turns too fast for the way it goes" if word == SPIN else "slides ahead"
-        return f"It {verb} at {where}; {why} {turn}."
-    if kind == "stick":
-        return f"It rolls again at {where}; the slip has stopped."
-    if kind == "slip_reversal":
-        return f"The slip turns round at {where}; it {verb}."
-    if kind == "takeoff":
+    name, values = event.kind, {"where": degrees(event.angle), "verb": VERBS[word]}
+    if name == "start":
+        values |= {"started": _started(word), "speed": _number(event.vx)}
+    elif name == "slip_start" and word == SPIN:
+        name = "slip_start_spin"
+    elif name == "takeoff":
         landing = next((later for later in motion.events[number + 1 :] if later.kind == "impact"), None)
         top = max((e.height for e in motion.events[number:] if landing and e.t <= landing.t), default=0.0)
-        how = f" It rises {_length(top)} and stays up for {_number(landing.t - event.t)} s." if landing and top else ""
-        return f"It hops at {where}.{how}"
-    if kind == "impact":
+        if landing and top:
+            name = "takeoff_and_landing"
+            values |= {"top": _length(top), "time": _number(landing.t - event.t)}
+    elif name == "impact":
+        values["speed"] = _number(abs(event.before.vy))
         if event.collision is False:
-            return f"An impact without collision at {where} stops the slip; then it {verb}."
-        downwards = abs(event.before.vy)
-        after = "bounces" if event.to_mode == "H" else verb
-        return f"It lands at {where} with {_number(downwards)} m/s downwards and {after}."
-    return _say_the_rest(event, where, word)
-
-
-def _say_the_rest(event: EventRecord, where: str, word: str) -> str:
-    texts = {
-        "turn": f"It turns back at {where}" + (f", and {VERBS[word]} now." if _turns_in_slip(event) else "."),
-        "apex": f"The centre is highest at {where}: the gap is {_length(event.height)}.",
-        "bounce_limit": f"Bounces without number end here, at {where}.",
-        "painleve_inconsistent": f"Painlevé's paradox at {where}: no contact force agrees with this slip.",
-        "painleve_indeterminate": f"Painlevé's paradox at {where}: several contact forces agree with it.",
-        "jam": f"Dynamic jam at {where}: the contact force grows without bound.",
-        "kane_gain": f"Newton's law of impact has created {_number(event.gain)} J (Kane's example).",
-        "skim": f"No contact force is left at {where}: the load falls freely and the rim skims the plane.",
-        "rest": f"It rests at {where}" + ("." if event.stable is not False else ", which is not stable."),
-        "end": "",
-    }
-    return texts.get(event.kind, f"{event.kind.replace('_', ' ')} at {where}.")
+            name = "impact_without_collision"
+        elif event.to_mode == "H":
+            name = "impact_bounce"
+    elif name == "turn" and _turns_in_slip(event):
+        name = "turn_in_slip"
+    elif name == "apex":
+        values["gap"] = _length(event.height)
+    elif name == "kane_gain":
+        values["gain"] = _number(event.gain)
+    elif name == "rest" and event.stable is False:
+        name = "rest_unstable"
+    return STORY.get(name, STORY["other"]).format(**values, kind=plain(event.kind))
 
 
 def _word(motion: Trajectory, number: int) -> str:
@@ -183,7 +171,8 @@ def _turns_in_slip(event: EventRecord) -> bool:
 
 
 def _started(word: str) -> str:
-    return {FLIGHT: "starts in the air", SKIM: "starts skimming"}.get(word, f"starts and {VERBS[word]}")
+    names = {FLIGHT: "started_flight", SKIM: "started_skim"}
+    return STORY[names.get(word, "started")].format(verb=VERBS[word])
 
 
 def _length(value: float) -> str:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from hophoop.scenario import InputError, Scenario, parameter
 from hophoop.scenario.models import Rigid
 from hophoop.scenario.paths import contradiction
+from hophoop.vocabulary.sentences import LAB
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
 # Chunks are about square over the last two axes, so that a map is read as fast by rows as by columns.
@@ -276,7 +277,7 @@ def _extremes(axis: Axis) -> tuple[Any, ...]:
 def _check_pairs(axes: Sequence[Axis]) -> None:
     pair = contradiction(axis.path for axis in axes)
     if pair is not None:
-        raise InputError(f"{pair[0]} and {pair[1]} cannot both be axes: they say the same thing in two ways.")
+        raise InputError(LAB["two_axes"].format(one=pair[0], other=pair[1]))
 
 
 class Chunk(NamedTuple):

@@ -27,6 +27,7 @@ from hophoop.maps.kernel import (
     OMEGA,
     RADIUS,
     RESTITUTION,
+    ROLLING_RESISTANCE,
     SLIP,
     SLOPE,
     STRIKE,
@@ -34,6 +35,7 @@ from hophoop.maps.kernel import (
     X,
 )
 from hophoop.physics.body import ImpactLaw
+from hophoop.physics.resistance import most_resistance
 from hophoop.scenario import Scenario
 from hophoop.scenario.models import Rigid
 
@@ -51,6 +53,7 @@ _PLAIN = {
     "plane.mu_static": MU_STATIC,
     "plane.mu_kinetic": MU_KINETIC,
     "plane.restitution": RESTITUTION,
+    "plane.rolling_resistance": ROLLING_RESISTANCE,
     "start.x": X,
     "start.angle": ANGLE,
     "contact.max_events": MAX_EVENTS,
@@ -136,6 +139,7 @@ def _put_base(cells: Array, base: Scenario) -> None:
     cells[MU_STATIC] = plane.mu_static
     cells[MU_KINETIC] = plane.mu_kinetic
     cells[RESTITUTION] = plane.restitution
+    cells[ROLLING_RESISTANCE] = plane.rolling_resistance
     cells[LAW] = int(ImpactLaw[plane.impact_law.upper()])
     cells[STRIKE] = plane.painleve == "impact"
     cells[X] = start.x
@@ -177,4 +181,8 @@ def _mark(cells: Array) -> None:
     massless = cells[INERTIA_RATIO] == 0.0
     bad = cells[MU_KINETIC] > cells[MU_STATIC]
     bad |= massless & ((cells[ECCENTRICITY] != 1.0) | (cells[SLOPE] != 0.0))
+    resisted = np.flatnonzero(cells[ROLLING_RESISTANCE] > 0.0)
+    for k in resisted:
+        most = most_resistance(float(cells[ECCENTRICITY, k]), float(cells[INERTIA_RATIO, k]))
+        bad[k] |= bool(massless[k]) or not cells[ROLLING_RESISTANCE, k] < most
     cells[ALLOWED][bad] = 0.0

@@ -10,7 +10,7 @@ from numba.core import config
 from hophoop.maps import kernel as cells_kernel
 from hophoop.numerics.collocation import ORDER
 from hophoop.panels.panel import ROWS
-from hophoop.records.scratch import STACK_COLUMNS, STACK_ROWS, Scratch
+from hophoop.records.scratch import MOST_PANELS, STACK_COLUMNS, STACK_ROWS, Scratch
 
 # What CUDA's simulator runs is Python.
 evaluate_cell: Any = cells_kernel.evaluate_cell if config.ENABLE_CUDASIM else cells_kernel.evaluate_cell.dispatcher  # type: ignore[attr-defined]
@@ -46,8 +46,9 @@ def evaluate_thread(
             cuda.local.array(ORDER, float64),
             cuda.local.array((STACK_ROWS, STACK_COLUMNS), float64),
             cuda.local.array(2, float64),
-            cuda.local.array(3, int64),
+            cuda.local.array(4, int64),
         )
+        scratch.written[3] = MOST_PANELS
         room = events.shape[1] - PASSING
         done = evaluate_cell(
             cells,

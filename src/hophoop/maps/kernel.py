@@ -11,6 +11,7 @@ from hophoop._jit import jit
 from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.physics.contact import rolling_forces
 from hophoop.physics.friction import utilization
+from hophoop.physics.resistance import resisted_acceleration, resisted_forces
 from hophoop.physics.roll import rolling_u
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -27,12 +28,12 @@ from hophoop.rigid.transitions import collide
 CELL = (
     "radius", "mass", "eccentricity", "inertia_ratio", "gravity", "slope", "mu_static", "mu_kinetic",
     "restitution", "law", "strike", "x", "height", "angle", "vy", "omega", "slip", "duration", "max_events",
-    "ideal", "allowed",
+    "ideal", "rolling_resistance", "allowed",
 )  # fmt: skip
 (
     RADIUS, MASS, ECCENTRICITY, INERTIA_RATIO, GRAVITY, SLOPE, MU_STATIC, MU_KINETIC,
     RESTITUTION, LAW, STRIKE, X, HEIGHT, ANGLE, VY, OMEGA, SLIP, DURATION, MAX_EVENTS,
-    IDEAL, ALLOWED,
+    IDEAL, ROLLING_RESISTANCE, ALLOWED,
 ) = range(len(CELL))  # fmt: skip
 
 # Columns of the results, in SI units.
@@ -66,6 +67,7 @@ FIRST_EVENTS, MORE_EVENTS = 64, 4  # length of the first array of events, and of
 # Stands for no limit of time: a motion that slides for ever must end too. In kernel units.
 FOREVER = 1e9
 SAMPLES_A_RADIAN = 24
+RESISTED_SAMPLES_A_RADIAN = 120
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 START, SLIP_START, TAKEOFF, IMPACT, TURN = (
@@ -144,6 +146,7 @@ def body_of(cells, k):
         cells[STRIKE, k] != 0.0,
         weight * cells[SLOPE, k],
         cells[IDEAL, k] != 0.0,
+        cells[ROLLING_RESISTANCE, k],
     )
 
 
@@ -203,8 +206,70 @@ def friction_need(body, th0, u0, offset):
 
 
 @jit
-def greatest_need(body, th0, u0, turned):
+def resisted_slope(body, th, u, rho):
+    """dθ̇²/dθ of rolling with rolling resistance."""
+    return 2.0 * resisted_acceleration(body, math.sin(th), math.cos(th), u, rho)
+
+
+@jit
+def resisted_u(body, th, u, rho, step):
+    """θ̇² of rolling with rolling resistance a short way on, by Runge and Kutta's method."""
+    first = resisted_slope(body, th, u, rho)
+    second = resisted_slope(body, th + 0.5 * step, u + 0.5 * step * first, rho)
+    third = resisted_slope(body, th + 0.5 * step, u + 0.5 * step * second, rho)
+    last = resisted_slope(body, th + step, u + step * third, rho)
+    return u + step * (first + 2.0 * (second + third) + last) / 6.0
+
+
+@jit
+def resisted_use(body, th, u, rho, step):
+    """abs(F)/N a short way on from a state of rolling with rolling resistance."""
+    u = max(resisted_u(body, th, u, rho, step), 0.0)
+    friction, normal = resisted_forces(body, math.sin(th + step), math.cos(th + step), u, rho)
+    return abs(friction) / normal if normal > 0.0 else math.inf
+
+
+@jit
+def resisted_need(body, th0, om0, turned):
+    """Greatest abs(F)/N of a rolling arc with rolling resistance: samples, then golden section beside the greatest."""
+    rho = math.copysign(body.resist, turned)
+    count = 4 + int(abs(turned) * RESISTED_SAMPLES_A_RADIAN)
+    step = turned / count
+    th = th0
+    u = om0 * om0
+    greatest = resisted_use(body, th, u, rho, 0.0)
+    low_th = th0
+    low_u = u
+    for i in range(1, count + 1):
+        need = resisted_use(body, th, u, rho, step)
+        if need > greatest:
+            greatest = need
+            low_th = th
+            low_u = u
+        u = resisted_u(body, th, u, rho, step)
+        th = th0 + step * i
+    low = 0.0
+    high = 2.0 * step if abs(low_th + 2.0 * step - th0) <= abs(turned) else step
+    part = 0.5 * (math.sqrt(5.0) - 1.0)
+    for _ in range(44):
+        a = high - part * (high - low)
+        b = low + part * (high - low)
+        at_a = resisted_use(body, low_th, low_u, rho, a)
+        at_b = resisted_use(body, low_th, low_u, rho, b)
+        if at_a > at_b:
+            high = b
+        else:
+            low = a
+        greatest = max(greatest, at_a, at_b)
+    return greatest
+
+
+@jit
+def greatest_need(body, th0, om0, turned):
     """Greatest abs(F)/N of a rolling arc: samples, then golden section beside the greatest."""
+    if body.resist > 0.0:
+        return resisted_need(body, th0, om0, turned)
+    u0 = om0 * om0
     count = 2 + int(abs(turned) * SAMPLES_A_RADIAN)
     step = turned / count
     best = 0
@@ -248,7 +313,7 @@ def greatest_utilization(body, events, last):
             used = 0.0
             if 0.0 < body.mu_s < math.inf:
                 turned = events[i + 1]["angle"] - row["angle"]
-                need = greatest_need(body, row["angle"], row["omega"] * row["omega"], turned)
+                need = greatest_need(body, row["angle"], row["omega"], turned)
                 used = utilization(False, need, 1.0, body.mu_s, body.mu_k)
         elif row["after_mode"] == SPIN or row["after_mode"] == SKID:
             used = utilization(True, body.mu_k, 1.0, body.mu_s, body.mu_k)
@@ -377,6 +442,8 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
     if mode == ROLL and ending <= BY_REST:
         numbers[k, REVOLUTIONS_TO_ROLLING] = abs(rolling_since - begin["angle"]) / (2.0 * math.pi)
     lost = end["friction"] + end["impact_normal"] + end["impact_tangential"]
+    if motion.body.resist > 0.0:
+        lost += end["rolling_resistance"]
     numbers[k, ENERGY_LOST] = lost * scales.energy
     if asked.wanted & UTILIZATION_WANTED:
         numbers[k, GREATEST_UTILIZATION] = greatest_utilization(motion.body, events, last)

@@ -43,8 +43,10 @@ def least_jam_speed(hoop: Hoop, plane: Plane = Plane()) -> float:
     energy is at least that of rolling with the same θ̇, so that with c = cos θ of the jam
 
     .. math::
-        \tfrac12\bigl((1 + \varepsilon)^2 + \kappa\bigr) v_0^2 \ge
-        gR\left[\frac{1 + \kappa + \varepsilon^2 + 2 \varepsilon c}{2 \varepsilon c} - \varepsilon (1 - c)\right].
+        \begin{aligned}
+        &\tfrac12\bigl((1 + \varepsilon)^2 + \kappa\bigr) v_0^2 \ge \\
+        &\quad gR\left[\frac{1 + \kappa + \varepsilon^2 + 2 \varepsilon c}{2 \varepsilon c} - \varepsilon (1 - c)\right].
+        \end{aligned}
 
     The right side is above its left at :math:`v_0^2 = gR/\varepsilon` for every body: a hoop that can roll at the top at
     all never has the energy. Losses are never negative, except under Newton's law.

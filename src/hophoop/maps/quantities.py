@@ -82,7 +82,7 @@ QUANTITIES: Mapping[str, Quantity] = {
         _number("distance", "Way of the centre along the plane", "m"),
         _number("distance_rolled", "Length of the way that was rolled", "m"),
         _number("revolutions_to_rolling", "Revolutions to the span's last phase, where that is rolling", "1"),
-        _number("energy_lost", "Energy lost in slip and impacts", "J"),
+        _number("energy_lost", "Energy lost in slip, in impacts and to rolling resistance", "J"),
         _number(
             "greatest_utilization", "Greatest friction utilization, abs(F)/(mu N) with mu_kinetic in slip, else mu_static", "1"
         ),

@@ -38,7 +38,8 @@ def width_of(level):
 LINEAR, ARRIVE, LEAVE, FLY, HOLD, SKIMMING = 0, 1, 2, 3, 4, 5
 # Rows of the scratch array of a panel: values at the nodes.
 SINE, COSINE, STRETCH, U, RATE, TIME, NORMAL, SLIP_RATE, SLIP, POWER, LOSS, ARM, STIFFNESS, A, B = range(15)
-ROWS = 15
+RESIST, RESISTED = 15, 16  # power and work of the rolling resistance
+ROWS = 17
 RESOLVED = 2e-13  # size of the last Chebyshev coefficients at which a panel is accepted
 
 
@@ -54,7 +55,7 @@ class Panel(NamedTuple):
     sine: float  # sin θ and cos θ there
     cosine: float
     extent: float  # abs(Δθ) over the panel
-    arm: float  # slip: q and κ p_σ there; roll: −dV/dθ and d²V/dθ² of the potential V
+    arm: float  # slip: q and κ p_σ there; roll: −dV/dθ, less ρ g_n, and d²V/dθ² of the potential V
     stiffness: float
     u: float  # θ̇² at `ref`
     vt: float  # slip velocity at the start
@@ -69,6 +70,7 @@ class Totals(NamedTuple):
     vt: float
     loss: float
     growth: float  # slip: of a difference of θ̇² between two motions, from `ref` to the far end
+    resisted: float  # energy lost to rolling resistance
 
 
 @inline_jit

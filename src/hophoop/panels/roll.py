@@ -81,20 +81,20 @@ def solve_roll(body, panel, work):
         rates[i] = stretch[i] / math.sqrt(max(us[i], 0.0))  # infinite beyond a turning point
     size = tail(rates, 0.0)
     if not size <= RESOLVED:
-        return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan)
+        return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan, 0.0)
     first = energies[0] * us[ORDER - 1]
     last = energies[ORDER - 1] * us[0]
     if not STEEP * max(first, last) < min(first, last):
         size = tail(us, 0.0)
         if not size <= RESOLVED:
-            return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan)
+            return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan, 0.0)
     time = total(rates)
     far = -1.0 if panel.kind == ARRIVE else 1.0
     sine, versine = chord(panel, far)
     u = u_on_panel(body, panel, sine, versine, far * panel.way * panel.extent)
     if not u > 0.0:
         size = math.inf
-    return Totals(size, time, u, 0.0, 0.0, math.nan)
+    return Totals(size, time, u, 0.0, 0.0, math.nan, 0.0)
 
 
 @inline_jit

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from hophoop._jit import inline_jit
+from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.collocation import ORDER, antiderivative, exponentials, integrals, remainders, tail, total
 from hophoop.numerics.trigonometry import rotated
 from hophoop.panels.panel import (
@@ -14,6 +14,7 @@ from hophoop.panels.panel import (
     NORMAL,
     POWER,
     RATE,
+    RESIST,
     RESOLVED,
     SINE,
     SLIP,
@@ -42,6 +43,14 @@ def from_reference(panel, values, out):
     for i in range(ORDER):
         out[i] *= way
     return way * total(values)
+
+
+@apart_jit
+def slip_resisted(body, work):
+    """Energy lost to rolling resistance on a solved slip panel; fills its power."""
+    for i in range(ORDER):
+        work[RESIST, i] = body.resist * work[NORMAL, i] * work[STRETCH, i]
+    return total(work[RESIST])
 
 
 @inline_jit
@@ -88,11 +97,11 @@ def solve_slip(body, panel, work):
         damping[i] = -eps * c * share
         drive[i] = body.gn * share
     if not lowest > 0.0:
-        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan)
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     least = lowest
     size = tail(damping, 0.5)
     if not size <= RESOLVED:
-        return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan)
+        return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     exponent = from_reference(panel, damping, integral)
     exponentials(integral, growth)
     for i in range(ORDER):
@@ -107,7 +116,7 @@ def solve_slip(body, panel, work):
     growth_far = math.exp(exponent)
     u_far = growth_far * (panel.u + driven)
     if not (lowest > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
-        return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far)
+        return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
     rates = work[RATE]
     normals = work[NORMAL]
     slip_rates = work[SLIP_RATE]
@@ -123,7 +132,7 @@ def solve_slip(body, panel, work):
     weight = body.gn + panel.u
     size = max(size, tail(rates, 0.0), tail(normals, max(weight, 2e-3 * body.kap * weight / least)))
     if not size <= RESOLVED:
-        return Totals(size, 0.0, u_far, 0.0, 0.0, growth_far)
+        return Totals(size, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
     time = total(rates)
     slips = work[SLIP]
     vt = panel.vt + antiderivative(slip_rates, slips)
@@ -132,4 +141,5 @@ def solve_slip(body, panel, work):
         slips[i] += panel.vt
         # no abs(), so that it stays smooth beyond the end of the slip
         power[i] = sigma * body.mu_k * normals[i] * slips[i] * rates[i]
-    return Totals(size, time, u_far, vt, total(power), growth_far)
+    resisted = slip_resisted(body, work) if body.resist > 0.0 else 0.0
+    return Totals(size, time, u_far, vt, total(power), growth_far, resisted)

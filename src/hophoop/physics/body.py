@@ -24,6 +24,7 @@ class Body(NamedTuple):
     strike: bool  # indeterminate Painlevé: impact (True) or flight
     slope: float  # β, whose rounded cosine and sine are gn and gt; 0 without gravity [rad]
     ideal: bool = False  # κ is 1 − ε², of which `kap` is the rounded value
+    resist: float = 0.0  # rolling resistance f
 
 
 class Mode(IntEnum):

@@ -10,12 +10,13 @@ and the friction is one of
     tanh, linear       F = −N φ(v_t/v_s), creeping under every load
     bristle            a spring and damper along the plane, F = −(k_t z + c_t ż), whose foot sticks to
                        the plane (ż = v_t) while abs(F) ≤ μs N and else slides with abs(F) = μk N
+
+Rolling resistance is a couple −f N tanh(θ̇/ω_s) on the hoop, which creeps under every load.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from enum import IntEnum
 from typing import NamedTuple
 
@@ -38,7 +39,7 @@ class FrictionLaw(IntEnum):
 
 
 KELVIN_VOIGT = int(NormalLaw.KELVIN_VOIGT)
-TANH, BRISTLE = int(FrictionLaw.TANH), int(FrictionLaw.BRISTLE)
+TANH, LINEAR, BRISTLE = (int(law) for law in FrictionLaw)
 
 
 class Compliance(NamedTuple):
@@ -55,6 +56,7 @@ class Compliance(NamedTuple):
     excess: float  # of static friction in the tanh law, see `static_excess`
     k_t: float  # bristle
     c_t: float
+    om_s: float = 1e-6  # θ̇ at which rolling resistance comes to its full size
 
 
 # The part of friction that is above the kinetic one falls off over so many slip speeds in the tanh law.
@@ -115,6 +117,13 @@ def friction_force(comp, regime, normal, z, vt):
 
 
 @jit
+def resisting_couple(comp, resist, normal, om):
+    """(C, ∂C/∂N, ∂C/∂θ̇) of the couple of rolling resistance."""
+    hyper = math.tanh(om / comp.om_s)
+    return -resist * normal * hyper, -resist * hyper, -resist * normal * (1.0 - hyper * hyper) / comp.om_s
+
+
+@jit
 def first_regime(comp, normal, z, vt):
     """Regime of the friction where a contact begins: 0 in stick or creep, else the direction of slip."""
     if comp.friction == BRISTLE:
@@ -140,7 +149,11 @@ def spring_energy(comp, y, z):
 # --- damping for a wanted restitution ------------------------------------------------------------
 
 
-def ratio_restitution(ratio: float) -> float:
+BISECTIONS = 200  # at most; two neighbouring doubles end it before
+
+
+@jit
+def ratio_restitution(ratio):
     """Restitution of a mass on a clipped Kelvin–Voigt contact that nothing else presses down.
 
     Parameters
@@ -160,7 +173,8 @@ def ratio_restitution(ratio: float) -> float:
     return math.exp(-2.0 * ratio * math.acosh(ratio) / root) if root > 0.0 else math.exp(-2.0)
 
 
-def damping_ratio(restitution: float) -> float:
+@jit
+def damping_ratio(restitution):
     """Inverse of `ratio_restitution`.
 
     Parameters
@@ -178,10 +192,25 @@ def damping_ratio(restitution: float) -> float:
     low, high = 0.0, 1.0
     while ratio_restitution(high) > restitution:
         low, high = high, 2.0 * high
-    return _bisect(lambda ratio: restitution - ratio_restitution(ratio), low, high)
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        if ratio_restitution(middle) > restitution:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
 
 
-def hunt_crossley_number(restitution: float) -> float:
+@jit
+def hunt_crossley_excess(restitution, u):
+    """ln(1 + u) − ln(1 − e u) − (1 + e) u."""
+    return math.log1p(u) - math.log1p(-restitution * u) - (1.0 + restitution) * u
+
+
+@jit
+def hunt_crossley_number(restitution):
     """d times the approach speed at which a Hunt–Crossley contact has a restitution.
 
     Parameters
@@ -196,22 +225,47 @@ def hunt_crossley_number(restitution: float) -> float:
     """
     if restitution >= 1.0:
         return 0.0
-
-    def excess(u: float) -> float:
-        return math.log1p(u) - math.log1p(-restitution * u) - (1.0 + restitution) * u
-
     pole = 1.0 / restitution
     high = pole * (1.0 - 1e-15)
-    if excess(high) < 0.0:  # the root is the pole, to rounding
+    if hunt_crossley_excess(restitution, high) < 0.0:  # the root is the pole, to rounding
         return high
     # negative from 0 to the root, where it is rising
     low = 0.5 * pole
-    while excess(low) >= 0.0:
+    while hunt_crossley_excess(restitution, low) >= 0.0:
         low *= 0.5
-    return _bisect(excess, low, high)
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        if not low < middle < high:
+            break
+        if hunt_crossley_excess(restitution, middle) < 0.0:
+            low = middle
+        else:
+            high = middle
+    return 0.5 * (low + high)
 
 
-def static_excess(mu_static: float, mu_kinetic: float) -> float:
+@jit
+def static_height(mu_kinetic, excess, xi):
+    """tanh ξ (μk + A exp(−ξ²/9))."""
+    return math.tanh(xi) * (mu_kinetic + excess * math.exp(-((xi / STRIBECK) ** 2)))
+
+
+@jit
+def static_peak(mu_kinetic, excess):
+    """The maximum of `static_height`: golden section; it is the only one between 0 and 4 STRIBECK, or saturates."""
+    low, high = 0.0, 4.0 * STRIBECK
+    share = 0.5 * (math.sqrt(5.0) - 1.0)
+    for _ in range(80):
+        left, right = high - share * (high - low), low + share * (high - low)
+        if static_height(mu_kinetic, excess, left) < static_height(mu_kinetic, excess, right):
+            low = left
+        else:
+            high = right
+    return static_height(mu_kinetic, excess, 0.5 * (low + high))
+
+
+@jit
+def static_excess(mu_static, mu_kinetic):
     """The factor that gives tanh ξ (μk + A exp(−ξ²/9)) the maximum μs exactly.
 
     Parameters
@@ -226,35 +280,34 @@ def static_excess(mu_static: float, mu_kinetic: float) -> float:
     """
     if mu_static == mu_kinetic:
         return 0.0
-
-    def peak(excess: float) -> float:
-        def height(xi: float) -> float:
-            return math.tanh(xi) * (mu_kinetic + excess * math.exp(-((xi / STRIBECK) ** 2)))
-
-        # golden section; the height has one maximum, between 0 and 4 STRIBECK, or saturates
-        low, high = 0.0, 4.0 * STRIBECK
-        share = 0.5 * (math.sqrt(5.0) - 1.0)
-        for _ in range(80):
-            left, right = high - share * (high - low), low + share * (high - low)
-            if height(left) < height(right):
-                low = left
-            else:
-                high = right
-        return height(0.5 * (low + high))
-
-    high = mu_static - mu_kinetic
-    while peak(high) < mu_static:
+    low, high = 0.0, mu_static - mu_kinetic
+    while static_peak(mu_kinetic, high) < mu_static:
         high *= 2.0
-    return _bisect(lambda excess: peak(excess) - mu_static, 0.0, high)
-
-
-def _bisect(rising: Callable[[float], float], low: float, high: float) -> float:
-    for _ in range(200):
+    for _ in range(BISECTIONS):
         middle = 0.5 * (low + high)
         if not low < middle < high:
             break
-        if rising(middle) < 0.0:
+        if static_peak(mu_kinetic, middle) < mu_static:
             low = middle
         else:
             high = middle
     return 0.5 * (low + high)
+
+
+# --- what a start asks of the contact ------------------------------------------------------------
+
+
+@jit
+def sinking(k, falls, height, speed):
+    """How far the rim sinks into the plane, roughly, when it comes down from a height with a speed (kernel units)."""
+    fall = math.sqrt(2.0 * height) if falls else 0.0
+    return (speed + fall) / math.sqrt(k) + 1.0 / k
+
+
+@jit
+def step_count(duration, second, stiffness, mass):
+    """How many steps the integration takes, roughly: some for each oscillation; a small slip speed costs none."""
+    rate = 10.0 / second
+    if not math.isnan(stiffness):
+        rate += math.sqrt(stiffness / mass)
+    return 10.0 * duration * rate

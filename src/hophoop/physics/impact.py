@@ -143,11 +143,12 @@ def impact(body, rest, s, c, vt, vn, p_sigma=math.nan):
 
 
 @lean_jit
-def singular_slip(body, s, c, exact, ahead, vt, om):
+def singular_slip(body, s, c, exact, ahead, vt, om, rho):
     """Slip that has run into p_σ = 0 with f_n < 0 and N → ∞: an impulse at a fixed angle and v_n = 0.
 
     Along it θ̇ and v_t change linearly. It ends where the slip stops; or where θ̇ has been turned round, so that
-    the motion leaves the angle again on the curve θ̇²(θ) it came on; or it jams, where f_n → 0 first.
+    the motion leaves the angle again on the curve θ̇²(θ) it came on; or it jams, where f_n → 0 first. With rolling
+    resistance it ends where θ̇ = 0, beyond which the couple, and with it p_σ, is another.
 
     Parameters
     ----------
@@ -155,6 +156,8 @@ def singular_slip(body, s, c, exact, ahead, vt, om):
         Whether it has come to p_σ = 0, `ahead` of (s, c), and not only near it with f_n → 0.
     ahead : float
         [rad].
+    rho : float
+        Rolling resistance with the sign of θ̇.
 
     Returns
     -------
@@ -171,6 +174,9 @@ def singular_slip(body, s, c, exact, ahead, vt, om):
     else:
         arm, lever = contact_arms(body, s, c)
         turn, rate, _ = slip_rates(body, arm, lever, -sigma * body.mu_k)
+        if rho != 0.0:
+            turn -= rho / body.kap
+            rate += arm * rho / body.kap
     stop = -vt / rate if vt * rate < 0.0 else math.inf
     outward = body.eps * c
     if turn * om > 0.0:
@@ -183,9 +189,10 @@ def singular_slip(body, s, c, exact, ahead, vt, om):
             return True, after, om + turn * limit, limit, loss
         length = stop
     else:
-        length = min(stop, -2.0 * om / turn)
+        length = min(stop, (-2.0 if rho == 0.0 else -1.0) * om / turn)
     after = 0.0 if length == stop else vt + rate * length
-    return False, after, om + turn * length, length, sigma * body.mu_k * 0.5 * (vt + after) * length
+    spin = 0.0 if rho != 0.0 and length < stop and turn * om <= 0.0 else om + turn * length
+    return False, after, spin, length, sigma * body.mu_k * 0.5 * (vt + after) * length
 
 
 @lean_jit

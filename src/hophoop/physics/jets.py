@@ -10,6 +10,7 @@ import math
 
 from hophoop._jit import apart_jit, lean_jit
 from hophoop.physics.contact import cone_weights
+from hophoop.physics.resistance import resistance_arm
 
 TERMS = 5
 ZERO = 1e-11  # a coefficient this small beside the others' scale counts as zero
@@ -79,6 +80,7 @@ def candidate_series(body, th, om, sigma):
     """Taylor coefficients of (N, cone margin at F > 0, at F < 0, v̇_t) in rolling (sigma = 0) or slip."""
     eps = body.eps
     drag = sigma * body.mu_k
+    rho = resistance_arm(body, math.sin(th), math.cos(th), om, sigma)
     a, b = cone_weights(body.mu_s)
     normal = (0.0, 0.0, 0.0, 0.0, 0.0)
     friction = normal
@@ -92,11 +94,14 @@ def candidate_series(body, th, om, sigma):
         if sigma == 0:
             inertia = _shifted(1.0 + body.kap + eps * eps, 2.0 * eps, c)
             torque = _sum(1.0, _sum(1.0, centrifugal, eps * body.gn, s), body.gt, arm)
+            if rho != 0.0:
+                inertia = _sum(1.0, inertia, -rho * eps, s)
+                torque = _shifted(-rho * body.gn, 1.0, _sum(1.0, torque, rho * eps, _times(c, u)))
             alpha = _over(torque, inertia)
             friction = _shifted(-body.gt, 1.0, _sum(1.0, _times(alpha, arm), -1.0, centrifugal))
             normal = _shifted(body.gn, -eps, _sum(1.0, _times(s, alpha), 1.0, _times(c, u)))
         else:
-            q = _sum(eps, s, drag, arm)
+            q = _shifted(-rho, 1.0, _sum(eps, s, drag, arm)) if rho != 0.0 else _sum(eps, s, drag, arm)
             stiffness = _shifted(body.kap, eps, _times(s, q))
             load = _over(_shifted(body.gn, -eps, _times(c, u)), stiffness)
             alpha = _times(q, load)

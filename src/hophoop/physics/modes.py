@@ -7,15 +7,10 @@ import math
 from hophoop._jit import apart_jit, inline_jit, lean_jit
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import Mode
-from hophoop.physics.contact import (
-    cone_weights,
-    free_acceleration,
-    rolling_forces,
-    slip_motion,
-    slip_stiffness,
-)
+from hophoop.physics.contact import cone_weights, free_acceleration
 from hophoop.physics.jets import candidate_series, leading_sign
 from hophoop.physics.painleve import slip_coefficients
+from hophoop.physics.resistance import forces_rolling, motion_slipping, resistance_arm, stiffness_slipping
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 # Answers beyond the modes: what rule 4 records before the motion goes on.
@@ -65,7 +60,7 @@ def can_roll(body, th, om):
     s = math.sin(th)
     c = math.cos(th)
     u = om * om
-    friction, normal = rolling_forces(body, s, c, u)
+    friction, normal = forces_rolling(body, s, c, om)
     a, b = cone_weights(body.mu_s)
     tie = TIE * (body.gn + abs(body.gt) + u)
     margin = a * normal - b * abs(friction)
@@ -86,12 +81,12 @@ def can_start_slip(body, th, om, sigma):
     u = om * om
     scale = body.gn + abs(body.gt) + u
     tie = TIE * scale
-    stiffness = slip_stiffness(body, s, c, sigma)
+    stiffness = stiffness_slipping(body, s, c, om, sigma)
     if stiffness <= 0.0:
         return False
     # N = κ load / stiffness; as κ → 0 it is the load that has to be told from rounding
     load = body.gn - body.eps * c * u
-    slip = slip_motion(body, s, c, u, sigma)[2]
+    slip = motion_slipping(body, s, c, om, sigma)[2]
     if load < -tie or sigma * slip < -tie:
         return False
     if load > tie and sigma * slip > tie:
@@ -108,11 +103,11 @@ def frictionless_mode(body, th, th_low, om):
     """
     s, c = sine_cosine(th, th_low)
     u = om * om
-    if body.gt == 0.0:
+    if body.gt == 0.0 and body.resist == 0.0:
         bend = body.eps * (u - (body.gn - body.eps * c * u) * (1.0 + body.eps * c) / (body.kap + body.eps * s * body.eps * s))
         drive = s * bend if s != 0.0 else om * c * bend
     else:
-        drive = slip_motion(body, s, c, u, 0)[2]
+        drive = motion_slipping(body, s, c, om, 0)[2]
     if drive == 0.0:
         return ROLL
     return slip_mode(1 if drive > 0.0 else -1)
@@ -138,7 +133,7 @@ def next_mode(body, th, th_low, om, vt):
         if math.isinf(body.mu_k):
             return UNDECIDED  # rolling would need to pull and free motion would enter the plane
         # for f_n < 0 just one of roll and slip exists: rounding hides which
-        friction, normal = rolling_forces(body, math.sin(th), math.cos(th), om * om)
+        friction, normal = forces_rolling(body, math.sin(th), math.cos(th), om)
         a, b = cone_weights(body.mu_s)
         if a * normal >= b * abs(friction):
             return ROLL
@@ -149,9 +144,12 @@ def next_mode(body, th, th_low, om, vt):
     opening = opening_sign(body, th, om)
     if math.isinf(body.mu_k):  # infinite friction stops any slip at once
         return FLIGHT if opening >= 0 else INCONSISTENT
-    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma)
+    rho = resistance_arm(body, s, c, om, sigma)
+    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma, rho)
     if stiffness > 0.0:
         return slip_mode(sigma) if opening < 0 else FLIGHT
+    if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 0 or body.strike):
+        return UNDECIDED  # an impact, which is without rolling resistance, would change nothing
     if opening < 0:
         return INCONSISTENT
     return INDETERMINATE if stiffness < 0.0 else FLIGHT

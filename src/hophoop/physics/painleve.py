@@ -18,12 +18,12 @@ def exact_inertia(body):
 
 
 @apart_jit
-def exact_slip_stiffness(body, th, th_low, sigma):
+def exact_slip_stiffness(body, th, th_low, sigma, rho):
     """(q, κ p_σ) with all their digits: `slip_torque_arm` and `slip_stiffness` from θ and the parameters as exact numbers."""
     sine, versine = sine_versine((th, th_low))
     lever = multiply((body.eps, 0.0), sine)
     arm = add(add((1.0, 0.0), (body.eps, 0.0)), negative(multiply((body.eps, 0.0), versine)))
-    q = add(lever, multiply((sigma * body.mu_k, 0.0), arm))
+    q = add(add(lever, multiply((sigma * body.mu_k, 0.0), arm)), (-rho, 0.0))
     stiffness = add(exact_inertia(body), multiply(lever, q))
     return q[0], stiffness[0]
 
@@ -35,10 +35,10 @@ def stiffness_slope(body, s, c, sigma, q):
 
 
 @inline_jit
-def slip_coefficients(body, th, th_low, s, c, sigma):
-    """(q, κ p_σ) in slip of direction σ, exact to the last digits also where κ p_σ is nearly zero."""
-    arm = slip_torque_arm(body, s, c, sigma)
+def slip_coefficients(body, th, th_low, s, c, sigma, rho):
+    """(q, κ p_σ) in slip of direction σ with the rolling resistance ρ, exact also where κ p_σ is nearly zero."""
+    arm = slip_torque_arm(body, s, c, sigma) - rho
     stiffness = body.kap + body.eps * s * arm
     if abs(stiffness) < NEARLY:
-        return exact_slip_stiffness(body, th, th_low, sigma)
+        return exact_slip_stiffness(body, th, th_low, sigma, rho)
     return arm, stiffness

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -16,15 +17,18 @@ from hophoop.convergence import (
     touch_scenario,
     with_contact,
 )
+from hophoop.plots.motion import energies
+from hophoop.plots.style import finish, set_title
 from hophoop.simulation import simulate
-from hophoop.vocabulary import colors, labels
+from hophoop.vocabulary import colors
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_INKS = (colors.BLUE, colors.VERMILION, colors.GREEN, colors.PURPLE, colors.BLACK, colors.ORANGE, colors.SKY)
 _MARKS = "osD^vPX"
-_STIFFNESS = "stiffness k over m g/R"
+_STIFFNESS = "Stiffness $k$ over $mg/R$"
+_LOST = "Energy lost in the landing (J)"
+_PARTS = (("o", colors.IMPACT_LOSS, "normal"), ("s", colors.FRICTION_LOSS, "friction"))
 
 
 def error_lines(
@@ -57,11 +61,8 @@ def error_lines(
     for index, (name, values) in enumerate(errors.items()):
         values = np.asarray(values)
         label = f"{name}: order {order(k[inside], values[inside]):.2f}"
-        ax.loglog(k, values, marker=_MARKS[index], ms=4, lw=1.2, color=_INKS[index], label=label)
-    ax.set_xlabel(_STIFFNESS)
-    ax.set_ylabel("largest difference of θ (rad)")
-    ax.grid(True, which="major", alpha=0.3)
-    ax.legend(fontsize="small", loc="lower left", framealpha=0.9)
+        ax.loglog(k, values, marker=_MARKS[index], ms=4, lw=1.2, color=colors.SERIES[index], label=label)
+    finish(ax, _STIFFNESS, "Largest difference of θ (rad)")
     return ax
 
 
@@ -85,7 +86,7 @@ def landing_against_stiffness(stiffnesses: ArrayLike, ax: Axes | None = None) ->
     _losses(ax, k, soft)
     _rigid_lines(ax, landing(simulate(touch_scenario())))
     ax.set_xscale("log")
-    ax.set_xlabel(_STIFFNESS)
+    _finish_losses(ax, _STIFFNESS)
     return ax
 
 
@@ -113,7 +114,7 @@ def landing_against_slip_speed(slip_speeds: ArrayLike, stiffness: float = 1e8, a
         _losses(ax, speeds, soft, line="-" if friction == "tanh" else ":", what=friction)
     _rigid_lines(ax, landing(simulate(touch_scenario())))
     ax.set_xscale("log")
-    ax.set_xlabel("slip speed v$_s$ over √(g R)")
+    _finish_losses(ax, r"Slip speed $v_s$ over $\sqrt{gR}$")
     return ax
 
 
@@ -137,12 +138,12 @@ def landing_against_restitution(restitutions: ArrayLike, stiffness: float = 1e6,
     e = np.asarray(restitutions, dtype=float)
     for law, dashes in (("stronge", "-"), ("poisson", "--"), ("newton", ":")):
         rigid = [landing(simulate(touch_scenario(value, law))) for value in e]
-        ax.plot(e, [one.normal for one in rigid], dashes, color=colors.BLUE, lw=1.2)
-        ax.plot(e, [one.tangential for one in rigid], dashes, color=colors.VERMILION, lw=1.2)
+        ax.plot(e, [one.normal for one in rigid], dashes, color=colors.IMPACT_LOSS, lw=1.2)
+        ax.plot(e, [one.tangential for one in rigid], dashes, color=colors.FRICTION_LOSS, lw=1.2)
         ax.plot([], [], dashes, color=colors.BLACK, lw=1.2, label=f"rigid, {law.capitalize()}")
     soft = [landing(simulate(with_contact(touch_scenario(value), stiffness))) for value in e]
     _losses(ax, e, soft, line="")
-    ax.set_xlabel("restitution e")
+    _finish_losses(ax, "Restitution $e$")
     return ax
 
 
@@ -166,52 +167,42 @@ def energy_balance(ax_rigid: Axes | None = None, ax_soft: Axes | None = None, st
     assert ax_rigid is not None
     assert ax_soft is not None
     scenario = landing_scenario()
+    soft = with_contact(scenario, stiffness)
+    power = round(math.log10(stiffness))
     for ax, one, title in (
-        (ax_rigid, scenario, "rigid, e = 0"),
-        (ax_soft, with_contact(scenario, stiffness), f"compliant, k = {stiffness:.0e} m g/R"),
+        (ax_rigid, scenario, f"rigid, $e$ = {scenario.plane.restitution:g}"),
+        (ax_soft, soft, rf"compliant, $k = 10^{{{power}}}\,mg/R$"),
     ):
-        motion = simulate(one)
-        t = np.linspace(0.0, motion.duration, 4000)
-        for event in motion.find("impact"):
-            t = np.sort(np.append(t, [event.t * (1 - 1e-13), event.t]))
-        s = motion.at(t)
-        angle = np.degrees(s.angle)
-        ax.plot(angle, s.kinetic, color=colors.KINETIC, label="kinetic $W_k$")
-        ax.plot(angle, s.potential, "--", color=colors.POTENTIAL, label="potential $W_p$")
-        ax.plot(angle, s.total, color=colors.TOTAL, lw=2, label="$W_k + W_p$")
-        ax.plot(angle, s.friction_loss, "-.", color=colors.FRICTION_LOSS, label="lost to friction")
-        label = "lost in impacts, normal part" if one.contact.model == "rigid" else "lost in the damper"
-        ax.plot(angle, s.normal_loss, ":", color=colors.IMPACT_LOSS, lw=2, label=label)
-        ax.set_title(title, fontsize="medium")
-        ax.set_xlabel(labels.ANGLE)
-        ax.set_xticks(np.arange(0, 541, 90))
-        ax.grid(True, alpha=0.3)
-        ax.set_ylim(-18.0, 49.0)
-        ax.legend(fontsize="small", loc="upper left", ncols=2)
-    ax_rigid.set_ylabel(labels.ENERGY)
+        energies(simulate(one), "angle", ax=ax)
+        set_title(ax, title)
+        # two columns: there is half a page for each
+        ax.legend(frameon=False, fontsize=8.5, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=2, handlelength=2.8)
+    low, high = ax_rigid.get_ylim()
+    ax_rigid.set_ylim(low, high)
+    ax_soft.set_ylabel("")
     return ax_rigid, ax_soft
 
 
 def _losses(ax: Axes, at: Any, landings: list[Landing], line: str = "-", what: str = "compliant") -> None:
     face = "white" if line == ":" else None
-    for mark, color, part in (("o", colors.BLUE, "normal"), ("s", colors.VERMILION, "friction")):
+    for mark, color, part in _PARTS:
         lost = [one.normal if part == "normal" else one.tangential for one in landings]
         ax.plot(at, lost, line + mark, color=color, ms=4, lw=1.0, label=f"{what}, {part}", markerfacecolor=face)
-    ax.set_ylabel("energy lost in the landing (J)")
+
+
+def _finish_losses(ax: Axes, across: str) -> None:
     values = np.concatenate([np.asarray(each.get_ydata(), dtype=float) for each in ax.lines])
     low, high = min(0.0, float(np.nanmin(values))), max(0.1, float(np.nanmax(values)))
     # Newton's law can give energy: what is below zero must show
     ax.set_ylim(low - (0.06 * (high - low) if low < 0.0 else 0.0), high + 0.12 * (high - low))
     if low < 0.0:
         ax.axhline(0.0, color=colors.GRAY, lw=0.7, zorder=0)
-    ax.grid(True, alpha=0.3)
-    ax.legend(fontsize="small")
+    finish(ax, across, _LOST)
 
 
 def _rigid_lines(ax: Axes, rigid: Landing) -> None:
-    ax.axhline(rigid.normal, color=colors.BLUE, ls="--", lw=1.0, label="rigid, normal")
-    ax.axhline(rigid.tangential, color=colors.VERMILION, ls="--", lw=1.0, label="rigid, friction")
-    ax.legend(fontsize="small")
+    for _, color, part in _PARTS:
+        ax.axhline(rigid.normal if part == "normal" else rigid.tangential, color=color, ls="--", lw=1.0, label=f"rigid, {part}")
 
 
 def _axes(ax: Axes | None) -> Axes:

@@ -16,7 +16,7 @@ from hophoop.maps.axes import ordered
 from hophoop.maps.cells import make_cells
 from hophoop.maps.kernel import CELL
 from hophoop.plots.style import SMALL, new_axes
-from hophoop.scenario import Hoop, InputError, Scenario
+from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.classes import class_color
 from hophoop.vocabulary.labels import PARAMETERS, with_unit
@@ -100,7 +100,19 @@ def motion_map(
     ax.set_ylim(y[0], y[-1])
     if painleve:
         _painleve(ax, dataset, x, y)
+    title = _title(dataset, (up, across))
+    if title:
+        ax.set_title(title, fontsize=9.5, loc="left")
     return ax
+
+
+def _title(dataset: Any, axes: Sequence[str]) -> str:
+    """What is the same in the whole map."""
+    plan = json.loads(dataset.attrs["plan"]) if "plan" in dataset.attrs else None
+    if plan is None:
+        return ""
+    base = Scenario.from_dict(plan["scenario"])
+    return ", ".join([describe(base, without=axes), f"{base.duration:g} s"])
 
 
 def _label(dataset: Any, name: str) -> str:

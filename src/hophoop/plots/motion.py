@@ -132,7 +132,16 @@ def energies(motion: Trajectory, against: Against = "angle", ax: Axes | None = N
             color=colors.IMPACT_LOSS,
             lw=LINE,
             ls=(0, (3, 1.2, 1, 1.2, 1, 1.2)),
-            label="lost in impacts, normal part",
+            label=axis_labels.normal_loss(motion.scenario.contact.model),
+        )
+    if np.any(sample.rolling_resistance > 0.0):
+        ax.plot(
+            across,
+            sample.rolling_resistance,
+            color=colors.GRAY,
+            lw=LINE,
+            ls=(0, (2, 1, 1, 1)),
+            label="lost to rolling resistance",
         )
     if np.any(sample.spring > 0.0):
         ax.plot(across, sample.spring, color=colors.GRAY, lw=1.0, label="in the contact's spring")
@@ -245,7 +254,6 @@ def friction_utilization(
     for level in (-1.0, 1.0):
         ax.axhline(level, color=colors.LIMIT, lw=1.0, ls=(0, (4, 2)))
     ax.axhline(0.0, color=colors.GRAY, lw=0.7)
-    inks = (colors.TOTAL, colors.FRICTION_FORCE, colors.ROTATION_SPEED, colors.IMPACT_LOSS)
     for k, (motion, name) in enumerate(zip(many, names, strict=True)):
         sample = curve(motion)
         dash, width, _ = LOOK[k % len(LOOK)]
@@ -253,7 +261,7 @@ def friction_utilization(
         ax.plot(
             _across(sample, against),
             sample.utilization(motion.scenario.plane, signed=True),
-            color=inks[k % len(inks)],
+            color=colors.FRICTION_FORCE,
             lw=width,
             ls=dash,
             label=label,

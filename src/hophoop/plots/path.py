@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from hophoop._extras import need
-from hophoop.plots.curves import curve
+from hophoop.plots.curves import curve, phases
 from hophoop.plots.style import new_axes
 from hophoop.poses import Floats, load_distance, poses_of, to_world
 from hophoop.scenario import Hoop
@@ -125,7 +125,7 @@ def _word(motion: Trajectory, t: float) -> str:
 
 
 def _pose_times(motion: Trajectory, radius: float) -> list[float]:
-    """Events first to last, without those where the hoop would be drawn on top of the one before."""
+    """Events first to last, without those where the hoop would be drawn on top of the one before; every mode is shown."""
     chosen: list[tuple[float, float]] = []
     for event in motion.events:
         if event.kind not in POSED:
@@ -138,8 +138,19 @@ def _pose_times(motion: Trajectory, radius: float) -> list[float]:
     if len(chosen) < 4:  # a motion without events of interest: equally spaced along its way
         grid = motion.times(400)
         way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(motion.at(grid).x)))])
-        return [float(t) for t in np.interp(np.linspace(0.0, way[-1], 6), way, grid)]
-    return [t for t, _ in chosen]
+        return _with_every_word(motion, [float(t) for t in np.interp(np.linspace(0.0, way[-1], 6), way, grid)])
+    return _with_every_word(motion, [t for t, _ in chosen])
+
+
+def _with_every_word(motion: Trajectory, times: list[float]) -> list[float]:
+    """The times, and the middle of the longest phase of each word that none of them shows."""
+    shown = {_word(motion, t) for t in times}
+    longest: dict[str, tuple[float, float]] = {}
+    for piece in phases(motion):
+        lasts = piece.end_t - piece.t
+        if piece.word not in shown and lasts > longest.get(piece.word, (0.0, 0.0))[0]:
+            longest[piece.word] = (lasts, 0.5 * (piece.t + piece.end_t))
+    return sorted([*times, *(t for _, t in longest.values())])
 
 
 def _hoop(ax: Axes, motion: Trajectory, t: float, radius: float) -> None:
@@ -155,7 +166,9 @@ def _ground(ax: Axes, slope: float, low: float, high: float, radius: float) -> N
     """The plane as a line with a band below it."""
     reach = max(abs(low), abs(high)) / math.cos(slope) + 2.0 * radius
     ends = to_world([-reach, reach], [0.0, 0.0], slope)
-    below = to_world([reach, -reach], [-4.0 * radius, -4.0 * radius], slope)
+    # deep enough for the low end of a slope and for the high one
+    deep = -4.0 * radius - 2.0 * reach * abs(math.tan(slope))
+    below = to_world([reach, -reach], [deep, deep], slope)
     corners: Floats = np.concatenate([ends, below])
     ax.fill(corners[:, 0], corners[:, 1], color=colors.LIGHT_GRAY, alpha=0.6, lw=0, zorder=0)
     ax.plot(ends[:, 0], ends[:, 1], color=colors.BLACK, lw=1.0, zorder=1)
@@ -197,7 +210,7 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
     ax.add_patch(patches.Circle((0.0, 1.0), 1.0, fill=False, ec="#3A4A5A", lw=4.0))
     # θ from the outward normal to the line from C to G
     ax.plot([0.0, 0.0], [1.0, 2.3], color=colors.GRAY, lw=0.9, ls=(0, (6, 2, 1, 2)))
-    ax.plot([0.0, 1.28 * sine], [1.0, 1.0 + 1.28 * cosine], color=colors.GRAY, lw=0.9, ls=(0, (6, 2, 1, 2)))
+    ax.plot([0.0, load * sine], [1.0, 1.0 + load * cosine], color=colors.GRAY, lw=0.9, ls=(0, (6, 2, 1, 2)))
     ax.add_patch(patches.Arc((0.0, 1.0), 0.9, 0.9, theta1=90.0 - math.degrees(angle), theta2=90.0, lw=1.2))
     middle = 0.5 * angle
     ax.text(
@@ -212,30 +225,31 @@ def geometry(hoop: Hoop | None = None, angle: float = 0.9, ax: Axes | None = Non
     tail = (0.45 * math.sin(angle - 0.2), 1.0 + 0.45 * math.cos(angle - 0.2))
     arrow = {"arrowstyle": "-|>", "lw": 1.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 13}
     ax.annotate("", tip, tail, arrowprops=arrow | {"lw": 0.0, "color": "black"})
+    ax.annotate("", (-0.92, 1.39), (0.0, 1.0), arrowprops=arrow | {"color": colors.GRAY})
+    ax.text(-0.46, 1.26, "$R$", fontsize=12, color=colors.GRAY, ha="center", va="bottom")
+    ax.annotate("", (0.62, 1.0), (0.0, 1.0), arrowprops=arrow | {"color": colors.CENTER_SPEED, "lw": 2.0})
+    ax.text(0.66, 0.99, "$v$", fontsize=13, ha="left", va="center")
     ax.plot(0.0, 1.0, "o", color=colors.BLACK, ms=5, mfc="white", mew=1.3)
-    ax.text(-0.07, 1.0, "$C$", fontsize=12, ha="right", va="top")
+    ax.text(-0.08, 0.94, "$C$", fontsize=12, ha="right", va="top")
     ax.plot(load * sine, 1.0 + load * cosine, "o", color=colors.LOAD, ms=15)
     words = "load" if hoop.load_fraction is None else r"load, $\gamma m$"
-    ax.text(load * sine + 0.14, 1.0 + load * cosine + 0.06, words, fontsize=12, ha="left", va="bottom")
+    ax.text(load * sine + 0.17, 1.0 + load * cosine + 0.06, words, fontsize=12, ha="left", va="bottom")
     if hoop.load_fraction is not None:
         ax.text(-0.80, 1.72, r"ring, $(1-\gamma)m$", fontsize=12, ha="right", va="bottom")
     green, same = colors.GRAVITY_CENTER, r" $= \gamma R$" if hoop.load_fraction is not None else ""
     ax.plot(eps * sine, 1.0 + eps * cosine, "o", color=green, ms=8)
     ax.text(eps * sine - 0.02, 1.0 + eps * cosine - 0.1, "$G$", fontsize=12, color=green, ha="left", va="top")
-    ax.text(1.02, 1.38, r"$CG = \varepsilon R$" + same, fontsize=12, color=green, ha="left", va="center")
-    ax.annotate("", (-0.71, 1.0 - 0.71), (0.0, 1.0), arrowprops=arrow | {"color": colors.GRAY})
-    ax.text(-0.42, 0.72, "$R$", fontsize=12, color=colors.GRAY, ha="right", va="bottom")
-    ax.annotate("", (0.62, 1.0), (0.0, 1.0), arrowprops=arrow | {"color": colors.CENTER_SPEED, "lw": 2.0})
-    ax.text(0.66, 0.99, "$v$", fontsize=13, ha="left", va="center")
+    ax.text(1.06, 1.32, r"$CG = \varepsilon R$" + same, fontsize=12, color=green, ha="left", va="center")
     force = arrow | {"lw": 2.2}
     ax.annotate("", (0.0, 0.62), (0.0, 0.0), arrowprops=force | {"color": colors.NORMAL_FORCE})
     ax.text(0.07, 0.45, "$N$", fontsize=13, color=colors.NORMAL_FORCE, ha="left", va="center")
-    ax.annotate("", (0.56, -0.09), (0.0, -0.09), arrowprops=force | {"color": colors.FRICTION_FORCE})
-    ax.text(0.62, -0.09, "$F$", fontsize=13, color=colors.FRICTION_FORCE, ha="left", va="center")
+    # between ring and plane: it acts on the hoop, where they touch
+    ax.annotate("", (0.74, 0.035), (0.0, 0.035), arrowprops=force | {"color": colors.FRICTION_FORCE})
+    ax.text(0.80, 0.13, "$F$", fontsize=13, color=colors.FRICTION_FORCE, ha="left", va="center")
     ax.annotate("", (-1.6, 0.55), (-1.6, 1.15), arrowprops=arrow | {"color": colors.BLACK})
     ax.text(-1.53, 0.85, "$g$", fontsize=13, ha="left", va="center")
-    ax.annotate("", (2.2, -0.11), (1.6, -0.11), arrowprops=arrow | {"color": colors.BLACK})
-    ax.text(1.53, -0.11, "$x$", fontsize=13, ha="right", va="center")
+    ax.annotate("", (2.2, -0.12), (1.6, -0.12), arrowprops=arrow | {"color": colors.BLACK})
+    ax.text(1.53, -0.12, "$x$", fontsize=13, ha="right", va="center")
     ax.set_aspect("equal")
     ax.set_xlim(-2.0, 2.4)
     ax.set_ylim(-0.24, 2.4)

@@ -11,7 +11,9 @@ import numpy as np
 from hophoop import theory
 from hophoop._extras import need
 from hophoop.plots.curves import curve, shown_words
-from hophoop.plots.style import SMALL, degrees, new_axes
+from hophoop.plots.marks import MARKED
+from hophoop.plots.naming import name_curves
+from hophoop.plots.style import degrees, new_axes
 from hophoop.scenario import Hoop, Plane
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
@@ -24,7 +26,9 @@ else:
     Axes = Any
 
 GRID = (900, 560)
+TINT = 0.30  # opacity of a region's colour: motions are drawn over it in the full colour
 NO_ANSWER = "?"
+MARKS = {kind: MARKED[kind] for kind in ("takeoff", "impact", "jam")}
 SHOWN = (*MODES, NO_ANSWER)
 
 
@@ -83,17 +87,19 @@ def phase_plane(
     ax = new_axes(ax, (8.4, 5.6))
     shown = _regions(ax, hoop, plane, angles, (low, high))
     _borders(ax, hoop, plane, angles, (low, high))
+    drawn = len(ax.get_lines())
     for motion in motions:
         own = motion.scenario.hoop == hoop and motion.scenario.plane == plane
         _draw(ax, motion, "-" if own else (0, (3, 1.2)), angles)
-    if labels is not None:
-        _name(ax, motions, labels, angles)
     ax.set_xlim(*np.degrees(angles))
     ax.set_ylim(low, high)
     degrees(ax, math.degrees(angles[1] - angles[0]))
     ax.set_xlabel(labels_of.ANGLE)
     ax.set_ylabel(labels_of.ROTATION)
     _legend(ax, shown)
+    if labels is not None:
+        borders = [np.asarray(line.get_xydata(), dtype=float) for line in ax.get_lines()[:drawn]]
+        name_curves(ax, [_way(motion) for motion in motions], labels, borders)
     return ax
 
 
@@ -111,7 +117,8 @@ def _regions(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], sp
     omega = speeds[0] + (np.arange(rows) + 0.5) * (speeds[1] - speeds[0]) / rows
     modes = mode_words(theory.mode_of(theta[None, :], omega[:, None], hoop, plane), omega[:, None])
     to_rgb = need("matplotlib.colors", "plots").to_rgb
-    paint = np.array([to_rgb(_tint(word)) for word in SHOWN])
+    # over any background, light or dark
+    paint = np.array([(*to_rgb(_color(word)), TINT) for word in SHOWN])
     codes = np.zeros(modes.shape, dtype=int)
     for k, word in enumerate(SHOWN):
         codes[modes == word] = k
@@ -122,12 +129,8 @@ def _regions(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], sp
     return [word for k, word in enumerate(SHOWN) if (codes == k).any()]
 
 
-def _tint(word: str) -> str:
-    """The mode's colour, mixed with white: motions are drawn over it in the full colour."""
-    color = colors.LIGHT_GRAY if word == NO_ANSWER else colors.mode_color(word)
-    share = 0.30
-    parts = [int(color[k : k + 2], 16) for k in (1, 3, 5)]
-    return "#" + "".join(f"{round(255 - share * (255 - part)):02X}" for part in parts)
+def _color(word: str) -> str:
+    return colors.LIGHT_GRAY if word == NO_ANSWER else colors.mode_color(word)
 
 
 def _borders(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], speeds: tuple[float, float]) -> None:
@@ -137,11 +140,32 @@ def _borders(ax: Axes, hoop: Hoop, plane: Plane, angles: tuple[float, float], sp
     lift = np.asarray(theory.lift_off_speed(theta, hoop, plane), dtype=float)
     top = 3.0 * max(abs(speeds[0]), abs(speeds[1]))
     lift[~(lift < top)] = np.nan
+    feet = _feet(theta, least, hoop, plane)
     for sign in (1.0, -1.0) if speeds[0] < 0.0 else (1.0,):
         for border in (least, most):
             values = np.where((border > 0.0) & (border < top), border, np.nan)
             ax.plot(across, sign * values, color="black", lw=1.1, zorder=2)
+        for foot, k in feet:
+            # the border is upright where it comes down to rest: two points of the grid do not meet there
+            ax.plot([math.degrees(foot), across[k]], [0.0, sign * least[k]], color="black", lw=1.1, zorder=2)
         ax.plot(across, sign * lift, color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), zorder=2)
+
+
+def _feet(theta: Any, least: Any, hoop: Hoop, plane: Plane) -> list[tuple[float, int]]:
+    """Angles at which the lower border of rolling comes down to rest, each with the nearest point of the grid above it."""
+    found = []
+    above = np.nan_to_num(least) > 0.0
+    for k in np.flatnonzero(above[1:] != above[:-1]):
+        inside, outside = (k + 1, k) if above[k + 1] else (k, k + 1)
+        a, b = float(theta[inside]), float(theta[outside])
+        for _ in range(50):
+            middle = 0.5 * (a + b)
+            if float(np.nan_to_num(theory.rolling_range(middle, hoop, plane)[0])) > 0.0:
+                a = middle
+            else:
+                b = middle
+        found.append((a, int(inside)))
+    return found
 
 
 def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]) -> None:
@@ -162,30 +186,14 @@ def _draw(ax: Axes, motion: Trajectory, dashes: Any, angles: tuple[float, float]
             zorder=4,
         )
     for event in motion.events:
-        if event.kind in ("takeoff", "impact") and angles[0] <= event.angle <= angles[1]:
-            sign = "^" if event.kind == "takeoff" else "v"
+        if event.kind in MARKS and angles[0] <= event.angle <= angles[1]:
+            sign = MARKS[event.kind]
             ax.plot(math.degrees(event.angle), event.omega, sign, color="black", mec="white", ms=8, zorder=6)
 
 
-def _name(ax: Axes, motions: Sequence[Trajectory], labels: Sequence[str], angles: tuple[float, float]) -> None:
-    """Labels where the curves are highest, each on the side on which there is more room."""
-    tops: list[tuple[float, float, str]] = []
-    for motion, label in zip(motions, labels, strict=True):
-        sample = curve(motion)
-        inside = (sample.angle >= angles[0]) & (sample.angle <= min(angles[1], angles[0] + 2.0 * math.pi))
-        if inside.any():
-            k = int(np.argmax(np.where(inside, sample.omega, -np.inf)))
-            tops.append((float(sample.omega[k]), math.degrees(sample.angle[k]), label))
-    tops.sort()
-    for k, (height, place, label) in enumerate(tops):
-        below = height - tops[k - 1][0] if k else math.inf
-        above = tops[k + 1][0] - height if k + 1 < len(tops) else math.inf
-        up = above >= below
-        ax.annotate(
-            label, (place, height), (0, 6 if up else -6), textcoords="offset points", fontsize=SMALL,
-            ha="center", va="bottom" if up else "top", zorder=7,
-            bbox={"boxstyle": "round,pad=0.12", "fc": "white", "ec": "none", "alpha": 0.75},
-        )  # fmt: skip
+def _way(motion: Trajectory) -> Any:
+    sample = curve(motion)
+    return np.column_stack([np.degrees(sample.angle), sample.omega])
 
 
 FOLLOWS = {
@@ -201,7 +209,7 @@ FOLLOWS = {
 def _legend(ax: Axes, shown: Sequence[str]) -> None:
     patch = need("matplotlib.patches", "plots").Patch
     line = need("matplotlib.lines", "plots").Line2D
-    handles = [patch(fc=_tint(word), ec=colors.GRAY, lw=0.5, label=FOLLOWS[word]) for word in shown]
+    handles = [patch(fc=(_color(word), TINT), ec=colors.GRAY, lw=0.5, label=FOLLOWS[word]) for word in shown]
     handles += [
         line([], [], color="black", lw=1.1, label=r"$|F| = \mu N$ in rolling"),
         line([], [], color=colors.GRAVITY_CENTER_AIRBORNE, lw=1.5, ls=(0, (5, 2)), label="lift-off, $f_n = 0$"),

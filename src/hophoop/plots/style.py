@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 from hophoop._extras import need
 from hophoop.plots.curves import Phase, phases, turning
+from hophoop.plots.marks import mark_events
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
-from hophoop.vocabulary.words import EVENTS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,13 +22,7 @@ Against = Literal["time", "angle"]
 SIZE = (7.2, 4.0)
 LINE = 1.8
 SMALL = 8.5
-
-# Events worth a mark: what the eye looks for in a curve. The others are where the ribbon changes.
-MARKED = {
-    "takeoff": "^", "apex": "d", "impact": "v", "turn": "<", "jam": "X", "skim": "s",
-    "painleve_inconsistent": "X", "painleve_indeterminate": "X",
-}  # fmt: skip
-MOST_WORDS = 6
+ON_COLOR = "on-color"  # id of what lies on a colour and keeps its ink where a page is dark
 
 
 def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:
@@ -56,10 +50,7 @@ def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
     handles, _ = ax.get_legend_handles_labels()
     if not legend or not handles:
         return
-    if len(handles) <= 2:
-        ax.legend(frameon=True, framealpha=0.85, edgecolor="none", fontsize=9, loc="best", handlelength=2.8)
-        return
-    # more would lie on the curves
+    # below the axes, where no curve is
     columns = len(handles) if len(handles) <= 3 else math.ceil(len(handles) / 2)
     ax.legend(
         frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.155), ncol=columns,
@@ -116,7 +107,7 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
     pieces = phases(motion)
     low, high = ax.get_xlim()
     transform = ax.get_xaxis_transform()
-    for piece in pieces:
+    for k, piece in enumerate(pieces):
         begin, end = (piece.t, piece.end_t) if against == "time" else (piece.angle, piece.end_angle)
         if not end > begin:
             begin, end = end, begin
@@ -137,9 +128,9 @@ def show_modes(ax: Axes, motion: Trajectory, against: Against) -> None:
         if word:
             ax.text(
                 0.5 * (begin + end), 1.026, word, transform=transform, ha="center", va="center_baseline",
-                fontsize=SMALL - 1, color=_ink(piece.word), zorder=5,
+                fontsize=SMALL - 1, color=_ink(piece.word), zorder=5, gid=f"{ON_COLOR}-{k}",
             )  # fmt: skip
-    _mark_events(ax, motion, against)
+    mark_events(ax, motion, [event.t if against == "time" else math.degrees(event.angle) for event in motion.events])
 
 
 def _word(piece: Phase, share: float, ax: Axes) -> str:
@@ -152,27 +143,7 @@ def _word(piece: Phase, share: float, ax: Axes) -> str:
 
 
 def _ink(word: str) -> str:
-    return "white" if word in ("roll", "flight") else "black"
-
-
-def _mark_events(ax: Axes, motion: Trajectory, against: Against) -> None:
-    marked = [event for event in motion.events if event.kind in MARKED]
-    marked.sort(key=lambda event: event.kind == "apex")  # its word gives way to others'
-    low, high = ax.get_xlim()
-    transform = ax.get_xaxis_transform()
-    places: list[float] = []
-    for event in marked:
-        place = event.t if against == "time" else math.degrees(event.angle)
-        if not low <= place <= high:
-            continue
-        word, sign = EVENTS[event.kind].noun, MARKED[event.kind]
-        if event.kind in ("takeoff", "impact"):
-            ax.axvline(place, color=colors.GRAY, lw=0.8, ls=(0, (2, 2)), zorder=1)
-        ax.plot([place], [1.085], sign, color="black", ms=4.5, transform=transform, clip_on=False, zorder=5)
-        apart = all(abs(place - other) > 0.12 * (high - low) for other in places)
-        if apart and len(marked) <= MOST_WORDS:
-            ax.text(place, 1.11, word, transform=transform, ha="center", va="bottom", fontsize=SMALL - 0.5)
-            places.append(place)
+    return "white" if colors.lightness(colors.mode_color(word)) < 0.45 else "black"
 
 
 def set_title(ax: Axes, title: str) -> None:

@@ -6,7 +6,7 @@ from enum import Enum, auto
 from typing import NamedTuple
 
 from hophoop.precise.jam import NEAR, approach, ending, missing_angle
-from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction
+from hophoop.precise.phases import Step, expand, order_for, travel, work_of_friction, work_of_resistance
 from hophoop.precise.problem import Body, Number, PreciseState
 from hophoop.precise.rules import cone_margins, direction, tie_exponent
 from hophoop.precise.series import Judge, MorePrecision, sign_changes, stretched, value
@@ -84,7 +84,7 @@ def advance(body: Body, judge: Judge, mode: int, state: PreciseState, zeros: int
         if final:
             return Done(Advance.LIMIT, at(body, sigma, state, step, part)._replace(t=t_end))
         following = at(body, sigma, state, step, part)
-        if sigma == 0 and body.gt == 0 and _turned(body, begin, following):
+        if sigma == 0 and body.gt == 0 and body.resist == 0 and _turned(body, begin, following):
             following = _whole_turns(body, begin, state, step, part, following, t_end)
             begin = begin._replace(om=body.zero)  # once is enough
         state = following
@@ -174,6 +174,9 @@ def at(body: Body, sigma: int, state: PreciseState, step: Step, s: int) -> Preci
     tau = ctx.ldexp(ctx.mpf(s), step.exponent - bits)
     turned = body.of_integer(value(step.angle, s, bits))
     om = body.of_integer(value(step.omega, s, bits))
+    if body.resist > 0:
+        rho = body.integer(body.resistance(state.th, state.om, sigma))
+        state = state._replace(resisted=state.resisted + body.of_integer(work_of_resistance(step, rho, body.fixed, s)))
     if sigma == 0:
         return state._replace(t=state.t + tau, x=state.x + turned, th=state.th + turned, om=om)
     slid = body.of_integer(travel(step, body.fixed, s))

@@ -59,7 +59,22 @@ class Approach:
         shift = body.eps * (later_sine - sine) + drag * body.eps * (later_cosine - cosine)
         x = before.x + kept * tau + steady * tau * tau / 2 - shift
         after = before._replace(t=before.t + tau, x=x, th=th, vt=vt, om=om)
-        return after._replace(friction=before.friction + _energy(body, before) - _energy(body, after))
+        resisted = self.resisted(z, before.om * before.om * sine - om * om * later_sine)
+        lost = _energy(body, before) - _energy(body, after)
+        return after._replace(friction=before.friction + lost - resisted, resisted=before.resisted + resisted)
+
+    def resisted(self, z: Number, less: Number) -> Number:
+        """Energy lost to rolling resistance until the part z is missing; `less` is by how much θ̇² sin θ has become less.
+
+        N dt = g cosβ dt + d ẏ_G with ẏ_G = −ε θ̇ sin θ, so that ∫N dθ = g cosβ Δθ − ε (Δ(θ̇² sin θ) + ∫θ̇² cos θ dθ)/2.
+        """
+        body, ctx = self.body, self.body.ctx
+        if body.resist == 0:
+            return body.zero
+        turned = self.way * self.extent
+        pull = turned * ctx.quad(lambda part: self.square(part) * ctx.cos(self.singular - turned * part), [z, 1])
+        pressed = body.gn * turned * (1 - z) - body.eps * (pull - less) / 2
+        return self.way * body.resist * pressed
 
 
 def _energy(body: Body, state: PreciseState) -> Number:
@@ -72,15 +87,15 @@ def _energy(body: Body, state: PreciseState) -> Number:
 def missing_angle(body: Body, state: PreciseState, sigma: int) -> Number:
     """Estimate of the angle still missing to p_σ = 0; negative where it does not come nearer."""
     cosine, sine = body.ctx.cos_sin(state.th)
-    stiff, rate = _stiffness(body, sigma, cosine, sine)
+    stiff, rate = _stiffness(body, sigma, cosine, sine, body.resistance(state.th, state.om, sigma))
     rate *= 1 if state.om > 0 else -1
     return -stiff / rate if rate < 0 else -body.one
 
 
-def _stiffness(body: Body, sigma: int, cosine: Number, sine: Number) -> tuple[Number, Number]:
+def _stiffness(body: Body, sigma: int, cosine: Number, sine: Number, rho: Number) -> tuple[Number, Number]:
     """(Π, dΠ/dθ)."""
     eps, drag = body.eps, sigma * body.mu_k
-    torque = eps * sine + drag * (1 + eps * cosine)
+    torque = eps * sine + drag * (1 + eps * cosine) - rho
     return body.kap + eps * sine * torque, eps * (cosine * torque + sine * eps * (cosine - drag * sine))
 
 
@@ -88,9 +103,11 @@ def approach(body: Body, state: PreciseState, sigma: int) -> Approach | None:
     """Slip near p_σ = 0 as a series about the singular angle; None where that does not hold, or not yet."""
     ctx = body.ctx
     way = 1 if state.om > 0 else -1
+    rho = way * body.resist
     singular = state.th + way * missing_angle(body, state, sigma)
     for _ in range(body.bits):
-        stiff, rate = _stiffness(body, sigma, *ctx.cos_sin(singular))
+        cosine, sine = ctx.cos_sin(singular)
+        stiff, rate = _stiffness(body, sigma, cosine, sine, rho)
         if rate == 0:
             return None
         step = stiff / rate
@@ -99,7 +116,7 @@ def approach(body: Body, state: PreciseState, sigma: int) -> Approach | None:
             break
     extent = way * (singular - state.th)
     cosine, sine = ctx.cos_sin(singular)
-    rate = _stiffness(body, sigma, cosine, sine)[1]
+    rate = _stiffness(body, sigma, cosine, sine, rho)[1]
     if not (0 < extent < 2 * NEAR and way * rate < 0 and cosine > 0):
         return None
     power = 2 * body.kap * cosine / (sine * rate)
@@ -123,7 +140,7 @@ def _series(
     body: Body, sigma: int, way: int, singular: Number, extent: Number, power: Number, order: int
 ) -> tuple[list[Number], list[Number]] | None:
     """(A, B) in z = δ/extent, up to the term that rounding hides; None where they do not shrink fast enough."""
-    ctx, eps, drag = body.ctx, body.eps, sigma * body.mu_k
+    ctx, eps, drag, rho = body.ctx, body.eps, sigma * body.mu_k, way * body.resist
     cosine, sine = ctx.cos_sin(singular)
     # sin and cos of θ* − way δ
     cycle = ((sine, -way * cosine, -sine, way * cosine), (cosine, way * sine, -cosine, -way * sine))
@@ -144,7 +161,7 @@ def _series(
             j = len(sines)
             sines.append(term * cycle[0][j % 4])
             cosines.append(term * cycle[1][j % 4])
-            torques.append(eps * sines[j] + drag * (eps * cosines[j] + (1 if j == 0 else 0)))
+            torques.append(eps * sines[j] + drag * (eps * cosines[j] + (1 if j == 0 else 0)) - (rho if j == 0 else 0))
             stiffness.append(eps * ctx.fdot(zip(sines, torques[::-1], strict=True)))
             term = term * extent / (j + 1)
         loads.append(ctx.fdot(zip(cosines[: k + 1], torques[k::-1], strict=True)))

@@ -293,6 +293,8 @@ class Run:
         if self.mode == Mode.ROLL:
             cosine, sine = body.ctx.cos_sin(state.th)
             stable = bool(body.eps * (body.gn * cosine - body.gt * sine) < 0)
+            if body.resist > 0:  # held by less than all that the couple can give
+                stable |= bool(abs(body.resistance(state.th, body.zero, 0)) < body.resist)
             self.write(Event.REST, Mode.ROLL, Mode.ROLL, stable=stable)
             self.state = state._replace(t=self.t_end)
             raise Stopped(Status.AT_REST)
@@ -326,7 +328,9 @@ class Run:
         self.state = done.state
         if done.what == Advance.LIMIT:
             raise Stopped(Status.COMPLETED)
-        if done.what == Advance.TURN:
+        if done.what == Advance.TURN and self.body.resist > 0:
+            self.turned(was)
+        elif done.what == Advance.TURN:
             self.write(Event.TURN, was, was)
             self.slip_zeros = 0
             if was == Mode.ROLL:
@@ -346,6 +350,20 @@ class Run:
             massless.let_go(self)
         else:
             self.leave_cone(done.what)
+
+    def turned(self, was: int) -> None:
+        """Go on from θ̇ = 0 with rolling resistance: the couple, and with it the contact force, jumps there."""
+        mode = next_mode(self.body, self.judge, self.state)
+        if was == mode == Mode.ROLL and self.is_still():
+            self.stand()
+        elif mode == was:
+            self.write(Event.TURN, was, was)
+            self.slip_zeros = 0
+        elif was == Mode.ROLL:
+            self.write(Event.TURN, was, was)
+            self.settle(Event.TAKEOFF if mode == Mode.FLIGHT else Event.SLIP_START, was)
+        else:
+            self.settle(Event.TURN, was)
 
     def leave_cone(self, what: Advance) -> None:
         """Rule 2: slip against the friction that was at its limit, at μk; or flight."""

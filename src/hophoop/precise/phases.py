@@ -70,7 +70,11 @@ def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: in
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)
     om, s, c = body.integer(state.om), body.integer(sine), body.integer(cosine)
-    rates = _roll(fixed, om, s, c, exponent, order) if sigma == 0 else _slip(fixed, sigma, om, s, c, exponent, order)
+    rho = body.integer(body.resistance(state.th, state.om, sigma))
+    if sigma == 0:
+        rates = _roll(fixed, rho, om, s, c, exponent, order)
+    else:
+        rates = _slip(fixed, sigma, rho, om, s, c, exponent, order)
     if rates is None:
         return None
     omega, sines, cosines, normal, friction, firm = rates
@@ -83,11 +87,11 @@ def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: in
 
 
 def _roll(
-    fixed: Fixed, om: int, s: int, c: int, exponent: int, order: int
+    fixed: Fixed, rho: int, om: int, s: int, c: int, exponent: int, order: int
 ) -> tuple[list[int], list[int], list[int], list[int], list[int], int] | None:
     bits, eps, gn, gt = fixed.bits, fixed.eps, fixed.gn, fixed.gt
     one = 1 << bits
-    # D = (1 − ε)² + κ + 2 ε (1 + cos θ)
+    # D − ρ ε sin θ, with D = (1 − ε)² + κ + 2 ε (1 + cos θ)
     inertia: list[int] = []
     omega, sines, cosines = [om], [s], [c]
     turning: list[int] = []  # h θ̇
@@ -103,13 +107,15 @@ def _roll(
         pull_s = _last(sines, squares) >> bits
         pull_c = _last(cosines, squares) >> bits
         torque = eps * (pull_s + (gn * sines[k] >> bits)) + gt * (eps * cosines[k] >> bits)
+        torque += rho * (eps * pull_c >> bits)
+        lighter = rho * (eps * sines[k] >> bits) >> bits
         if k == 0:
-            inertia.append(constant + (eps * cosines[0] >> (bits - 1)))
-            torque += gt << bits
+            inertia.append(constant + (eps * cosines[0] >> (bits - 1)) - lighter)
+            torque += (gt << bits) - rho * gn
             if inertia[0] <= 0:
                 return None
         else:
-            inertia.append(eps * cosines[k] >> (bits - 1))
+            inertia.append((eps * cosines[k] >> (bits - 1)) - lighter)
             torque -= sum(map(mul, inertia[1:], reversed(alpha)))
         alpha.append(torque // inertia[0])
         force_t = alpha[k] + (eps * ((_last(alpha, cosines) >> bits) - pull_s) >> bits)
@@ -130,7 +136,7 @@ def _roll(
 
 
 def _slip(
-    fixed: Fixed, sigma: int, om: int, s: int, c: int, exponent: int, order: int
+    fixed: Fixed, sigma: int, rho: int, om: int, s: int, c: int, exponent: int, order: int
 ) -> tuple[list[int], list[int], list[int], list[int], list[int], int] | None:
     bits, eps, gn, kap = fixed.bits, fixed.eps, fixed.gn, fixed.kap
     assert fixed.mu_k is not None
@@ -138,7 +144,7 @@ def _slip(
     omega, sines, cosines = [om], [s], [c]
     turning: list[int] = []
     squares: list[int] = []
-    arms: list[int] = []  # q = ε sin θ + σ μ (1 + ε cos θ)
+    arms: list[int] = []  # q = ε sin θ + σ μ (1 + ε cos θ) − ρ
     stiffness: list[int] = []  # κ p_σ = κ + ε sin θ q
     loads: list[int] = []  # N/κ
     limit = 4 * bits
@@ -149,7 +155,7 @@ def _slip(
         arms.append(eps * (sines[k] + (drag * cosines[k] >> bits)) >> bits)
         if k == 0:
             load += gn << bits
-            arms[0] += drag
+            arms[0] += drag - rho
         stiff = eps * (_last(sines, arms) >> bits) >> bits
         if k == 0:
             stiff += kap
@@ -216,6 +222,17 @@ def work_of_friction(step: Step, fixed: Fixed, until: int) -> int:
     for coefficient in reversed(power):
         total = (total * until >> bits) + coefficient
     total = -total
+    return total << step.exponent if step.exponent >= 0 else total >> -step.exponent
+
+
+def work_of_resistance(step: Step, rho: int, fixed: Fixed, until: int) -> int:
+    """Energy lost to rolling resistance from the start of a step to s = until: ∫ ρ N θ̇ dt."""
+    bits = fixed.bits
+    size = min(len(step.normal), len(step.omega))
+    total = 0
+    for coefficient in reversed(integral(product(step.normal[:size], step.omega[:size], bits))):
+        total = (total * until >> bits) + coefficient
+    total = total * rho >> bits
     return total << step.exponent if step.exponent >= 0 else total >> -step.exponent
 
 

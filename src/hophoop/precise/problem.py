@@ -28,6 +28,7 @@ class Problem:
     mu_s: Fraction | None
     mu_k: Fraction | None
     rest: Fraction
+    resist: Fraction
     law: int
     strike: bool
     x: Fraction
@@ -64,6 +65,7 @@ class Problem:
             mu_s=_friction(plane.mu_static),
             mu_k=_friction(plane.mu_kinetic),
             rest=Fraction(plane.restitution),
+            resist=Fraction(plane.rolling_resistance),
             law=int(ImpactLaw[plane.impact_law.upper()]),
             strike=plane.painleve == "impact",
             x=Fraction(start.x),
@@ -87,7 +89,7 @@ class Problem:
         speeds = (self.slip / self.radius, self.vy / self.radius, self.omega)
         sizes = [number**2 / unit for number in speeds if number]
         sizes += [number**2 for number in (self.angle, self.slope, self.height / self.radius) if number]
-        sizes += [number for number in (1 - self.eps, self.kap, self.eps, self.mu_k or Fraction(0)) if number]
+        sizes += [number for number in (1 - self.eps, self.kap, self.eps, self.mu_k or Fraction(0), self.resist) if number]
         return max([0, *(-(_exponent(size) // 2) for size in sizes)])
 
 
@@ -144,6 +146,7 @@ class PreciseState(NamedTuple):
     friction: Number
     impact_n: Number
     impact_t: Number
+    resisted: Number  # by rolling resistance
 
 
 class Fixed(NamedTuple):
@@ -175,6 +178,7 @@ class Body:
         self.ctx = ctx = MPContext()
         ctx.prec = bits
         self.eps, self.kap, self.rest = (self.number(n) for n in (problem.eps, problem.kap, problem.rest))
+        self.resist = self.number(problem.resist)
         self.mu_s = ctx.inf if problem.mu_s is None else self.number(problem.mu_s)
         self.mu_k = ctx.inf if problem.mu_k is None else self.number(problem.mu_k)
         weight = 1 if problem.gravity else 0
@@ -207,6 +211,19 @@ class Body:
         whole: int = man << shift if shift >= 0 else man >> -shift
         return -whole if sign else whole
 
+    def resistance(self, th: Number, om: Number, sigma: int) -> Number:
+        """ρ in rolling (sigma = 0) or slip: f sign θ̇, or at θ̇ = 0 what keeps the hoop from turning, up to f."""
+        if self.resist == 0 or om != 0:
+            return self.resist if om > 0 else -self.resist
+        cosine, sine = self.ctx.cos_sin(th)
+        if sigma != 0:
+            need = self.eps * sine + sigma * self.mu_k * (1 + self.eps * cosine)
+        elif self.gn > 0:
+            need = self.eps * sine + (1 + self.eps * cosine) * self.gt / self.gn
+        else:
+            need = self.zero
+        return min(max(need, -self.resist), self.resist)
+
     def of_integer(self, value: int) -> Number:
         """The number of a fixed-point integer."""
         return self.ctx.ldexp(self.ctx.mpf(value), -self.bits)
@@ -223,6 +240,7 @@ class Body:
             self.number(problem.slip) / speed,
             self.number(problem.vy) / speed,
             self.number(problem.omega) * self.time,
+            self.zero,
             self.zero,
             self.zero,
             self.zero,

@@ -38,7 +38,7 @@ class PreciseEvent:
         The same just before the event.
     impulse_normal, impulse_tangential : Decimal
         Of an impact [N s], else 0.
-    friction, impact_normal, impact_tangential : Decimal
+    friction, impact_normal, impact_tangential, rolling_resistance : Decimal
         Energy lost from the start to just after the event [J].
     gain : Decimal
         Energy created by Newton's law in a `kane_gain` [J], else 0.
@@ -71,6 +71,7 @@ class PreciseEvent:
     friction: Decimal
     impact_normal: Decimal
     impact_tangential: Decimal
+    rolling_resistance: Decimal
     gain: Decimal
     collision: bool | None
     stable: bool | None
@@ -250,6 +251,7 @@ def _event(record: Record, right: int, units: Units) -> PreciseEvent:
         friction=of(state.friction, units.energy),
         impact_normal=of(state.impact_n, units.energy),
         impact_tangential=of(state.impact_t, units.energy),
+        rolling_resistance=of(state.resisted, units.energy),
         gain=of(record.gain, units.energy),
         collision=record.collision,
         stable=record.stable,
@@ -275,13 +277,14 @@ def ledger(solution: Solution) -> dict[str, Number]:
     state = last.state
     kinetic, potential = _kinetic(body, state.vt, state.vn, state.om, state.th), _potential(body, last)
     begin = _kinetic(body, first.before_vt, first.before_vn, first.before_om, first.state.th) + _potential(body, first)
-    lost = state.friction + state.impact_n + state.impact_t
+    lost = state.friction + state.impact_n + state.impact_t + state.resisted
     return {
         "kinetic": kinetic,
         "potential": potential,
         "friction": state.friction,
         "impact_normal": state.impact_n,
         "impact_tangential": state.impact_t,
+        "rolling_resistance": state.resisted,
         "residual": kinetic + potential + lost - begin,
     }
 

@@ -35,20 +35,21 @@ def free_opening(body: Body, th: Number, om: Number) -> Number:
     return -body.gn + body.eps * body.ctx.cos(th) * om * om
 
 
-def stiffness(body: Body, th: Number, sigma: int) -> Number:
-    """κ p_σ = κ + ε sin θ (ε sin θ + σ μ (1 + ε cos θ))."""
+def stiffness(body: Body, th: Number, sigma: int, rho: Number) -> Number:
+    """κ p_σ = κ + ε sin θ (ε sin θ + σ μ (1 + ε cos θ) − ρ)."""
     cosine, sine = body.ctx.cos_sin(th)
-    return body.kap + body.eps * sine * (body.eps * sine + sigma * body.mu_k * (1 + body.eps * cosine))
+    return body.kap + body.eps * sine * (body.eps * sine + sigma * body.mu_k * (1 + body.eps * cosine) - rho)
 
 
 def turning_acceleration(body: Body, th: Number, om: Number, sigma: int) -> Number:
     """θ̈ in rolling (sigma = 0) or slip."""
     cosine, sine = body.ctx.cos_sin(th)
     eps, u = body.eps, om * om
+    rho = body.resistance(th, om, sigma)
     if sigma == 0:
-        torque = eps * sine * (u + body.gn) + body.gt * (1 + eps * cosine)
-        return torque / (1 + body.kap + eps * eps + 2 * eps * cosine)
-    arm = eps * sine + sigma * body.mu_k * (1 + eps * cosine)
+        torque = eps * sine * (u + body.gn) + body.gt * (1 + eps * cosine) - rho * (body.gn - eps * cosine * u)
+        return torque / (1 + body.kap + eps * eps + eps * (2 * cosine - rho * sine))
+    arm = eps * sine + sigma * body.mu_k * (1 + eps * cosine) - rho
     return arm * (body.gn - eps * cosine * u) / (body.kap + eps * sine * arm)
 
 
@@ -102,7 +103,8 @@ def cone_margins(body: Body, normal: Series, friction: Series) -> list[list[int]
 
 def can_start_slip(body: Body, judge: Judge, state: PreciseState, sigma: int) -> bool:
     """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
-    if sign(body, judge, stiffness(body, state.th, sigma), 1 + body.mu_k) <= 0:
+    rho = body.resistance(state.th, state.om, sigma)
+    if sign(body, judge, stiffness(body, state.th, sigma, rho), 1 + body.mu_k) <= 0:
         return False
     step = expand(body, sigma, state, tie_exponent(state.om), TIE_ORDER)
     if step is None:
@@ -129,9 +131,12 @@ def next_mode(body: Body, judge: Judge, state: PreciseState) -> int:
     opening = opening_sign(body, judge, state.th, state.om)
     if body.fixed.mu_k is None:  # infinite friction stops any slip at once
         return Mode.FLIGHT if opening >= 0 else INCONSISTENT
-    firm = sign(body, judge, stiffness(body, state.th, sigma), 1 + body.mu_k)
+    rho = body.resistance(state.th, state.om, sigma)
+    firm = sign(body, judge, stiffness(body, state.th, sigma, rho), 1 + body.mu_k)
     if firm > 0:
         return slip_mode(sigma) if opening < 0 else Mode.FLIGHT
+    if rho != 0 and stiffness(body, state.th, sigma, body.zero) > 0 and (opening < 0 or body.problem.strike):
+        return UNDECIDED  # an impact, which is without rolling resistance, would change nothing
     if opening < 0:
         return INCONSISTENT
     return INDETERMINATE if firm < 0 else Mode.FLIGHT

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Jet, Series, coefficients, order, rational, series
+from hophoop.scenario import InputError
 
 # Parameters that may be balls instead of the scenario's numbers, in SI units.
 FREE = ("hoop.load_fraction", "plane.mu", "plane.mu_static", "plane.mu_kinetic", "plane.slope", "start.speed", "start.omega")
@@ -50,6 +51,9 @@ class Model:
     """
 
     def __init__(self, problem: Problem, free: Mapping[str, Ball] | None = None) -> None:
+        if problem.resist:
+            given = float(problem.resist)
+            raise InputError(f"plane.rolling_resistance = {given!r} must be 0 here: proofs do not cover rolling resistance.")
         self.problem = problem
         self.free = dict(free or {})
         self.eps, self.kap = rational(problem.eps), rational(problem.kap)

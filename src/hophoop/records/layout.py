@@ -18,6 +18,7 @@ EVENT = np.dtype(
     + [(name, "f8") for name in _ENERGY]
     + [("gain", "f8"), ("collision", "i8"), ("stable", "i8")]
     + [(name, "f8") for name in _PLACE]
+    + [("rolling_resistance", "f8")]
 )
 # All that is needed to compute the motion inside the segment again, bit for bit.
 SEGMENT = np.dtype(
@@ -28,6 +29,7 @@ SEGMENT = np.dtype(
     + [(name, "f8") for name in _ENERGY]
     + [("ref_low", "f8")]
     + [(name, "f8") for name in _PLACE]
+    + [("rolling_resistance", "f8")]
 )
 
 

@@ -30,6 +30,7 @@ class State(NamedTuple):
     friction: float
     impact_n: float
     impact_t: float
+    resisted: float  # energy lost to rolling resistance
     anchor: Anchor
 
 
@@ -37,7 +38,7 @@ class State(NamedTuple):
 def start_state(x, y, angle, vt, vn, om):
     """A state at t = 0, from the whole angle."""
     turns, th, th_low = turns_and_rest(angle)
-    return State(0.0, 0.0, x, 0.0, y, turns, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, NONE)
+    return State(0.0, 0.0, x, 0.0, y, turns, th, th_low, vt, vn, om, 0.0, 0.0, 0.0, 0.0, NONE)
 
 
 @inline_jit
@@ -51,7 +52,7 @@ def moved(state, t, t_low, x, x_low, y, turns, th, th_low):
     """The state elsewhere, with its velocities and losses."""
     return State(
         t, t_low, x, x_low, y, turns, th, th_low, state.vt, state.vn, state.om,
-        state.friction, state.impact_n, state.impact_t, state.anchor,
+        state.friction, state.impact_n, state.impact_t, state.resisted, state.anchor,
     )  # fmt: skip
 
 
@@ -60,7 +61,7 @@ def with_velocities(state, vt, vn, om):
     """The state with other velocities."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low, vt, vn, om,
-        state.friction, state.impact_n, state.impact_t, state.anchor,
+        state.friction, state.impact_n, state.impact_t, state.resisted, state.anchor,
     )  # fmt: skip
 
 
@@ -69,7 +70,16 @@ def with_losses(state, friction, impact_n, impact_t):
     """The state with other losses."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
-        state.vt, state.vn, state.om, friction, impact_n, impact_t, state.anchor,
+        state.vt, state.vn, state.om, friction, impact_n, impact_t, state.resisted, state.anchor,
+    )  # fmt: skip
+
+
+@inline_jit
+def with_resisted(state, resisted):
+    """The state with another loss to rolling resistance."""
+    return State(
+        state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
+        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, resisted, state.anchor,
     )  # fmt: skip
 
 
@@ -78,7 +88,7 @@ def with_anchor(state, anchor):
     """The state with another anchor."""
     return State(
         state.t, state.t_low, state.x, state.x_low, state.y, state.turns, state.th, state.th_low,
-        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, anchor,
+        state.vt, state.vn, state.om, state.friction, state.impact_n, state.impact_t, state.resisted, anchor,
     )  # fmt: skip
 
 

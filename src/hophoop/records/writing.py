@@ -11,9 +11,6 @@ from hophoop.panels.anchor import NONE
 from hophoop.panels.panel import Panel
 from hophoop.records.state import State, whole_angle
 
-# Panels solved for one motion, those given up for narrower ones included: a few seconds, and 70 MB where all are kept.
-MOST_PANELS = 500_000
-
 
 class Log(NamedTuple):
     """Where the events and segments of a motion are written."""
@@ -35,7 +32,7 @@ def new_log(events, segments, scratch):
 @inline_jit
 def has_room(log):
     """Whether the arrays have been long enough so far, and the panels are not used up."""
-    return log.written[0] >= 0 and log.written[1] >= 0 and log.written[2] < MOST_PANELS
+    return log.written[0] >= 0 and log.written[1] >= 0 and log.written[2] < log.written[3]
 
 
 @inline_jit
@@ -93,6 +90,7 @@ def write_state(row, state):
     row["friction"] = state.friction
     row["impact_normal"] = state.impact_n
     row["impact_tangential"] = state.impact_t
+    row["rolling_resistance"] = state.resisted
 
 
 @apart_jit
@@ -165,7 +163,8 @@ def state_of(row):
     """The state just after an event, or where a segment begins."""
     return State(
         row["t"], row["t_low"], row["x"], row["x_low"], row["height"], row["turns"], row["theta"], row["theta_low"],
-        row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"], NONE,
+        row["slip"], row["vy"], row["omega"], row["friction"], row["impact_normal"], row["impact_tangential"],
+        row["rolling_resistance"], NONE,
     )  # fmt: skip
 
 

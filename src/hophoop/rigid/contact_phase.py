@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, aside_jit, inline_jit, lean_jit, outer_jit
-from hophoop.numerics.collocation import NODES, ORDER, dot, lagrange
+from hophoop.numerics.collocation import NODES, ORDER, antiderivative, dot, lagrange
 from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW, add, plus
 from hophoop.numerics.trigonometry import rotated, sine_cosine, turn
 from hophoop.panels.anchor import (
@@ -20,6 +20,8 @@ from hophoop.panels.panel import (
     HOLD,
     LINEAR,
     LOSS,
+    RESIST,
+    RESISTED,
     RESOLVED,
     SLIP,
     TIME,
@@ -31,14 +33,9 @@ from hophoop.panels.panel import (
 )
 from hophoop.panels.roll import u_on_panel
 from hophoop.physics.body import Event, Mode, Status
-from hophoop.physics.contact import (
-    inertia_at_height,
-    load_height,
-    rolling_acceleration,
-    slip_motion,
-    slip_stiffness,
-)
-from hophoop.physics.modes import slip_direction
+from hophoop.physics.contact import inertia_at_height, load_height, slip_stiffness
+from hophoop.physics.modes import next_mode, slip_direction
+from hophoop.physics.resistance import acceleration_in_contact, torque_at_rest
 from hophoop.physics.roll import rest_curvature
 from hophoop.physics.slip import slip_displacement
 from hophoop.records.state import State, at_time, later, moved, time_left, with_anchor, with_losses, with_velocities
@@ -53,6 +50,7 @@ from hophoop.rigid.transitions import leave_cone, pass_singular, settle
 
 ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(Mode.FLIGHT)
 STICK, TAKEOFF, TURN, REST = int(Event.STICK), int(Event.TAKEOFF), int(Event.TURN), int(Event.REST)
+SLIP_START = int(Event.SLIP_START)
 COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
     int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED)
 )
@@ -78,16 +76,6 @@ def counted(body, state):
     return with_anchor(after, Anchor(anchor.kind, anchor.excess, base, base_low, anchor.bend))
 
 
-@lean_jit
-def angular_acceleration(body, sigma, th, u):
-    """θ̈ in rolling (sigma = 0) or slip."""
-    s = math.sin(th)
-    c = math.cos(th)
-    if sigma == 0:
-        return rolling_acceleration(body, s, c, u)
-    return slip_motion(body, s, c, u, sigma)[0]
-
-
 @apart_jit
 def is_still(body, sigma, state):
     """Whether a hoop that does not turn stays: on a hilltop exactly, in a valley within the rounding of θ."""
@@ -103,7 +91,7 @@ def is_still(body, sigma, state):
     rounding = STILL_ACCELERATION * (1.0 + abs(th))
     if firm > 0.0:
         rounding *= 1.0 + body.eps * (body.gn + abs(body.gt)) / firm
-    return abs(angular_acceleration(body, sigma, th, 0.0)) <= rounding
+    return abs(acceleration_in_contact(body, s, c, 0.0, sigma)) <= rounding
 
 
 @inline_jit
@@ -116,7 +104,7 @@ def stays(body, sigma, state):
 
 @inline_jit
 def u_between(panel, xi, weights, values):
-    """θ̇² at ξ of a slip panel; beside a turning point by θ̇²/s², so that also a small θ̇ has its digits."""
+    """θ̇² at ξ of a panel that has it at its nodes; beside a turning point by θ̇²/s², so that also a small θ̇ has its digits."""
     if panel.kind == LINEAR:
         return dot(weights, values)
     end = 1.0 if panel.kind == ARRIVE else -1.0
@@ -124,6 +112,13 @@ def u_between(panel, xi, weights, values):
     for i in range(ORDER):
         result += weights[i] * (values[i] / ((end - NODES[i]) * (end - NODES[i])))
     return result * ((end - xi) * (end - xi))
+
+
+@apart_jit
+def resisted_inside(work, weights):
+    """Energy lost to rolling resistance up to a place inside a solved panel, given by its weights."""
+    antiderivative(work[RESIST], work[RESISTED])
+    return dot(weights, work[RESISTED])
 
 
 @inline_jit
@@ -140,18 +135,23 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
         lagrange(xi, scratch.weights)
         tau = dot(scratch.weights, work[TIME])
         if panel.sigma == 0:
-            u = u_on_panel(body, panel, sine, versine, offset)
             vt = 0.0
             loss = 0.0
+            if body.resist > 0.0:
+                u = u_between(panel, xi, scratch.weights, work[U])
+            else:
+                u = u_on_panel(body, panel, sine, versine, offset)
         else:
             u = u_between(panel, xi, scratch.weights, work[U])
             vt = dot(scratch.weights, work[SLIP])
             loss = dot(scratch.weights, work[LOSS])
+        resisted = resisted_inside(work, scratch.weights) if body.resist > 0.0 else 0.0
     else:
         tau = totals.time
         u = 0.0 if panel.kind == ARRIVE else totals.u
         vt = totals.vt
         loss = totals.loss
+        resisted = totals.resisted
     tau = max(tau, 0.0)
     om = panel.way * math.sqrt(max(u, 0.0))
     if panel.sigma == 0:
@@ -172,7 +172,7 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     th, th_low = plus(panel.ref, panel.ref_low, offset)
     return State(
         t, t_low, x, x_low, 0.0, state.turns, th, th_low, vt, 0.0, om,
-        state.friction + loss, state.impact_n, state.impact_t, state.anchor,
+        state.friction + loss, state.impact_n, state.impact_t, state.resisted + resisted, state.anchor,
     )  # fmt: skip
 
 
@@ -246,8 +246,12 @@ def advance_contact(body, phase, blind, limits, log, scratch):
 
 @lean_jit
 def equilibrium_is_stable(body, th):
-    """Whether rest in rolling contact at the angle th has a minimum of the potential energy."""
-    return rest_curvature(body, math.sin(th), math.cos(th)) > 0.0
+    """Whether rest at the angle th is a minimum of the potential energy, or held by less than all the rolling resistance."""
+    s = math.sin(th)
+    c = math.cos(th)
+    if body.resist > 0.0 and abs(torque_at_rest(body, s, c)) < body.resist * body.gn:
+        return True
+    return rest_curvature(body, s, c) > 0.0
 
 
 @lean_jit
@@ -333,10 +337,29 @@ def after_slip(body, phase, what, state, log, scratch):
     return entered(body, mode, state, phase.bounce, STUCK, scratch)
 
 
+@aside_jit
+def turned_step(body, phase, state, level, limits, log, scratch):
+    """What follows where θ̇ comes to zero with rolling resistance: the couple, and with it the contact force, jumps there."""
+    mode = next_mode(body, state.th, state.th_low, 0.0, state.vt)
+    if phase.mode == ROLL and mode == ROLL and is_still(body, 0, state):
+        return still_step(body, phase, state, limits, log, scratch)
+    if phase.mode == ROLL or mode == phase.mode:
+        note(log, TURN, phase.mode, phase.mode, state)
+    if limits.stop & STOP_AT_TURN:
+        return ended(phase, phase.mode, state, TURNED, COMPLETED)
+    if mode == phase.mode:
+        return gone_on(phase, state, level, TURNED)
+    kind = TURN if phase.mode != ROLL else TAKEOFF if mode == FLIGHT else SLIP_START
+    mode, state = settle(body, state, quiet(kind, phase.mode, state), log, scratch)
+    return entered(body, mode, state, phase.bounce, TURNED, scratch)
+
+
 @outer_jit
 def contact_step(body, phase, limits, log, scratch):
     """Rolling or slip up to its end, or to a turning point, and what follows."""
     what, state, level = advance_contact(body, phase, False, limits, log, scratch)
+    if what == TURNED and body.resist > 0.0:
+        return turned_step(body, phase, state, level, limits, log, scratch)
     if what == TURNED:
         note(log, TURN, phase.mode, phase.mode, state)
     if what in (LIMIT, FULL_ANGLE) or (what == TURNED and limits.stop & STOP_AT_TURN):

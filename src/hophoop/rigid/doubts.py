@@ -13,7 +13,8 @@ from hophoop.numerics.collocation import ORDER, coefficients, series_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall_after
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import A, B
-from hophoop.physics.contact import cone_weights, free_acceleration, rolling_forces
+from hophoop.physics.contact import cone_weights, free_acceleration
+from hophoop.physics.resistance import forces_rolling
 
 CLOSE = 1e-11  # beside the natural size of a quantity: nearer to zero it may be on either side
 NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel
@@ -41,7 +42,7 @@ def mode_is_in_doubt(body, state):
     if state.vt != 0.0:
         # p_σ = 0 is left to the doubles: beside it the force has no bound, and the longer computation no end
         return opening <= CLOSE * (body.gn + body.eps * u)
-    friction, normal = rolling_forces(body, s, c, u)
+    friction, normal = forces_rolling(body, s, c, state.om)
     a, b = cone_weights(body.mu_s)
     margin = a * normal - b * abs(friction)
     if abs(margin) <= CLOSE * scale or abs(normal) <= CLOSE * scale:

@@ -9,6 +9,7 @@ from hophoop.numerics.collocation import ORDER, coefficients
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.numerics.trigonometry import sine_cosine, versine_of
 from hophoop.panels.anchor import (
+    NONE,
     SLIPPING,
     rolling_anchor,
     rolling_begin,
@@ -27,9 +28,11 @@ from hophoop.panels.panel import (
     linear_panel,
     width_of,
 )
+from hophoop.panels.resisted import solve_resisted
 from hophoop.panels.roll import solve_roll, u_on_panel
 from hophoop.panels.slip import solve_slip
 from hophoop.physics.painleve import slip_coefficients, stiffness_slope
+from hophoop.physics.resistance import held, resistance_arm
 from hophoop.records.state import with_anchor
 
 START_LEVEL = 2
@@ -51,6 +54,8 @@ NARROWEST = 2000
 @apart_jit
 def anchored(body, sigma, state, scratch):
     """The state at the begin of a phase, with the anchor of the phase."""
+    if body.resist > 0.0:
+        return with_anchor(state, NONE)  # nothing is conserved
     u = state.om * state.om
     if sigma == 0:
         return with_anchor(state, rolling_anchor(body, state.th, state.th_low, u))
@@ -67,8 +72,12 @@ def begin_of(body, sigma, state, scratch):
     u = state.om * state.om
     if sigma == 0:
         arm, stiffness, u = rolling_begin(body, state.anchor, state.th, state.th_low, s, c, u)
+        if body.resist > 0.0:
+            reach = body.resist * body.gn
+            arm -= math.copysign(reach, state.om) if state.om != 0.0 else held(arm, reach)
     else:
-        arm, stiffness = slip_coefficients(body, state.th, state.th_low, s, c, sigma)
+        rho = resistance_arm(body, s, c, state.om, sigma)
+        arm, stiffness = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
         if state.anchor.kind == SLIPPING:
             arm, u = slip_begin(body, state.anchor, sigma, state.th, state.th_low, arm, u, scratch.values[0])
             stiffness = body.kap + body.eps * s * arm
@@ -79,6 +88,8 @@ def begin_of(body, sigma, state, scratch):
 def solve(body, panel, work):
     """Fill the panel in its mode."""
     if panel.sigma == 0:
+        if body.resist > 0.0:
+            return solve_resisted(body, panel, work)
         return solve_roll(body, panel, work)
     return solve_slip(body, panel, work)
 
@@ -119,15 +130,12 @@ def turning_point_ahead(body, panel, totals, scratch):
     Where a panel loses most of θ̇² but does not reach the zero, wider ones are searched: panels that
     fit before it would shrink towards it for ever.
     """
-    if panel.sigma == 0 and not turns_within(body, panel, 8.0 * panel.extent):
+    if panel.sigma == 0 and body.resist == 0.0 and not turns_within(body, panel, 8.0 * panel.extent):
         return 0.0
     for _ in range(4):
-        if panel.sigma == 0:
-            coefficients(scratch.work[A], scratch.series)
-        elif math.isnan(totals.u):
+        if math.isnan(totals.u):
             return 0.0
-        else:
-            coefficients(scratch.work[U], scratch.series)
+        coefficients(scratch.work[A if panel.sigma == 0 else U], scratch.series)
         xi = first_fall(scratch.series, 0.0, scratch.stack)
         if xi != NOT_FOUND:
             return panel.extent * 0.5 * (1.0 + xi)

@@ -18,6 +18,7 @@ from hophoop.panels.panel import (
     U,
     place_of,
 )
+from hophoop.panels.resisted import resisted_margins
 from hophoop.panels.roll import roll_margins
 from hophoop.records.state import time_left
 from hophoop.rigid.doubts import CLOSE, NEARBY, has_graze, note_doubt
@@ -63,7 +64,10 @@ def fall_of(row, state_is_fresh, floor, scratch):
 def end_of_rolling(body, panel, fresh, scratch):
     """(ξ, what, whether it may depend on rounding) where rolling needs all friction; NOT_FOUND where it does not."""
     work = scratch.work
-    roll_margins(body, work)
+    if body.resist > 0.0:
+        resisted_margins(body, panel, work)
+    else:
+        roll_margins(body, work)
     rounding = MARGIN_ROUNDING * (body.gn + abs(body.gt) + panel.u)
     ahead, near_ahead = fall_of(work[A], fresh, rounding, scratch)
     back, near_back = fall_of(work[B], fresh, rounding, scratch)

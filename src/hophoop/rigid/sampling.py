@@ -15,6 +15,7 @@ from hophoop.physics.contact import rolling_forces, slip_load
 from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state
 from hophoop.physics.painleve import slip_coefficients
+from hophoop.physics.resistance import resisted_forces
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import flown, moved, whole_angle, with_losses, with_velocities
 from hophoop.records.writing import panel_of, state_of
@@ -28,6 +29,7 @@ FLIGHT = int(Mode.FLIGHT)
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip",
     "friction_force", "normal_force", "friction", "impact_normal", "impact_tangential", "theta", "theta_low",
+    "rolling_resistance",
 )  # fmt: skip
 
 
@@ -61,12 +63,14 @@ def place_on_panel(panel_time, segment, tau, scratch):
 
 
 @jit
-def contact_force(body, sigma, th, th_low, om):
-    """(F, N) in rolling (sigma = 0) or slip."""
+def contact_force(body, sigma, th, th_low, om, rho):
+    """(F, N) in rolling (sigma = 0) or slip, with the rolling resistance ρ."""
     s, c = sine_cosine(th, th_low)
     if sigma == 0:
+        if rho != 0.0:
+            return resisted_forces(body, s, c, om * om, rho)
         return rolling_forces(body, s, c, om * om)
-    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma)
+    _, stiffness = slip_coefficients(body, th, th_low, s, c, sigma, rho)
     normal = body.kap * slip_load(body, c, om * om, stiffness)
     return -sigma * body.mu_k * normal, normal
 
@@ -76,7 +80,7 @@ def sample(body, segments, times, left, out):
     """Fill `out`, shape (len(times), len(COLUMNS)), with the motion at these times (kernel units)."""
     scratch = new_scratch()
     solved = -1
-    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    totals = Totals(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     panel = no_panel(FLY, 0, 0.0)
     for k in range(times.shape[0]):
         index = find_segment(segments, times[k], left)
@@ -114,7 +118,8 @@ def sample(body, segments, times, left, out):
                 solved = index
             xi = place_on_panel(scratch.work[TIME], segment, tau, scratch)
             now = state_on_panel(body, panel, totals, state, xi, scratch)
-            friction, normal = contact_force(body, segment["sigma"], now.th, now.th_low, now.om)
+            rho = segment["way"] * body.resist
+            friction, normal = contact_force(body, segment["sigma"], now.th, now.th_low, now.om, rho)
         row = out[k]
         row[0] = segment["mode"]
         row[1] = now.x
@@ -131,6 +136,7 @@ def sample(body, segments, times, left, out):
         row[12] = now.impact_t
         row[13] = now.th
         row[14] = now.th_low
+        row[15] = now.resisted
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

@@ -18,7 +18,8 @@ from hophoop.physics.modes import (
     slip_mode,
 )
 from hophoop.physics.painleve import slip_coefficients
-from hophoop.records.state import with_anchor, with_losses, with_velocities
+from hophoop.physics.resistance import resistance_arm
+from hophoop.records.state import with_anchor, with_losses, with_resisted, with_velocities
 from hophoop.records.writing import Cause, note, quiet, write_event
 from hophoop.rigid.doubts import CLOSE, mode_is_in_doubt, note_doubt
 
@@ -40,7 +41,7 @@ def collide(body, rest, state, kind, mode, collision):
     s, c = sine_cosine(state.th, state.th_low)
     p_sigma = math.nan
     if state.vn == 0.0 and state.vt != 0.0 and body.kap > 0.0 and not math.isinf(body.mu_k):
-        p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, 1 if state.vt > 0.0 else -1)[1] / body.kap
+        p_sigma = slip_coefficients(body, state.th, state.th_low, s, c, 1 if state.vt > 0.0 else -1, 0.0)[1] / body.kap
     vt, vn, spin, p_n, p_t, loss_n, loss_t = impact(body, rest, s, c, state.vt, state.vn, p_sigma)
     om = state.om + spin
     gain = -(loss_n + loss_t)
@@ -123,14 +124,16 @@ def pass_singular(body, mode, state, log, scratch):
     """
     s, c = sine_cosine(state.th, state.th_low)
     sigma = slip_direction(mode)
-    torque, distance = slip_coefficients(body, state.th, state.th_low, s, c, sigma)
+    rho = resistance_arm(body, s, c, state.om, sigma)
+    torque, distance = slip_coefficients(body, state.th, state.th_low, s, c, sigma, rho)
     found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma, torque, distance)
     if not found:
         return False, UNDECIDED, state
-    jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om)
+    jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om, rho)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss
     after = with_losses(with_velocities(state, vt, 0.0, om), state.friction, state.impact_n, losses)
+    after = with_resisted(after, state.resisted + 0.5 * rho * (state.om + om) * p_n)
     if jams:
         cause = Cause(JAM, mode, state.vt, state.vn, state.om, p_n, p_t, 0.0, -1)
         write_event(log, cause, mode, after, 0.0, -1)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Callable, Iterable, Mapping
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
 from hophoop.scenario.sentences import plain, sentence, shortened
+from hophoop.scenario.texts import TEXTS, say
 
 
 class InputError(ValueError):
@@ -76,8 +77,8 @@ class Frozen(BaseModel):
         for key in data if isinstance(data, Mapping) else ():
             if key not in known:
                 close = difflib.get_close_matches(str(key), known, n=1)
-                hint = f"did you mean {close[0]}?" if close else f"known are {', '.join(known)}."
-                raise refuse(f"{cls.place}{shortened(str(key))} is not a known key; {hint}")
+                hint = say("did_you_mean", close=close[0]) if close else say("known_are", known=", ".join(known))
+                raise refuse(say("unknown_key", path=f"{cls.place}{shortened(str(key))}", hint=hint))
         return data
 
     def to_dict(self) -> dict[str, Any]:
@@ -137,29 +138,33 @@ def refuse(message: str) -> PydanticCustomError:
     return PydanticCustomError("sentence", "{sentence}", {"sentence": plain(message)})
 
 
+def _not(kind: Literal["number", "friction", "whole"]) -> PydanticCustomError:
+    return PydanticCustomError(kind, TEXTS[kind])
+
+
 def _number(value: Any) -> float:
     # A switch is no number, and text must not become one unseen; NumPy's scalars become Python floats.
     scalar = getattr(value, "ndim", 0) == 0 and hasattr(value, "__float__")
     if not scalar or isinstance(value, bool | np.bool_):
-        raise PydanticCustomError("number", "must be a number")
+        raise _not("number")
     try:
         return float(value) + 0.0  # no −0.0: equal scenarios are equal to the last character of their link
     except (TypeError, ValueError, OverflowError):
-        raise PydanticCustomError("number", "must be a number") from None
+        raise _not("number") from None
 
 
 def _friction(value: Any) -> float:
     # JSON has no infinity, so the word stands for it.
     number = float("inf") if value == "inf" else _number(value)
     if not number >= 0.0:
-        raise PydanticCustomError("friction", "must be at least 0 (inf is allowed)")
+        raise _not("friction")
     return number
 
 
 def _whole(value: Any) -> int:
     number = _number(value)
     if not number.is_integer():
-        raise PydanticCustomError("whole", "must be a whole number")
+        raise _not("whole")
     return int(value)
 
 

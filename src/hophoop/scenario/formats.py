@@ -14,6 +14,7 @@ from urllib.parse import parse_qsl, urlencode
 
 from hophoop.scenario.base import InputError
 from hophoop.scenario.sentences import shortened
+from hophoop.scenario.texts import say
 
 MOST_BYTES = 1_000_000
 # A key of many steps, which tomllib takes long for; a scenario's has two.
@@ -132,7 +133,7 @@ def read_query(query: str) -> dict[str, Any]:
     try:
         pairs = parse_qsl(query.removeprefix("?"), keep_blank_values=True, max_num_fields=1000)
     except ValueError as error:
-        raise InputError(f"The query cannot be read: {str(error).rstrip('.')}.") from None
+        raise InputError(say("unreadable_query", reason=str(error).rstrip("."))) from None
     data: dict[str, Any] = {}
     for path, text in pairs:
         steps = path.split(".")
@@ -140,9 +141,9 @@ def read_query(query: str) -> dict[str, Any]:
         for step in steps[:-1]:
             node = node.setdefault(step, {})
             if not isinstance(node, dict):
-                raise InputError(f"{path} cannot stand beside a value for {path.rpartition('.')[0]}.")
+                raise InputError(say("beside_a_value", path=path, above=path.rpartition(".")[0]))
         if steps[-1] in node:
-            raise InputError(f"{path} is given twice.")
+            raise InputError(say("given_twice", path=path))
         node[steps[-1]] = _query_number(text)
     hoop = data.get("hoop")
     if isinstance(hoop, dict) and isinstance(hoop.get("parts"), dict):
@@ -161,5 +162,5 @@ def _numbered(parts: Mapping[str, Any]) -> list[Any]:
     names = [str(index) for index in range(len(parts))]
     for name in parts:
         if name not in names:
-            raise InputError(f"hoop.parts.{name} is out of order: parts are numbered from 0 without a gap.")
+            raise InputError(say("parts_out_of_order", name=name))
     return [parts[name] for name in names]

@@ -21,6 +21,7 @@ from hophoop.scenario.base import (
 )
 from hophoop.scenario.parts import Disk, Part, PointMass, Ring, Rod, combine
 from hophoop.scenario.ranges import RANGES, inside, schema_of
+from hophoop.scenario.texts import say
 
 Radius = Annotated[Positive, inside("hoop.radius", "m"), schema_of("hoop.radius")]
 Mass = Annotated[Positive, inside("hoop.mass", "kg"), schema_of("hoop.mass")]
@@ -88,7 +89,7 @@ class Hoop(Frozen):
         given = [name for name in _HOOP_WAYS if name in fields and getattr(self, name) is not None]
         if self.parts is not None:
             if not self.parts:
-                raise refuse("hoop.parts must not be empty.")
+                raise refuse(say("no_parts"))
             _alone("hoop", "parts", [*given, *({"mass"} & fields)])
             mass, eccentricity, inertia_ratio = combine(self.radius, self.parts)
             self._settle(mass=mass, eccentricity=eccentricity, inertia_ratio=inertia_ratio)
@@ -99,13 +100,10 @@ class Hoop(Frozen):
             self._settle(load_fraction=gamma, eccentricity=gamma, inertia_ratio=(1.0 - gamma) * (1.0 + gamma))
         elif len(given) == 1:
             missing = "inertia_ratio" if given == ["eccentricity"] else "eccentricity"
-            raise refuse(f"hoop.{missing} is missing: hoop.{given[0]} does not define a hoop without it.")
+            raise refuse(say("half_a_hoop", missing=missing, given=given[0]))
         _check_derived(self)
         if self.inertia_ratio == 0.0 and self.eccentricity != 1.0:
-            raise refuse(
-                f"hoop.inertia_ratio = 0 needs hoop.eccentricity = 1 (all mass in a point on the rim), "
-                f"not {self.eccentricity!r}."
-            )
+            raise refuse(say("massless_eccentricity", eccentricity=self.eccentricity))
         return self
 
     def _written(self) -> Iterable[str]:
@@ -189,11 +187,11 @@ class Hoop(Frozen):
 def _check_derived(hoop: Hoop) -> None:
     # what was not given itself: the mass of the parts, the inertia of an ideal hoop
     if not RANGES["hoop.mass"].holds(hoop.mass):
-        raise refuse(f"hoop.mass = {hoop.mass!r} must be {RANGES['hoop.mass'].words('kg')}.")
+        raise refuse(say("hoop_mass", mass=hoop.mass, words=RANGES["hoop.mass"].words("kg")))
     if not RANGES["hoop.inertia_ratio"].holds(hoop.inertia_ratio):
-        of = "hoop.parts give" if hoop.parts is not None else f"hoop.load_fraction = {hoop.load_fraction!r} gives"
-        words = RANGES["hoop.inertia_ratio"].words()
-        raise refuse(f"{of} hoop.inertia_ratio = {hoop.inertia_ratio!r}, which must be {words}.")
+        text = "parts_inertia" if hoop.parts is not None else "load_inertia"
+        given = {"load_fraction": hoop.load_fraction, "inertia_ratio": hoop.inertia_ratio}
+        raise refuse(say(text, **given, words=RANGES["hoop.inertia_ratio"].words()))
 
 
 _HOOP_WAYS = ("load_fraction", "eccentricity", "inertia_ratio")
@@ -202,7 +200,7 @@ _HOOP_WAYS = ("load_fraction", "eccentricity", "inertia_ratio")
 def _alone(section: str, way: str, given: Sequence[str]) -> None:
     for other in given:
         if other != way:
-            raise refuse(f"{section}.{other} cannot be given together with {section}.{way}.")
+            raise refuse(say("together", section=section, other=other, way=way))
 
 
 class Plane(Frozen):
@@ -224,6 +222,8 @@ class Plane(Frozen):
         What ends the restitution of an impact.
     painleve : {'flight', 'impact'}, default 'flight'
         What follows where Painlevé's paradox leaves the motion indeterminate.
+    rolling_resistance : float, default 0
+        f from 0 to 1: in contact the couple f R N acts against the rotation [1].
 
     Raises
     ------
@@ -241,6 +241,7 @@ class Plane(Frozen):
     restitution: Fraction = quantity(0.0, "Restitution of an impact")
     impact_law: Literal["stronge", "newton", "poisson"] = quantity("stronge", "Law of restitution", "")
     painleve: Literal["flight", "impact"] = quantity("flight", "What follows an indeterminate contact", "")
+    rolling_resistance: Fraction = quantity(0.0, "Rolling resistance: couple against the rotation over R N")
 
     @model_validator(mode="after")
     def _complete(self) -> Plane:
@@ -251,16 +252,18 @@ class Plane(Frozen):
         elif self.mu_static == self.mu_kinetic:
             self._settle(mu=self.mu_static)
         if self.mu_kinetic > self.mu_static:
-            raise refuse(f"plane.mu_kinetic = {self.mu_kinetic!r} must not exceed plane.mu_static = {self.mu_static!r}.")
+            raise refuse(say("kinetic_above_static", mu_kinetic=self.mu_kinetic, mu_static=self.mu_static))
         if not abs(self.slope) < 0.5 * math.pi:
-            raise refuse(f"plane.slope = {self.slope!r} must lie between -pi/2 and pi/2 (radians).")
+            raise refuse(say("vertical", slope=self.slope))
         if not RANGES["plane.slope"].holds(self.slope):
-            raise refuse(f"plane.slope = {self.slope!r} must be {RANGES['plane.slope'].words('rad')}.")
+            raise refuse(say("slope", slope=self.slope, words=RANGES["plane.slope"].words("rad")))
         return self
 
     def _written(self) -> Iterable[str]:
         apart = any(name in self.model_fields_set for name in _FRICTIONS)
-        left_out = ("mu",) if apart else _FRICTIONS
+        left_out = {"mu"} if apart else set(_FRICTIONS)
+        if self.rolling_resistance == 0.0:  # as in files of before there was one
+            left_out.add("rolling_resistance")
         return [name for name in type(self).model_fields if name not in left_out]
 
 
@@ -337,7 +340,7 @@ class Start(Frozen):
             _alone("start", "speed", [name for name in _FREE if name in self.model_fields_set])
             self._settle(vx=self.speed, omega=None)
         elif self.omega is None:
-            raise refuse("start.omega = None must be a number.")
+            raise refuse(say("no_omega"))
         return self
 
     def _written(self) -> Iterable[str]:
@@ -465,7 +468,7 @@ class Compliant(Frozen):
     @model_validator(mode="after")
     def _one_damping(self) -> Compliant:
         if self.damping is not None and self.restitution is not None:
-            raise refuse("contact.restitution cannot be given together with contact.damping.")
+            raise refuse(say("together", section="contact", other="restitution", way="damping"))
         return self
 
 

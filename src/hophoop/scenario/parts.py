@@ -10,12 +10,13 @@ from pydantic import Discriminator, model_validator
 
 from hophoop.scenario.base import Frozen, NonNegative, Number, Positive, plain_init, quantity, refuse
 from hophoop.scenario.ranges import inside, schema_of
+from hophoop.scenario.texts import say
 
 PartMass = Annotated[Positive, inside("hoop.parts.mass", "kg"), schema_of("hoop.parts.mass")]
 Length = Annotated[Positive, inside("hoop.parts.length", "m"), schema_of("hoop.parts.length")]
 
 # A part that just touches the rim, its place rounded, still lies within it.
-_TOUCH = 1e-12
+TOUCH = 1e-12
 
 
 class Ring(Frozen):
@@ -48,9 +49,7 @@ class Ring(Frozen):
     @model_validator(mode="after")
     def _ordered(self) -> Ring:
         if self.inner_radius > self.outer_radius:
-            raise refuse(
-                f"ring.inner_radius = {self.inner_radius!r} must not exceed ring.outer_radius = {self.outer_radius!r}."
-            )
+            raise refuse(say("ring_radii", inner=self.inner_radius, outer=self.outer_radius))
         return self
 
     @property
@@ -226,11 +225,8 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
         If a part reaches beyond the rim.
     """
     for index, part in enumerate(parts):
-        if part.reach > radius * (1.0 + _TOUCH):
-            raise refuse(
-                f"hoop.parts.{index} ({part.shape}) reaches {part.reach!r} m from the centre, "
-                f"beyond the rim: hoop.radius = {radius!r}."
-            )
+        if part.reach > radius * (1.0 + TOUCH):
+            raise refuse(say("beyond_the_rim", index=index, shape=part.shape, reach=part.reach, radius=radius))
     mass = math.fsum(part.mass for part in parts)
     # Measured from the first part, so that parts all in one place give exactly that place and no inertia.
     first = parts[0].at / radius

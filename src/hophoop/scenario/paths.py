@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from pydantic import ValidationError
+
 from hophoop.scenario.base import Frozen, InputError
 from hophoop.scenario.models import Compliant, Hoop, Plane, Rigid, Start
 from hophoop.scenario.parts import Disk, PointMass, Ring, Rod
+from hophoop.scenario.texts import say
 
 if TYPE_CHECKING:
     from hophoop.scenario.scenario import Scenario
@@ -21,7 +24,7 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
 _PARTS = (Ring, Disk, PointMass, Rod)
 
 # Where a quantity can be given in more ways than one, giving it one way ends the others.
-_ENDS: dict[str, Sequence[str]] = {
+ENDS: dict[str, Sequence[str]] = {
     "hoop.load_fraction": ("eccentricity", "inertia_ratio", "parts"),
     "hoop.eccentricity": ("load_fraction", "parts"),
     "hoop.inertia_ratio": ("load_fraction", "parts"),
@@ -82,7 +85,7 @@ def parameter(path: str) -> ParameterInfo:
     """
     for known in _candidates(path):
         return known
-    raise InputError(f"{path} is not a parameter of a scenario; known are {', '.join(paths())}.")
+    raise InputError(say("no_parameter", path=path, known=", ".join(paths())))
 
 
 def paths() -> list[str]:
@@ -137,7 +140,7 @@ def contradiction(given: Iterable[str]) -> tuple[str, str] | None:
     known = list(given)
     for path in known:
         section = path.partition(".")[0]
-        ended = {f"{section}.{key}" for key in _ENDS.get(path, ())}
+        ended = {f"{section}.{key}" for key in ENDS.get(path, ())}
         for other in known:
             # a whole is named together with its parts
             if any(other == end or other.startswith(f"{end}.") for end in ended):
@@ -154,7 +157,8 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
     pair = contradiction(values)
     if pair is not None:
         one, other = pair
-        raise InputError(f"{one} = {values[one]!r} and {other} = {values[other]!r} cannot be given together.")
+        given = {"one_value": values[one], "other_value": values[other]}
+        raise InputError(say("two_ways", one=one, other=other, **given))
     data = scenario.to_dict()
     spelt_out: set[str] = set()
     for path in sorted(values, key=_rank):
@@ -169,12 +173,12 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
             continue
         table = data.setdefault(section, {})
         if not isinstance(table, dict):
-            raise InputError(f"{path} is not a parameter of a scenario: {section} has no parts.")
-        if section not in spelt_out and any(key in table for key in _ENDS.get(path, ())):
+            raise InputError(say("no_section_parts", path=path, section=section))
+        if section not in spelt_out and any(key in table for key in ENDS.get(path, ())):
             spelt_out.add(section)
             spelt = _spelt_out(scenario, data, path)
             table.update({key: value for key, value in spelt.items() if f"{section}.{key}" not in values})
-        for key in _ENDS.get(path, ()):
+        for key in ENDS.get(path, ()):
             table.pop(key, None)
         _put(table, rest.split("."), value, path)
     return data
@@ -197,7 +201,11 @@ def _spelt_out(scenario: Scenario, data: Mapping[str, Any], path: str) -> dict[s
         return {"mu_static": plane.mu_static, "mu_kinetic": plane.mu_kinetic}
     if path in ("start.height", "start.vx", "start.vy", "start.omega"):
         # a rolling start, as the free one of the hoop as it will be
-        state = start.state(Hoop.model_validate(data["hoop"]))
+        try:
+            hoop = Hoop.model_validate(data["hoop"])
+        except ValidationError as error:
+            raise InputError.of(error) from None
+        state = start.state(hoop)
         return {"height": state.height, "vx": state.vx, "vy": state.vy, "omega": state.omega}
     return {}
 
@@ -210,11 +218,11 @@ def _put(table: Mapping[str, Any], steps: Sequence[str], value: Any, path: str) 
         elif isinstance(node, dict) and step in node:
             node = node[step]
         else:
-            raise InputError(f"{path} is not there to be replaced: the scenario has no {step!r}.")
+            raise InputError(say("not_there", path=path, step=step))
     last = steps[-1]
     if isinstance(node, dict):
         node[last] = value
     elif isinstance(node, list) and last.isdecimal() and int(last) < len(node):
         node[int(last)] = value
     else:
-        raise InputError(f"{path} is not there to be replaced: the scenario has no {last!r}.")
+        raise InputError(say("not_there", path=path, step=last))

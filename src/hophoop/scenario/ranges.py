@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 from pydantic import AfterValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from hophoop.scenario.texts import TEXTS
+
 
 class Range(NamedTuple):
     """What a number may be.
@@ -75,6 +77,7 @@ RANGES: dict[str, Range] = {
     "plane.slope": Range(-1.57, 1.57),
     "plane.mu": Range(0.0, 1e6, (float("inf"),)),
     "plane.restitution": Range(0.0, 1.0),
+    "plane.rolling_resistance": Range(0.0, 1.0),
     "start.x": Range(-1e9, 1e9),
     "start.height": Range(0.0, 1e6),
     "start.angle": Range(-1e6, 1e6),
@@ -99,6 +102,32 @@ RELATIVE_SLIP_SPEED = Range(1e-12, 1e6)
 MOST_DEPTH = 100.0
 
 
+class Inside(NamedTuple):
+    """Keeps a number to its range.
+
+    Attributes
+    ----------
+    allowed : Range
+    unit : str
+        Of the number, for the sentence.
+    """
+
+    allowed: Range
+    unit: str
+
+    def kept(self, value: float) -> float:
+        """The number itself.
+
+        Raises
+        ------
+        PydanticCustomError
+            If it is not in the range.
+        """
+        if not self.allowed.holds(value):
+            raise PydanticCustomError("value", TEXTS["range"], {"words": self.allowed.words(self.unit)})
+        return value
+
+
 def inside(name: str, unit: str = "") -> Any:
     """An annotation that keeps a field to its range, in the schema too.
 
@@ -113,14 +142,7 @@ def inside(name: str, unit: str = "") -> Any:
     -------
     annotation : pydantic.AfterValidator
     """
-    allowed = RANGES[name]
-
-    def check(value: float) -> float:
-        if not allowed.holds(value):
-            raise PydanticCustomError("value", "must be {words}", {"words": allowed.words(unit)})
-        return value
-
-    return AfterValidator(check)
+    return AfterValidator(Inside(RANGES[name], unit).kept)
 
 
 def schema_of(name: str) -> Any:

@@ -12,11 +12,13 @@ from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
 from hophoop.physics.body import Body, ImpactLaw
+from hophoop.physics.resistance import most_resistance
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
 from hophoop.scenario.models import Compliant, Contact, Hoop, Plane, Rigid, Start
 from hophoop.scenario.paths import parameter, paths, with_replaced
 from hophoop.scenario.ranges import MOST_DEPTH, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, inside, schema_of
+from hophoop.scenario.texts import say
 
 
 class Scenario(Frozen):
@@ -38,7 +40,8 @@ class Scenario(Frozen):
     ------
     ValueError
         If duration is not positive, or the parts do not go together: the massless hoop needs a level plane
-        and rigid contact, and compliant contact a finite friction.
+        without rolling resistance and rigid contact, compliant contact a finite friction, and rolling resistance is below a
+        limit that the hoop sets.
 
     Examples
     --------
@@ -59,11 +62,12 @@ class Scenario(Frozen):
     def _fitting(self) -> Scenario:
         compliant = isinstance(self.contact, Compliant)
         if self.hoop.massless and self.plane.slope != 0.0:
-            raise refuse(f"plane.slope = {self.plane.slope!r} must be 0 for the massless hoop (hoop.inertia_ratio = 0).")
+            raise refuse(say("massless_slope", slope=self.plane.slope))
+        _check_resistance(self.hoop, self.plane)
         if self.hoop.massless and compliant:
-            raise refuse("contact.model = 'compliant' must be 'rigid' for the massless hoop (hoop.inertia_ratio = 0).")
+            raise refuse(say("massless_compliant"))
         if compliant and self.plane.mu_static == math.inf:
-            raise refuse("plane.mu_static = inf must be finite with contact.model = 'compliant'.")
+            raise refuse(say("compliant_friction"))
         if isinstance(self.contact, Compliant):
             _check_compliance(self, self.contact)
         return self
@@ -281,6 +285,18 @@ class Scenario(Frozen):
         return to_body(self.hoop, self.plane)
 
 
+def _check_resistance(hoop: Hoop, plane: Plane) -> None:
+    """Refuse a rolling resistance with which the rolling of this hoop would not have one answer at every angle."""
+    given = plane.rolling_resistance
+    if given == 0.0:
+        return
+    if hoop.massless:
+        raise refuse(say("massless_resistance", given=given))
+    most = most_resistance(hoop.eccentricity, hoop.inertia_ratio)
+    if not given < most:
+        raise refuse(say("resistance", given=given, most=most))
+
+
 def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     """Refuse a spring that is no contact any more: too soft or too stiff for this hoop, or for its start."""
     hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
@@ -293,19 +309,15 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
     ):
         value = getattr(contact, name)
         if value is not None and not allowed.holds(value / unit):
-            raise refuse(
-                f"contact.{name} = {value!r} is {value / unit:.3g} {what} of this hoop and must be {allowed.words()} of it."
-            )
+            ratio = value / unit
+            raise refuse(say("relative_contact", name=name, value=value, relative=ratio, unit=what, words=allowed.words()))
     k = 1e6 if contact.stiffness is None else contact.stiffness * second**2 / hoop.mass
     given = start.state(hoop)
     fall = math.sqrt(2.0 * given.height / hoop.radius) if plane.gravity > 0.0 else 0.0
     speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius + fall
     depth = speed / math.sqrt(k) + 1.0 / k
     if depth > MOST_DEPTH:
-        raise refuse(
-            f"contact.stiffness = {contact.stiffness!r} lets the rim sink some {depth:.0e} radii into the plane, at the speed "
-            f"of the start, and must be high enough for at most {MOST_DEPTH:g}."
-        )
+        raise refuse(say("too_soft", stiffness=contact.stiffness, depth=depth, most=MOST_DEPTH))
 
 
 def to_body(hoop: Hoop, plane: Plane) -> Body:
@@ -334,6 +346,7 @@ def to_body(hoop: Hoop, plane: Plane) -> Body:
         strike=plane.painleve == "impact",
         slope=weight * plane.slope,
         ideal=hoop.load_fraction is not None,
+        resist=plane.rolling_resistance,
     )
 
 

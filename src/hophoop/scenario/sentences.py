@@ -7,14 +7,20 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from hophoop.scenario.texts import TEXTS, say
+
 # Where a model's fields stand in a scenario.
 _PLACES = {"Scenario": "", "Rigid": "contact", "Compliant": "contact", "PointMass": "point_mass"}
 
-_LIMITS = {
-    "greater_than": ("greater than", "gt"),
-    "greater_than_equal": ("at least", "ge"),
-    "less_than": ("less than", "lt"),
-    "less_than_equal": ("at most", "le"),
+_LIMITS = {"greater_than": "gt", "greater_than_equal": "ge", "less_than": "lt", "less_than_equal": "le"}
+
+# Kinds of pydantic's errors, and what is allowed there.
+_KINDS = {
+    "finite_number": "finite_number",
+    **dict.fromkeys(("model_type", "model_attributes_type", "dict_type", "union_tag_not_found"), "table"),
+    **dict.fromkeys(("tuple_type", "list_type"), "list"),
+    **dict.fromkeys(("int_parsing", "int_type", "int_from_float"), "whole"),
+    "string_type": "word",
 }
 
 # Kinds of our own validators, whose messages go on from the value.
@@ -106,40 +112,34 @@ def findings_sentence(findings: Sequence[Mapping[str, Any]], place: str = "") ->
     others = len(findings) - 1
     if others == 0:
         return first
-    return f"{first.removesuffix('.')} (and {others} more {'problem' if others == 1 else 'problems'})."
+    return say("other_problem" if others == 1 else "other_problems", first=first.removesuffix("."), count=others)
 
 
 def _say(above: str, finding: Mapping[str, Any]) -> str:
     place = _path(above, finding["loc"])
     kind, value, context = finding["type"], finding["input"], finding.get("ctx", {})
-    given = f"{place} = {_show(value)}"
     if kind == "sentence":
         return str(context["sentence"])
-    if kind in _OWN:
-        return f"{given} {finding['msg']}."
-    if kind in _LIMITS:
-        words, key = _LIMITS[kind]
-        return f"{given} must be {words} {context[key]:g}."
-    if kind == "finite_number":
-        return f"{given} must be a finite number."
     if kind == "missing":
-        return f"{place} is missing."
-    if kind == "literal_error":
-        return f"{given} must be {context['expected']}."
-    if kind == "union_tag_invalid":
-        return _tag(place, context)
+        return say("missing", path=place)
     if kind == "union_tag_not_found" and isinstance(value, Mapping):
-        return f"{place}.shape is missing."
-    if kind in ("model_type", "model_attributes_type", "dict_type", "union_tag_not_found"):
-        return f"{given} must be a table of keys."
-    if kind in ("tuple_type", "list_type"):
-        return f"{given} must be a list."
-    if kind in ("int_parsing", "int_type", "int_from_float"):
-        return f"{given} must be a whole number."
-    if kind == "string_type":
-        return f"{given} must be a word."
-    message = finding["msg"]
-    return f"{given}: {message[:1].lower()}{message[1:]}."
+        return say("missing", path=f"{place}.{_tag_key(place)}")
+    if kind == "union_tag_invalid":
+        expected = [word.strip(" '") for word in str(context["expected_tags"]).split(",")]
+        allowed = say("literal_error", expected=_either(expected))
+        return say("finding", path=f"{place}.{_tag_key(place)}", shown=_show(context["tag"]), allowed=allowed)
+    if kind in _OWN:
+        allowed = finding["msg"]
+    elif kind in _LIMITS:
+        allowed = say(kind, limit=context[_LIMITS[kind]])
+    elif kind == "literal_error":
+        allowed = say(kind, expected=context["expected"])
+    elif kind in _KINDS:
+        allowed = say(_KINDS[kind])
+    else:
+        message = finding["msg"]
+        return f"{place} = {_show(value)}: {message[:1].lower()}{message[1:]}."
+    return say("finding", path=place, shown=_show(value), allowed=allowed)
 
 
 def _path(above: str, loc: Sequence[str | int]) -> str:
@@ -149,13 +149,12 @@ def _path(above: str, loc: Sequence[str | int]) -> str:
         if step in _TAGS:
             continue
         parts.append(shortened(str(step)))
-    return ".".join(part for part in parts if part) or "the scenario"
+    return ".".join(part for part in parts if part) or TEXTS["whole_scenario"]
 
 
-def _tag(place: str, context: Mapping[str, Any]) -> str:
-    key = "model" if place == "contact" else "shape"
-    expected = [word.strip(" '") for word in str(context["expected_tags"]).split(",")]
-    return f"{place}.{key} = {_show(context['tag'])} must be {_either(expected)}."
+def _tag_key(place: str) -> str:
+    """The key that says which of several models a table is."""
+    return "model" if place.rpartition(".")[2] == "contact" else "shape"
 
 
 def _either(words: Sequence[str]) -> str:

@@ -23,7 +23,7 @@ from hophoop.theory.painleve import (
     painleve_threshold,
 )
 from hophoop.theory.phase_plane import RollingRange, lift_off_speed, mode_of, rolling_range
-from hophoop.theory.rest import Equilibrium, equilibria
+from hophoop.theory.rest import Equilibrium, RestRange, equilibria, rest_ranges
 from hophoop.theory.rolling import (
     Energies,
     Forces,
@@ -65,6 +65,7 @@ __all__ = [
     "painleve_region",
     "jam_states",
     "equilibria",
+    "rest_ranges",
     "massless_loss",
     "Quantity",
     "Forces",
@@ -75,5 +76,6 @@ __all__ = [
     "PainleveMinimum",
     "JamState",
     "Equilibrium",
+    "RestRange",
     "ContactLoss",
 ]

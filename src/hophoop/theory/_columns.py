@@ -23,8 +23,11 @@ class Columns:
     `body` has a row of `Body` fields for each; `length`, `time` and `mass` are the kernels' units in SI.
     """
 
-    def __init__(self, hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> None:
+    def __init__(self, hoop: Hoops, plane: Planes, resisted: bool = False, /, **numbers: ArrayLike) -> None:
         hoops, planes = _models(hoop, Hoop, "hoop"), _models(plane, Plane, "plane")
+        if not resisted:
+            for one in planes.ravel():
+                require_no_resistance(one)
         values = {name: _finite(name, value) for name, value in numbers.items()}
         try:
             self.shape = np.broadcast_shapes(hoops.shape, planes.shape, *(value.shape for value in values.values()))
@@ -88,6 +91,13 @@ class Columns:
             raise InputError(sentence.format(f"{values[bad][0].item()!r}"))
 
 
+def require_no_resistance(plane: Plane) -> None:
+    """Refuse rolling resistance, with which no closed form is known."""
+    given = plane.rolling_resistance
+    if given > 0.0:
+        raise InputError(f"plane.rolling_resistance = {given!r} must be 0 here: with rolling resistance this is not known.")
+
+
 def _models(value: Any, kind: type, name: str) -> NDArray[np.object_]:
     if isinstance(value, kind):
         single = np.empty((), dtype=object)
@@ -113,4 +123,4 @@ def _finite(name: str, value: ArrayLike) -> Floats:
 def body_from(row: Floats) -> Body:
     """`body_of` outside kernels, of the types that `to_body` gives."""
     values = row.tolist()
-    return Body._make([*values[:7], int(values[7]), values[8] > 0.0, values[9], values[10] > 0.0])
+    return Body._make([*values[:7], int(values[7]), values[8] > 0.0, values[9], values[10] > 0.0, values[11]])

@@ -13,17 +13,13 @@ from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
 from hophoop.rigid.kernel import run
-from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.scenario import InputError, Plane
 from hophoop.theory._columns import Columns, Hoops, Planes, body_from
 from hophoop.theory.kernels import critical as kernels
 from hophoop.theory.kernels.arcs import TURN
-from hophoop.theory.kernels.phase_plane import lift_off, lift_off_speeds
+from hophoop.theory.kernels.phase_plane import lift_off_speeds
 
-FLIGHT, SLIPS = int(Mode.FLIGHT), [int(Mode.SPIN), int(Mode.SKID)]
-ANY_TIME = 1e9  # the turn ends the motion
-TRIALS = 32  # speeds at which the outcome is looked at before the lowest change is bisected
-EVENTS = 4096
+SLIPS = [int(Mode.SPIN), int(Mode.SKID)]
 
 
 class CriticalSpeeds(NamedTuple):
@@ -50,47 +46,20 @@ class CriticalSpeeds(NamedTuple):
 class _Trials:
     """First turns of motions, called through the kernel that simulate() has compiled already."""
 
-    def __init__(self, turns: int = 1) -> None:
-        self.angle = turns * TURN
-        self.events = np.empty(EVENTS, EVENT)
-        self.segments = np.empty(16 * EVENTS, SEGMENT)
+    def __init__(self) -> None:
+        self.events = np.empty(kernels.EVENTS, EVENT)
         self.scratch = new_scratch()
-
-    def first_turns(self, body: Body, speed: float) -> np.ndarray:
-        """Events of the motion up to its first lift-off, its turning back or the end of the turns."""
-        start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
-        stop = STOP_AT_TURN | STOP_AT_TAKEOFF
-        _, count, _ = run(body, start, ANY_TIME, self.angle, stop, self.events, self.segments, self.scratch, self.events[:0])
-        return self.events[:count]
-
-    def hops(self, body: Body, speed: float) -> bool:
-        """Whether the hoop leaves the plane."""
-        return bool((self.first_turns(body, speed)["after_mode"] == FLIGHT).any())
-
-    def hop_speed(self, body: Body) -> float:
-        """The smallest speed with a hop, to the last bit."""
-        most = float(lift_off(body, 0.0))
-        if math.isinf(most) or most == 0.0:
-            return most
-        low, high = 0.0, most
-        for i in range(1, TRIALS):
-            speed = most * i / TRIALS
-            if self.hops(body, speed):
-                high = speed
-                break
-            low = speed
-        while low < (middle := 0.5 * (low + high)) < high:
-            if self.hops(body, middle):
-                high = middle
-            else:
-                low = middle
-        return high
 
     def angles(self, body: Body, speed: float) -> tuple[float, float]:
         """Angles of the first slip and the first lift-off, nan where there is none."""
-        events = self.first_turns(body, speed)
+        start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, float(speed))
+        none = np.empty(0, SEGMENT)
+        _, count, _ = run(
+            body, start, kernels.ANY_TIME, TURN, kernels.STOP, self.events, none, self.scratch, self.events[:0]
+        )  # fmt: skip
+        events = self.events[:count]
         slips = events["angle"][np.isin(events["after_mode"], SLIPS)]
-        hops = events["angle"][events["after_mode"] == FLIGHT]
+        hops = events["angle"][events["after_mode"] == kernels.FLIGHT]
         return (slips[0] if len(slips) else math.nan), (hops[0] if len(hops) else math.nan)
 
 
@@ -98,7 +67,7 @@ class _Trials:
 
 
 def _cases(hoop: Hoops, plane: Planes, **numbers: ArrayLike) -> Columns:
-    cases = Columns(hoop, plane, **numbers)
+    cases = Columns(hoop, plane, resisted=False, **numbers)
     cases.require(lambda kap: kap > 0.0, "kap", "hoop.inertia_ratio = {} must be above 0; see massless_loss.")
     cases.require(lambda gt: gt >= 0.0, "gt", "plane.slope must be at least 0 here (level, or downhill along +x).")
     return cases
@@ -180,8 +149,9 @@ def first_hop_speed(hoop: Hoops, plane: Planes = Plane(), turns: int = 1) -> Any
     if not (isinstance(turns, int | np.integer) and turns >= 1):
         raise InputError(f"turns = {turns!r} must be a whole number of at least 1.")
     cases = _cases(hoop, plane)
-    trials = _Trials(int(turns))
-    speeds = np.array([trials.hop_speed(body_from(row)) for row in cases.body])
+    # run by Python, so that the motions go through the kernel that simulate() has compiled already
+    kernel: Any = kernels.hop_speed
+    speeds = np.array([float(kernel.py_func(body_from(row), int(turns))) for row in cases.body])
     return cases.shaped(speeds * cases.speed)
 
 
@@ -209,7 +179,7 @@ def immediate_hop_speed(hoop: Hoops, plane: Planes = Plane()) -> Any:
     >>> round(hh.theory.immediate_hop_speed(hh.Hoop.ideal(0.75)), 9)
     3.616628264
     """
-    cases = Columns(hoop, plane)
+    cases = Columns(hoop, plane, True)  # there is no contact force in it
     speeds = cases.new()
     lift_off_speeds(cases.body, np.zeros_like(speeds), speeds)
     return cases.shaped(speeds * cases.speed)

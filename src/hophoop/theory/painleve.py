@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
-from hophoop.theory._columns import Columns, Hoops
+from hophoop.theory._columns import Columns, Hoops, require_no_resistance
 from hophoop.theory.kernels import painleve as kernels
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.phase_plane import lift_off
@@ -178,7 +178,7 @@ def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:
     Raises
     ------
     ValueError
-        If the hoop is massless.
+        If the hoop is massless, or the plane has rolling resistance.
 
     References
     ----------
@@ -196,6 +196,7 @@ def jam_states(hoop: Hoop, plane: Plane = Plane()) -> tuple[JamState, ...]:
     """
     if hoop.massless:
         raise InputError("hoop.inertia_ratio = 0 must be above 0: the massless hoop never slips.")
+    require_no_resistance(plane)
     body = to_body(hoop, plane)
     second = time_unit(hoop, plane)
     found = []

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from hophoop.physics.contact import rolling_inertia
 from hophoop.rigid.contact_phase import equilibrium_is_stable
-from hophoop.scenario import Hoop, Plane, time_unit, to_body
+from hophoop.scenario import Hoop, InputError, Plane, time_unit, to_body
 from hophoop.theory.kernels.arcs import TURN, first_hilltop, first_valley
 
 
@@ -50,7 +50,7 @@ def equilibria(hoop: Hoop, plane: Plane = Plane()) -> tuple[Equilibrium, ...]:
     Raises
     ------
     ValueError
-        If the massless hoop is put on a slope.
+        If the massless hoop is put on a slope, or the plane has rolling resistance: see `rest_ranges`.
 
     Notes
     -----
@@ -64,6 +64,11 @@ def equilibria(hoop: Hoop, plane: Plane = Plane()) -> tuple[Equilibrium, ...]:
     5.578176 False True
     3.246602 True True
     """
+    if plane.rolling_resistance > 0.0:
+        given = plane.rolling_resistance
+        raise InputError(
+            f"plane.rolling_resistance = {given!r} must be 0 here: with it a hoop rests in the ranges of `rest_ranges`."
+        )
     body = to_body(hoop, plane)
     second = time_unit(hoop, plane)
     found = []
@@ -78,3 +83,77 @@ def equilibria(hoop: Hoop, plane: Plane = Plane()) -> tuple[Equilibrium, ...]:
         holds = abs(math.tan(plane.slope)) <= plane.mu_static
         found.append(Equilibrium(angle % TURN, stable, holds, period))
     return tuple(found)
+
+
+@dataclass(frozen=True)
+class RestRange:
+    """Angles at which rolling resistance holds a hoop.
+
+    Attributes
+    ----------
+    low, high : float
+        θ between which it rests, low from 0 to 2π and high from there to a whole turn on [rad].
+    holds : bool
+        Whether static friction is enough, abs(tan β) ≤ μs.
+    """
+
+    low: float
+    high: float
+    holds: bool
+
+
+def rest_ranges(hoop: Hoop, plane: Plane) -> tuple[RestRange, ...]:
+    r"""The angles at which a hoop can rest on a plane with rolling resistance.
+
+    Parameters
+    ----------
+    hoop : Hoop
+    plane : Plane
+
+    Returns
+    -------
+    ranges : tuple of RestRange
+        One about each equilibrium, one about both where they meet, and of a whole turn where the hoop rests at any angle;
+        empty where it rests at none.
+
+    Raises
+    ------
+    ValueError
+        If gravity is 0, so that nothing presses the hoop on the plane.
+
+    Notes
+    -----
+    :math:`\lvert\varepsilon\sin(\theta + \beta) + \sin\beta\rvert \le f\cos\beta`: the centre of gravity stands above the
+    range in which the pressure of the contact can be.
+
+    Examples
+    --------
+    >>> import hophoop as hh
+    >>> for rest in hh.theory.rest_ranges(hh.Hoop.ideal(0.75), hh.Plane(rolling_resistance=0.3)):
+    ...     print(round(rest.low, 6), round(rest.high, 6))
+    2.730076 3.553109
+    5.871668 6.694703
+    """
+    if plane.gravity == 0.0:
+        raise InputError("plane.gravity = 0 must be above 0: nothing presses the hoop on the plane.")
+    reach, push = plane.rolling_resistance * math.cos(plane.slope), math.sin(plane.slope)
+    holds = abs(math.tan(plane.slope)) <= plane.mu_static
+    eps = hoop.eccentricity
+    least, most = -push - reach, reach - push  # of ε sin(θ + β)
+    if least > eps or most < -eps:
+        return ()
+    low, high = max(least, -eps), min(most, eps)
+    if low <= -eps and high >= eps:
+        return (RestRange(0.0, TURN, holds),)
+    first, last = math.asin(low / eps), math.asin(high / eps)
+    if high >= eps:  # the range goes on through the side of the load
+        pairs = [(first, math.pi - first)]
+    elif low <= -eps:
+        pairs = [(math.pi - last, TURN + last)]
+    else:
+        pairs = [(first, last), (math.pi - last, math.pi - first)]
+    found = []
+    for begin, end in pairs:
+        start = (begin - plane.slope) % TURN
+        found.append(RestRange(start, start + (end - begin), holds))
+    return tuple(sorted(found, key=lambda rest: rest.low))

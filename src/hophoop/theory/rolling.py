@@ -99,8 +99,12 @@ def rolling_speed(theta: ArrayLike, hoop: Hoops, v0: ArrayLike, plane: Planes = 
     Notes
     -----
     From the energy,
-    :math:`\tfrac12 (1 + \kappa + \varepsilon^2 + 2 \varepsilon \cos\theta) R^2 \dot\theta^2
-    + \varepsilon g R \cos(\theta + \beta) - g R \theta \sin\beta = \text{const}`.
+
+    .. math::
+        \begin{aligned}
+        \tfrac12 (1 + \kappa + \varepsilon^2 + 2 \varepsilon \cos\theta) R^2 \dot\theta^2 & \\
+        {} + \varepsilon g R \cos(\theta + \beta) - g R \theta \sin\beta &= \text{const}.
+        \end{aligned}
 
     References
     ----------

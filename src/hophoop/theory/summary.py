@@ -10,7 +10,7 @@ from hophoop.scenario import Hoop, Plane, Scenario
 from hophoop.theory.critical import first_hop_speed, first_slip_speed, hop_angle, immediate_hop_speed, slip_angle
 from hophoop.theory.massless import massless_loss
 from hophoop.theory.painleve import jam_states, painleve_minimum
-from hophoop.theory.rest import equilibria
+from hophoop.theory.rest import equilibria, rest_ranges
 from hophoop.theory.rolling import max_rolling_speed, needed_friction, rolling_period
 
 
@@ -81,7 +81,7 @@ def _quantities(scenario: Scenario) -> Iterator[Quantity]:
         "m/s",
         lambda: immediate_hop_speed(hoop, plane),
     )
-    yield from _painleve(hoop)
+    yield from _painleve(hoop, plane)
     yield from _jams(hoop, plane)
     yield from _start(scenario)
     yield from _rest(hoop, plane)
@@ -93,8 +93,13 @@ def _quantities(scenario: Scenario) -> Iterator[Quantity]:
         )  # fmt: skip
 
 
-def _painleve(hoop: Hoop) -> Iterator[Quantity]:
+def _painleve(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
     if hoop.massless:
+        return
+    if plane.rolling_resistance > 0.0:
+        note = "not known with rolling resistance"
+        yield Quantity("painleve_friction", "Painlevé's paradox from μ", "1", None, note)
+        yield Quantity("painleve_angle", "    there at θ", "rad", None, note)
         return
     least = painleve_minimum(hoop)
     yield _row("painleve_friction", "Painlevé's paradox from μ =", "1", lambda: least.mu)
@@ -102,7 +107,7 @@ def _painleve(hoop: Hoop) -> Iterator[Quantity]:
 
 
 def _jams(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
-    if plane.gravity <= 0.0 or hoop.massless:
+    if plane.gravity <= 0.0 or hoop.massless or plane.rolling_resistance > 0.0:
         return
     for k, state in enumerate(jam_states(hoop, plane)):
         note = f"in slip {state.mode}, at θ̇ = {state.omega:.6g} rad/s"
@@ -141,6 +146,13 @@ def _start(scenario: Scenario) -> Iterator[Quantity]:
 
 
 def _rest(hoop: Hoop, plane: Plane) -> Iterator[Quantity]:
+    if plane.rolling_resistance > 0.0:
+        for k, found in enumerate(rest_ranges(hoop, plane) if plane.gravity > 0.0 else ()):
+            note = "" if found.holds else "more than friction holds"
+            more = "" if k == 0 else f"_{k + 1}"
+            yield Quantity(f"rest_from{more}", "rolling resistance holds it from θ =", "rad", found.low, note)
+            yield Quantity(f"rest_to{more}", "    to θ =", "rad", found.high, note)
+        return
     for rest in equilibria(hoop, plane):
         kind = "stable" if rest.stable else "unstable"
         note = "" if rest.holds else "more than friction holds"

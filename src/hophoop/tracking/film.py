@@ -14,6 +14,7 @@ from hophoop.tracking.following import Follower, Rows
 from hophoop.tracking.ground import Ground, given_line, ground_line
 from hophoop.tracking.hints import Hints
 from hophoop.tracking.learning import Learned, learn
+from hophoop.tracking.scatter import spread, third_differences
 from hophoop.tracking.table import FOUND, LOST, UNMARKED, Track, View, track_of
 from hophoop.tracking.video import count, kept, pictures
 
@@ -154,28 +155,12 @@ def _marker_error(t: Floats, arrow: Floats, angle: Floats, covariance: Floats) -
     known = reach[np.isfinite(reach)]
     if not len(known):
         return np.full(len(reach), np.nan)
-    scatter = [_spread(known)]
-    third = _third_differences(t, angle)
+    scatter = [spread(known)]
+    third = third_differences(t, angle)
     if len(third) >= 8:
-        scatter.append(_spread(third) * float(np.median(known)))
+        scatter.append(spread(third) * float(np.median(known)))
     least = np.sqrt(np.maximum(0.5 * (covariance[:, 0] + covariance[:, 2]), LEAST_ERROR**2))
     return np.where(np.isfinite(reach), np.maximum(min(scatter), least), np.nan)
-
-
-def _spread(values: Floats) -> float:
-    return 1.4826 * float(np.median(np.abs(values - np.median(values))))
-
-
-def _third_differences(t: Floats, values: Floats) -> Floats:
-    """What four values in a row differ from a parabola, in standard deviations of one of them."""
-    result = []
-    for k in range(len(t) - 3):
-        four = values[k : k + 4]
-        if np.isfinite(four).all():
-            at = t[k : k + 4] - t[k]
-            weights = np.array([1.0 / np.prod([at[i] - at[j] for j in range(4) if j != i]) for i in range(4)])
-            result.append(float(weights @ four / np.sqrt(weights @ weights)))
-    return np.array(result)
 
 
 def _notes(rows: Rows, state: list[str], known: Learned, line: Ground, hints: Hints) -> tuple[str, ...]:

@@ -165,6 +165,9 @@ def _from_table(columns: list[Column], file: Path, how: Reading) -> Track:
     # Tracker's points are not yet along and above the plane; our own table is
     ours = {"sigma_x", "sigma_y"} <= states
     keep = np.isfinite(t)
+    if not ours:  # a row of Tracker with a time alone is a frame that nobody looked at
+        looked = np.isfinite(list(result.values())).any(axis=0)
+        keep &= looked | ~looked.any()
     result = {key: values[keep] for key, values in result.items()}
     return track_of(t[keep], result, source=file.name, placed=ours)
 

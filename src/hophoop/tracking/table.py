@@ -77,6 +77,26 @@ class View:
         cos, sin = np.cos(self.rise), np.sin(self.rise)
         return self.camera.to_picture(np.stack([self.x + x * cos - y * sin, self.y + x * sin + y * cos], axis=-1))
 
+    def to_plane(self, pixels: Floats, radius: float) -> Floats:
+        """Points of the plane that pixels look at: the reverse of `to_picture`.
+
+        Parameters
+        ----------
+        pixels : ndarray, shape (…, 2)
+            Column and row [pixel].
+        radius : float
+            Of the hoop [m].
+
+        Returns
+        -------
+        points : ndarray, shape (…, 2)
+            Along the plane and above it [m].
+        """
+        away = (self.camera.to_plane(pixels) - [self.x, self.y]) / self.scale
+        cos, sin = np.cos(self.rise), np.sin(self.rise)
+        x, y = away[..., 0], away[..., 1]
+        return np.stack([x * cos + y * sin, -x * sin + y * cos + radius], axis=-1)
+
 
 # Columns of a table: attribute and index, unit.
 COLUMNS: dict[str, tuple[str, int | None, str]] = {

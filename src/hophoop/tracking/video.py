@@ -230,14 +230,14 @@ def rgb(picture: Picture) -> Bytes:
 class Writer:
     """Writes pictures into an MP4 file; used inside `writing`."""
 
-    def __init__(self, box: Any, av: Any, size: tuple[int, int]) -> None:
+    def __init__(self, box: Any, av: Any, size: tuple[int, int], every: int | None = None) -> None:
         self._box, self._av = box, av
         self._last = -1
         self._stream = box.add_stream("libx264", rate=30)
         self._stream.width, self._stream.height = size[0] // 2 * 2, size[1] // 2 * 2
         self._stream.pix_fmt = "yuv420p"
         self._stream.time_base = self._stream.codec_context.time_base = Fraction(1, TICKS)
-        self._stream.options = {"crf": "20", "preset": "veryfast"}
+        self._stream.options = {"crf": "20", "preset": "veryfast"} | ({} if every is None else {"g": str(every)})
 
     def add(self, colours: Bytes, t: float) -> None:
         """Append a picture shown from a time on [s]."""
@@ -253,7 +253,7 @@ class Writer:
 
 
 @contextmanager
-def writing(path: Path, size: tuple[int, int]) -> Iterator[Writer]:
+def writing(path: Path, size: tuple[int, int], every: int | None = None) -> Iterator[Writer]:
     """A film that is there whole when all went well, or not at all.
 
     Parameters
@@ -262,6 +262,8 @@ def writing(path: Path, size: tuple[int, int]) -> Iterator[Writer]:
         Ends in .mp4.
     size : tuple of int
         Width and height [pixel].
+    every : int, optional
+        Frames from one that can be shown by itself to the next, where a player is to jump to any [1].
 
     Yields
     ------
@@ -276,7 +278,7 @@ def writing(path: Path, size: tuple[int, int]) -> Iterator[Writer]:
     """
     av = need("av", "track")
     with replacing(path) as fresh, av.open(str(fresh), "w", format="mp4") as box:
-        writer = Writer(box, av, size)
+        writer = Writer(box, av, size, every)
         yield writer
         writer.end()
 

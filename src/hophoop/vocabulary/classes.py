@@ -31,7 +31,11 @@ CODES: Final[dict[str, dict[str, str]]] = {
 # Colours of motions that do not hop, by their first slip and their last phase.
 FAMILIES: Final = {
     "SR": colors.GREEN, "SS": colors.YELLOW, "SK": colors.ORANGE,
-    "KR": colors.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4", "MM": colors.YELLOW,
+    "KR": colors.PURPLE, "KS": "#8C6BB1", "KK": "#F2B5D4",
+}  # fmt: skip
+# Colours of massless motions: by whether they roll before they skim, and whether they slip.
+MASSLESS: Final = {
+    (True, False): colors.YELLOW, (True, True): colors.ORANGE, (False, False): colors.SKY, (False, True): colors.PURPLE,
 }  # fmt: skip
 HOPS: Final = colors.VERMILION
 ROLLS: Final = colors.BLUE
@@ -64,8 +68,11 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
     """
     if quantity != SEQUENCE:
         return CODES.get(quantity, {}).get(name, colors.GRAY)
-    first = next((letter for letter in name if letter in "SKM"), "R")
-    ink = HOPS if name.endswith("H") else FAMILIES.get(first + name[-1:], ROLLS)
+    first = next((letter for letter in name if letter in "SK"), "R")
+    if "M" in name:
+        ink = MASSLESS[name.startswith("R"), "S" in name or "K" in name]
+    else:
+        ink = HOPS if name.endswith("H") else FAMILIES.get(first + name[-1:], ROLLS)
     base = [int(ink[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]
     middle = sum(base) / 3.0
     depth = min(len(name) - 1, 9) / 9.0

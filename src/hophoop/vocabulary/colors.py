@@ -36,23 +36,71 @@ LOAD: Final = BLACK  # trace of the load, and the load itself
 GRAVITY_CENTER: Final = GREEN  # trace of the centre of gravity in contact
 GRAVITY_CENTER_AIRBORNE: Final = "#CC1F1A"  # the same while airborne: red, as in the article
 
-# Quantities in plots against time or angle: dark inks that are no mode's colour, told apart by dashes as well
+# Quantities in plots against time or angle: dark inks that are no mode's colour, told apart by dashes as well. Brown is
+# friction, as a force and as what it takes; black is the ink of what needs no colour.
 CENTER_SPEED: Final = BLACK  # v, velocity of the centre
 ROTATION_SPEED: Final = "#00857A"  # Rθ̇
 KINETIC: Final = "#1B3A78"
-POTENTIAL: Final = "#00857A"
+POTENTIAL: Final = "#667300"
 TOTAL: Final = BLACK
 FRICTION_LOSS: Final = "#8F3B0A"
 IMPACT_LOSS: Final = "#8E1B5F"
-NORMAL_FORCE: Final = "#1B3A78"
-FRICTION_FORCE: Final = "#8F3B0A"
+NORMAL_FORCE: Final = "#5B3FA8"
+FRICTION_FORCE: Final = FRICTION_LOSS
 LIMIT: Final = GRAY  # a limit that is not to be crossed, such as full use of friction
+
+SERIES: Final = (BLACK, "#4A7A8C", "#A0522D", "#6A5A8C", "#5A7A3A", "#9A4A6A", GRAY)
+"""Lines that are told apart and mean no mode or quantity, such as several motions; markers and dashes differ too."""
 
 RING_SPEED_MAP: Final = "viridis"
 """Matplotlib's name of the colour map by which the ring's points show their speed."""
 
 SHADE: Final = 0.18
 """Opacity of a mode's colour as a background."""
+
+LEAST_LIGHTNESS: Final = 0.48
+"""Of a colour on a dark background, from 0 to 1."""
+
+
+def lightness(color: str) -> float:
+    """How light a colour looks.
+
+    Parameters
+    ----------
+    color : str
+        As ``#RRGGBB``.
+
+    Returns
+    -------
+    lightness : float
+        From 0 to 1 [1].
+    """
+    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
+    return (0.30 * parts[0] + 0.59 * parts[1] + 0.11 * parts[2]) / 255.0
+
+
+def on_dark(color: str) -> str:
+    """A colour light enough for a dark background: the same hue, with more white.
+
+    Parameters
+    ----------
+    color : str
+        As ``#RRGGBB``.
+
+    Returns
+    -------
+    color : str
+        As ``#RRGGBB``.
+
+    Examples
+    --------
+    >>> on_dark("#1B3A78"), on_dark(YELLOW)
+    ('#677CA5', '#F0E442')
+    """
+    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
+    light = lightness(color)
+    share = max(0.0, LEAST_LIGHTNESS - light) / max(1.0 - light, 1e-9)
+    return "#" + "".join(f"{round(part + share * (255 - part)):02X}" for part in parts)
 
 
 def mode_color(word: str) -> str:

@@ -34,6 +34,7 @@ VARIABLES: Final[dict[str, tuple[str, str]]] = {
     "friction": ("J", "Energy lost in slip so far"),
     "impact_normal": ("J", "Energy lost in the normal part of impacts so far"),
     "impact_tangential": ("J", "Energy lost in the tangential part of impacts so far"),
+    "rolling_resistance": ("J", "Energy lost to rolling resistance so far"),
     "spring": ("J", "Energy stored in the compliant contact"),
     "damping": ("J", "Energy lost in the damper of the compliant contact so far"),
 }
@@ -53,6 +54,26 @@ PARAMETERS: Final = {
     "start.omega": r"Angular velocity at the start $\dot\theta$",
 }
 """Short names of parameters, by path, as axes of maps show them."""
+
+
+def normal_loss(contact: str) -> str:
+    """What the energy is called that contact takes in the normal direction.
+
+    Parameters
+    ----------
+    contact : str
+        Model of the contact: rigid or compliant.
+
+    Returns
+    -------
+    label : str
+
+    Examples
+    --------
+    >>> normal_loss("rigid"), normal_loss("compliant")
+    ('lost in impacts, normal part', 'lost in the damper')
+    """
+    return "lost in impacts, normal part" if contact == "rigid" else "lost in the damper"
 
 
 def with_unit(text: str, unit: str) -> str:

@@ -50,6 +50,8 @@ class Equations:
 
     def __init__(self, scenario: dict[str, Any]) -> None:
         hoop, plane, start = scenario["hoop"], scenario["plane"], scenario["start"]
+        if plane.get("rolling_resistance", 0.0) != 0.0:
+            raise Refused("the plane has no rolling resistance")
         radius = Fraction(hoop["radius"])
         mass, eps, kap = _body(hoop, radius)
         static, kinetic = (plane.get(f"mu_{kind}", plane.get("mu")) for kind in ("static", "kinetic"))

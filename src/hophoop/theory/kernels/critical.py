@@ -4,11 +4,25 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from hophoop._jit import jit
+from hophoop.physics.body import Mode
+from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.rigid.kernel import run
+from hophoop.rigid.limits import STOP_AT_TAKEOFF, STOP_AT_TURN
 from hophoop.theory.kernels.arcs import TURN
 from hophoop.theory.kernels.extrema import FORCE_ANGLE, SPEED_ANGLE, cone_margin_line, highest
+from hophoop.theory.kernels.phase_plane import lift_off
 from hophoop.theory.kernels.rows import body_of
+
+FLIGHT = int(Mode.FLIGHT)
+STOP = STOP_AT_TURN | STOP_AT_TAKEOFF
+ANY_TIME = 1e9  # the turn ends the motion
+TRIALS = 32  # speeds at which the outcome is looked at before the lowest change is bisected
+EVENTS = 4096
 
 
 @jit
@@ -32,3 +46,30 @@ def slip_speeds(bodies, out):
             if rate < 0.0:
                 best = min(best, math.sqrt(max(steady, 0.0) / -rate))
         out[k] = best
+
+
+@jit
+def hop_speed(body, turns):
+    """The smallest speed at θ = 0 with a hop in the first turns, to the last bit; infinite where there is none."""
+    most = lift_off(body, 0.0)
+    if math.isinf(most) or most == 0.0:
+        return most
+    events = np.empty(EVENTS, EVENT)
+    segments = np.empty(0, SEGMENT)
+    script = np.empty(0, EVENT)
+    scratch = new_scratch()
+    low = 0.0
+    high = most
+    trial = 1
+    while True:
+        speed = most * trial / TRIALS if trial < TRIALS else 0.5 * (low + high)
+        if not low < speed < high:
+            return high
+        start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, speed)
+        _, count, _ = run(body, start, ANY_TIME, turns * TURN, STOP, events, segments, scratch, script)
+        if np.any(events[:count]["after_mode"] == FLIGHT):
+            high = speed
+            trial = TRIALS
+        else:
+            low = speed
+            trial += 1

@@ -1,0 +1,93 @@
+"""The gallery: films and pages that an example has written become part of its page, and plots show their own pictures.
+
+Matplotlib's figures are Sphinx-Gallery's business. What an example writes beside them is taken in and removed again.
+"""
+
+from __future__ import annotations
+
+import base64
+import shutil
+from pathlib import Path
+from typing import Any
+
+import imageio_ffmpeg
+from PIL import Image
+from sphinx.application import Sphinx
+
+import hophoop as hh
+
+SHOWN = ("hophoop.plots.", "hophoop.maps.", "hophoop.animate.")
+VIDEO = (
+    '<video controls loop muted playsinline aria-label="{title}" style="max-width:100%;height:auto" width="{width}" '
+    'height="{height}" src="data:video/mp4;base64,{data}"></video>'
+)
+
+
+def films(block: Any, variables: dict[str, Any], conf: dict[str, Any]) -> str:
+    """A scraper: what the last block has made, as reStructuredText; its first picture serves as the thumbnail."""
+    space, parts = variables["example_globals"], []
+    last = space.get("___")
+    if hasattr(last, "data") and hasattr(last, "size") and isinstance(last.data, bytes):
+        parts.append(_film(last.data, variables))
+        space["___"] = None
+    if hasattr(last, "savefig") and getattr(last, "number", None) is None:  # a figure that pyplot does not know
+        image = Path(next(variables["image_path_iterator"]))
+        last.savefig(image, dpi=100)
+        parts.append(
+            f".. image:: images/{image.name}\n   :alt: {block[1].strip().splitlines()[-1]}\n   :class: sphx-glr-single-img\n"
+        )
+        space["___"] = None
+    folder = Path(variables["src_file"]).parent
+    for path in sorted(folder.glob("*.mp4")):
+        parts.append(_film(path.read_bytes(), variables))
+        path.unlink()
+    for path in sorted(folder.glob("*.html")):
+        image = Path(next(variables["image_path_iterator"]))
+        shutil.move(path, image.with_suffix(".html"))
+        _picture_of_scene(space["motion"], image)
+        parts.append(f".. image:: images/{image.name}\n   :alt: The scene of the page\n")
+        parts.append(f":download:`Open the page <images/{image.with_suffix('.html').name}>`\n")
+    return "\n".join(parts)
+
+
+def _film(data: bytes, variables: dict[str, Any]) -> str:
+    """The film as an element of the page, and a picture from its middle as a file."""
+    path = Path(next(variables["image_path_iterator"]))
+    film = path.with_suffix(".mp4")
+    film.write_bytes(data)
+    size = _picture_of_film(film, path)
+    film.unlink()
+    video = VIDEO.format(
+        title="Film of the example", width=size[0], height=size[1], data=base64.b64encode(data).decode("ascii")
+    )
+    return f".. raw:: html\n\n    {video}\n"
+
+
+def _picture_of_film(film: Path, path: Path) -> tuple[int, int]:
+    frames = imageio_ffmpeg.read_frames(str(film))
+    size: tuple[int, int] = next(frames)["size"]
+    pictures = list(frames)
+    Image.frombytes("RGB", size, pictures[len(pictures) * 6 // 10]).save(path)
+    return size
+
+
+def _picture_of_scene(motion: Any, path: Path) -> None:
+    film = path.with_suffix(".mp4")
+    look = hh.animate.Look3D(size=(800, 450), camera="side")
+    hh.animate.film_3d(motion, film, hh.animate.Timing(fps=10, start=0.0, end=0.3), look)
+    _picture_of_film(film, path)
+    film.unlink()
+
+
+def add_pictures(app: Sphinx, what: str, name: str, thing: Any, options: Any, lines: list[str]) -> None:
+    """Under a function of plots, maps and animate: the gallery's pictures that use it."""
+    if what in ("function", "class") and name.startswith(SHOWN):
+        file = Path(app.srcdir, "gallery", "used", f"{name}.examples")
+        if file.is_file() and file.stat().st_size:
+            lines += ["", ".. rubric:: In the gallery", "", f".. minigallery:: {name}", ""]
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """After numpydoc has read the docstring."""
+    app.connect("autodoc-process-docstring", add_pictures, priority=900)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

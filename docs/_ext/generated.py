@@ -1,0 +1,246 @@
+"""Parts of pages that are made from the code: commands, the scenario file, the quantities of maps.
+
+A line ``% generated: name`` of a page becomes what the function of that name here gives, as MyST. The JSON schema of a
+scenario file is written beside the pages.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import Any, get_args
+
+import typer
+from pydantic_core import PydanticUndefined
+from sphinx.application import Sphinx
+
+import hophoop.cli
+from hophoop.cli._options import OPTIONS
+from hophoop.maps.quantities import QUANTITIES
+from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start
+from hophoop.scenario.base import Frozen
+from hophoop.scenario.ranges import RANGES, Range
+
+SCHEMA = "scenario.schema.json"
+LINE = re.compile(r"^% generated: ([\w-]+)$", re.MULTILINE)
+KINDS = {"float": "NUMBER", "int": "N", "str": "WORD", "path": "FILE"}
+KIND = re.compile(r"\s*<(?:list\[)?(\w+)\]?>$")
+REFERENCE = Scenario()
+SHARED = {option.flag for option in OPTIONS} | {"--set"}
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    """A table of Markdown."""
+    lines = [list(head), ["---"] * len(list(head)), *(list(row) for row in rows)]
+    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines) + "\n"
+
+
+# Commands
+
+
+def commands() -> str:
+    """Every command with its arguments and options, and first those that most of them share."""
+    group = typer.main.get_command(hophoop.cli.app)
+    context = group.make_context("hophoop", [], resilient_parsing=True)
+    known = {name: group.get_command(context, name) for name in group.list_commands(context)}
+    sharing = [name for name, command in known.items() if "--v0" in flags(command)]
+    parts = [
+        "## Options that make a scenario\n",
+        f"These are the same in {_listed(f'`hophoop {name}`' for name in sharing)}. Each changes what FILE says; without "
+        "FILE they change the reference case. {doc}`scenario-file` has the same keys with their limits.\n",
+        _options(known["run"], context, lambda flag: flag in SHARED),
+    ]
+    for name, command in known.items():
+        parts += [f"## hophoop {name}\n", f"{command.help}\n", f"```text\n{_usage(name, command, context)}\n```\n"]
+        if name in sharing:
+            parts.append("FILE and the [options that make a scenario](#options-that-make-a-scenario), and:\n")
+        parts.append(_options(command, context, lambda flag, shared=name in sharing: not (shared and flag in SHARED)))
+    return "\n".join(parts)
+
+
+def flags(command: Any) -> set[str]:
+    """All flags of a command."""
+    return {flag for parameter in command.params for flag in (*parameter.opts, *parameter.secondary_opts)}
+
+
+def _usage(name: str, command: Any, context: Any) -> str:
+    pieces = [re.sub(r"^\[\[(\w+)\](\.\.\.)?\](\.\.\.)?$", r"[\1]\2", piece) for piece in command.collect_usage_pieces(context)]
+    return " ".join([f"hophoop {name}", *pieces]).replace("{", "").replace("}", "")
+
+
+def _options(command: Any, context: Any, wanted: Callable[[str], bool]) -> str:
+    rows = []
+    for parameter in command.params:
+        if getattr(parameter, "hidden", False) or not wanted(parameter.opts[0]):
+            continue
+        signs, words = parameter.get_help_record(context)
+        words, _, default = words.partition("[default:")
+        needed = "[required]" in words or parameter.required
+        sign = KIND.sub(_kind, signs) if signs.startswith("-") else KIND.sub("", signs)
+        several = " Can be given several times." if parameter.multiple and "repeated" not in words else ""
+        rows.append(
+            [
+                f"`{sign.replace(', ', '`, `')}`",
+                words.replace("[required]", "").strip() + several,
+                "needed" if needed else f"`{default.strip(' ]')}`" if default else _of_reference(parameter.opts[0]),
+            ]
+        )
+    return table(["option", "what it does", "default"], rows) if rows else "It has no further options.\n"
+
+
+def _kind(found: re.Match[str]) -> str:
+    return f" {KINDS.get(found[1], found[1].upper())}"
+
+
+def _of_reference(flag: str) -> str:
+    """What the reference case says where a scenario's option is not given."""
+    for option in OPTIONS:
+        if option.flag == flag and option.path not in ("start.vx", "start.vy", "start.omega", "start.height"):
+            value: Any = REFERENCE
+            for step in option.path.split("."):
+                value = getattr(value, step)
+            return f"`{value:g}`" if isinstance(value, float) else f"`{value}`"
+    return ""
+
+
+def _listed(words: Iterable[str]) -> str:
+    *most, last = words
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+# The scenario file
+
+
+def scenario_file() -> str:
+    """Every key of a scenario file, section by section: meaning, unit, default, what it may be."""
+    sections: list[tuple[str, str, tuple[type[Frozen], ...]]] = [
+        ("At the top of the file", "", (Scenario,)),
+        ("`[hoop]`", "hoop.", (Hoop,)),
+        ("`[plane]`", "plane.", (Plane,)),
+        ("`[start]`", "start.", (Start,)),
+        ('`[contact]` with `model = "rigid"`', "contact.", (Rigid,)),
+        ('`[contact]` with `model = "compliant"`', "contact.", (Compliant,)),
+    ]
+    parts = []
+    for title, place, models in sections:
+        parts.append(f"### {title}\n\n" + _keys(place, models))
+    for part in (Ring, Disk, PointMass, Rod):
+        shape = part.model_fields["shape"].default
+        parts.append(
+            f'### A part with `shape = "{shape}"`\n\n{(part.__doc__ or "").splitlines()[0]}\n\n' + _keys("hoop.parts.", (part,))
+        )
+    return "\n".join(parts)
+
+
+def _keys(place: str, models: tuple[type[Frozen], ...]) -> str:
+    rows = []
+    for model in models:
+        for name, field in model.model_fields.items():
+            if isinstance(field.default_factory, object) and field.default_factory is not None:
+                continue  # a section of its own
+            extra = field.json_schema_extra
+            unit = str(extra.get("unit", "1")) if isinstance(extra, dict) else "1"
+            rows.append(
+                [
+                    f"`{name}`",
+                    field.description or "",
+                    "" if unit in ("", "1") else unit,
+                    _default(field),
+                    limits(place + name, field, unit),
+                ]
+            )
+    return table(["key", "meaning", "unit", "default", "may be"], rows)
+
+
+def _default(field: Any) -> str:
+    if field.default is PydanticUndefined:
+        return "needed"
+    if field.default is None:
+        return "not given"
+    return f'`"{field.default}"`' if isinstance(field.default, str) else f"{field.default:g}"
+
+
+def limits(path: str, field: Any, unit: str) -> str:
+    """What the value of a key may be: a range, some words, parts."""
+    words = [
+        word for part in (field.annotation, *get_args(field.annotation)) for word in get_args(part) if isinstance(word, str)
+    ]
+    if words:
+        return _listed([f'`"{word}"`' for word in words]).replace(" and ", " or ")
+    name = path.rpartition(".")[2]
+    known = {
+        "plane.mu_static": "plane.mu",
+        "plane.mu_kinetic": "plane.mu",
+        "hoop.parts.radius": "hoop.parts.length",
+        "hoop.parts.outer_radius": "hoop.parts.length",
+    }
+    if path == "hoop.parts":
+        return "a list of the parts below"
+    if path == "hoop.parts.at":
+        return "within the rim"
+    if path == "hoop.parts.inner_radius":
+        return "from 0 to outer_radius"
+    allowed = RANGES[known.get(path, path if path in RANGES else f"contact.{name}")]
+    return spoken(allowed)
+
+
+def spoken(allowed: Range) -> str:
+    """A range with its powers of ten as people write them."""
+    words = f"{_power(allowed.least)} to {_power(allowed.most)}"
+    return ("0 or " if 0.0 in allowed.also else "") + words + (' or `"inf"`' if math.inf in allowed.also else "")
+
+
+def _power(value: float) -> str:
+    text = f"{value:g}"
+    if "e" not in text:
+        return text.replace("-", "−")
+    mantissa, _, exponent = text.partition("e")
+    raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    sign = "−" if mantissa.startswith("-") else ""
+    mantissa = mantissa.lstrip("-")
+    return f"{sign}{'' if mantissa == '1' else mantissa + '·'}10{raised}"
+
+
+# Maps
+
+
+def quantities() -> str:
+    """The quantities that a map can hold."""
+    rows = [
+        [f"`{name}`", quantity.meaning, "" if quantity.unit in ("", "1") else quantity.unit]
+        for name, quantity in QUANTITIES.items()
+    ]
+    return table(["quantity", "meaning", "unit"], rows)
+
+
+MAKERS: dict[str, Callable[[], str]] = {"commands": commands, "scenario-file": scenario_file, "quantities": quantities}
+
+
+def put_in(app: Sphinx, page: str, source: list[str]) -> None:
+    """Replace the marks of a page."""
+    source[0] = LINE.sub(lambda found: MAKERS[found[1]](), source[0])
+
+
+def write_schema(app: Sphinx, error: Exception | None) -> None:
+    """The JSON schema, for editors that check a scenario file while it is written."""
+    if error is None and app.builder.format == "html":
+        schema = {"$schema": "https://json-schema.org/draft/2020-12/schema", **Scenario.model_json_schema()}
+        Path(app.outdir, SCHEMA).write_text(json.dumps(schema, indent=1, ensure_ascii=False), encoding="utf-8")
+
+
+def outdated(app: Sphinx, environment: Any, added: Any, changed: Any, removed: Any) -> Iterator[str]:
+    """Pages with such a mark are read anew each time: the code may have changed."""
+    for name in environment.found_docs:
+        if LINE.search(Path(environment.doc2path(name)).read_text(encoding="utf-8")):
+            yield name
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Before a page is read, and when all are written."""
+    app.connect("source-read", put_in)
+    app.connect("env-get-outdated", lambda *values: list(outdated(*values)))
+    app.connect("build-finished", write_schema)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -1,0 +1,18 @@
+"""
+Axes that are not even
+======================
+
+Logarithmic axes show light rings and little friction. ``words_of`` turns the codes of a map into words.
+"""
+
+import hophoop as hh
+
+dataset = hh.maps.sweep(
+    hh.Scenario(start=hh.Start.rolling(2.5)),
+    axes={
+        "hoop.load_fraction": 1.0 - hh.maps.logarithmic(0.001, 0.9, 100)[::-1],
+        "plane.mu": hh.maps.logarithmic(0.01, 3.0, 100),
+    },
+)
+print(hh.maps.words_of(dataset["sequence"])[:8])
+hh.plots.motion_map(dataset)

@@ -1,0 +1,11 @@
+"""
+Energies
+========
+
+Where the energy is, and where it goes. The sum of all curves stays the same.
+"""
+
+import hophoop as hh
+
+motion = hh.simulate(hh.Scenario(duration=2.0))
+hh.plots.energies(motion, against="time")

@@ -1,0 +1,11 @@
+"""
+What follows at each angle and angular velocity
+===============================================
+
+The colours say which mode follows; the line is a motion that runs through them.
+"""
+
+import hophoop as hh
+
+motion = hh.simulate(hh.Scenario(duration=2.0))
+hh.plots.phase_plane(motions=[motion])

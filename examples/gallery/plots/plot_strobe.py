@@ -1,0 +1,11 @@
+"""
+As a stroboscope shows it
+=========================
+
+The hoop every 30 degrees. The ring is coloured by the speed of its points.
+"""
+
+import hophoop as hh
+
+motion = hh.simulate(hh.Scenario(duration=2.0))
+hh.plots.strobe(motion, every_deg=30)

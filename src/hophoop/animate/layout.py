@@ -1,0 +1,140 @@
+"""Where the words and keys of a film stand, at any size: beside each other where there is room, else below, else not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from hophoop.animate.canvas import Canvas, Rectangle
+from hophoop.vocabulary.words import PARTICIPLES
+
+MARGIN, GAP = 22.0, 26.0  # at the sides, and between words and keys [units]
+LABEL_LINE, STATE_LINE = 30.0, 30.0  # heights of a line [units]
+BAR = (270.0, 54.0)  # of the key to colours [units]
+FORCES = (236.0, 54.0)  # of the key to arrows [units]
+FOOT = 30.0  # of a line at the bottom [units]
+MOST_HEAD = 0.42  # of the picture's height
+COLUMNS = (140.0, 268.0, 396.0)  # where time, angle and one thing more start, from the mode on [units]
+STATE_FONT, LABEL_FONT, KEY_FONT, PACE_FONT = 15.0, 16.0, 13.0, 14.0
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Heights of head and foot, and rectangles of what is in them; left, bottom, width, height [pixels].
+
+    Attributes
+    ----------
+    head, foot : float
+        [pixels].
+    words : Rectangle
+        Of labels and states.
+    bar, forces : Rectangle or None
+        Of the key to colours and of that to arrows; None where there is no room.
+    lines : tuple of Rectangle
+        A rectangle for each key to a line that has room, in their order.
+    pace : Rectangle or None
+    """
+
+    head: float
+    foot: float
+    words: Rectangle
+    bar: Rectangle | None
+    forces: Rectangle | None
+    lines: tuple[Rectangle, ...]
+    pace: Rectangle | None
+
+
+def state_width(canvas: Canvas, extra: str) -> float:
+    """Width of a line that tells a state: mode, time, angle and one thing more [pixels]."""
+    u = canvas.unit
+    words = max(canvas.text_width(word, 18.0, "bold") for word in PARTICIPLES.values()) + 22.0 * u
+    column = COLUMNS[2 if extra else 1] * u
+    return float(max(words, column + canvas.text_width(extra or "θ = −1000.0°", STATE_FONT)))
+
+
+def lay_out(canvas: Canvas, words: Sequence[float], height: float, forces: bool, keys: Sequence[str], pace: str) -> Layout:
+    """Place words and keys so that no two of them meet.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    words : sequence of float
+        Width of each line of words that the head has [pixels].
+    height : float
+        Of all lines of words [pixels].
+    forces : bool
+        Whether there is a key to arrows.
+    keys : sequence of str
+        The words of the keys to lines.
+    pace : str
+        The longest text about the pace of the film; empty where there is none.
+
+    Returns
+    -------
+    layout : Layout
+    """
+    u = canvas.unit
+    wide, high = canvas.size
+    left, right, top = MARGIN * u, wide - MARGIN * u, high - 8.0 * u
+    broad = min(max(words, default=0.0), right - left)
+    blocks = [(BAR[0] * u, BAR[1] * u)] + ([(FORCES[0] * u, FORCES[1] * u)] if forces else [])
+    beside = right - left - broad - GAP * u
+    rows = _rows(blocks, beside, right - left, height, MOST_HEAD * high - 8.0 * u)
+    places: list[Rectangle | None] = [None, None]
+    head = 8.0 * u + height
+    level = top
+    for row, below in rows:
+        if below:
+            level = min(level, top - height)
+        x = right
+        tall = max(blocks[k][1] for k in row)
+        for k in row:
+            x -= blocks[k][0]
+            places[k] = (x, level - tall, *blocks[k])
+            x -= GAP * u
+        level -= tall
+        head = max(head, high - level)
+    foot, lines, said = _foot(canvas, keys, pace)
+    return Layout(head, foot, (left, top - height, broad, height), places[0], places[1], lines, said)
+
+
+def _rows(
+    blocks: list[tuple[float, float]], beside: float, width: float, height: float, most: float
+) -> list[tuple[list[int], bool]]:
+    """Which blocks stand in which row, and whether a row lies below the words."""
+    whole = sum(block[0] for block in blocks) + (len(blocks) - 1) * 0.1 * blocks[0][0]
+    tall = max(block[1] for block in blocks)
+    every = list(range(len(blocks)))
+    if whole <= beside:
+        return [(every, False)]
+    if len(blocks) * tall <= most and max(block[0] for block in blocks) <= beside:
+        return [([k], False) for k in every]
+    if whole <= width and height + tall <= most:
+        return [(every, True)]
+    if max(block[0] for block in blocks) <= width and height + len(blocks) * tall <= most:
+        return [([k], True) for k in every]
+    # one of them at least: the arrows' scale changes, and is said before what colours mean
+    last = every[-1]
+    if blocks[last][0] <= beside and tall <= most:
+        return [([last], False)]
+    return [([last], True)] if blocks[last][0] <= width and height + tall <= most else []
+
+
+def _foot(canvas: Canvas, keys: Sequence[str], pace: str) -> tuple[float, tuple[Rectangle, ...], Rectangle | None]:
+    u = canvas.unit
+    wide = canvas.size[0]
+    left, right = 0.5 * MARGIN * u, wide - 0.5 * MARGIN * u
+    said = canvas.text_width(pace, PACE_FONT, "bold") if pace else 0.0
+    widths = [canvas.text_width(key, KEY_FONT) + 33.0 * u for key in keys]
+    total = sum(widths) + max(len(widths) - 1, 0) * 14.0 * u
+    two = bool(pace) and total + said + 2.0 * MARGIN * u > wide
+    level = FOOT * u if two else 0.0
+    x = max(right - total, left)
+    placed = []
+    for width in widths:
+        if x + width > right + 0.5:
+            break  # what has no room is left out
+        placed.append((x, level, width, FOOT * u))
+        x += width + 14.0 * u
+    foot = (2.0 if two else 1.0) * FOOT * u
+    return foot, tuple(placed), ((MARGIN * u, 0.0, min(said, wide - MARGIN * u), FOOT * u) if pace else None)

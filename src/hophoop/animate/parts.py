@@ -1,0 +1,50 @@
+"""The parts of a hoop that is made of parts, drawn in a film in 2D."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from hophoop.animate.canvas import Canvas, Points
+from hophoop.animate.themes import Theme
+from hophoop.poses import part_side
+from hophoop.scenario import Disk, Hoop, PointMass, Ring, Rod
+
+LOAD = 0.085  # of a point mass, in radii of the hoop
+
+
+def draw_parts(canvas: Canvas, theme: Theme, hoop: Hoop, center: Points, tilt: float, scale: float, alpha: float) -> None:
+    """Draw them: rings behind, then disks, points and rods.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    theme : Theme
+    hoop : Hoop
+        Made of parts.
+    center : ndarray
+        Of the rim [pixels].
+    tilt : float
+        From upright to the line from the centre to the centre of gravity, clockwise [rad].
+    scale : float
+        Of the picture [pixels/m].
+    alpha : float
+        Opacity [1].
+    """
+    side = part_side(hoop)
+    along = np.array([math.sin(tilt), math.cos(tilt)])
+    across = np.array([along[1], -along[0]])
+    for part in sorted(hoop.parts or (), key=lambda part: not isinstance(part, Ring)):
+        middle = center + side * part.at * scale * along
+        if isinstance(part, Ring):
+            mean = 0.5 * (part.inner_radius + part.outer_radius) * scale
+            thick = max((part.outer_radius - part.inner_radius) * scale / canvas.unit, 1.0)
+            canvas.disc(center, mean, None, theme.muted, thick, 0.35 * alpha)
+        elif isinstance(part, Disk):
+            canvas.disc(middle, part.radius * scale, theme.load, theme.background, 1.2, 0.8 * alpha)
+        elif isinstance(part, PointMass):
+            canvas.disc(middle, LOAD * hoop.radius * scale, theme.load, theme.background, 1.5, alpha)
+        elif isinstance(part, Rod):
+            half = 0.5 * part.length * scale * (along if part.direction == "radial" else across)
+            canvas.line(np.array([middle - half, middle + half]), theme.load, 4.0, 0.8 * alpha)

@@ -1,0 +1,97 @@
+"""The film of a fit, to be laid under the motion that is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from hophoop.fitting.reporting import first_row, on_plane
+from hophoop.fitting.result import Fit
+from hophoop.scenario import InputError
+from hophoop.tracking.video import pictures, rgb, writing
+
+EVERY = 12  # frames from one that can be shown by itself to the next, so that a browser finds any of them fast
+
+
+@dataclass(frozen=True)
+class Backdrop:
+    """A film and where it lies on the plane of the motion.
+
+    Attributes
+    ----------
+    film : Path
+        .mp4, in real time.
+    size : tuple of int
+        Width and height [pixel].
+    corners : tuple of tuple of float
+        Where the picture's corners lie, from the top left clockwise: along the plane, and above it [m].
+    start : float
+        When in the film the motion begins [s].
+    """
+
+    film: Path
+    size: tuple[int, int]
+    corners: tuple[tuple[float, float], ...]
+    start: float
+
+    def to_dict(self) -> dict[str, Any]:
+        """What a page needs to know beside the film.
+
+        Returns
+        -------
+        backdrop : dict
+            Ready for `json.dumps` [m, s].
+        """
+        return {"size": list(self.size), "corners": [list(corner) for corner in self.corners], "start": self.start}
+
+
+def backdrop(fit: Fit, video: str | Path, film: str | Path, progress: Callable[[int, int], None] | None = None) -> Backdrop:
+    """Write a film as a browser can show it, and tell where it lies under the fitted motion.
+
+    Parameters
+    ----------
+    fit : Fit
+        To a track of that film.
+    video : str or Path
+        The film that was tracked.
+    film : str or Path
+        To be written, .mp4.
+    progress : callable, optional
+        Called with the number of frames done and of all.
+
+    Returns
+    -------
+    backdrop : Backdrop
+
+    Raises
+    ------
+    ValueError
+        If the fit is not to a track of a film, or the film is another one.
+    OSError
+        If a file cannot be read or written.
+    ImportError
+        If PyAV is missing.
+    """
+    view = fit.track.view
+    if view is None:
+        raise InputError("The fit is not to a track of a film, so that no film can be laid under it.")
+    camera, target = view.camera, Path(film)
+    size, first, start = (camera.width, camera.height), first_row(fit), 0.0
+    with writing(target, size, EVERY) as writer:
+        for row, picture in enumerate(pictures(video, view.rate)):
+            if picture.size != size:
+                raise InputError(f"{video} is not the film of the track, whose pictures have {size[0]} × {size[1]} pixels.")
+            if row == first:
+                start = picture.t
+            writer.add(rgb(picture), picture.t)
+            if progress is not None:
+                progress(row + 1, max(len(fit.track.t), row + 1))
+    wide, tall = size[0] - 0.5, size[1] - 0.5
+    pixels = np.array([[-0.5, -0.5], [wide, -0.5], [wide, tall], [-0.5, tall]])
+    places = view.to_plane(pixels, fit.track.radius)
+    x, y = on_plane(fit.values, places[:, 0], places[:, 1], fit.values["origin_y"])
+    return Backdrop(target, size, tuple((float(a), float(b)) for a, b in zip(x, y, strict=True)), start)

@@ -1,0 +1,94 @@
+"""What was measured: the quantities of a track that a fit uses, with their uncertainties."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.scenario import InputError
+from hophoop.tracking import Track
+from hophoop.tracking.scatter import spread, third_differences
+
+Floats = NDArray[np.float64]
+
+
+class Channel(NamedTuple):
+    """One quantity that was measured."""
+
+    name: str  # x, y, angle, marker_x or marker_y
+    rows: NDArray[np.int64]  # of the track
+    values: Floats
+    errors: Floats
+
+
+def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple[Channel, ...]:
+    """The centre with the angle, or the marker where there is no centre.
+
+    Parameters
+    ----------
+    track : Track
+    sigma : tuple of float or None
+        Standard deviations of places [m] and angles [rad], in place of the track's own.
+
+    Returns
+    -------
+    channels : tuple of Channel
+
+    Raises
+    ------
+    ValueError
+        If there is too little data, or their uncertainty cannot be told.
+    """
+    t, result = track.t, []
+    centred = np.isfinite(track.centre[:, 0]).any()
+    pairs: list[tuple[str, Floats, Floats, float | None]] = []
+    if centred:
+        pairs += [(name, track.centre[:, k], track.centre_error[:, k], sigma[0]) for k, name in enumerate(("x", "y"))]
+    elif np.isfinite(track.marker[:, 0]).any():
+        pairs += [(f"marker_{name}", track.marker[:, k], track.marker_error, sigma[0]) for k, name in enumerate(("x", "y"))]
+    if centred and np.isfinite(track.angle).any():
+        error = track.angle_error
+        if np.isnan(error).all() and np.isfinite(track.marker_error).any():
+            reach = np.hypot(*(track.marker - track.centre).T)
+            error = np.hypot(track.marker_error, track.centre_error.mean(axis=1)) / reach
+        pairs.append(("angle", track.angle, error, sigma[1]))
+    elif np.isfinite(track.angle).any() and not pairs:
+        pairs.append(("angle", track.angle, track.angle_error, sigma[1]))
+    for name, values, errors, given in pairs:
+        rows = np.flatnonzero(np.isfinite(values))
+        own = errors[rows] if given is None else np.full(len(rows), given)
+        if not (np.isfinite(own) & (own > 0)).all():
+            usual = scatter(t[rows], values[rows])
+            own = np.where(np.isfinite(own) & (own > 0), own, usual)
+        result.append(Channel(name, rows, values[rows], own))
+    if sum(len(channel.rows) for channel in result) < 12:
+        raise InputError("The track knows the hoop in too few frames to fit anything.")
+    return tuple(result)
+
+
+def scatter(t: Floats, values: Floats) -> float:
+    """Standard deviation of one value, from third differences, to which a smooth motion adds little.
+
+    Parameters
+    ----------
+    t, values : ndarray, shape (n,)
+        Times [s] and what was measured then [1].
+
+    Returns
+    -------
+    sigma : float
+        In the values' own unit [1].
+
+    Raises
+    ------
+    ValueError
+        If there are less than eight values, or they are free of scatter.
+    """
+    if len(t) < 8:
+        raise InputError(f"The uncertainty of the data is missing, and {len(t)} frames do not tell it: give sigma.")
+    usual = spread(third_differences(t, values))
+    if not usual > 1e-12 * max(1.0, float(np.abs(values).max())):
+        raise InputError("The uncertainty of the data is missing, and they do not scatter: give sigma.")
+    return usual

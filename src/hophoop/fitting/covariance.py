@@ -1,0 +1,151 @@
+"""How uncertain the parameters are: outliers say little, and errors that last over several frames say the same again."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.fitting.channels import Channel
+from hophoop.fitting.losses import influence, influence_slope
+from hophoop.fitting.problem import Problem
+
+Floats = NDArray[np.float64]
+
+FEWEST = 30  # residuals of which the correlation of neighbours is taken
+CERTAIN = 3.0  # standard deviations from which it is believed
+FIRST = 5  # lags that tell whether there is any
+LONGEST = 0.98  # correlation from a frame to the next at most
+
+
+class Lasting(NamedTuple):
+    """Errors of which a share fades from frame to frame: neighbours n frames apart correlate by share × fade^n."""
+
+    share: float
+    fade: float
+
+    @property
+    def frames(self) -> float:
+        """How many frames say as much as one would whose errors do not last [1]."""
+        return 1.0 + 2.0 * self.share * self.fade / (1.0 - self.fade)
+
+
+NONE = Lasting(0.0, 0.0)
+
+
+def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
+    """Covariance of parameters: A⁻¹ B A⁻¹ of an estimator whose equations have the slopes A and the variance B.
+
+    With ψ the slope of half the loss, A = Jᵀ ψ' J with the residuals found, which is E[ψ'] times what the data would say
+    without outliers, and B = E[ψ²] Jᵀ P J for residuals as large as the data say; P holds the correlations of errors in a
+    quantity, a share of which fades from frame to frame.
+
+    Parameters
+    ----------
+    problem : Problem
+    jacobian : ndarray, shape (count, n)
+    residuals : ndarray, shape (count,)
+        At the minimum [standard deviations].
+    soft : bool
+        Whether outliers count less.
+
+    Returns
+    -------
+    covariance : ndarray, shape (n, n)
+        Infinite where the data say nothing [products of the parameters' units].
+    """
+    pulls, information, square = residuals, jacobian.T @ jacobian, 1.0
+    if soft:
+        nodes, weights = np.polynomial.hermite_e.hermegauss(40)
+        weights = weights / weights.sum()
+        pulls = influence(residuals)
+        information = jacobian.T @ (influence_slope(residuals)[:, None] * jacobian)
+        square, slope = float(weights @ influence(nodes) ** 2), float(weights @ influence_slope(nodes))
+        information, square = information / slope, square / slope**2
+    known = inverse(information)
+    memory = memories(problem, pulls)
+    if not any(one.share for one in memory.values()) or not np.isfinite(known).all():
+        return known * square
+    variance, begin = information.copy(), 0
+    for channel in problem.channels:
+        own = jacobian[begin : begin + len(channel.rows)]
+        begin += len(channel.rows)
+        variance += own.T @ _from_neighbours(channel, own, memory[channel.name])
+    return known @ variance @ known * square
+
+
+def memories(problem: Problem, pulls: Floats) -> dict[str, Lasting]:
+    """How the errors of a quantity last from frame to frame.
+
+    Parameters
+    ----------
+    problem : Problem
+    pulls : ndarray, shape (count,)
+        Residuals, or how much they pull [1].
+
+    Returns
+    -------
+    memories : dict of Lasting
+        By quantity; no share where they are not alike beyond what chance has, or fewer than 30 [1].
+    """
+    result, begin = {}, 0
+    for channel in problem.channels:
+        own = np.full(int(channel.rows[-1] - channel.rows[0]) + 1, np.nan)
+        own[channel.rows - channel.rows[0]] = pulls[begin : begin + len(channel.rows)]
+        begin += len(channel.rows)
+        result[channel.name] = _lasting(own)
+    return result
+
+
+def _lasting(values: Floats) -> Lasting:
+    """From correlations up to the lag from which they are gone in pairs: their sum, and the lag of its middle."""
+    known = np.isfinite(values)
+    count, size = int(known.sum()), float(np.nanmean(values**2))
+    if count < FEWEST or not size > 0:
+        return NONE
+    alike = []
+    for lag in range(1, max(count // 4, FIRST + 1)):
+        both = values[lag:] * values[:-lag]
+        alike.append(float(np.nanmean(both)) / size if np.isfinite(both).sum() >= FEWEST // 2 else 0.0)
+    first = float(np.mean(alike[:FIRST]))
+    if max(alike[0] * np.sqrt(count), first * np.sqrt(FIRST * count)) < CERTAIN or first <= 0.0:
+        return NONE
+    pairs = np.array(alike[: len(alike) // 2 * 2]).reshape(-1, 2).sum(axis=1)
+    gone = pairs <= np.sqrt(2.0 / count)  # what chance makes of them
+    until = 2 * (int(np.argmax(gone)) if gone.any() else len(pairs))
+    kept = np.array(alike[: max(until, 1)])
+    whole = float(kept.sum())
+    fade = float(np.clip(1.0 - whole / float((np.arange(1, len(kept) + 1) * kept).sum()), 0.05, LONGEST))
+    return Lasting(float(np.clip(whole * (1.0 - fade) / fade, 0.0, 1.0)), fade)
+
+
+def _from_neighbours(channel: Channel, columns: Floats, memory: Lasting) -> Floats:
+    """P − 1 times columns, P_ij = share × fade^|i − j|, by going through the frames once forwards and once backwards."""
+    fading = memory.fade ** np.diff(channel.rows).astype(float)
+    before, after = np.zeros_like(columns), np.zeros_like(columns)
+    for k in range(1, len(columns)):
+        before[k] = fading[k - 1] * (before[k - 1] + columns[k - 1])
+        after[-1 - k] = fading[-k] * (after[-k] + columns[-k])
+    return memory.share * (before + after)
+
+
+def inverse(information: Floats) -> Floats:
+    """The inverse, scaled so that units do not matter; infinite where there is nothing known.
+
+    Parameters
+    ----------
+    information : ndarray, shape (n, n)
+        [1 over products of the parameters' units]
+
+    Returns
+    -------
+    covariance : ndarray, shape (n, n)
+        [products of the parameters' units]
+    """
+    size = np.sqrt(np.maximum(np.diag(information), 1e-300))
+    try:
+        inverse = np.linalg.inv(information / np.outer(size, size))
+    except np.linalg.LinAlgError:
+        inverse = np.full_like(information, np.inf)
+    return np.asarray(inverse / np.outer(size, size), dtype=float)

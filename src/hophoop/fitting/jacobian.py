@@ -1,0 +1,108 @@
+"""How the data that a motion would give change with its parameters: exactly, through every event, where that exists."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hophoop.derivatives.carrying import carry
+from hophoop.fitting.parameters import PATHS
+from hophoop.fitting.problem import Problem
+from hophoop.trajectory import Trajectory
+
+Floats = NDArray[np.float64]
+
+SPOTS = ("x", "y", "marker_x", "marker_y")
+
+
+def exact_slopes(problem: Problem, values: dict[str, float], names: tuple[str, ...]) -> Floats:
+    """Derivatives of the residuals by parameters.
+
+    Parameters
+    ----------
+    problem : Problem
+    values : dict
+        All of the problem's names.
+    names : tuple of str
+
+    Returns
+    -------
+    jacobian : ndarray, shape (count, len(names))
+        A column has nan where there is no derivative: a graze, a border of classes, an edge of what is allowed
+        [1 over the parameter's unit].
+
+    Raises
+    ------
+    ValueError
+        If there is no such motion.
+    """
+    motion = problem.motion(values)
+    result = np.full((problem.count, len(names)), np.nan)
+    moved = [k for k, name in enumerate(names) if name in PATHS]
+    if moved:
+        result[:, moved] = _of_motion(problem, motion, values, [PATHS[names[k]] for k in moved])
+    other = [k for k in range(len(names)) if k not in moved]
+    if other:
+        places = problem.places(motion, values)
+        for k in other:
+            result[:, k] = _of_camera(problem, motion, values, places, names[k])
+    return result
+
+
+def _of_motion(problem: Problem, motion: Trajectory, values: dict[str, float], groups: list[tuple[str, ...]]) -> Floats:
+    """Columns of parameters that change numbers of the scenario, a group of them each."""
+    paths = tuple(dict.fromkeys(path for group in groups for path in group))
+    rated = carry(motion, paths).at_times(problem.moments(motion, values), ("x", "height", "angle"))
+    together = np.array([[float(path in group) for group in groups] for path in paths])
+    change = {field: rates @ together for field, (_, rates) in rated.items()}
+    return _seen(problem, values, rated["angle"][0][:, None], change)
+
+
+def _seen(problem: Problem, values: dict[str, float], angle: Floats, change: Mapping[str, Floats]) -> Floats:
+    """What changes of place and angle, a column each, do to the residuals."""
+    reach = values["marker_ratio"] * problem.radius
+    marked = angle + values["marker_angle"]
+    along, up = change["x"], change["height"]
+    round_x, round_y = reach * np.cos(marked) * change["angle"], -reach * np.sin(marked) * change["angle"]
+    cos, sin = values["scale"] * np.cos(values["tilt"]), values["scale"] * np.sin(values["tilt"])
+    places = {
+        "x": cos * along - sin * up,
+        "y": sin * along + cos * up,
+        "marker_x": cos * (along + round_x) - sin * (up + round_y),
+        "marker_y": sin * (along + round_x) + cos * (up + round_y),
+        "angle": change["angle"],
+    }
+    return _residuals(problem, places)
+
+
+def _of_camera(problem: Problem, motion: Trajectory, values: dict[str, float], places: dict[str, Floats], name: str) -> Floats:
+    """The column of a parameter of camera or marker, from the formulas of `Problem.places`; nan where it is neither."""
+    none, one = np.zeros(len(problem.t)), np.ones(len(problem.t))
+    ground = values["origin_y"]
+    change = dict.fromkeys(places, none)
+    if name == "origin_y":
+        change |= {"y": one, "marker_y": one}
+    elif name == "scale":
+        change |= {key: (places[key] - (ground if key.endswith("y") else 0.0)) / values["scale"] for key in SPOTS}
+    elif name == "tilt":
+        change |= {"x": ground - places["y"], "y": places["x"], "angle": -one}
+        change |= {"marker_x": ground - places["marker_y"], "marker_y": places["marker_x"]}
+    elif name == "marker_angle":  # the arrow to the marker turned clockwise by a right angle
+        change |= {"marker_x": places["marker_y"] - places["y"], "marker_y": places["x"] - places["marker_x"], "angle": one}
+    elif name == "marker_ratio":
+        for axis in ("x", "y"):
+            change[f"marker_{axis}"] = (places[f"marker_{axis}"] - places[axis]) / values["marker_ratio"]
+    elif name == "row_delay" and problem.rows is not None:
+        state = motion.at(problem.moments(motion, values))
+        rates = {"x": state.vx * problem.rows, "height": state.vy * problem.rows, "angle": state.omega * problem.rows}
+        return _seen(problem, values, state.angle, rates)
+    else:
+        change = dict.fromkeys(places, np.full(len(problem.t), np.nan))
+    return _residuals(problem, change)
+
+
+def _residuals(problem: Problem, change: Mapping[str, Floats]) -> Floats:
+    """Changes of places as those of residuals, which are data less places."""
+    return np.concatenate([-(change[one.name][one.rows].T / one.errors).T for one in problem.channels])

@@ -1,0 +1,108 @@
+"""Who may ask the lab: those who use its own name and come from its own page. And HEAD, and headers of security."""
+
+from __future__ import annotations
+
+import ipaddress
+import socket
+from collections.abc import Iterable
+from typing import Any
+
+from starlette.datastructures import Headers, MutableHeaders
+from starlette.responses import JSONResponse
+
+from hophoop.lab.page import SECURITY_HEADERS
+
+HEAD = "hophoop.head"  # set in the scope of a request for the headers alone
+
+
+def host_name(header: str) -> str:
+    """The name in a Host header, without its port.
+
+    Parameters
+    ----------
+    header : str
+        Such as ``localhost:8765`` or ``[::1]:8765``.
+
+    Returns
+    -------
+    name : str
+        In small letters; empty where the header is none.
+    """
+    name = header.strip().lower()
+    if name.startswith("["):
+        return name[1:].partition("]")[0]
+    return name.partition(":")[0] if name.count(":") <= 1 else ""
+
+
+class Guard:
+    """Refuses requests under foreign names and from foreign pages.
+
+    A page elsewhere can make a browser ask this machine: under a name of its own that it lets point here (DNS
+    rebinding), or by a form. Names that are addresses cannot be rebound; others must be known.
+
+    Parameters
+    ----------
+    app : ASGI application
+    names : iterable of str
+        Names under which the lab is reached, besides addresses, localhost and this machine's own.
+    """
+
+    def __init__(self, app: Any, names: Iterable[str] = ()) -> None:
+        self.app = app
+        self.names = {"localhost", socket.gethostname().lower(), *(name.lower() for name in names)}
+
+    async def __call__(self, scope: Any, receive: Any, send: Any) -> None:
+        """Pass on what is allowed."""
+        if scope["type"] != "http":
+            await self.app(scope, receive, send)
+            return
+        headers = Headers(scope=scope)
+        if scope["method"] == "HEAD":
+            scope = {**scope, "method": "GET", HEAD: True}
+            send = _without_body(send)
+        send = _with(send, SECURITY_HEADERS)
+        refusal = self.refusal(headers, scope["path"])
+        if refusal:
+            await JSONResponse({"detail": refusal}, 403)(scope, receive, send)
+            return
+        await self.app(scope, receive, send)
+
+    def refusal(self, headers: Headers, path: str) -> str:
+        """Why a request is refused; empty where it is not. Pages and scripts are for everybody, calls for its own page."""
+        host = headers.get("host", "")
+        if not self._known(host_name(host)):
+            return f"Host = {host[:80]!r} is not a name of this lab; `hophoop lab --name` says under which it is reached."
+        if not path.startswith(("/api/", "/lab/")):
+            return ""
+        origin = headers.get("origin")
+        foreign = headers.get("sec-fetch-site") in ("cross-site", "same-site") and headers.get("sec-fetch-mode") != "navigate"
+        if foreign or (origin is not None and origin.partition("://")[2].lower() != host.strip().lower()):
+            return f"Origin = {(origin or 'another site')[:80]!r} must be the lab's own page."
+        return ""
+
+    def _known(self, name: str) -> bool:
+        if name in self.names or name.endswith(".localhost"):
+            return True
+        try:
+            ipaddress.ip_address(name)
+        except ValueError:
+            return False
+        return True
+
+
+def _with(send: Any, headers: dict[str, str]) -> Any:
+    async def sent(message: Any) -> None:
+        if message["type"] == "http.response.start":
+            MutableHeaders(scope=message).update(headers)
+        await send(message)
+
+    return sent
+
+
+def _without_body(send: Any) -> Any:
+    async def sent(message: Any) -> None:
+        if message["type"] == "http.response.body":
+            message = {**message, "body": b""}
+        await send(message)
+
+    return sent

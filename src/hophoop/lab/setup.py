@@ -1,0 +1,53 @@
+"""What the page needs once: controls, presets, colours, version."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import hophoop
+from hophoop.lab.controls import controls
+from hophoop.lab.motion_map import MAP_QUANTITIES
+from hophoop.lab.presets import presets
+from hophoop.physics.body import MODE_LETTERS
+from hophoop.vocabulary import colors
+
+
+def setup() -> dict[str, Any]:
+    """All that the page is built from, ready for JSON.
+
+    Returns
+    -------
+    setup : dict
+        `version`, `controls`, `map_quantities`, `presets` and `colors`.
+    """
+    return {
+        "version": hophoop.__version__,
+        "controls": controls(),
+        "map_quantities": [[name, words] for name, (words, _) in MAP_QUANTITIES.items()],
+        "presets": [
+            {
+                "key": p.key,
+                "group": p.group,
+                "title": p.title,
+                "text": p.text,
+                "query": p.scenario.to_query(),
+            }
+            for p in presets()
+        ],
+        "colors": {
+            # by the letters of a hoop that rolls ahead; what is shown has the letter of its word
+            "modes": dict(zip(MODE_LETTERS, colors.MODES.values(), strict=True)),
+            "mode_names": dict(zip(MODE_LETTERS, colors.MODES, strict=True)),
+            "gravity_center": colors.GRAVITY_CENTER,
+            "airborne": colors.GRAVITY_CENTER_AIRBORNE,
+            "center_speed": colors.CENTER_SPEED,
+            "rotation_speed": colors.ROTATION_SPEED,
+            "kinetic": colors.KINETIC,
+            "potential": colors.POTENTIAL,
+            "friction_loss": colors.FRICTION_LOSS,
+            "impact_loss": colors.IMPACT_LOSS,
+            "normal_force": colors.NORMAL_FORCE,
+            "friction_force": colors.FRICTION_FORCE,
+            "limit": colors.LIMIT,
+        },
+    }

@@ -1,0 +1,127 @@
+"""The lab as a folder of files that any web host can serve, or none: it computes in the visitor's browser."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import json
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+import hophoop
+from hophoop._files import replacing
+from hophoop.module.stamp import MODULE, built
+from hophoop.scenario import InputError
+
+# Nothing may come from, or go, anywhere else. What a frame may hold it only takes as a header, not from the page itself.
+POLICY = (
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; "
+    "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
+)
+STATIC = ("lab.js", "kernel.js", "motion_element.js", "embed.js", "style.css", "embed.css", "icon.svg")
+# Names that pages and embedding sites use; the others are as they are.
+NAMES = {"style.css": "lab.css", "motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
+PAGES = ("site.html", "embed.html")
+
+
+def static_bytes(name: str) -> bytes:
+    """Content of a file of static/."""
+    return (files("hophoop.lab") / "static" / name).read_bytes()
+
+
+@cache
+def packed_module() -> bytes:
+    """The module, compressed by gzip, for what travels with a notebook."""
+    return gzip.compress((files("hophoop.module") / MODULE).read_bytes(), 9, mtime=0)
+
+
+def site_files() -> dict[str, bytes]:
+    """The files of the site by their path.
+
+    Returns
+    -------
+    files : dict
+        With relative paths throughout, so that the folder may stand anywhere.
+    """
+    made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in STATIC}
+    made[f"static/{MODULE}"] = (files("hophoop.module") / MODULE).read_bytes()
+    for name in PAGES:
+        page = static_bytes(name).replace(b"{policy}", POLICY.encode())
+        made[NAMES.get(name, name)] = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it
+    made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
+    digest = hashlib.sha256()
+    for name, content in sorted(made.items()):
+        digest.update(name.encode() + hashlib.sha256(content).digest())
+    listed = ", ".join(json.dumps(name) for name in ("./", *sorted(made)))
+    worker = static_bytes("service_worker.js").decode()
+    made["service-worker.js"] = (
+        worker.replace("{version}", digest.hexdigest()[:16]).replace('"{files}"', listed).encode()
+    )  # fmt: skip
+    return made
+
+
+def _manifest() -> dict[str, object]:
+    return {
+        "name": "hophoop lab",
+        "short_name": "hophoop",
+        "description": "A ring with a load on its rim rolls, slips, hops and lands: exact motion, live.",
+        "start_url": "./",
+        "display": "standalone",
+        "background_color": "#ffffff",
+        "theme_color": "#ffffff",
+        "icons": [{"src": "static/icon.svg", "sizes": "any", "type": "image/svg+xml"}],
+    }
+
+
+def export(folder: Path) -> list[Path]:
+    """Write the lab as a folder of files.
+
+    Parameters
+    ----------
+    folder : Path
+        A new one, an empty one, or one that holds an earlier export.
+
+    Returns
+    -------
+    files : list of Path
+
+    Raises
+    ------
+    ValueError
+        If the folder holds something else.
+    OSError
+        If it cannot be written.
+    """
+    made = site_files()
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"--export {folder} must be a folder.")
+    if folder.is_dir() and any(folder.iterdir()) and not (folder / "service-worker.js").is_file():
+        raise InputError(f"--export {folder} must be a new or an empty folder; it holds other files.")
+    written = []
+    for name, content in made.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with replacing(path) as fresh:
+            fresh.write_bytes(content)
+        written.append(path)
+    return written
+
+
+def summary(folder: Path, written: list[Path]) -> str:
+    """What was written, in a sentence or two.
+
+    Parameters
+    ----------
+    folder : Path
+    written : list of Path
+
+    Returns
+    -------
+    text : str
+    """
+    size = sum(path.stat().st_size for path in written)
+    return (
+        f"{folder}: hophoop {hophoop.__version__}, {len(written)} files, {size / 1e6:.1f} MB. Any web host can serve them; "
+        f"to try them here: python -m http.server --directory {folder}"
+    )

@@ -1,0 +1,191 @@
+"""What a page that computes by itself has to know of Python: written to a file that its script is built with.
+
+``python -m hophoop.lab.tables`` writes it; a test fails where it is not what would be written now.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from types import UnionType
+from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
+
+from pydantic import AfterValidator, BeforeValidator
+from pydantic.fields import FieldInfo
+
+from hophoop.export import SCHEMA
+from hophoop.lab.files import SAMPLES_PER_SECOND
+from hophoop.lab.film import SHOWN
+from hophoop.lab.limits import USUAL
+from hophoop.lab.motion_map import MAP_EVENTS, MAP_QUANTITIES
+from hophoop.lab.setup import setup
+from hophoop.maps import QUANTITIES
+from hophoop.maps.kernel import CELL
+from hophoop.physics.body import MODE_LETTERS, ImpactLaw
+from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, paths
+from hophoop.scenario.base import Frozen
+from hophoop.scenario.parts import TOUCH
+from hophoop.scenario.paths import ENDS
+from hophoop.scenario.ranges import MOST_DEPTH, RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS, Inside, Range
+from hophoop.scenario.texts import TEXTS
+from hophoop.vocabulary import classes, colors, words
+from hophoop.vocabulary.labels import VARIABLES
+from hophoop.vocabulary.sentences import LAB, LEAST_SPEED, STORY, SUMMARY, THEORY
+
+FILE: Final = Path(__file__).parent / "static" / "tables.json"
+
+_KINDS = {base._number: "number", base._friction: "friction", base._whole: "whole"}
+# Attributes of an annotation, and pydantic's names for what they forbid.
+_LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
+_PARTS = (Ring, Disk, PointMass, Rod)
+
+
+def tables() -> dict[str, Any]:
+    """Everything, ready for JSON.
+
+    Returns
+    -------
+    tables : dict
+        Infinity is the word "inf", as in a scenario file.
+    """
+    found: dict[str, Any] = {
+        "setup": setup(),
+        "schema": SCHEMA,
+        "scenario": _scenario(),
+        "texts": TEXTS,
+        "words": {
+            "letters": MODE_LETTERS,
+            "modes": words.MODES,
+            "verbs": words.VERBS,
+            "events": {kind: event.verb for kind, event in words.EVENTS.items()},
+            "statuses": words.STATUSES,
+            "sequence": words.LETTERS,
+            "story": STORY,
+            "summary": SUMMARY,
+            "theory": THEORY,
+            "least_speed": LEAST_SPEED,
+        },
+        "classes": {"codes": classes.CODES, "families": classes.FAMILIES, "hops": classes.HOPS, "rolls": classes.ROLLS}
+        | {"other": colors.GRAY},
+        "map": {
+            "cell": CELL,
+            "laws": {law.name.lower(): int(law) for law in ImpactLaw},
+            "events": MAP_EVENTS,
+            "quantities": {
+                name: {"label": label, "span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
+                for name, (label, span) in MAP_QUANTITIES.items()
+            },
+        },
+        "lab": LAB,
+        "limits": {name: getattr(USUAL, name) for name in ("duration", "events", "parts", "samples", "cells")},
+        "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: unit for name, (unit, _) in VARIABLES.items()}},
+        "shown": SHOWN,
+    }
+    return found
+
+
+def _scenario() -> dict[str, Any]:
+    """How a scenario is checked: models with their fields, and what they have to do with each other."""
+    sections: dict[str, list[type[Frozen]]] = {
+        "hoop": [Hoop],
+        "plane": [Plane],
+        "start": [Start],
+        "contact": [Rigid, Compliant],
+    }
+    described = (Scenario, Hoop, Plane, Start, Rigid, Compliant, *_PARTS)
+    shown = {"hoop.mass": "kg", "hoop.inertia_ratio": "", "plane.slope": "rad"}
+    return {
+        "sections": {name: [model.__name__ for model in models] for name, models in sections.items()},
+        "models": {model.__name__: {"place": model.place, "fields": _fields(model)} for model in described},
+        "parts": {_fields(model)["shape"]["default"]: model.__name__ for model in _PARTS},
+        "paths": paths(),
+        "ends": ENDS,
+        "ranges": {path: _range(RANGES[path], unit) for path, unit in shown.items()},
+        "relative": {
+            "stiffness": {**_range(RELATIVE_STIFFNESS), "of": "m g/R"},
+            "tangential_stiffness": {**_range(RELATIVE_STIFFNESS), "of": "m g/R"},
+            "slip_speed": {**_range(RELATIVE_SLIP_SPEED), "of": "√(g R)"},
+        },
+        "most_depth": MOST_DEPTH,
+        "touch": TOUCH,
+        "default": _written(Scenario().to_dict()),
+    }
+
+
+def _fields(model: type[Frozen]) -> dict[str, dict[str, Any]]:
+    return {name: _field(field) for name, field in model.model_fields.items()}
+
+
+def _field(field: FieldInfo) -> dict[str, Any]:
+    kind, metadata, nullable = _taken_apart(field.annotation, list(field.metadata))
+    extra = field.json_schema_extra
+    made: dict[str, Any] = {"kind": "section", "unit": str(extra.get("unit", "1")) if isinstance(extra, dict) else ""}
+    if nullable:
+        made["nullable"] = True
+    if field.is_required():
+        made["required"] = True
+    elif field.default_factory is None:
+        made["default"] = _written(field.default)
+    for item in metadata:
+        if isinstance(item, BeforeValidator) and item.func in _KINDS:
+            made["kind"] = _KINDS[item.func]
+        elif isinstance(item, AfterValidator) and isinstance(inside := getattr(item.func, "__self__", None), Inside):
+            made["range"] = _range(inside.allowed, inside.unit)
+        else:
+            found = [[name, float(getattr(item, key))] for key, name in _LIMITS.items() if hasattr(item, key)]
+            if found:
+                made.setdefault("limits", []).extend(found)
+    if get_origin(kind) is Literal:
+        options = get_args(kind)
+        quoted = [repr(option) for option in options]
+        said = " or ".join(part for part in (", ".join(quoted[:-1]), quoted[-1]) if part)
+        made.update(kind="word", options=options, expected=said)
+    elif get_origin(kind) is tuple:
+        made["kind"] = "parts"
+    return made
+
+
+def _taken_apart(annotation: Any, metadata: list[Any]) -> tuple[Any, list[Any], bool]:
+    """The plain type, what is annotated to it from the inside outwards, and whether None is allowed."""
+    nullable = False
+    while True:
+        if get_origin(annotation) is Annotated:
+            annotation, *added = get_args(annotation)
+            # a field in an annotation is its limits
+            inner = [part for item in added for part in (item.metadata if isinstance(item, FieldInfo) else [item])]
+            metadata = [*inner, *metadata]
+        elif get_origin(annotation) in (Union, UnionType) and type(None) in get_args(annotation):
+            nullable = True
+            (annotation,) = (one for one in get_args(annotation) if one is not type(None))
+        else:
+            return annotation, metadata, nullable
+
+
+def _range(allowed: Range, unit: str = "") -> dict[str, Any]:
+    made = {"least": allowed.least, "most": allowed.most, "words": allowed.words(unit)}
+    return made | ({"also": _written(list(allowed.also))} if allowed.also else {})
+
+
+def _written(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {key: _written(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_written(item) for item in value]
+    return "inf" if value == math.inf else value
+
+
+def text() -> str:
+    """The file.
+
+    Returns
+    -------
+    text : str
+        JSON.
+    """
+    return json.dumps(tables(), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+if __name__ == "__main__":
+    FILE.write_text(text(), encoding="utf-8")

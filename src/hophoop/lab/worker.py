@@ -1,0 +1,271 @@
+"""A process that computes for the lab and can be stopped: jobs come on standard input, answers go to standard output.
+
+The kernel cannot be stopped from within its process: a motion runs to its end. A process can. It is asked first, by an
+interrupt, which ends a map, a film or a file at once and keeps the process; one that is deep in a motion is ended.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import pickle
+import signal
+import struct
+import subprocess
+import sys
+import threading
+import time
+import traceback
+from dataclasses import dataclass
+from typing import Any, BinaryIO
+
+from hophoop._jit.beside import busy
+from hophoop._processes import python_beside
+
+ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
+REPORT = 0.25  # seconds between two reports that code is compiled
+_IDLE, _COMPUTING, _WRITING, _PREPARING = range(4)
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is to be computed.
+
+    Attributes
+    ----------
+    request : hophoop.lab.calls.Request
+        A checked request.
+    limits : hophoop.lab.limits.Limits
+    form : str
+        How it is answered: packed, json, or the name of a file.
+    """
+
+    request: Any
+    limits: Any
+    form: str
+
+
+class Ended(RuntimeError):
+    """The process has ended, since it was stopped or the system has ended it."""
+
+
+class Worker:
+    """Another process that computes one job at a time."""
+
+    def __init__(self) -> None:
+        # in a session of its own: Ctrl-C is for the server, which ends it, and whatever it has started ends with it
+        self._process = python_beside(
+            "from hophoop.lab.worker import main; main()",
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            start_new_session=True,
+        )
+        self._compiled = -math.inf
+
+    @property
+    def compiling(self) -> bool:
+        """Whether it begins, or compiles code, which is no fault of what it was asked."""
+        return time.monotonic() - self._compiled < 4.0 * REPORT
+
+    def exchange(self, job: Job) -> tuple[str, Any]:
+        """Hand over a job and wait for its answer.
+
+        Raises
+        ------
+        Ended
+            If the process has ended.
+        """
+        try:
+            _write(self._process.stdin, job)  # type: ignore[arg-type]
+        except (OSError, ValueError):  # its pipe is broken, or closed
+            raise Ended from None
+        return self.read()
+
+    def read(self) -> tuple[str, Any]:
+        """Wait for what the process says next.
+
+        Raises
+        ------
+        Ended
+            If the process has ended.
+        """
+        while True:
+            try:
+                said: tuple[str, Any] = _read(self._process.stdout)  # type: ignore[arg-type]
+            except (EOFError, OSError, ValueError):
+                raise Ended from None
+            if said[0] != COMPILING:
+                return said
+            self._compiled = time.monotonic()
+
+    def interrupt(self) -> bool:
+        """Ask it to stop what it computes; False where that is not possible."""
+        if os.name != "posix":
+            return False
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(self._process.pid, signal.SIGINT)
+        return True
+
+    def end(self) -> None:
+        """End the process, and all that it has started."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            if os.name == "posix":
+                os.killpg(self._process.pid, signal.SIGKILL)
+            else:
+                self._process.kill()
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                with contextlib.suppress(OSError):
+                    stream.close()
+
+    @property
+    def running(self) -> bool:
+        """Whether it is there."""
+        return self._process.poll() is None
+
+
+class _Stopped(KeyboardInterrupt):
+    """What is being computed is not wanted any more."""
+
+
+class _Loop:
+    """Takes jobs one by one; to every interrupt it says `STOPPED` exactly once."""
+
+    def __init__(self, inward: BinaryIO, outward: BinaryIO) -> None:
+        self.inward, self.outward = inward, outward
+        self.state = _IDLE
+        self.owed = 0
+        self.compiles = 0
+        self.lock = threading.Lock()
+
+    def say(self, said: tuple[str, Any]) -> None:
+        with self.lock:
+            _write(self.outward, said)
+
+    def pay(self) -> bool:
+        """Answer an interrupt that came while it could not be answered; whether there was one."""
+        if self.owed == 0:
+            return False
+        self.owed -= 1
+        self.say((STOPPED, None))
+        return True
+
+    def report(self) -> None:
+        """Say now and then that code is compiled."""
+        while True:
+            time.sleep(REPORT)
+            compiles = self.state == _COMPUTING and (self.compiles or busy())
+            if compiles or self.state == _PREPARING:
+                with contextlib.suppress(OSError):
+                    self.say((COMPILING, None))
+
+    def interrupted(self, *_: Any) -> None:
+        if self.state == _COMPUTING:
+            self.state = _WRITING
+            raise _Stopped
+        if self.state == _IDLE:
+            self.say((STOPPED, None))
+        else:
+            self.owed += 1
+
+    def run(self) -> None:
+        while True:
+            try:
+                job = _read(self.inward)
+            except EOFError:
+                return
+            if self.pay():  # it was given up before it began
+                continue
+            try:
+                self.state = _COMPUTING
+                said = outcome(job)
+                self.state = _WRITING
+            except _Stopped:
+                said = (STOPPED, None)
+            self.say(said)
+            while self.pay():
+                pass
+            self.state = _IDLE
+
+
+def outcome(job: Job) -> tuple[str, Any]:
+    """Compute a job.
+
+    Parameters
+    ----------
+    job : Job
+
+    Returns
+    -------
+    said : (str, object)
+        `ANSWER` with bytes, `ERROR` with an exception that the asker must be told, or `FAILED` with a traceback.
+    """
+    from hophoop.lab import calls, files
+
+    try:
+        if job.form in files.KINDS:
+            return ANSWER, files.KINDS[job.form].make(job.request.scenario, job.limits)
+        answered = calls.answer(job.request, job.limits)
+        return ANSWER, answered.packed() if job.form == "packed" else answered.json()
+    except (ValueError, ImportError) as error:
+        return ERROR, error
+    except Exception:
+        return FAILED, traceback.format_exc()
+
+
+def main() -> None:
+    """Compute jobs until standard input ends."""
+    inward = sys.stdin.buffer
+    outward = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what prints must not stand among the answers
+    loop = _Loop(inward, outward)
+    signal.signal(signal.SIGINT, loop.interrupted)
+    threading.Thread(target=loop.report, daemon=True).start()
+    _follow_compiler(loop)
+    loop.state = _PREPARING  # an interrupt meanwhile is for the first job
+    _prepare()
+    loop.state = _IDLE
+    loop.run()
+
+
+def _follow_compiler(loop: _Loop) -> None:
+    """Count what this process compiles itself, where it does."""
+    from numba.core import event
+
+    class Compiles(event.Listener):  # type: ignore[misc]
+        def on_start(self, _: Any) -> None:
+            loop.compiles += 1
+
+        def on_end(self, _: Any) -> None:
+            loop.compiles -= 1
+
+    event.register("numba:compile", Compiles())
+
+
+def _prepare() -> None:
+    """Load what most jobs need, before the first one waits for it."""
+    from hophoop import maps  # noqa: F401
+    from hophoop.lab import calls
+    from hophoop.scenario import Scenario
+
+    with contextlib.suppress(ValueError, ImportError):
+        calls.film_of(calls.computed(Scenario()))
+
+
+def _write(stream: BinaryIO, value: Any) -> None:
+    block = pickle.dumps(value, pickle.HIGHEST_PROTOCOL)
+    stream.write(struct.pack("<Q", len(block)) + block)
+    stream.flush()
+
+
+def _read(stream: BinaryIO) -> Any:
+    head = stream.read(8)
+    if len(head) < 8:
+        raise EOFError
+    (length,) = struct.unpack("<Q", head)
+    block = stream.read(length)
+    if len(block) < length:
+        raise EOFError
+    return pickle.loads(block)

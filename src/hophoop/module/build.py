@@ -1,0 +1,147 @@
+"""Builds the WebAssembly module from the kernels: Numba's plain IR, retargeted, linked with the C library of WASI.
+
+`python -m hophoop.module.build` writes it; that takes a minute or two, and the packages of the extra `module`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterable, Mapping
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from hophoop._files import replacing
+from hophoop.module.layout import layout
+from hophoop.module.stamp import HERE, LAYOUT, MODULE, sources
+
+TRIPLE = "wasm32-unknown-unknown"
+STACK = 1 << 20  # bytes
+LINKED = ("-Wl,--no-entry", "-Wl,--export-memory", "-Wl,--strip-all", "-Wl,--gc-sections", f"-Wl,-z,stack-size={STACK}")
+
+
+def plain_code() -> dict[str, tuple[str, str, tuple[Any, ...]]]:
+    """LLVM's code of every entry.
+
+    Returns
+    -------
+    code : dict
+        Name → (code, name of the function in it, Numba types of its arguments).
+    """
+    from hophoop._jit.plain import leave_unoptimised, plain
+    from hophoop.module.entries import ENTRIES
+
+    leave_unoptimised()
+    return {name: (*plain(kernel, kinds), kinds) for name, (kernel, kinds) in ENTRIES.items()}
+
+
+def wrapper(name: str, mangled: str, kinds: Iterable[Any]) -> str:
+    """A function with the plain name, pointers and 32-bit counts, which calls Numba's."""
+    given, made, passed = [], [], []
+    for place, kind in enumerate(kinds):
+        if str(kind) == "int64":
+            given.append(f"i32 %a{place}")
+            made.append(f"  %c{place} = zext i32 %a{place} to i64\n")
+            passed.append(f"i64 %c{place}")
+        else:
+            plain = "double" if str(kind) == "float64" else "ptr"
+            given.append(f"{plain} %a{place}")
+            passed.append(f"{plain} %a{place}")
+    return (
+        f"define i32 @{name}({', '.join(given)}) {{\n  %ret = alloca ptr\n  %exc = alloca ptr\n{''.join(made)}"
+        f"  %status = call i32 @{mangled}(ptr %ret, ptr %exc, {', '.join(passed)})\n  ret i32 %status\n}}\n"
+    )
+
+
+def joined(code: Mapping[str, tuple[str, str, tuple[Any, ...]]]) -> str:
+    """All entries in one."""
+    import llvmlite.binding as llvm
+
+    whole = None
+    for name, (text, mangled, kinds) in code.items():
+        part = llvm.parse_assembly(text + wrapper(name, mangled, kinds))
+        if whole is None:
+            whole = part
+        else:
+            whole.link_in(part)
+    return str(whole)
+
+
+def retargeted(text: str, names: Iterable[str], triple: str = TRIPLE) -> bytes:
+    """The object file for another machine."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    target = llvm.Target.from_triple(triple)
+    machine = target.create_target_machine(cpu="", features="+simd128", opt=3, reloc="static", codemodel="default")
+    text = re.sub(r'target triple = "[^"]*"', f'target triple = "{triple}"', text)
+    text = re.sub(r'target datalayout = "[^"]*"', f'target datalayout = "{machine.target_data}"', text)
+    # Numba's pointers to environments, which this code never reads: WebAssembly has no common symbols
+    text = "\n".join(line.replace(" = common ", " = internal ") if line.startswith("@") else line for line in text.splitlines())
+    module = llvm.parse_assembly(text)
+    module.verify()
+    for function in module.functions:
+        if not function.is_declaration:
+            function.linkage = "external" if function.name in names else "internal"
+    options = llvm.create_pipeline_tuning_options(speed_level=3)
+    options.loop_vectorization = options.slp_vectorization = True
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(module, builder)
+    made: bytes = machine.emit_object(module)
+    return made
+
+
+def linked(code: bytes, names: Iterable[str], target: Path) -> None:
+    """The object file with the C library, as a module without imports."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "kernel.o"
+        file.write_bytes(code)
+        exports = [f"-Wl,--export={name}" for name in (*names, "malloc", "free")]
+        subprocess.run(
+            [sys.executable, "-m", "ziglang", "cc", "-target", "wasm32-wasi", "-mexec-model=reactor", "-O2",
+             str(HERE / "nrt.c"), str(file), "-o", str(target), *LINKED, *exports, "-lm"],
+            check=True,
+        )  # fmt: skip
+
+
+def build(folder: Path = HERE) -> None:
+    """Build the module, and the file that tells how to call it.
+
+    Parameters
+    ----------
+    folder : Path
+        Where to write `MODULE` and `LAYOUT`.
+    """
+    code = plain_code()
+    with tempfile.TemporaryDirectory() as fresh:
+        file = Path(fresh) / MODULE
+        linked(retargeted(joined(code), code), code, file)
+        content = file.read_bytes()
+    told = {"sources": sources(), "module": hashlib.sha256(content).hexdigest()[:16], "built_with": tools(), **layout()}
+    with replacing(folder / MODULE) as fresh_file:
+        fresh_file.write_bytes(content)
+    with replacing(folder / LAYOUT) as fresh_file:
+        fresh_file.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+
+
+def tools() -> dict[str, str]:
+    """Versions of the packages that make the module: the same ones make the same bytes.
+
+    Returns
+    -------
+    tools : dict
+    """
+    return {name: version(name) for name in ("numba", "llvmlite", "ziglang")}
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as cache:  # compiled code that is there already is for this machine
+        os.environ["NUMBA_CACHE_DIR"] = cache
+        build()

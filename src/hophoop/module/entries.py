@@ -1,0 +1,35 @@
+"""The entries of the module, and what each takes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numba import from_dtype, types
+
+from hophoop.module import answers, compliant, motions
+from hophoop.records.layout import EVENT, SEGMENT
+
+FLOATS, WORDS, KEYS, LARGE = (types.CPointer(kind) for kind in (types.float64, types.int32, types.uint64, types.int64))
+BYTES, SIGNS = types.CPointer(types.uint8), types.CPointer(types.int8)
+EVENTS, SEGMENTS = types.CPointer(from_dtype(EVENT)), types.CPointer(from_dtype(SEGMENT))
+COUNT, NUMBER = types.int64, types.float64
+
+ENTRIES: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "motion": (motions.motion, (FLOATS, EVENTS, COUNT, SEGMENTS, COUNT, FLOATS, FLOATS)),
+    "samples": (motions.samples, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
+    "compliance": (compliant.compliance, (FLOATS, FLOATS, FLOATS)),
+    "compliant_motion": (
+        compliant.compliant_motion,
+        (FLOATS, FLOATS, EVENTS, COUNT, COUNT, FLOATS, COUNT, FLOATS, FLOATS),
+    ),
+    "compliant_samples": (compliant.compliant_samples, (FLOATS, FLOATS, FLOATS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
+    "thresholds": (answers.thresholds, (FLOATS, NUMBER, FLOATS)),
+    "regions": (answers.regions, (FLOATS, NUMBER, NUMBER, NUMBER, NUMBER, COUNT, COUNT, BYTES, SIGNS)),
+    "ideal_hoop": (answers.ideal_hoop, (NUMBER, FLOATS)),
+    "hoop_of_parts": (answers.hoop_of_parts, (NUMBER, FLOATS, COUNT, FLOATS, FLOATS)),
+    "map_cells": (
+        answers.map_cells,
+        (FLOATS, COUNT, NUMBER, COUNT, COUNT, COUNT, FLOATS, WORDS, KEYS),
+    ),
+}
+"""Name → (kernel, Numba types of its arguments)."""

@@ -1,0 +1,178 @@
+"""One motion and its states, over plain memory and in SI units."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import carray
+
+from hophoop._jit import jit
+from hophoop.maps.kernel import CELL, DURATION, MAX_EVENTS, body_of, scales_of, start_of
+from hophoop.module.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS
+from hophoop.physics.body import Mode
+from hophoop.physics.energy import kinetic_energy, potential_energy
+from hophoop.physics.friction import utilization
+from hophoop.records.layout import EVENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.times import kernel_time
+from hophoop.rigid import sampling
+from hophoop.rigid.kernel import run
+from hophoop.rigid.sampling import sample
+
+FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
+RAW_WIDTH = len(sampling.COLUMNS)
+RESISTED = sampling.COLUMNS.index("rolling_resistance")
+SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
+
+kinetic = jit(kinetic_energy)
+potential = jit(potential_energy)
+
+
+@jit
+def seconds(t, t_end, duration, second):
+    """A time in s; the end of the motion is the duration asked for, not its rounding through kernel units."""
+    return duration if t == t_end else t * second
+
+
+@jit
+def write_event(row, scales, t, out):
+    """An event in SI units, in the order of `layout.EVENT_COLUMNS`."""
+    length = scales.length
+    speed = length / scales.time
+    rate = 1.0 / scales.time
+    impulse = scales.energy / speed
+    out[0] = t
+    out[1] = row["kind"]
+    out[2] = row["before_mode"]
+    out[3] = row["after_mode"]
+    out[4] = row["x"] * length
+    out[5] = row["height"] * length
+    out[6] = row["angle"]
+    out[7] = row["vx"] * speed
+    out[8] = row["vy"] * speed
+    out[9] = row["omega"] * rate
+    out[10] = row["slip"] * speed
+    out[11] = row["before_vx"] * speed
+    out[12] = row["before_vy"] * speed
+    out[13] = row["before_omega"] * rate
+    out[14] = row["before_slip"] * speed
+    out[15] = row["impulse_normal"] * impulse
+    out[16] = row["impulse_tangential"] * impulse
+    out[17] = row["friction"] * scales.energy
+    out[18] = row["impact_normal"] * scales.energy
+    out[19] = row["impact_tangential"] * scales.energy
+    out[20] = row["gain"] * scales.energy
+    out[21] = row["collision"]
+    out[22] = row["stable"]
+    out[23] = row["rolling_resistance"] * scales.energy
+
+
+@jit
+def energies_at(body, row):
+    """(W_k, W_p) just after an event, in the kernel's units."""
+    return (
+        kinetic(body, row["theta"], row["omega"], row["slip"], row["vy"], row["theta_low"]),
+        potential(body, row["x"], row["height"], row["theta"]),
+    )
+
+
+@jit
+def write_energies(body, scales, first, last, spring, damping, first_spring, head):
+    """The energies of a motion, from its first and last event, in the order of `layout.HEADS`."""
+    unit = scales.energy
+    begin_kinetic, begin_potential = energies_at(body, first)
+    end_kinetic, end_potential = energies_at(body, last)
+    head[7] = end_kinetic * unit
+    head[8] = end_potential * unit
+    head[9] = spring * unit
+    head[10] = damping * unit
+    head[11] = last["friction"] * unit
+    head[12] = last["impact_normal"] * unit
+    head[13] = last["impact_tangential"] * unit
+    head[15] = last["rolling_resistance"] * unit
+    now = head[7] + head[8] + head[9] + head[10] + head[11] + head[12] + head[13] + head[15]
+    head[14] = now - (begin_kinetic + begin_potential + first_spring) * unit
+
+
+@jit
+def motion(given, events, most_events, segments, most_segments, table, heads):
+    """Compute a motion.
+
+    `given` holds a scenario's numbers in the order of `maps.kernel.CELL`; `table` takes the events and `heads` what
+    `layout.HEADS` names. Segments are for `samples`. Where there is too little room for them the status is `buffer`;
+    where there is for the events it is `event_limit`, with fewer events than the scenario allows.
+    """
+    cells = carray(given, (FIELDS, 1))
+    records = carray(events, (min(most_events, int(cells[MAX_EVENTS, 0])),))
+    pieces = carray(segments, (most_segments,))
+    rows = carray(table, (most_events, EVENT_WIDTH))
+    head = carray(heads, (HEAD_COUNT,))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    duration = cells[DURATION, 0]
+    t_end = duration / scales.time
+    scratch = new_scratch()
+    script = np.empty(0, EVENT)
+    start = start_of(cells, 0, scales.time)
+    status, count, length = run(body, start, t_end, math.nan, 0, records, pieces, scratch, script)
+    for k in range(count):
+        write_event(records[k], scales, seconds(records[k]["t"], t_end, duration, scales.time), rows[k])
+    last = pieces[length - 1]["t_end"] if length > 0 else records[count - 1]["t"]
+    head[0] = status
+    head[1] = count
+    head[2] = length
+    head[3] = seconds(last, t_end, duration, scales.time)
+    head[4] = scratch.doubt[0] * scales.time
+    head[5] = scratch.doubt[1] * scales.time
+    head[6] = scratch.written[2]
+    write_energies(body, scales, records[0], records[count - 1], 0.0, 0.0, 0.0, head)
+
+
+@jit
+def write_state(body, scales, raw, row):
+    """A state in SI units, in the order of `layout.SAMPLE_COLUMNS`, but for the energies that the contact models differ in."""
+    length = scales.length
+    speed = length / scales.time
+    unit = scales.energy
+    force = unit / length
+    mode = int(raw[0])
+    row[0] = mode
+    row[1] = raw[1] * length
+    row[2] = raw[2] * length
+    row[3] = raw[3]
+    row[4] = raw[4] * speed
+    row[5] = raw[5] * speed
+    row[6] = raw[6] / scales.time
+    row[7] = raw[7] * speed
+    row[8] = raw[8] * force
+    row[9] = raw[9] * force
+    row[10] = raw[10] * unit
+    row[11] = raw[11] * unit
+    row[12] = raw[12] * unit
+    slips = mode in (SPIN, SKID)
+    row[17] = utilization(slips, raw[8], raw[9], body.mu_s, body.mu_k)
+    row[18] = raw[RESISTED] * unit  # its column is the same in both contact models
+
+
+@jit
+def samples(given, segments, count, times, n, left, out):
+    """The states of a motion at times in s, which its segments hold; `left` is 1 for just before an impact."""
+    cells = carray(given, (FIELDS, 1))
+    pieces = carray(segments, (count,))
+    when = carray(times, (n,))
+    rows = carray(out, (n, SAMPLE_WIDTH))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    asked = np.empty(n)
+    for k in range(n):
+        asked[k] = kernel_time(pieces, when[k], scales.time)
+    raw = np.empty((n, RAW_WIDTH))
+    sample(body, pieces, asked, left != 0, raw)
+    for k in range(n):
+        line = raw[k]
+        write_state(body, scales, line, rows[k])
+        rows[k, 13] = 0.0
+        rows[k, 14] = 0.0
+        rows[k, 15] = kinetic(body, line[13], line[6], line[7], line[5], line[14]) * scales.energy
+        rows[k, 16] = potential(body, line[1], line[2], line[13]) * scales.energy

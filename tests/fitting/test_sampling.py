@@ -1,0 +1,148 @@
+"""The posterior from a chain, against what it must be where that is known."""
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.fitting import Posterior, sample
+from hophoop.fitting.covariance import Lasting
+from hophoop.fitting.problem import problem_of
+from hophoop.fitting.sampling import news
+from hophoop.tracking.table import track_of
+
+# a chain asks for thousands of motions
+pytestmark = pytest.mark.compiled
+
+RADIUS, SIGMA = 0.3, 2e-3
+
+
+def rolled(mu, sigma=SIGMA, frames=40, speed=1.2, seed=2):
+    """A track of a hoop that rolls for half a second."""
+    motion = hh.simulate(hh.Hoop.ideal(0.6, radius=RADIUS), hh.Plane(mu=mu), hh.Start.rolling(speed, angle=0.1), duration=0.9)
+    t, rng = np.linspace(0.0, 0.9, frames), np.random.default_rng(seed)
+    state = motion.at(t)
+    columns = {"x": state.x, "y": state.height + RADIUS, "angle": state.angle}
+    columns = {name: values + rng.normal(0, sigma, frames) for name, values in columns.items()}
+    columns |= {f"sigma_{name}": np.full(frames, sigma) for name in columns}
+    return track_of(t, columns, radius=RADIUS, placed=True)
+
+
+@pytest.fixture(scope="module")
+def rolling():
+    return hh.fit(rolled(0.9), fixed={"mu_excess": 0.0, "restitution": 0.0})
+
+
+@pytest.fixture(scope="module")
+def sampled(rolling):
+    seen = []
+    found = sample(rolling, 500, seed=1, progress=lambda done, total: seen.append((done, total)))
+    assert seen == [(k, 500) for k in range(1, 501)]
+    return found
+
+
+def test_where_all_is_linear_it_is_the_normal_distribution_of_the_fit(rolling, sampled):
+    assert rolling.posterior is None
+    assert set(sampled.posterior.names) == {"gamma", "mu_kinetic", "x0", "angle0", "speed"}
+    for name in rolling.free:
+        low, middle, high = sampled.posterior.quantiles(name)
+        assert middle == pytest.approx(rolling.values[name], abs=0.35 * rolling.error(name)), name
+        assert 0.5 * (high - low) == pytest.approx(rolling.error(name), rel=0.25), name
+    place = [sampled.posterior.names.index(name) for name in rolling.free]
+    drawn = np.corrcoef(sampled.posterior.samples[:, place].T)
+    size = np.sqrt(np.diag(rolling.covariance))
+    assert drawn == pytest.approx(rolling.covariance / np.outer(size, size), abs=0.15)
+
+
+def test_a_sequence_has_the_share_of_the_samples_whose_friction_suffices(sampled):
+    """Rolling lasts where friction exceeds abs(F)/N of the closed form, over the way that is rolled."""
+    posterior = sampled.posterior
+    column = {name: posterior.samples[:, k] for k, name in enumerate(posterior.names)}
+    least = []
+    for gamma, angle, speed in zip(column["gamma"][::40], column["angle0"][::40], column["speed"][::40], strict=True):
+        hoop = hh.Hoop.ideal(float(gamma), radius=RADIUS)
+        motion = hh.simulate(hoop, hh.Plane(mu=10.0), hh.Start.rolling(float(speed), angle=float(angle)), duration=0.9)
+        theta = np.linspace(angle, motion.at(motion.duration).angle, 300)
+        # v0 belongs to the top: (1 + κ + ε² + 2ε cosθ) v²/2 + ε g R cosθ is kept, with κ + ε² = 1
+        square = ((1 + gamma * np.cos(angle)) * speed**2 - gamma * 9.81 * RADIUS * (1 - np.cos(angle))) / (1 + gamma)
+        forces = hh.theory.rolling_forces(theta, hoop, float(np.sqrt(square)))
+        least.append(np.max(np.abs(forces.friction / forces.normal)))
+    needed = float(np.mean(least))
+    # the prior is flat from 0 to 3, and far below what rolling needs the film contradicts
+    assert np.min(column["mu_kinetic"]) > 0.8 * needed
+    assert posterior.quantiles("mu_kinetic", (0.5,))[0] == pytest.approx(0.5 * (needed + 3.0), abs=0.25)
+    assert sum(posterior.shares.values()) == pytest.approx(1.0)
+    suffices = float((column["mu_kinetic"] > needed).mean())
+    assert posterior.shares["R"] == pytest.approx(suffices, abs=0.02)
+    assert sampled.shares == posterior.shares
+
+
+def test_bounds_are_the_prior(rolling):
+    bounded = hh.fit(rolled(0.9), fixed={"mu_excess": 0.0, "restitution": 0.0}, bounds={"mu_kinetic": (0.5, 0.7)})
+    found = sample(bounded, 200).posterior
+    low, middle, high = found.quantiles("mu_kinetic", (0.0, 0.5, 1.0))
+    assert low >= 0.5
+    assert high <= 0.7
+    assert middle == pytest.approx(0.6, abs=0.04)
+
+
+def test_what_is_tied_goes_along(rolling):
+    tied = hh.fit(rolled(0.9), fixed={"restitution": 0.0, "mu_kinetic": 0.9}, tied={"mu_excess": "gamma / 10"})
+    found = sample(tied, 40)
+    assert "mu_excess" not in found.posterior.names
+    assert found.posterior.shares == {"R": 1.0}
+
+
+def test_the_same_seed_gives_the_same_chain(rolling):
+    one, other, third = (sample(rolling, 20, seed=seed).posterior.samples for seed in (3, 3, 4))
+    assert (one == other).all()
+    assert not (one == third).all()
+
+
+def test_it_is_told_and_saved(sampled, tmp_path):
+    rows = {name: text for name, text, _ in sampled.rows()}
+    assert " +" in rows["gamma"]
+    assert " −" in rows["gamma"]
+    assert any("chain of 20 walkers and 500 steps" in sentence for sentence in sampled.sentences())
+    sampled.save(tmp_path / "fit.json")
+    back = hh.load_fit(tmp_path / "fit.json")
+    assert back.shares == sampled.shares
+    assert back.posterior.shares == sampled.posterior.shares
+    assert back.posterior.quantiles("gamma")[1] == pytest.approx(sampled.posterior.quantiles("gamma")[1], rel=1e-3)
+    assert back.posterior.memory == sampled.posterior.memory
+
+
+def test_a_short_chain_is_said_to_be_short():
+    short = Posterior(("gamma",), np.zeros((4, 1)), {}, 100, 8, 40.0, 0.3)
+    assert not short.long_enough
+    assert Posterior(("gamma",), np.zeros((4, 1)), {}, 3000, 8, 40.0, 0.3).long_enough
+
+
+def test_news_of_lasting_errors_have_their_likelihood():
+    """The sum of the squares of the news is rᵀ P⁻¹ r with all of P written down."""
+    track = rolled(0.9, frames=20)
+    problem = problem_of(track, "ideal", "rolling", hh.Plane(), (None, None))
+    off = np.random.default_rng(3).normal(size=problem.count)
+    memory = {"x": Lasting(1.0, 0.6), "y": Lasting(0.0, 0.0), "angle": Lasting(0.4, 0.8)}
+    found = news(problem, off, memory)
+    apart = np.abs(np.subtract.outer(np.arange(20), np.arange(20)))
+    for k, (share, fade) in enumerate(memory.values()):
+        own, part = off[20 * k : 20 * k + 20], found[20 * k : 20 * k + 20]
+        whole = np.where(apart == 0, 1.0, share * fade ** apart.astype(float))
+        assert part == pytest.approx(np.linalg.solve(np.linalg.cholesky(whole), own), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"steps": 2}, "steps = 2 must be from 10"),
+        ({"walkers": 3}, "walkers = 3 must be from 10, twice the number"),
+    ],
+)
+def test_bad_values(rolling, options, message):
+    with pytest.raises(ValueError, match=message):
+        sample(rolling, **options)
+
+
+def test_a_parameter_that_was_not_sampled(sampled):
+    with pytest.raises(ValueError, match="'slope' was not sampled"):
+        sampled.posterior.quantiles("slope")

@@ -1,0 +1,107 @@
+"""A fit that the lab opens: its motion, and the film that it is of, under the hoop."""
+
+import dataclasses
+import threading
+import time
+
+import numpy as np
+import pytest
+
+pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+pytest.importorskip("av", reason="the extra 'track' is not installed")
+
+import hophoop as hh
+from film_maker import Film, article_like, make, project
+from hophoop.fitting import backdrop
+from hophoop.tracking import Hints
+
+FILM = Film(size=(480, 272), frames=60, scale=200.0, origin=(90.0, 240.0), rate=120.0, roll_deg=3.0, marker_size=0.05)
+RADIUS = 0.3
+
+pytestmark = pytest.mark.compiled
+
+
+@pytest.fixture(scope="module")
+def filmed(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("film")
+    video = make(folder / "hoop.mp4", article_like(), FILM)
+    track = hh.track(video, RADIUS, Hints(exposure=FILM.shutter, level=np.radians(-FILM.roll_deg)))
+    return video, hh.fit(track, fixed={"slope": 0.0}), folder
+
+
+def test_corners_lie_where_the_camera_saw_them(filmed):
+    video, fit, folder = filmed
+    under = backdrop(fit, video, folder / "under.mp4")
+    assert under.size == FILM.size
+    assert under.start == pytest.approx(fit.track.t[0] - 0.5 * FILM.shutter, abs=1e-3)
+    # the corners, seen through the camera that rendered the film, are those of its picture
+    places = np.array(under.corners)
+    seen = project(FILM, places[:, 0], places[:, 1])
+    wide, tall = FILM.size
+    expected = np.array([[0, 0], [wide, 0], [wide, tall], [0, tall]]) - 0.5
+    assert np.hypot(*(seen - expected).T).max() < 2.5
+    small = make(folder / "small.mp4", article_like(), dataclasses.replace(FILM, size=(320, 192), frames=4))
+    with pytest.raises(ValueError, match="is not the film of the track"):
+        backdrop(fit, small, folder / "no.mp4")
+    assert not (folder / "no.mp4").exists()
+    with pytest.raises(ValueError, match="not to a track of a film"):
+        backdrop(dataclasses.replace(fit, track=dataclasses.replace(fit.track, view=None)), video, folder / "no.mp4")
+
+
+@pytest.fixture(scope="module")
+def served(filmed):
+    import uvicorn
+
+    from hophoop.lab import api
+
+    video, fit, folder = filmed
+    under = backdrop(fit, video, folder / "served.mp4")
+    server = uvicorn.Server(uvicorn.Config(api.create_app(backdrop=under), host="127.0.0.1", port=0, log_level="error"))
+    thread = threading.Thread(target=server.run, daemon=True)
+    thread.start()
+    end = time.monotonic() + 30
+    while not server.started and time.monotonic() < end:
+        time.sleep(0.02)
+    yield f"http://127.0.0.1:{server.servers[0].sockets[0].getsockname()[1]}/?{fit.scenario.to_query()}"
+    server.should_exit = True
+    thread.join(5)
+
+
+def test_the_film_lies_under_the_hoop(browser, served, filmed, tmp_path):
+    page = browser.new_context(viewport={"width": 1440, "height": 900}).new_page()
+    page.set_default_timeout(30_000)
+    troubles = []
+    page.on("pageerror", lambda error: troubles.append(str(error)))
+    page.on("console", lambda said: said.type == "error" and troubles.append(said.text))
+    page.goto(served)
+    page.wait_for_selector("[data-ready]")
+    page.wait_for_selector("video.backdrop", state="attached")
+    for moment in (0.1, 0.35):
+        page.evaluate(f"hophoopLab.clock.play(false); hophoopLab.clock.seek({moment})")
+        page.wait_for_function(
+            f"() => {{ const film = document.querySelector('video.backdrop'); return !film.seeking && film.readyState > 1"
+            f" && Math.abs(film.currentTime - {backdrop_start(filmed)} - hophoopLab.clock.time) < 0.003; }}"
+        )
+        page.wait_for_timeout(200)
+        place = page.evaluate(WHERE)
+        # the picture of the film under the hoop that is drawn is that of the hoop that was filmed
+        state = article_like().at(moment + filmed[1].track.t[0])
+        expected = project(FILM, state.x, state.height + RADIUS)
+        assert place == pytest.approx(expected, abs=3.0)
+    page.close()
+    assert troubles == []
+
+
+def backdrop_start(filmed):
+    return filmed[1].track.t[0] - 0.5 * FILM.shutter
+
+
+# The pixel of the film on which the centre of the drawn hoop lies, by the browser's own transform.
+WHERE = """(() => {
+  const scene = hophoopLab.stage.flat.views[0], film = document.querySelector('video.backdrop');
+  const [right, down] = scene.point(scene.pose.x, scene.pose.height + scene.film.radius);
+  const matrix = new DOMMatrix(getComputedStyle(film).transform).inverse();
+  const point = matrix.transformPoint(new DOMPoint(right, down));
+  const scale = [film.videoWidth / film.offsetWidth, film.videoHeight / film.offsetHeight];
+  return [point.x / point.w * scale[0] - 0.5, point.y / point.w * scale[1] - 0.5];
+})()"""

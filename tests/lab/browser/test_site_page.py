@@ -1,0 +1,162 @@
+"""The exported lab, served by Python's plain web server: everything is computed in the browser, also without a network."""
+
+import functools
+import hashlib
+import http.server
+import threading
+from pathlib import Path
+
+import pytest
+
+import hophoop as hh
+from hophoop.lab import site
+
+PATIENCE = 30_000
+
+
+@pytest.fixture(scope="module")
+def folder(site_folder):
+    (site_folder / "blog.html").write_text(
+        '<!doctype html><html lang="en"><meta charset="utf-8"><title>Blog</title><body><h1>My blog</h1>'
+        '<script type="module" src="static/hophoop-motion.js"></script>'
+        '<hophoop-motion scenario="start.speed=2.8" panels="controls"></hophoop-motion></body></html>',
+        encoding="utf-8",
+    )
+    return site_folder
+
+
+@pytest.fixture(scope="module")
+def address(folder, site_address):
+    return site_address
+
+
+def wait_for(page, expression):
+    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}", timeout=PATIENCE)
+
+
+def test_the_hop_is_computed_in_the_browser(visit):
+    page = visit()
+    wait_for(page, "lab.theory.list.children.length > 4")
+    assert page.evaluate("hophoopLab.backend.constructor.name !== ''")
+    takeoff = page.evaluate("hophoopLab.film().events.find((event) => event.kind === 'takeoff').t")
+    assert takeoff == pytest.approx(hh.simulate(hh.Scenario()).find("takeoff")[0].t, rel=1e-12)
+    assert "hops at 315.6°" in page.locator(".summary").inner_text()
+
+
+def test_a_slider_a_link_and_a_compliant_contact(visit):
+    page = visit("?start.speed=2")
+    wait_for(page, "lab.film().sequence === 'R'")
+    page.locator("input[data-path='start.speed']").fill("3.1")
+    wait_for(page, "lab.film().sequence.includes('H')")
+    page.evaluate("hophoopLab.motions.change([['contact.model', 'compliant']], true)")
+    wait_for(page, "lab.film().scenario.contact.model === 'compliant' && lab.film().sequence.includes('H')")
+
+
+def test_what_is_not_allowed_is_said(visit):
+    page = visit()
+    mass = page.get_by_label("Mass, exact value in kg", exact=True)
+    mass.fill("-1")
+    mass.press("Enter")
+    page.wait_for_selector("text=must be", timeout=PATIENCE)
+
+
+def test_a_map_is_computed_in_workers(visit):
+    page = visit()
+    page.locator(".map canvas").first.scroll_into_view_if_needed()
+    wait_for(page, "lab.map.layers.length > 0")
+
+
+def test_it_opens_without_a_network_after_the_first_visit(browser, address):
+    context = browser.new_context()
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector("[data-ready]", timeout=PATIENCE)
+    page.evaluate("navigator.serviceWorker.ready.then(() => true)")
+    page.wait_for_function("() => navigator.serviceWorker.controller !== null", timeout=PATIENCE)
+    context.set_offline(True)
+    page.goto(f"{address}?plane.mu=0.5&start.speed=2.8")
+    page.wait_for_selector("[data-ready]", timeout=PATIENCE)
+    assert page.evaluate("hophoopLab.film().scenario.plane.mu") == 0.5
+    context.close()
+
+
+def test_one_tag_and_one_script_show_a_hoop(browser, address):
+    context = browser.new_context()
+    page = context.new_page()
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(f"{address}blog.html")
+    page.wait_for_function("() => document.querySelector('hophoop-motion').lab?.film()", timeout=PATIENCE)
+    element = "document.querySelector('hophoop-motion')"
+    assert page.evaluate(f"{element}.lab.film().scenario.start.speed") == 2.8
+    page.evaluate(f"{element}.setAttribute('scenario', 'start.speed=3.1')")
+    page.wait_for_function(f"() => {element}.lab.film().sequence.includes('H')", timeout=PATIENCE)
+    assert page.evaluate(f"{element}.shadowRoot.querySelector('canvas').width") > 100
+    assert errors == []
+    context.close()
+
+
+def test_the_embed_page_makes_the_tag_and_the_code(browser, address):
+    context = browser.new_context()
+    page = context.new_page()
+    page.goto(f"{address}embed.html?plane.mu=0.5")
+    page.wait_for_function("() => document.querySelector('hophoop-motion')?.lab?.film()", timeout=PATIENCE)
+    tag = page.locator("#tag").input_value()
+    assert '<hophoop-motion scenario="plane.mu=0.5"' in tag
+    assert f'src="{address}static/hophoop-motion.js"' in tag
+    assert page.locator("#code svg path").count() == 2
+    assert page.locator("#link").get_attribute("href") == f"{address}?plane.mu=0.5"
+    page.fill("#scenario", f"{address}?start.speed=2.5#t=1")
+    page.locator("#scenario").press("Tab")
+    assert 'scenario="start.speed=2.5"' in page.locator("#tag").input_value()
+    context.close()
+
+
+def test_the_folder_may_stand_anywhere(folder: Path, browser, tmp_path):
+    deep = tmp_path / "courses" / "mechanics"
+    site.export(deep)
+
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *_):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=tmp_path))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    context = browser.new_context()
+    page = context.new_page()
+    page.goto(f"http://127.0.0.1:{server.server_address[1]}/courses/mechanics/?start.speed=2")
+    page.wait_for_selector("[data-ready]", timeout=PATIENCE)
+    assert page.evaluate("hophoopLab.film().sequence") == "R"
+    context.close()
+    server.shutdown()
+    server.server_close()
+
+
+def test_chromium_gives_the_same_bits_as_wasmtime(visit):
+    pytest.importorskip("wasmtime")
+    from hophoop.module.stamp import HERE, MODULE
+    from module.host import Host
+    from module.module_tools import cell_of
+    from module.test_page_kernel import given_of, scenarios
+
+    host = Host(HERE / MODULE)
+    digest = hashlib.sha256()
+    for scenario in scenarios():
+        digest.update(host.motion(cell_of(scenario))[1].tobytes())
+    page = visit()
+    found = page.evaluate(
+        """async (asked) => {
+          const { HoopModule } = await import(new URL("static/kernel.js", document.baseURI).href);
+          const binary = await (await fetch("static/hophoop.wasm")).arrayBuffer();
+          const module = new HoopModule(await WebAssembly.compile(binary));
+          const rows = asked.map((given) => {
+            for (const name in given) if (given[name] === "inf") given[name] = Infinity;
+            return new Uint8Array(module.compute(given).rows.buffer);
+          });
+          const all = new Uint8Array(await new Blob(rows).arrayBuffer());
+          const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", all));
+          return [...hash].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+        }""",
+        [given_of(scenario) for scenario in scenarios()],
+    )
+    assert found == digest.hexdigest()

@@ -1,0 +1,285 @@
+"""What the page's scripts compute without a browser: entries, marks of the bar of time, windows of the map, steps, links."""
+
+import itertools
+import json
+import math
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from hophoop.lab.controls import controls
+from hophoop.lab.presets import presets
+from hophoop.scenario.ranges import RANGES
+
+SOURCES = Path(__file__).parents[2] / "web" / "lab"
+
+
+@pytest.fixture(scope="module")
+def js():
+    """Evaluates an expression with the exports of one of the page's modules."""
+    if shutil.which("node") is None:
+        pytest.skip("no Node")
+
+    def evaluate(module, code, **values):
+        given = "".join(f"const {name} = {json.dumps(value)};" for name, value in values.items())
+        program = (
+            f"import * as lab from {json.dumps((SOURCES / module).as_uri())}; {given}"
+            f"const plain = (_, value) => typeof value === 'number' && !Number.isFinite(value) ? String(value) : value;"
+            f"console.log(JSON.stringify((() => {{ {code} }})() ?? null, plain));"
+        )
+        done = subprocess.run(["node", "--input-type=module"], input=program, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)
+
+    return evaluate
+
+
+@pytest.mark.parametrize(
+    ("typed", "value"),
+    [
+        ("3.1", 3.1), ("3,1", 3.1), (",5", 0.5), ("−2", -2), (" 1e-3 ", 1e-3), ("inf", "Infinity"), ("∞", "Infinity"),
+        ("-inf", "-Infinity"), ("3·10⁻⁵", 3e-5), ("2×10^6", 2e6), ("1 000", 1000), ("3.1 m/s", 3.1),
+        ("1,234.5", "NaN"), ("1.2.3", "NaN"), ("abc", "NaN"), ("", "NaN"), ("--1", "NaN"), ("1e", "NaN"), ("0x10", "NaN"),
+    ],
+)  # fmt: skip
+def test_what_is_typed_is_read_as_it_is_meant(js, typed, value):
+    assert js("entry.js", "return lab.readNumber(typed, 'm/s')", typed=typed) == value
+
+
+def test_a_refusal_names_the_field_in_its_own_unit(js):
+    field = {"label": "Slope", "unit": "°", "range": {"least": -90, "most": 90, "also": []}}
+    said = js(
+        "entry.js", "return ['100', 'x', '12'].map((text) => lab.refusal(text, lab.readNumber(text), field))", field=field
+    )
+    assert said == ["Slope = 100° must be from −90 to 90°.", "Slope = x must be a number, such as 2.5.", ""]
+    friction = "{ label: 'Friction', unit: '', range: { least: 0, most: 1e6, also: [Infinity] } }"
+    said = js("entry.js", f"return [-1, Infinity].map((value) => lab.refusal(String(value), value, {friction}))")
+    assert said == ["Friction = −1 must be from 0 to 1·10⁶, or inf.", ""]
+
+
+def test_the_page_knows_the_ranges_that_python_allows():
+    for sliders in controls()["groups"].values():
+        for info in sliders:
+            allowed = RANGES["plane.mu" if info["path"].startswith("plane.mu") else info["path"]]
+            assert (info["allowed"]["least"], info["allowed"]["most"]) == (allowed.least, allowed.most), info["path"]
+            assert [math.inf if value == "inf" else value for value in info["allowed"]["also"]] == list(allowed.also)
+
+
+# The bar of time
+
+
+def test_a_rare_mark_is_not_hidden_by_a_usual_one(js):
+    """Kane's gain happens at the instant of an impact."""
+    events = [{"kind": "impact", "x": 100}, {"kind": "kane_gain", "x": 100}, {"kind": "apex", "x": 300}]
+    found = js("marks.js", "return lab.placed(events)", events=events)
+    assert [mark["mark"] for mark in found] == ["✚", "▼", "•"]
+    places = [mark["x"] for mark in found]
+    assert places[0] == 100
+    assert places[1] - places[0] >= 8
+
+
+def test_a_crowd_of_marks_stays_apart(js):
+    events = [{"kind": kind, "x": 0.7 * k} for k, kind in enumerate(["takeoff", "apex", "impact"] * 300)]
+    events.append({"kind": "jam", "x": 333.3})
+    places = js("marks.js", "return lab.placed(events)", events=events)
+    assert "✖" in [mark["mark"] for mark in places]
+    gaps = [b["x"] - a["x"] for a, b in itertools.pairwise(places)]
+    assert min(gaps) >= 8
+    assert len(places) > 30
+
+
+def test_stretches_shorter_than_a_pixel_show_what_lasts_longest(js):
+    phases, t = [], 0.0
+    for _ in range(1000):  # 1,000 hops of 0.9 s with slips of 0.1 s on 100 pixels
+        phases += [{"mode": "H", "from": t, "to": t + 0.9}, {"mode": "K", "from": t + 0.9, "to": t + 1.0}]
+        t += 1.0
+    found = js("marks.js", "return lab.stretches(phases, (t) => t / 10, 100)", phases=phases)
+    assert found == [{"mode": "H", "from": 0, "wide": 100}]
+
+
+def test_long_stretches_lie_where_they_are(js):
+    phases = [{"mode": "R", "from": 0, "to": 2.55}, {"mode": "K", "from": 2.55, "to": 4}, {"mode": "R", "from": 4, "to": 10}]
+    found = js("marks.js", "return lab.stretches(phases, (t) => 10 * t, 100)", phases=phases)
+    assert [part["mode"] for part in found] == ["R", "K", "R"]
+    assert [part["from"] for part in found] == pytest.approx([0, 25.5, 40], abs=1)
+    assert sum(part["wide"] for part in found) == pytest.approx(100)
+
+
+# The map
+
+
+def test_a_map_stays_where_its_parameters_are_allowed(js):
+    axes = controls()["map_axes"]
+    code = """
+      const map = new lab.MapAxes(axes);
+      map.fit(600, 400);
+      const seen = [];
+      for (let k = 0; k < 30; k++) { map.zoom(2); seen.push(structuredClone(map.windows)); }
+      map.drag(structuredClone(map.windows), -2000, 2000); seen.push(structuredClone(map.windows));
+      map.drag(structuredClone(map.windows), 2000, -2000); seen.push(structuredClone(map.windows));
+      return seen;
+    """
+    for windows in js("map_axes.js", code, axes=axes):
+        assert windows["y"][0] >= 0.0  # friction
+        for name, path in (("x", "start.speed"), ("y", "plane.mu")):
+            low, high = next(axis["allowed"] for axis in axes if axis["path"] == path)
+            assert low <= windows[name][0] < windows[name][1] <= high
+    assert js("map_axes.js", "return lab.within([-1, 2], [0, 10])") == [0, 3]
+    assert js("map_axes.js", "return lab.within([8, 12], [0, 10])") == [6, 10]
+    assert js("map_axes.js", "return lab.within([-5, 50], [0, 10])") == [0, 10]
+
+
+def test_a_map_says_when_its_starts_are_others(js):
+    jam = next(preset for preset in presets() if preset.key == "jam").scenario.to_dict()
+    code = "return [['start.speed', 'plane.mu'], ['start.vx', 'plane.mu']].map((paths) => lab.otherStart(scenario, paths))"
+    said = js("map_words.js", code, scenario=jam)
+    assert said == ["of rolling starts, though this motion starts otherwise", ""]
+    said = js("map_words.js", code, scenario={"start": {"speed": 3.1}})
+    assert said == ["", "of starts in any state, though this motion starts rolling"]
+
+
+# Steps back and forth
+
+
+def test_keys_in_a_row_on_one_control_are_one_step(js):
+    code = """
+      const history = new lab.History();
+      const steps = [["a"], ["b"], ["c"]].map((queries, k) => history.note(queries, "start.speed", 100 * k));
+      steps.push(history.note(["d"], "plane.mu", 350), history.note(["e"], "plane.mu", 5000));
+      return [steps, history.past];
+    """
+    steps, past = js("history.js", code)
+    assert steps == ["same", "step", "again", "step", "step"]
+    assert past == [["a"], ["c"], ["d"]]
+
+
+def test_a_step_is_kept_until_it_is_shown(js):
+    code = """
+      const history = new lab.History();
+      for (const query of "abc") history.note([query]);
+      const asked = history.next(-1);
+      const before = structuredClone([history.past, history.now]);
+      history.step(-1);
+      history.arrive(["c"]);
+      const forth = structuredClone([history.past, history.now, history.future]);
+      history.arrive(["a"]);
+      const back = structuredClone([history.past, history.now, history.future]);
+      history.arrive(["elsewhere"]);
+      return [asked, before, forth, back, [history.past, history.now, history.future]];
+    """
+    asked, before, forth, back, elsewhere = js("history.js", code)
+    assert asked == ["b"]
+    assert before == [[["a"], ["b"]], ["c"]]
+    assert forth == [[["a"], ["b"]], ["c"], []]
+    assert back == [[], ["a"], [["c"], ["b"]]]
+    assert elsewhere == [[], ["elsewhere"], []]
+
+
+def test_a_link_holds_time_view_and_map(js):
+    shown = {
+        "time": 1.25, "zoom": 2, "map": {"what": "hop_height", "x": ["start.speed", 1, 2.5], "y": ["plane.mu", 0, 1]},
+        "options": {"traces": True, "forces": False, "speed": True, "whole": False, "three": True},
+    }  # fmt: skip
+    text = js("address.js", "return lab.written(shown)", shown=shown)
+    assert text == "t=1.25&show=tc3&zoom=2&map=hop_height,start.speed,1,2.5,plane.mu,0,1"
+    assert js("address.js", "return lab.readShown('#with=x&' + text)", text=text) == shown
+    usual = {"options": {"traces": True, "forces": True, "speed": True, "whole": False, "three": False}}
+    assert js("address.js", "return lab.written(shown)", shown=usual) == ""
+    assert js("address.js", "return lab.readShown('t=-3&zoom=x&map=a,b,1,0,c,0,1')") == {}
+
+
+# Where a flight begins
+
+
+def test_a_flight_is_found_also_where_no_take_off_begins_it(js):
+    import hophoop as hh
+
+    for key in ("jam", "indeterminate", "hop"):
+        scenario = next(preset for preset in presets() if preset.key == key).scenario
+        motion = hh.simulate(scenario)
+        assert "H" in motion.sequence, key
+        events = json.loads(json.dumps(motion.to_dict()["events"]))
+        found = js("events.js", "return events.filter(lab.leaves).map(({ kind }) => kind)", events=events)
+        assert found, key
+        assert (found[0] == "takeoff") == (key == "hop")
+
+
+# A film that is too long to be sent as densely as it is seen
+
+
+def test_a_long_film_is_made_finer_where_one_looks(js):
+    """Of 600 s come 6,000 samples; between two of them a fast hoop turns by a radian, and lines between them say nothing."""
+    import numpy as np
+
+    import hophoop as hh
+    from hophoop.lab import calls
+
+    scenario = hh.Scenario(start=hh.Start.rolling(2.0), duration=600.0)
+    answered = calls.answer(calls.read("film", {"scenario": scenario.to_dict()}))
+    whole = {name: column.tolist() for name, column in answered.arrays.items()}
+    part = calls.answer(calls.read("samples", {"scenario": scenario.to_dict(), "window": [299.0, 308.0]}))
+    assert (part.arrays["t"][0], part.arrays["t"][-1]) == (299.0, 308.0)
+    motion = hh.simulate(scenario)
+    dense = np.linspace(300.0, 306.0, 3001)
+    times = dense[np.argsort(-motion.at(dense).vx)[[0, 40, 900]]].tolist()  # where it is fastest
+    code = """
+      const film = new lab.Film({ header, arrays: whole });
+      const before = [film.wanted(300), times.map((t) => film.at(t).vx)];
+      film.refine(part);
+      return [before, [film.wanted(300), film.wanted(307, 4)], times.map((t) => [film.at(t).vx, film.at(t).angle]),
+              film.pieces().map((piece) => [piece.film === film, piece.from, piece.to]), film.at(20).t];
+    """
+    columns = {name: column.tolist() for name, column in part.arrays.items()}
+    header = json.loads(json.dumps(calls.finite(answered.header)))
+    before, wanted, after, pieces, outside = js("film.js", code, header=header, whole=whole, part=columns, times=times)
+    sample = motion.at(times)
+    assert before[0] == [298.0, 306.0]
+    assert max(abs(np.array(before[1]) - sample.vx)) > 0.1  # what is seen without it
+    assert [vx for vx, _ in after] == pytest.approx(sample.vx.tolist(), abs=0.01)
+    assert [angle for _, angle in after] == pytest.approx(sample.angle.tolist(), abs=1e-5)
+    assert wanted[0] is None
+    assert wanted[1] == [305.0, 317.0]
+    assert [own for own, *_ in pieces] == [True, False, True]
+    t = np.array(whole["t"])
+    assert t[pieces[0][2] - 1] < 299.0 <= t[pieces[0][2]]
+    assert t[pieces[2][1]] > 308.0 >= t[pieces[2][1] - 1]
+    assert outside == 20
+
+
+def test_a_short_film_asks_for_nothing(js):
+    from hophoop.lab import calls
+
+    answered = calls.answer(calls.read("film", {"query": "duration=6"}))
+    whole = {name: column.tolist() for name, column in answered.arrays.items()}
+    header = json.loads(json.dumps(calls.finite(answered.header)))
+    assert js("film.js", "return new lab.Film({ header, arrays: whole }).wanted(3, 4)", header=header, whole=whole) is None
+
+
+# What theory and maps say
+
+
+def test_theory_says_what_can_be_said_on_every_slope():
+    import hophoop as hh
+    from hophoop.lab.thresholds import thresholds
+
+    steep = {row["key"]: row["text"] for row in thresholds(hh.Scenario(plane=hh.Plane(slope=math.radians(23.0))))}
+    assert steep["first_slip"] == "would slip: any push is enough"
+    for text in steep.values():
+        assert "e-" not in text
+    uphill = {row["key"]: row["text"] for row in thresholds(hh.Scenario(plane=hh.Plane(slope=-0.1)))}
+    assert "no threshold uphill" in uphill["uphill"]
+    level = {row["key"]: row["text"] for row in thresholds(hh.Scenario())}
+    assert level["first_slip"] == "would slip above 2.043 m/s"
+    assert "uphill" not in level
+
+
+def test_motions_of_a_massless_hoop_are_told_apart_by_colour():
+    from hophoop.vocabulary.classes import class_color
+
+    colors = [class_color(name) for name in ("RMR", "MR", "RMKR", "MKR", "R", "H")]
+    parts = [[int(color[i : i + 2], 16) for i in (1, 3, 5)] for color in colors]
+    for k, one in enumerate(parts):
+        for other in parts[:k]:
+            assert sum(abs(a - b) for a, b in zip(one, other, strict=True)) > 60

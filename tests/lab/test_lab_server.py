@@ -1,0 +1,530 @@
+"""The lab as a server: work that ends when it is due, waiting that is honest, and who may ask at all."""
+
+import asyncio
+import gzip
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import pytest
+
+pytest.importorskip("fastapi", reason="the extra 'lab' is not installed")
+pytest.importorskip("httpx", reason="httpx is not installed")
+uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+from fastapi.testclient import TestClient  # noqa: E402
+
+import hophoop as hh  # noqa: E402
+from hophoop.lab import api, calls, connections, workers  # noqa: E402
+from hophoop.lab.guard import host_name  # noqa: E402
+from hophoop.lab.limits import USUAL, TooBusy, TooMuch, turns_of  # noqa: E402
+from hophoop.lab.worker import ANSWER, STOPPED, Ended, Job, Worker  # noqa: E402
+from hophoop.lab.workers import FILM, GRACE, HEAVY, LIGHT, Workers, while_there  # noqa: E402
+from hophoop.scenario import Scenario, Start  # noqa: E402
+
+POSIX = pytest.mark.skipif(os.name != "posix", reason="only POSIX has interrupts of one process")
+
+
+def alone(coroutine):
+    """Run in a thread of its own: the browser tests leave a running loop in this one."""
+    with ThreadPoolExecutor(1) as pool:
+        return pool.submit(asyncio.run, coroutine).result()
+
+
+class Process:
+    """Stands for a process: a job is a number of seconds, or an event to wait for."""
+
+    made: list = []  # noqa: RUF012
+    compiling = False
+
+    def __init__(self, listens=True):
+        self.listens, self.running = listens, True
+        self.stopped = threading.Event()
+        self.jobs = 0
+        self.made.append(self)
+
+    def exchange(self, job):
+        self.jobs += 1
+        self.stopped.clear()
+        if job == "dies":
+            self.running = False
+            raise Ended
+        event = threading.Event() if isinstance(job, float) else job
+        end = time.monotonic() + (job if isinstance(job, float) else 20.0)
+        while time.monotonic() < end and not event.is_set():
+            if not self.running:
+                raise Ended
+            if self.stopped.is_set() and self.listens:
+                return STOPPED, None
+            time.sleep(0.002)
+        return ANSWER, b"done"
+
+    def read(self):
+        return STOPPED, None
+
+    def interrupt(self):
+        self.stopped.set()
+        return True
+
+    def end(self):
+        self.running = False
+
+
+@pytest.fixture
+def made():
+    Process.made = []
+    return Process.made
+
+
+def pool(start=Process, **limits):
+    return Workers(replace(USUAL, **limits), start)
+
+
+def test_only_computing_counts_and_not_waiting(made):
+    """Five that take 0.2 s each, one after the other, are all answered though each may compute for 0.5 s only."""
+
+    async def run():
+        computing = pool(processes=1, patience=0.5)
+        found = await asyncio.gather(*[computing.run(0.2, LIGHT) for _ in range(5)])
+        assert found == [b"done"] * 5
+        assert len(made) == 1
+
+    alone(run())
+
+
+def test_who_would_wait_too_long_is_told_at_once_and_how_long(made):
+    async def run():
+        computing = pool(processes=1, queue=1.0)
+        computing.lanes[HEAVY].seconds = 0.8
+        leave = threading.Event()
+        inside = [asyncio.create_task(computing.run(leave, HEAVY))]
+        await asyncio.sleep(0.02)
+        inside.append(asyncio.create_task(computing.run(leave, HEAVY)))  # waits 0.8 s
+        await asyncio.sleep(0.02)
+        begin = time.monotonic()
+        with pytest.raises(TooBusy, match="try again in 2 seconds") as busy:
+            await computing.run(leave, HEAVY)  # would wait 1.6 s
+        assert time.monotonic() - begin < 0.3
+        assert busy.value.seconds == 2
+        leave.set()
+        assert await asyncio.gather(*inside) == [b"done"] * 2
+        assert await computing.run(0.0, HEAVY) == b"done"
+
+    alone(run())
+
+
+def test_it_learns_how_long_things_take(made):
+    async def run():
+        computing = pool(processes=1)
+        before = computing.lanes[HEAVY].seconds
+        for _ in range(20):
+            await computing.run(0.01, HEAVY)
+        assert computing.lanes[HEAVY].seconds < 0.3 * before
+
+    alone(run())
+
+
+def test_what_is_light_is_answered_while_what_is_heavy_computes(made):
+    async def run():
+        computing = pool(processes=2)
+        leave = threading.Event()
+        heavy = [asyncio.create_task(computing.run(leave, HEAVY)) for _ in range(4)]
+        await asyncio.sleep(0.05)
+        assert await asyncio.wait_for(computing.run(0.0, LIGHT), 2.0) == b"done"
+        leave.set()
+        await asyncio.gather(*heavy)
+
+    alone(run())
+
+
+@pytest.mark.parametrize("listens", [True, False])
+def test_what_takes_too_long_is_stopped(made, listens):
+    """A process that can stop is kept; one that cannot is ended. Either way nothing goes on computing."""
+
+    async def run():
+        computing = pool(lambda: Process(listens), processes=1, patience=0.05)
+        with pytest.raises(TooMuch, match=r"longer than 0\.05 s"):
+            await computing.run(30.0, LIGHT)
+        (first,) = made
+        await asyncio.sleep(GRACE + 0.3)
+        assert first.running == listens
+        assert computing.computing == 0
+        assert await computing.run(0.0, LIGHT) == b"done"
+        assert (first.jobs == 2) == listens
+
+    alone(run())
+    assert GRACE < 0.1
+
+
+def test_time_in_which_code_is_compiled_does_not_count(made, monkeypatch):
+    monkeypatch.setattr(workers, "LOOK", 0.01)
+    monkeypatch.setattr(Process, "compiling", True)
+
+    async def run():
+        computing = pool(processes=1, patience=0.05, queue=0.1)
+        before = computing.lanes[LIGHT].seconds
+        asked = [computing.run(0.3, LIGHT), computing.run(0.3, LIGHT)]  # the second one waits meanwhile
+        assert await asyncio.gather(*asked) == [b"done"] * 2
+        assert computing.lanes[LIGHT].seconds <= before  # nor is it learnt
+
+    alone(run())
+
+
+def test_who_goes_away_takes_the_work_along(made):
+    async def run():
+        computing = pool(processes=1)
+        leaving = asyncio.Event()
+        asked = asyncio.create_task(while_there(computing.run(30.0, LIGHT), _wait(leaving)))
+        await asyncio.sleep(0.05)
+        assert computing.computing == 1
+        leaving.set()
+        assert await asked is None
+        await asyncio.sleep(0.2)
+        assert computing.computing == 0
+        # who waits only is simply left out
+        leave = threading.Event()
+        one = asyncio.create_task(computing.run(leave, LIGHT))
+        await asyncio.sleep(0.02)
+        two = asyncio.create_task(computing.run(leave, LIGHT))
+        await asyncio.sleep(0.02)
+        two.cancel()
+        leave.set()
+        assert await one == b"done"
+        assert await computing.run(0.0, LIGHT) == b"done"
+
+    async def _wait(event):
+        await event.wait()
+
+    alone(run())
+
+
+def test_cancelled_films_block_no_film(made):
+    async def run():
+        computing = pool(processes=1)
+        for _ in range(4):
+            film = asyncio.create_task(computing.run(30.0, FILM))
+            await asyncio.sleep(0.03)
+            film.cancel()
+        assert await asyncio.wait_for(computing.run(0.0, FILM), 5.0) == b"done"
+
+    alone(run())
+
+
+def test_a_process_that_ends_is_replaced(made):
+    async def run():
+        computing = pool(processes=1)
+        with pytest.raises(RuntimeError, match="has ended"):
+            await computing.run("dies", LIGHT)
+        assert len(made) == workers.TRIES
+        assert await computing.run(0.0, LIGHT) == b"done"
+        computing.close()
+        assert not any(process.running for process in made)
+
+    alone(run())
+
+
+# Real processes
+
+HOSTILE = replace(USUAL, events=10_000_000, duration=1e9, turns=1e30, map_turns=1e30, map_seconds=1e30)
+AXES = {
+    "x": {"path": "start.speed", "from": 1.0, "to": 5.0, "cells": 250},
+    "y": {"path": "plane.mu", "from": 0.2, "to": 1.0, "cells": 250},
+}
+
+
+@POSIX
+def test_a_map_stops_and_its_process_stays_and_a_long_motion_stops_too(monkeypatch):
+    film = Job(calls.read("film", {"query": "start.speed=2"}), USUAL, "packed")
+    hours = calls.read("map", {**AXES, "what": "end_angle", "scenario": {"duration": 20.0}}, HOSTILE)
+    small = calls.read("map", {**AXES, "x": {**AXES["x"], "cells": 2}, "y": {**AXES["y"], "cells": 2}}, HOSTILE)
+    scenario = Scenario(start=Start.rolling(2.8), duration=1e7, contact=hh.Rigid(max_events=10_000_000))
+    long = calls.read("film", {"scenario": scenario.to_dict()}, HOSTILE)
+
+    async def run():
+        computing = Workers(replace(HOSTILE, processes=1, patience=60.0))
+        try:
+            for request in (film.request, small):  # all kernels are loaded then
+                await computing.run(Job(request, HOSTILE, "packed"), LIGHT)
+            (process,) = computing._all
+            computing.limits = replace(HOSTILE, processes=1, patience=0.4)
+            monkeypatch.setattr(workers, "GRACE", 5.0)  # others are at work on this machine
+            with pytest.raises(TooMuch):
+                await computing.run(Job(hours, HOSTILE, "packed"), HEAVY)
+            assert await _until_free(computing) < 2.0
+            assert process.running
+            monkeypatch.setattr(workers, "GRACE", 0.08)
+            computing.limits = replace(HOSTILE, processes=1, patience=0.1)
+            with pytest.raises(TooMuch):
+                await computing.run(Job(long, HOSTILE, "packed"), LIGHT)
+            assert await _until_free(computing) < 1.0
+            computing.limits = replace(HOSTILE, processes=1, patience=60.0)
+            assert len(await computing.run(film, LIGHT)) > 10_000
+        finally:
+            computing.close()
+
+    alone(run())
+
+
+async def _until_free(computing):
+    begin = time.monotonic()
+    while computing.computing:
+        await asyncio.sleep(0.002)
+    return time.monotonic() - begin
+
+
+@POSIX
+def test_each_interrupt_is_answered_once():
+    """Also one that comes when nothing is computed any more."""
+    process = Worker()
+    try:
+        film = Job(calls.read("film", {"query": "duration=0.5"}), USUAL, "packed")
+        assert process.exchange(film)[0] == ANSWER
+        for _ in range(3):
+            process.interrupt()
+            assert process.read() == (STOPPED, None)
+        assert process.exchange(film)[0] == ANSWER
+    finally:
+        process.end()
+    assert not process.running
+    with pytest.raises(Ended):
+        process.exchange(film)
+
+
+# What is refused before it begins
+
+
+@pytest.fixture(scope="module")
+def client():
+    with TestClient(api.create_app(names=["hoop.example.org"]), base_url="http://localhost") as client:
+        yield client
+
+
+@pytest.mark.parametrize("changed", [{"start": {"speed": 1e6}}, {"hoop": {"radius": 1e-6}, "start": {"speed": 3.0}}])
+def test_a_motion_of_too_many_revolutions_is_refused_at_once(client, changed):
+    begin = time.monotonic()
+    reply = client.post("/api/v1/simulate", json={"duration": 6.0, **changed})
+    assert reply.status_code == 413
+    assert "revolutions and must be at most" in reply.json()["detail"]
+    assert time.monotonic() - begin < 15.0  # on a machine with much else to do
+
+
+@pytest.mark.parametrize(
+    ("x", "what"),
+    [
+        ({"path": "start.speed", "from": 0.0, "to": 1e6}, "end_angle"),
+        ({"path": "duration", "from": 1.0, "to": 1e9}, "end_angle"),
+        ({"path": "hoop.radius", "from": 1e-6, "to": 2e-6}, "energy_lost"),
+        ({"path": "start.omega", "from": 0.0, "to": 1e9}, "ending"),
+    ],
+)
+def test_a_map_of_too_many_revolutions_is_refused_and_the_next_one_is_computed(client, x, what):
+    y = {"path": "plane.mu", "from": 0.2, "to": 1.0, "cells": 8}
+    scenario = {"start": {"omega": 1.0}} if x["path"] == "start.omega" else {"start": {"speed": 3.0}}
+    reply = client.post("/api/v1/map", json={"x": {**x, "cells": 200}, "y": y, "what": what, "scenario": scenario})
+    assert reply.status_code == 413
+    assert "revolutions" in reply.json()["detail"]
+    small = {"x": {"path": "start.speed", "from": 0.0, "to": 5.0, "cells": 4}, "y": y}
+    assert client.post("/api/v1/map", json=small).status_code == 200
+
+
+def test_cells_that_no_scenario_may_have_are_blank(client):
+    y = {"path": "plane.mu", "from": -0.5, "to": 0.5, "cells": 4}
+    x = {"path": "start.speed", "from": 0.0, "to": 4.0, "cells": 3}
+    values = client.post("/api/v1/map", json={"x": x, "y": y}).json()["values"]
+    assert [[value is None for value in row] for row in values] == [[True] * 3] * 2 + [[False] * 3] * 2
+    nothing = client.post("/api/v1/map", json={"x": x, "y": {**y, "to": -0.1}}).json()
+    assert nothing["classes"] == []
+    assert all(value is None for row in nothing["values"] for value in row)
+
+
+def test_the_estimate_of_revolutions_is_from_above_and_not_far():
+    for scenario in (
+        Scenario(),
+        Scenario(start=Start.rolling(2.0), duration=60.0),
+        Scenario(start=Start(angle=0.5, vx=8.0, omega=20.0, height=0.5), duration=10.0),
+        Scenario(plane=hh.Plane(slope=0.2), start=Start.rolling(1.0), duration=5.0),
+        Scenario(hoop=hh.Hoop(radius=0.05), start=Start.rolling(1.0), duration=5.0),
+    ):
+        motion = hh.simulate(scenario)
+        angles = motion.at(motion.times(2001)).angle
+        turned = float(abs(angles[1:] - angles[:-1]).sum()) / 6.283185307179586
+        assert turned <= turns_of(scenario) <= 15.0 * turned + 5.0
+
+
+def test_a_busy_lab_says_when_to_ask_again():
+    application = api.create_app(replace(USUAL, waiting=0))
+    reply = TestClient(application, base_url="http://localhost").post("/api/v1/simulate", json={})
+    assert reply.status_code == 503
+    assert int(reply.headers["retry-after"]) >= 1
+    assert "busy" in reply.json()["detail"]
+
+
+# Who may ask
+
+
+@pytest.mark.parametrize(
+    "host", ["localhost:8765", "127.0.0.1", "[::1]:8765", "192.168.1.7:80", "hoop.example.org", "a.localhost"]
+)
+def test_its_own_names_are_answered(client, host):
+    assert client.get("/healthz", headers={"Host": host}).status_code == 200
+
+
+@pytest.mark.parametrize(
+    "host", ["evil.example", "evil.example:8765", "127.0.0.1.evil.example", "localhost.evil.example", "", "a:b:c"]
+)
+def test_foreign_names_are_refused(client, host):
+    reply = client.get("/", headers={"Host": host})
+    assert reply.status_code == 403
+    assert "is not a name of this lab" in reply.json()["detail"]
+    assert "content-security-policy" in reply.headers
+
+
+def test_host_names_are_read_without_their_port():
+    assert [host_name(text) for text in ("A.b:80", "[::1]:80", "[::1]", "x")] == ["a.b", "::1", "::1", "x"]
+
+
+@pytest.mark.parametrize(
+    ("headers", "status"),
+    [
+        ({}, 200),
+        ({"Origin": "http://localhost"}, 200),
+        ({"Origin": "https://localhost"}, 200),  # a proxy in front adds TLS
+        ({"Origin": "http://localhost:3000"}, 403),
+        ({"Origin": "http://evil.example"}, 403),
+        ({"Origin": "null"}, 403),
+        ({"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "no-cors"}, 403),
+        ({"Sec-Fetch-Site": "same-origin", "Sec-Fetch-Mode": "cors"}, 200),
+    ],
+)
+def test_other_pages_may_not_ask(client, headers, status):
+    assert client.post("/api/v1/theory", json={}, headers=headers).status_code == status
+
+
+def test_a_link_elsewhere_leads_to_the_page(client):
+    assert client.get("/", headers={"Sec-Fetch-Site": "cross-site", "Sec-Fetch-Mode": "navigate"}).status_code == 200
+
+
+# What is sent
+
+
+def test_text_is_compressed_for_those_who_take_it(client):
+    path = "/static/x/lab.js"
+    plain = client.get(path, headers={"Accept-Encoding": "identity"})
+    with client.stream("GET", path, headers={"Accept-Encoding": "gzip"}) as reply:
+        raw = b"".join(reply.iter_raw())
+        assert reply.headers["content-encoding"] == "gzip"
+        assert "Accept-Encoding" in reply.headers["vary"]
+    assert gzip.decompress(raw) == plain.content
+    assert len(raw) < 0.4 * len(plain.content)
+    assert client.get(path, headers={"Accept-Encoding": "gzip;q=0"}).headers.get("content-encoding") is None
+    answer = client.post("/api/v1/simulate?samples=50", json={})
+    assert answer.headers["content-encoding"] == "gzip"
+    assert answer.headers["etag"].startswith('W/"')
+    again = client.post("/api/v1/simulate?samples=50", json={}, headers={"If-None-Match": answer.headers["etag"]})
+    assert again.status_code == 304
+    assert "content-encoding" not in client.post("/lab/film", json={}).headers
+
+
+# Connections
+
+
+@pytest.fixture
+def address(monkeypatch):
+    monkeypatch.setattr(connections, "SECONDS", 0.4)
+
+    async def application(scope, receive, send):
+        await send({"type": "http.response.start", "status": 200, "headers": [(b"content-length", b"2")]})
+        await send({"type": "http.response.body", "body": b"ok"})
+
+    config = uvicorn.Config(application, port=0, http=connections.Connection, lifespan="off", log_level="error")
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run, daemon=True)
+    thread.start()
+    end = time.monotonic() + 30
+    while not server.started and time.monotonic() < end:
+        time.sleep(0.01)
+    yield server.servers[0].sockets[0].getsockname()
+    server.should_exit = True
+    thread.join(5)
+
+
+@pytest.mark.parametrize("said", [b"", b"GET / HT", b"GET / HTTP/1.1\r\nHost: x\r\n"])
+@pytest.mark.parametrize("before", [False, True])
+def test_a_half_open_connection_is_closed(address, said, before):
+    with socket.create_connection(address, 20) as line:
+        if before:
+            if not said:
+                return  # between two requests uvicorn's own limit counts
+            line.sendall(b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
+            assert line.recv(1000).startswith(b"HTTP/1.1 200")
+        line.sendall(said)
+        while line.recv(1000):
+            pass  # closed by the server, or the test's own limit ends it
+
+
+def test_a_slow_request_is_answered_within_the_time(address):
+    with socket.create_connection(address, 20) as line:
+        for piece in (b"GET / HTTP/1.1\r\n", b"Host: x\r\n", b"\r\n"):
+            line.sendall(piece)
+            time.sleep(0.05)
+        assert line.recv(1000).startswith(b"HTTP/1.1 200")
+        time.sleep(0.6)  # longer than a head may take, but the request is complete
+        line.sendall(b"GET / HTTP/1.1\r\nHost: x\r\n\r\n")
+        assert line.recv(1000).startswith(b"HTTP/1.1 200")
+
+
+# All of it
+
+
+@POSIX
+@pytest.mark.slow
+def test_it_stops_at_once_and_says_nothing_of_those_who_went_away(tmp_path):
+    free = socket.socket()
+    free.bind(("127.0.0.1", 0))
+    port = free.getsockname()[1]
+    free.close()
+    # a file, not a pipe: what compiles beside goes on after the server and keeps it open
+    told = (tmp_path / "said").open("w+")
+    process = subprocess.Popen([sys.executable, "-m", "hophoop", "lab", "--no-browser", "--port", str(port)], stderr=told)
+    try:
+        _until_open(port)
+        body = b'{"duration": 600, "contact": {"model": "compliant", "stiffness": 1e5}, "start": {"speed": 3.1}}'
+        head = b"POST /api/v1/simulate HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+        lines = []
+        for _ in range(6):
+            line = socket.create_connection(("127.0.0.1", port), 20)
+            line.sendall(head + b"Content-Length: %d\r\n\r\n" % len(body) + body)
+            lines.append(line)
+        half = socket.create_connection(("127.0.0.1", port), 20)
+        half.sendall(head + b"Content-Length: 100\r\n\r\n{")
+        time.sleep(1.0)
+        for line in (*lines[:4], half):
+            line.close()
+        time.sleep(0.5)
+        begin = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        process.wait(timeout=60)
+        assert time.monotonic() - begin < 6.0
+        told.seek(0)
+        said = told.read()
+        assert "Traceback" not in said, said
+    finally:
+        process.kill()
+        process.wait()
+        told.close()
+
+
+def _until_open(port):
+    end = time.monotonic() + 120
+    while time.monotonic() < end:
+        try:
+            socket.create_connection(("127.0.0.1", port), 1).close()
+            return
+        except OSError:
+            time.sleep(0.1)
+    raise AssertionError("the server did not start")

@@ -1,0 +1,158 @@
+"""The page in other languages: one file each, complete, and all that Python writes for the page is recognised."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+
+import hophoop as hh
+from hophoop.lab import motion_map, thresholds, words
+from hophoop.lab.controls import controls
+from hophoop.lab.presets import presets
+from hophoop.vocabulary.classes import CODES, class_text
+from hophoop.vocabulary.sentences import LAB, THEORY
+from hophoop.vocabulary.words import LETTERS, MODES, STATUSES
+from strategies import scenarios
+
+WEB = Path(__file__).parents[2] / "web"
+LANGUAGES = ("de", "es", "fr", "zh")
+TABLES = {code: json.loads((WEB / "words" / f"{code}.json").read_text(encoding="utf-8")) for code in LANGUAGES}
+ENGLISH = TABLES["de"].keys()
+PLACE = re.compile(r"\{(\w+)\}")
+# what is written alike in English and in some other language
+ALIKE = re.compile(r"\{stars\} \{points\} points|\{name\} \[\{unit\}\]$|θ mod 360°$|z y  Ctrl Z$|\S*( \S+){0,2}$")
+
+
+# units, and names of the scenario's keys and of its words, are the same everywhere
+NAMES = r"(\d\S* )?(rad(/s)?|kg|m/s²?)|'?[\w.\[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+"
+
+
+def pattern(key):
+    return re.compile("(.+?)".join(map(re.escape, PLACE.split(key)[::2])) + r"\Z", re.DOTALL)
+
+
+SENTENCES = sorted((key for key in ENGLISH if "{" in key), key=lambda key: -len(PLACE.sub("", key)))
+PATTERNS = {key: pattern(key) for key in SENTENCES}
+
+
+def known(text):
+    """As web/lab/words.js recognises a text: whole, by its form with known words in its places, or as a row of phases."""
+    text = text.strip()
+    if text in ENGLISH or not re.search(r"[^\W\d_⁰¹²³⁴-⁹]{3}", text) or re.fullmatch(NAMES, text):
+        return True
+    for key in SENTENCES:
+        found = PATTERNS[key].match(text)
+        if found:
+            # words of the scenario's own stay as they are
+            return all(
+                name.startswith("word") or known(place) for name, place in zip(PLACE.findall(key), found.groups(), strict=True)
+            )
+    return " → " in text and all(known(part) for part in text.split(" → "))
+
+
+def told(summary):
+    """As web/lab/words.js takes a summary apart."""
+    first, _, rest = re.fullmatch(r"(.*?)\.(?:( )(.*))?", summary, re.DOTALL).groups()
+    phrases = re.split(r", (?!\d)", first[:1].lower() + first[1:])
+    return [phrase for phrase in phrases if not known(phrase)] + ([rest] if rest and not known(rest) else [])
+
+
+@pytest.mark.parametrize("code", LANGUAGES)
+def test_every_language_has_every_text(code):
+    table = TABLES[code]
+    assert table.keys() == ENGLISH
+    for key, text in table.items():
+        assert text.strip() == text != "", key
+        assert sorted(PLACE.findall(text)) == sorted(PLACE.findall(key)), key
+        assert text != key or ALIKE.match(key), key
+    # French spaces before ; : ! ?, full-width signs in Chinese, decimal commas
+    if code == "fr":
+        assert not [text for text in table.values() if re.search(r"\w[!?;:](?!\w)", text)]
+    if code == "zh":
+        assert not [text for text in table.values() if re.search(r"[\u4e00-\u9fff][,;:?!]", text)]
+    else:
+        assert not [text for text in table.values() if re.search(r"\d\.\d", text)]
+
+
+def test_no_text_is_left_over():
+    """Each key stands in a source, or is what Python writes."""
+    sources = "".join(path.read_text(encoding="utf-8") for path in sorted((WEB / "lab").glob("*.js")))
+    sources = re.sub(r'"\s*\+\s*["`]', "", sources)
+    sources += "|".join(re.findall(r't\("([^"]+)"', sources))  # also within templates
+    sources = re.sub(r"\$\{(?:[^{}]|\{[^{}]*\})*\}", "{}", sources)
+    sources += json.dumps(controls(), ensure_ascii=False) + json.dumps(
+        list(motion_map.MAP_QUANTITIES.values()), ensure_ascii=False
+    )
+    sources += "".join(f"{p.group}|{p.title}|{p.text}|" for p in presets()) + "|".join(STATUSES.values())
+    lab = Path(words.__file__).parent
+    vocabulary = lab.parent / "vocabulary"
+    rooms = [*lab.glob("*.py"), *vocabulary.glob("*.py"), *(lab.parent / "scenario").glob("*.py")]
+    for path in [*rooms, lab.parent / "maps" / "evaluate.py"]:
+        text = path.read_text(encoding="utf-8")
+        text = re.sub(r'"\s*\n\s*f?"', "", text)
+        sources += re.sub(r"\{[^{}]*\}", "{}", text)
+    left = [key for key in ENGLISH if PLACE.sub("{}", key) not in PLACE.sub("{}", sources)]
+    # put together from words that are there
+    verbs = "rolls|spins|skids|flies|skims|hops|lands|bounces|slips|stops|turns|has|meets|jams|gains|rests|starts"
+    begins = "It |would |μ = |from |0 or |at |{|and |Click to |click to |over |Hoop |can end|with the load|greater"
+    begins += "|'{|The lab is busy"
+    built = re.compile(rf"({verbs})\b.* at {{angle}}$|{begins}|.*\(\w\)$")
+    assert [key for key in left if not built.match(key) and not any(key in vals for vals in map(str, CODES.values()))] == []
+
+
+def test_what_python_puts_on_the_page_is_there():
+    shown = [info[name] for group in controls()["groups"].values() for info in group for name in ("label", "help")]
+    shown += [text for choice in controls()["choices"] for text in (choice["label"], choice["help"])]
+    shown += [label for choice in controls()["choices"] for _, label in choice["options"]]
+    shown += [name for name, _ in controls()["gravities"]] + [axis["label"] for axis in controls()["map_axes"]]
+    shown += [label for label, _ in motion_map.MAP_QUANTITIES.values()]
+    shown += [text for preset in presets() for text in (preset.group, preset.title, preset.text)]
+    shown += [*MODES, *filter(None, STATUSES.values()), *filter(str.isalpha, LETTERS.values())]
+    shown += [class_text(letter) for letter in "RSKHM"]
+    shown += [class_text(word, what) for what in motion_map.MAP_QUANTITIES if what in CODES for word in CODES[what]]
+    assert [text for text in shown if not known(text)] == []
+
+
+def untold(scenario):
+    motion = hh.simulate(scenario)
+    return (
+        told(words.summary(motion))
+        + [said["text"] for said in words.story(motion) if not known(said["text"])]
+        + [text for row in thresholds.thresholds(scenario) for text in (row["label"], row["text"]) if not known(text)]
+    )
+
+
+@pytest.mark.parametrize("preset", presets(), ids=lambda preset: preset.key)
+def test_every_preset_is_told_in_known_sentences(preset):
+    assert untold(preset.scenario) == []
+
+
+@given(scenarios())
+@settings(max_examples=40, deadline=None)
+def test_any_motion_is_told_in_known_sentences(scenario):
+    assert untold(scenario.replace("duration", min(scenario.duration, 2.0))) == []
+
+
+def test_refusals_are_known():
+    refused = """hoop.mass=-1 hoop.mass=1e99 plane.mu=-3 plane.restitution=2 hoop.load_fraction=1.5 plane.gravity=-2
+        plane.slope=2 start.angle=x duration=0 hoop.radius=0 plane.impact_law=foo foo=1 plane.foo=1 start.height=-1
+        start.speed=1e10 start.speed=inf plane.mu_static=0.3&plane.mu_kinetic=0.5 hoop.load_fraction=1&plane.slope=0.1
+        start.speed=1&start.omega=2 hoop.load_fraction=1&contact.model=compliant contact.max_events=0"""
+    for query in refused.split():
+        with pytest.raises(ValueError) as found:
+            hh.Scenario.from_query(query)
+        assert known(str(found.value)), found.value
+
+
+def test_every_sentence_of_theory_and_of_the_lab_is_known():
+    whole = [text for key, text in THEORY.items() if not key.startswith("would") and "{would}" not in text]
+    refused = [text for key, text in LAB.items() if key != "not_a_pair"]  # which the page itself never causes
+    assert [text for text in [*whole, *refused] if not known(re.sub(r"\{[^{}]*\}", "7", text))] == []
+
+
+def test_an_unknown_sentence_is_noticed():
+    assert not known("It flies at 3° and sings.")
+    assert not known("roll → sing")
+    assert told("Rolls, sings at 3.0°.") == ["sings at 3.0°"]

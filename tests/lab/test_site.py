@@ -1,0 +1,82 @@
+"""The lab as a folder of files: whole, relative, and nothing of others written over."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import re
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from hophoop.cli import app
+from hophoop.lab import site
+
+
+def test_the_folder_holds_all_that_its_pages_name(tmp_path: Path) -> None:
+    written = {path.relative_to(tmp_path).as_posix() for path in site.export(tmp_path)}
+    assert {"index.html", "embed.html", "static/hophoop.wasm", "static/kernel.js", "service-worker.js"} <= written
+    for name in ("index.html", "embed.html"):
+        page = (tmp_path / name).read_text(encoding="utf-8")
+        for address in re.findall(r'(?:src|href)="([^"#]*)"', page):
+            assert address == "./" or address.partition("?")[0] in written, address
+
+
+def test_nothing_names_another_host(tmp_path: Path) -> None:
+    for path in site.export(tmp_path):
+        if path.suffix in (".html", ".css", ".webmanifest"):
+            assert "//" not in re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8")), path.name
+
+
+def test_the_policy_allows_nothing_foreign(tmp_path: Path) -> None:
+    site.export(tmp_path)
+    page = (tmp_path / "index.html").read_text(encoding="utf-8")
+    policy = re.search(r'Content-Security-Policy" content="([^"]*)"', page)
+    assert policy is not None
+    assert policy[1] == site.POLICY
+    assert "'wasm-unsafe-eval'" in policy[1]
+    assert "'unsafe-eval'" not in policy[1]
+    assert "http" not in policy[1]
+
+
+def test_the_service_worker_keeps_every_file(tmp_path: Path) -> None:
+    written = {path.relative_to(tmp_path).as_posix() for path in site.export(tmp_path)}
+    script = (tmp_path / "service-worker.js").read_text(encoding="utf-8")
+    listed = re.search(r'\[("\./".*?)\]', script)
+    assert listed is not None
+    assert set(json.loads(f"[{listed[1]}]")) == {"./", *written} - {"service-worker.js"}
+
+
+def test_another_version_is_another_cache(monkeypatch: pytest.MonkeyPatch) -> None:
+    first = site.site_files()["service-worker.js"]
+    usual = site.static_bytes
+    monkeypatch.setattr(site, "static_bytes", lambda name: usual(name) + (b" " if name == "lab.js" else b""))
+    assert site.site_files()["service-worker.js"] != first
+
+
+def test_the_page_is_light() -> None:
+    files = site.site_files()
+    wanted = ("index.html", "static/lab.js", "static/kernel.js", "static/lab.css", "static/hophoop.wasm", "static/icon.svg")
+    assert sum(len(gzip.compress(files[name], 9)) for name in wanted) <= 400_000
+
+
+def test_a_second_export_takes_the_place_of_the_first(tmp_path: Path) -> None:
+    site.export(tmp_path / "lab")
+    assert len(site.export(tmp_path / "lab")) == len(site.site_files())
+
+
+def test_other_files_are_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "thesis.tex").write_text("mine")
+    done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path)])
+    assert done.exit_code == 2
+    assert "must be a new or an empty folder" in done.output
+    assert [path.name for path in tmp_path.iterdir()] == ["thesis.tex"]
+    done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path / "thesis.tex")])
+    assert done.exit_code == 2
+
+
+def test_the_command_says_what_it_wrote(tmp_path: Path) -> None:
+    done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path / "lab")])
+    assert done.exit_code == 0
+    assert "python -m http.server" in done.output

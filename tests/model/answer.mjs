@@ -1,0 +1,61 @@
+// Reads requests, one JSON a line, and answers each as the page would: `node answer.mjs kernel.js module < asked > answered`.
+
+import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
+import { LocalBackend } from "../../web/lab/local_backend.js";
+import * as model from "../../web/model/index.js";
+
+const [script, binary] = process.argv.slice(2);
+const { HoopModule } = await import(script);
+// the module answers at once what a page has answered by workers
+const mechanics = new HoopModule(new WebAssembly.Module(readFileSync(binary)));
+
+const infinite = (key, value) => (value === Infinity ? "inf" : Number.isNaN(value) ? "nan" : value);
+
+/** @type {Record<string, (body: any) => any>} */
+const CALLS = {
+  scenario(body) {
+    const checked = model.asked(body, mechanics);
+    return {
+      dict: model.toDict(checked),
+      query: model.toQuery(checked),
+      toml: model.toToml(checked),
+      code: model.pythonCode(checked),
+      given: model.given(checked),
+    };
+  },
+  words({ events, status, halfway }) {
+    const told = { events, status, omega: (number) => halfway[number] };
+    return { summary: model.summary(told), story: model.story(told) };
+  },
+  thresholds({ scenario, known }) {
+    const checked = model.fromDict(scenario, mechanics);
+    const infinity = ([name, value]) => [name, value === "inf" ? Infinity : value];
+    return model.thresholds(checked, Object.fromEntries(Object.entries(known).map(infinity)));
+  },
+  within(body) {
+    return model.toDict(model.within(model.asked(body, mechanics)));
+  },
+};
+
+const kernel = Object.assign(Object.create(mechanics), {
+  columns: (given, signal, window) => mechanics.columns(given, window),
+});
+const local = new LocalBackend(kernel, mechanics);
+CALLS.local = async ({ name, body }) => {
+  const { header, arrays } = await local.call(name, body);
+  return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };
+};
+CALLS.file = async ({ name, query }) => (await local.file(name, query)).text();
+
+for await (const line of createInterface({ input: process.stdin })) {
+  const { call, body } = JSON.parse(line);
+  let answer;
+  try {
+    answer = { value: await CALLS[call](body) };
+  } catch (error) {
+    if (!(error instanceof model.InputError)) throw error;
+    answer = { error: error.message };
+  }
+  process.stdout.write(`${JSON.stringify(answer, infinite)}\n`);
+}

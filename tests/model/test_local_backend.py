@@ -1,0 +1,214 @@
+"""The page without a server, in Node with the WebAssembly module: its answers and files are those of Python's calls."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import shutil
+from typing import Any
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.lab import calls, files, presets
+from hophoop.lab.limits import USUAL
+from hophoop.vocabulary.classes import class_color, class_text
+from model.test_page_model import answers
+
+pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node runs the page's own code here")
+
+BODIES: list[dict[str, Any]] = [
+    {},
+    {"query": "plane.mu=0.3&start.speed=0.1&plane.restitution=0.5", "changes": [["start.height", 0.3]]},
+    {"scenario": {"hoop": {"load_fraction": 1}, "duration": 3}},
+    {"query": "plane.slope=0.1&start.vx=1&start.angle=0.4&plane.mu=inf"},
+    {"query": "start.vx=2&start.angle=2.5&plane.mu=0.2"},  # slips before it turns
+]
+
+
+def local(name: str, bodies: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    return answers("local", [{"name": name, "body": body} for body in bodies])
+
+
+def of_python(name: str, body: dict[str, Any]) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    reply = calls.answer(calls.read(name, json.loads(json.dumps(body))))
+    return calls.finite(reply.header), reply.arrays or {}
+
+
+def number(value: Any) -> float:
+    return float(value) if isinstance(value, str) else math.nan if value is None else value
+
+
+def alike(one: Any, other: Any, path: str = "") -> None:
+    """Equal but for the last digits of numbers; what is about nothing is about nothing in both."""
+    if isinstance(other, dict):
+        assert isinstance(one, dict), path
+        assert one.keys() == other.keys(), path
+        for key in other:
+            alike(one[key], other[key], f"{path}.{key}")
+    elif isinstance(other, list | tuple):
+        assert len(one) == len(other), path
+        for k, (a, b) in enumerate(zip(one, other, strict=True)):
+            alike(a, b, f"{path}.{k}")
+    elif isinstance(other, float) and isinstance(one, int | float):
+        assert one == pytest.approx(other, rel=1e-9, abs=1e-12), path
+    else:
+        assert one == other, path
+
+
+def test_films_are_those_of_python():
+    bodies = [*BODIES, {"query": "plane.rolling_resistance=0.02&plane.mu=0.4"}]
+    bodies += [{"query": preset.scenario.to_query()} for preset in presets.presets()]
+    for body, answer in zip(bodies, local("film", bodies), strict=True):
+        header, arrays = of_python("film", body)
+        alike(answer["value"]["header"], header, str(body))
+        assert answer["value"]["arrays"].keys() == arrays.keys()
+        turning = np.abs(arrays["omega"]) > 1e-9  # the word for a slip that does not turn hangs on a rounding
+        for name, column in arrays.items():
+            found = np.array([number(value) for value in answer["value"]["arrays"][name]])
+            sure = turning if name == "mode" else np.full(column.shape, True)
+            np.testing.assert_allclose(found[sure], column[sure], rtol=1e-7, atol=1e-9, err_msg=f"{body} {name}")
+
+
+def test_a_part_of_a_film_is_finer():
+    bodies = [{"query": "duration=200", "window": window} for window in ([0, 3.5], [100.2, 101.9], [199.5, 250])]
+    for body, answer in zip(bodies, local("samples", bodies), strict=True):
+        header, arrays = of_python("samples", body)
+        assert answer["value"]["header"] == header
+        for name, column in arrays.items():
+            found = np.array([number(value) for value in answer["value"]["arrays"][name]])
+            np.testing.assert_allclose(found, column, rtol=1e-7, atol=1e-9, err_msg=f"{body} {name}")
+
+
+def test_a_compliant_film_is_that_of_python():
+    body = {"changes": [["contact.model", "compliant"], ["contact.stiffness", 1e5]], "query": "duration=0.5"}
+    (answer,) = local("film", [body])
+    header, _ = of_python("film", body)
+    found = answer["value"]["header"]
+    for name in ("scenario", "query", "values", "automatic", "summary", "sequence", "status", "duration"):
+        alike(found[name], header[name], name)
+
+
+def test_setup_code_theory_and_regions_are_those_of_python():
+    for name in ("setup", "code", "theory", "regions"):
+        bodies = BODIES if name != "setup" else [{}]
+        for body, answer in zip(bodies, local(name, bodies), strict=True):
+            header, arrays = of_python(name, body)
+            alike(answer["value"]["header"], header, f"{name} {body}")
+            for key, array in arrays.items():
+                np.testing.assert_array_equal(np.array(answer["value"]["arrays"][key]), np.ravel(array), f"{name} {body} {key}")
+
+
+AXES = {
+    "speed and friction": ({"path": "start.speed", "from": 0, "to": 5}, {"path": "plane.mu", "from": -0.2, "to": 1.5}),
+    "load and slope": (
+        {"path": "hoop.load_fraction", "from": 0.05, "to": 1.2}, {"path": "plane.slope", "from": -0.3, "to": 0.3},
+    ),
+    "radius and rotation": ({"path": "hoop.radius", "from": 0.1, "to": 2}, {"path": "start.omega", "from": -8, "to": 8}),
+    "kappa and eccentricity": (
+        {"path": "hoop.inertia_ratio", "from": 0.05, "to": 1}, {"path": "hoop.eccentricity", "from": 0.05, "to": 0.95},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", ["sequence", "hop_height", "energy_lost", "ending"])
+def test_maps_are_made_of_the_motions(what):
+    """Each cell is the motion of its scenario: by Python's own map of the cell alone, and empty where none is allowed."""
+    bodies = [{"query": "duration=3", "x": {**x, "cells": 7}, "y": {**y, "cells": 5}, "what": what} for x, y in AXES.values()]
+    for body, answer in zip(bodies, local("map", bodies), strict=True):
+        reply = answer["value"]
+        found = np.array([number(value) for value in reply["arrays"]["values"]]).reshape(5, 7)
+        header = reply["header"]
+        assert (header["x"], header["y"], header["what"]) == (body["x"], body["y"], what)
+        expected = by_hand(body)
+        if header["classes"] is None:
+            np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-12)
+            continue
+        names = [[header["classes"][int(code)]["name"] if code == code else "" for code in row] for row in found]
+        assert names == expected
+        for one in header["classes"]:
+            assert one["color"] == class_color(one["name"], what)
+            assert one["text"] == class_text(one["name"], what)
+
+
+def by_hand(body: dict[str, Any]) -> Any:
+    """The same map cell by cell, through scenarios: words, or numbers."""
+    base = hh.Scenario.from_query(body["query"])
+    x, y, what = body["x"], body["y"], body["what"]
+    spans = {"sequence": "first_revolution", "hop_height": "takeoff", "energy_lost": "duration", "ending": "duration"}
+    table: list[list[Any]] = []
+    for high in np.linspace(y["from"], y["to"], 2 * y["cells"] + 1)[1::2]:
+        table.append([])
+        for wide in np.linspace(x["from"], x["to"], 2 * x["cells"] + 1)[1::2]:
+            words = what in ("sequence", "ending")
+            try:
+                cell = base.with_values({y["path"]: float(high), x["path"]: float(wide)})
+            except ValueError:
+                table[-1].append("" if words else math.nan)
+                continue
+            # a map of two cells, of which the first is wanted
+            axes = {"duration": [cell.duration], "start.x": [0.0]}
+            dataset = hh.maps.sweep(cell, axes, (what,), spans[what])
+            value = dataset[what].values.ravel()[0]
+            table[-1].append(hh.maps.words_of(dataset[what])[int(value)] if words else float(value))
+    return table
+
+
+def test_files_are_those_of_python():
+    query = "plane.restitution=0.4&start.speed=3&duration=2"
+    scenario = hh.Scenario.from_query(query)
+    names = ("motion.toml", "motion.json", "motion.csv")
+    toml, result, table = (one["value"] for one in answers("file", [{"name": name, "query": query} for name in names]))
+    assert toml.encode() == files.toml(scenario, USUAL)
+    alike(json.loads(result), json.loads(files.result(scenario, USUAL)))
+    ours = list(csv.reader(io.StringIO(table, newline="")))
+    theirs = list(csv.reader(io.StringIO(files.table(scenario, USUAL).decode(), newline="")))
+    assert ours[0] == theirs[0]
+    assert table.endswith("\r\n")
+    assert len(ours) == len(theirs)
+    mode = ours[0].index("mode")
+    assert [row.pop(mode) for row in ours[1:]] == [row.pop(mode) for row in theirs[1:]]
+    np.testing.assert_allclose(np.array(ours[1:], float), np.array(theirs[1:], float), rtol=1e-9, atol=1e-10)
+
+
+def test_what_python_alone_makes_is_refused_in_a_sentence():
+    (answer,) = answers("file", [{"name": "motion.mp4", "query": ""}])
+    assert answer == {"error": "motion.mp4 needs Python: run hophoop lab."}
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ({"query": "duration=1e4"}, "duration = 10000 must be at most 600 s in the lab; the library itself has no such limit."),
+        ({"query": "plane.mu=x"}, "plane.mu = 'x' must be a number."),
+    ],
+)
+def test_refusals_of_films(body, said):
+    assert local("film", [body]) == [{"error": said}]
+    with pytest.raises(ValueError) as caught:
+        of_python("film", body)
+    assert str(caught.value) == said
+
+
+MAP = {"x": {"path": "start.speed", "from": 0, "to": 5, "cells": 4}, "y": {"path": "plane.mu", "from": 0, "to": 1, "cells": 4}}
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"y": MAP["x"]}, "x.path and y.path are both 'start.speed' and must differ."),
+        ({"y": {**MAP["y"], "path": "start.vx"}}, "start.vx and start.speed cannot both be axes: they say the same thing"),
+        ({"x": {**MAP["x"], "cells": 4096}, "y": {**MAP["y"], "cells": 4096}}, "x.cells times y.cells = 16777216 must be at"),
+        ({"query": "contact.model=compliant"}, "contact.model = 'compliant' must be 'rigid' for a map."),
+    ],
+)  # fmt: skip
+def test_refusals_of_maps(changes, said):
+    body = {**MAP, **changes}
+    (answer,) = local("map", [body])
+    assert answer["error"].startswith(said)
+    with pytest.raises(ValueError) as caught:
+        of_python("map", body)
+    assert answer["error"] == str(caught.value)

@@ -1,0 +1,126 @@
+"""The module under wasmtime, for tests: the same calls as the page makes."""
+
+from __future__ import annotations
+
+import ctypes
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import wasmtime
+
+from hophoop.maps.kernel import CELL, KEYS, NUMBERS, WORDS
+from hophoop.module.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.physics.body import Status
+from hophoop.records.layout import EVENT, SEGMENT
+
+
+class Host:
+    """One instance of the module."""
+
+    def __init__(self, path: Path, events: int = 1024, segments: int = 4096) -> None:
+        engine = wasmtime.Engine()
+        self.store = wasmtime.Store(engine)
+        module = wasmtime.Module.from_file(engine, str(path))
+        self.imports = [f"{item.module}.{item.name}" for item in module.imports]
+        exports: Any = wasmtime.Instance(self.store, module, []).exports(self.store)
+        self.exports = exports
+        self.call("_initialize")
+        self.most_events, self.most_segments = events, segments
+        self.cell = self.room(8 * len(CELL))
+        self._take()
+        self.heads = self.room(8 * len(HEADS))
+
+    def room(self, size: int) -> int:
+        """Memory of so many bytes."""
+        place: int = self.exports["malloc"](self.store, size)
+        assert place
+        return place
+
+    def free(self, place: int) -> None:
+        self.exports["free"](self.store, place)
+
+    def view(self, place: int, count: int, kind: Any = np.float64) -> np.ndarray:
+        """Numbers in the module's memory."""
+        memory = self.exports["memory"]
+        base = ctypes.addressof(memory.data_ptr(self.store).contents)
+        size = np.dtype(kind).itemsize * count
+        return np.frombuffer((ctypes.c_char * size).from_address(base + place), kind)
+
+    def call(self, name: str, *arguments: Any) -> None:
+        """Call an entry."""
+        assert not self.exports[name](self.store, *arguments)
+
+    def motion(self, cell: np.ndarray) -> tuple[dict[str, float], np.ndarray]:
+        """Heads and events of a motion, with as much room as it needs."""
+        self.view(self.cell, len(CELL))[:] = cell
+        most = int(cell[CELL.index("max_events")])
+        while True:
+            self.call(
+                "motion", self.cell, self.events, self.most_events, self.segments, self.most_segments, self.table, self.heads
+            )  # fmt: skip
+            heads = dict(zip(HEADS, self.view(self.heads, len(HEADS)).tolist(), strict=True))
+            if heads["status"] == Status.BUFFER:
+                self._give(4 * self.most_segments, self.most_events)
+            elif heads["events"] == self.most_events < most:
+                self._give(self.most_segments, min(4 * self.most_events, most))
+            else:
+                break
+        width = len(EVENT_COLUMNS)
+        return heads, self.view(self.table, int(heads["events"]) * width).reshape(-1, width).copy()
+
+    def _give(self, segments: int, events: int) -> None:
+        for place in (self.segments, self.events, self.table):
+            self.free(place)
+        self.most_segments, self.most_events = segments, events
+        self._take()
+
+    def _take(self) -> None:
+        self.events = self.room(EVENT.itemsize * self.most_events)
+        self.segments = self.room(SEGMENT.itemsize * self.most_segments)
+        self.table = self.room(8 * self.most_events * len(EVENT_COLUMNS))
+
+    def samples(self, segments: int, times: np.ndarray, left: bool = False) -> np.ndarray:
+        """States of the motion that was computed last."""
+        width = len(SAMPLE_COLUMNS)
+        when, out = self.room(8 * times.size), self.room(8 * times.size * width)
+        self.view(when, times.size)[:] = times
+        self.call("samples", self.cell, self.segments, segments, when, times.size, int(left), out)
+        result = self.view(out, times.size * width).reshape(-1, width).copy()
+        self.free(when)
+        self.free(out)
+        return result
+
+    def thresholds(self, cell: np.ndarray, speed: float) -> dict[str, float]:
+        """What theory says."""
+        self.view(self.cell, len(CELL))[:] = cell
+        self.call("thresholds", self.cell, speed, self.heads)
+        return dict(zip(THRESHOLDS, self.view(self.heads, len(THRESHOLDS)).tolist(), strict=True))
+
+    def map_cells(self, cells: np.ndarray, span: float, stop: int, timed: bool, wanted: int) -> tuple[np.ndarray, ...]:
+        """Reduced quantities of many motions, and the codes of their sequences."""
+        n = cells.shape[1]
+        place = self.room(8 * cells.size)
+        kinds = ((len(NUMBERS), np.float64), (len(WORDS), np.int32), (KEYS, np.uint64))
+        rooms = [self.room(n * width * np.dtype(kind).itemsize) for width, kind in kinds]
+        self.view(place, cells.size)[:] = cells.ravel()
+        self.call("map_cells", place, n, span, stop, int(timed), wanted, *rooms)
+        made = tuple(
+            self.view(room, n * width, kind).reshape(n, width).copy() for room, (width, kind) in zip(rooms, kinds, strict=True)
+        )
+        for room in (place, *rooms):
+            self.free(room)
+        return made
+
+    def regions(
+        self, cell: np.ndarray, window: tuple[float, float, float, float], columns: int, rows: int
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Codes of words over the phase plane, and the side of the paradox for each column."""
+        self.view(self.cell, len(CELL))[:] = cell
+        modes, sides = self.room(columns * rows), self.room(columns)
+        self.call("regions", self.cell, *window, columns, rows, modes, sides)
+        found = self.view(modes, columns * rows, np.uint8).reshape(rows, columns).copy()
+        paradox = self.view(sides, columns, np.int8).copy()
+        self.free(modes)
+        self.free(sides)
+        return found, paradox

@@ -1,0 +1,120 @@
+"""Forces and accelerations with rolling resistance against Newton's and Euler's equations with the couple in them."""
+
+import math
+
+import numpy as np
+import pytest
+
+from hophoop.physics import contact, jets, painleve, resistance
+from newton_euler import BODIES, STATES
+
+FS = (0.03, 0.4)
+
+
+def accelerations(body, th, om, mode, rho):
+    """(ẍ, ÿ, θ̈, F, N): as `newton_euler.accelerations`, with the couple −ρ N."""
+    s, c, u = math.sin(th), math.cos(th), om * om
+    eps = body.eps
+    rows = [
+        ([1, 0, eps * c, -1, 0], body.gt + eps * s * u),
+        ([0, 1, -eps * s, 0, -1], -body.gn + eps * c * u),
+        ([0, 0, body.kap, 1 + eps * c, -eps * s + rho], 0.0),
+    ]
+    if mode == "roll":
+        rows += [([1, 0, -1, 0, 0], 0.0), ([0, 1, 0, 0, 0], 0.0)]
+    else:
+        rows += [([0, 0, 0, 1, mode * body.mu_k], 0.0), ([0, 1, 0, 0, 0], 0.0)]
+    return np.linalg.solve(np.array([row for row, _ in rows], float), np.array([value for _, value in rows]))
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("f", FS)
+@pytest.mark.parametrize(("th", "om"), STATES)
+def test_rolling_and_slip(body, f, th, om):
+    body = body._replace(resist=f)
+    s, c, u = math.sin(th), math.cos(th), om * om
+    rho = math.copysign(f, om)
+    assert resistance.resistance_arm(body, s, c, om, 0) == rho
+    _, _, alpha, friction, normal = accelerations(body, th, om, "roll", rho)
+    assert resistance.forces_rolling(body, s, c, om) == pytest.approx((friction, normal), rel=1e-12, abs=1e-12)
+    assert resistance.acceleration_in_contact(body, s, c, om, 0) == pytest.approx(alpha, rel=1e-12, abs=1e-12)
+    for sigma in (-1, 1):
+        along, _, alpha, _, normal = accelerations(body, th, om, sigma, rho)
+        found = resistance.motion_slipping(body, s, c, om, sigma)
+        assert found == pytest.approx((alpha, normal, along - alpha), rel=1e-11, abs=1e-11)
+        # N = −f_n/p_σ
+        p_sigma = resistance.stiffness_slipping(body, s, c, om, sigma) / body.kap
+        assert normal * p_sigma == pytest.approx(-contact.free_acceleration(body, s, c, u)[1], rel=1e-11)
+        exact = painleve.exact_slip_stiffness(body, th, 0.0, sigma, rho)[1]
+        assert exact / body.kap == pytest.approx(p_sigma, rel=1e-12)
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize(("th", "om"), STATES)
+def test_without_resistance_it_is_as_without(body, th, om):
+    s, c, u = math.sin(th), math.cos(th), om * om
+    assert resistance.resistance_arm(body, s, c, om, 0) == 0.0
+    assert resistance.resisted_forces(body, s, c, u, 0.0) == pytest.approx(contact.rolling_forces(body, s, c, u), rel=1e-13)
+    for sigma in (-1, 1):
+        plain = contact.slip_motion(body, s, c, u, sigma)
+        assert resistance.resisted_slip(body, s, c, u, sigma, 0.0) == pytest.approx(plain, rel=1e-13)
+        assert resistance.motion_slipping(body, s, c, om, sigma) == plain
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("f", FS)
+def test_at_rest_the_couple_holds_what_it_can(body, f):
+    body = body._replace(resist=f)
+    held = 0
+    for th in np.linspace(-3.0, 3.0, 61):
+        s, c = math.sin(th), math.cos(th)
+        for sigma, torque in ((0, resistance.torque_at_rest(body, s, c) / body.gn), (1, None), (-1, None)):
+            need = contact.slip_torque_arm(body, s, c, sigma) if torque is None else torque
+            rho = resistance.resistance_arm(body, s, c, 0.0, sigma)
+            assert abs(rho) <= f
+            alpha = resistance.acceleration_in_contact(body, s, c, 0.0, sigma)
+            if abs(need) <= f:
+                held += 1
+                assert rho == pytest.approx(need)
+                assert alpha == pytest.approx(0.0, abs=1e-15)
+            elif (
+                resistance.stiffness_slipping(body, s, c, 0.0, sigma) > 0.0 and contact.rolling_forces(body, s, c, 0.0)[1] > 0.0
+            ):
+                assert rho == math.copysign(f, need)
+                assert alpha * need > 0.0
+    assert held > 0
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("sigma", [0, 1, -1])
+@pytest.mark.parametrize(("th", "om"), STATES)
+def test_series_of_the_candidate_motion(body, sigma, th, om):
+    """First derivatives of N and of v̇_t along the motion, from differences of the closed forms."""
+    body = body._replace(resist=0.2)
+    if resistance.stiffness_slipping(body, math.sin(th), math.cos(th), om, sigma) <= 0.0:
+        return
+    normal, _, _, slip = jets.candidate_series(body, th, om, sigma)
+    step = 1e-5
+
+    def values(tau):
+        # by Taylor's series of the motion to the second order
+        alpha = resistance.acceleration_in_contact(body, math.sin(th), math.cos(th), om, sigma)
+        later = th + om * tau + 0.5 * alpha * tau * tau
+        rate = om + alpha * tau
+        s, c = math.sin(later), math.cos(later)
+        if sigma == 0:
+            return resistance.forces_rolling(body, s, c, rate)[1], 0.0
+        return resistance.motion_slipping(body, s, c, rate, sigma)[1:]
+
+    ahead, behind = values(step), values(-step)
+    assert normal[1] == pytest.approx((ahead[0] - behind[0]) / (2.0 * step), rel=1e-6, abs=1e-6)
+    assert slip[1] == pytest.approx((ahead[1] - behind[1]) / (2.0 * step), rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.parametrize(("eps", "kap"), [(0.75, 0.4375), (0.99, 0.0199), (0.3, 0.9), (1.0, 1e-4)])
+def test_the_most_resistance_is_where_rolling_loses_its_inertia(eps, kap):
+    most = resistance.most_resistance(eps, kap)
+    angles = np.linspace(0.0, 2.0 * math.pi, 200_001)
+    inertia = 1.0 + kap + eps * eps + 2.0 * eps * np.cos(angles)
+    for f, sign in ((0.999 * most, 1.0), (1.001 * most, -1.0)):
+        assert sign * np.min(inertia - f * eps * np.sin(angles)) > 0.0

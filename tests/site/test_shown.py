@@ -1,0 +1,138 @@
+"""The pages in a browser: no request leaves them, no formula is cut off, nothing bars the way of those who cannot see."""
+
+import os
+from pathlib import Path
+
+import pytest
+
+WIDTHS = (1280, 375)
+# in a page: formulas that are wider than their place, or stick out of the text
+CUT_OFF = """() => {
+  const right = (document.querySelector('article') ?? document.body).getBoundingClientRect().right + 1;
+  const shown = element => element.getClientRects().length > 0;
+  const wide = [...document.querySelectorAll('div.math')].filter(box => box.scrollWidth > box.clientWidth + 1);
+  const out = [...document.querySelectorAll('span.math')].filter(
+    box => shown(box) && !box.closest('.table-wrapper') && box.getBoundingClientRect().right > right);
+  return [...wide, ...out].map(box => box.textContent.trim());
+}"""
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_no_formula_is_cut_off_and_nothing_is_fetched(browser, site, address, width):
+    pages = [page for page in sorted(site.rglob("*.html")) if "<math" in page.read_text(encoding="utf-8")]
+    assert len(pages) > 15
+    context = browser.new_context(viewport={"width": width, "height": 800})
+    page = context.new_page()
+    foreign, cut, wide = [], [], []
+    page.on("request", lambda request: request.url.startswith((address, "data:")) or foreign.append(request.url))
+    for file in pages:
+        name = file.relative_to(site).as_posix()
+        page.goto(address + name)
+        page.evaluate("document.fonts.ready")
+        cut += [f"{name}: {text}" for text in page.evaluate(CUT_OFF)]
+        if page.evaluate("document.documentElement.scrollWidth") > width:
+            wide.append(name)
+    fonts = page.evaluate("[...document.fonts].filter(font => font.status === 'loaded').map(font => font.family)")
+    context.close()
+    assert foreign == []
+    assert cut == []
+    assert wide == []
+    assert any("Hoop Math" in family for family in fonts)
+
+
+def test_a_formula_that_is_too_wide_is_found(browser):
+    page = browser.new_page(viewport={"width": 375, "height": 400})
+    page.set_content(
+        "<article style='width: 300px'><div class=math style='overflow: auto'><div style='width: 400px'>wide</div></div>"
+        "<p><span class=math style='white-space: nowrap'>" + "long " * 20 + "</span> <span class=math>good</span></article>"
+    )
+    found = page.evaluate(CUT_OFF)
+    page.close()
+    assert found[0] == "wide"
+    assert len(found) == 2
+
+
+PAPER = 718  # A4 less its margins, in pixels
+STICKS_OUT = """() => [...document.querySelectorAll('article *, section *')].filter(
+  element => element.getClientRects().length && element.getBoundingClientRect().right > innerWidth + 0.5
+    && !element.closest('math, video')).map(element => element.tagName + ' ' + element.textContent.trim().slice(0, 40))"""
+
+
+@pytest.mark.parametrize("name", ["worksheet", "solutions", "exercises", "lesson-45", "lesson-90", "build", "slides/index"])
+def test_pages_for_teaching_fit_on_paper(browser, address, name):
+    page = browser.new_page(viewport={"width": PAPER, "height": 1000})
+    page.emulate_media(media="print")
+    page.goto(f"{address}teach/{name}.html")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.evaluate(STICKS_OUT) == []
+    assert page.locator("details:not([open])").count() == 0  # solutions are printed
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert page.locator("details[open]").count() == 0
+    page.close()
+
+
+def test_what_sticks_out_of_the_paper_is_found(browser):
+    page = browser.new_page(viewport={"width": PAPER, "height": 400})
+    page.set_content("<body style='margin: 0'><article><h1 style='margin: 0 -8px'>Wide</h1><p>Good</p></article>")
+    assert page.evaluate(STICKS_OUT) == ["H1 Wide"]
+    page.close()
+
+
+PAGES = [
+    "index",
+    "learn/first-hop",
+    "learn/why",
+    "learn/real-hoop",
+    "model",
+    "howto/commands",
+    "gallery/index",
+    "teach/slides/index",
+]
+
+
+@pytest.mark.parametrize("name", [f"{page}.html" for page in PAGES])
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious(browser, site, address, name, scheme):
+    assert serious(browser, address + name, scheme) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing_serious_in_the_report(browser, scheme):
+    report = os.environ.get("HOPHOOP_REPORT")
+    if report is None:
+        pytest.skip("HOPHOOP_REPORT names no report of hophoop reproduce (.ci/run main does one)")
+    assert serious(browser, Path(report).resolve().as_uri(), scheme) == []
+
+
+def test_axe_finds_what_is_serious(browser, tmp_path):
+    (tmp_path / "bad.html").write_text("<html><title>Bad</title><img src='data:,'><p>No text</p></html>", encoding="utf-8")
+    assert {"image-alt", "html-has-lang"} <= {rule for rule, _ in serious(browser, (tmp_path / "bad.html").as_uri())}
+
+
+def serious(browser, address, scheme="light"):
+    """Rules that axe-core finds broken, of serious or critical impact, with the elements that break them."""
+    script = os.environ.get("HOPHOOP_AXE")
+    if script is None:
+        pytest.skip("HOPHOOP_AXE names no axe.min.js (npm install axe-core)")
+    context = browser.new_context(color_scheme=scheme)
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_load_state("networkidle")
+    page.evaluate(Path(script).read_text(encoding="utf-8"))
+    found = page.evaluate("axe.run({resultTypes: ['violations']})")["violations"]
+    context.close()
+    return [
+        (each["id"], sorted(" ".join(node["target"]) for node in each["nodes"]))
+        for each in found
+        if each["impact"] in ("serious", "critical")
+    ]
+
+
+def test_the_lab_beside_the_pages_computes(browser, address):
+    page = browser.new_page()
+    foreign = []
+    page.on("request", lambda request: request.url.startswith((address, "data:", "blob:")) or foreign.append(request.url))
+    page.goto(f"{address}play/index.html?start.speed=3.1")
+    page.wait_for_function("() => globalThis.hophoopLab?.film()?.sequence?.startsWith('RKRSH')", timeout=60_000)
+    assert foreign == []
+    page.close()

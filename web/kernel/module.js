@@ -1,0 +1,366 @@
+// The kernel as WebAssembly, called at once and without waiting: in a worker, or where one motion is wanted now.
+
+import { cellOf, contactOf, EVENT, HEAD, layout, NUMBER, WORD } from "./layout.js";
+import { Memory } from "./memory.js";
+import { columnsOf } from "./columns.js";
+import { sequencesOf } from "./sequences.js";
+
+const FIRST_EVENTS = 256;
+const FIRST_SEGMENTS = 2048;
+const FIRST_ROWS = 4096;
+const MOST_STEPS = 200_000; // of a compliant motion: some seconds, and 100 MB
+const BUFFER = layout.statuses.indexOf("buffer");
+const PASSING = new Set(["turn", "apex", "kane_gain", "rest"]);
+/** @param {number} value */
+const finite = (value) => (Number.isFinite(value) ? value : null);
+
+/** @implements {Mechanics} */
+export class HoopModule {
+  /** @param {WebAssembly.Module} compiled */
+  constructor(compiled) {
+    this.exports = /** @type {any} */ (new WebAssembly.Instance(compiled, {}).exports);
+    this.exports._initialize?.();
+    this.memory = new Memory(this.exports);
+    this.mostEvents = FIRST_EVENTS;
+    this.mostSegments = FIRST_SEGMENTS;
+    this.mostRows = FIRST_ROWS;
+  }
+
+  /**
+   * @param {string} name
+   * @param {...number} values
+   */
+  call(name, ...values) {
+    const failed = this.exports[name](...values);
+    if (failed) throw new Error(`The kernel ended ${name} with ${failed}.`);
+  }
+
+  // --- motions --------------------------------------------------------------------------------
+
+  /**
+   * Computes a motion; its events stay in memory for what follows.
+   * @param {Given} given
+   * @returns {Computed}
+   */
+  compute(given) {
+    const { memory } = this;
+    const width = layout.events.length;
+    for (;;) {
+      const table = memory.room("table", 8 * width * this.mostEvents);
+      const heads = memory.room("heads", 8 * layout.heads.length);
+      if (given.contact) this.computeCompliant(given, given.contact, table, heads);
+      else this.computeRigid(given, table, heads);
+      const head = memory.floats(heads, layout.heads.length).slice();
+      const count = head[HEAD.events];
+      if (head[HEAD.status] === BUFFER) this.makeRoom(given, head[HEAD.segments]);
+      else if (count === this.mostEvents && count < given.max_events) this.mostEvents *= 4;
+      else {
+        const rows = memory.floats(table, count * width).slice();
+        return { given, head, rows, count, duration: head[HEAD.duration], segments: head[HEAD.segments] };
+      }
+    }
+  }
+
+  /**
+   * @param {Given} given
+   * @param {number} table
+   * @param {number} heads
+   */
+  computeRigid(given, table, heads) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const events = memory.room("events", layout.event_bytes * this.mostEvents);
+    const segments = memory.room("segments", layout.segment_bytes * this.mostSegments);
+    this.call("motion", cell, events, this.mostEvents, segments, this.mostSegments, table, heads);
+  }
+
+  /**
+   * @param {Given} given
+   * @param {GivenContact} contact
+   * @param {number} table
+   * @param {number} heads
+   */
+  computeCompliant(given, contact, table, heads) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const numbers = memory.put("contact", contactOf(contact));
+    const events = memory.room("events", layout.event_bytes * this.mostEvents);
+    const rows = memory.room("rows", layout.compliant_segment_bytes * this.mostRows);
+    this.call(
+      "compliant_motion",
+      cell,
+      numbers,
+      events,
+      this.mostEvents,
+      MOST_STEPS,
+      rows,
+      this.mostRows,
+      table,
+      heads,
+    );
+  }
+
+  /**
+   * @param {Given} given
+   * @param {number} wanted
+   */
+  makeRoom(given, wanted) {
+    if (given.contact) this.mostRows = wanted;
+    else this.mostSegments *= 4;
+  }
+
+  /**
+   * @param {Given} given
+   * @returns {ComputedMotion}
+   */
+  motion(given) {
+    return told(this.compute(given));
+  }
+
+  /**
+   * A film's header and columns at once.
+   * @param {Given} given
+   */
+  film(given) {
+    const computed = this.compute(given);
+    return { motion: told(computed), columns: columnsOf(this, computed) };
+  }
+
+  /**
+   * @param {Given} given
+   * @param {[number, number]} [window] times from and to; the whole motion by default
+   */
+  columns(given, window) {
+    return columnsOf(this, this.compute(given), window);
+  }
+
+  /**
+   * @param {Given} given
+   * @param {Float64Array} times
+   * @returns {Samples}
+   */
+  samples(given, times) {
+    const rows = this.states(this.compute(given), times, false);
+    const width = layout.samples.length;
+    return Object.fromEntries(
+      layout.samples.map((name, place) => [name, Float64Array.from(times, (_, k) => rows[k * width + place])]),
+    );
+  }
+
+  /**
+   * Rows of `layout.samples` of the motion that was computed last.
+   * @param {Computed} computed
+   * @param {Float64Array} times
+   * @param {boolean} left just before an event
+   */
+  states(computed, times, left) {
+    const { memory } = this;
+    const size = times.length * layout.samples.length;
+    const when = memory.put("times", times);
+    const out = memory.room("states", 8 * Math.max(size, 1));
+    const cell = memory.room("cell", 8);
+    const ask = [computed.segments, when, times.length, Number(left), out];
+    if (computed.given.contact) {
+      this.call("compliant_samples", cell, memory.room("contact", 8), memory.room("rows", 8), ...ask);
+    } else {
+      this.call("samples", cell, memory.room("segments", 8), ...ask);
+    }
+    return memory.floats(out, size).slice();
+  }
+
+  // --- theory ---------------------------------------------------------------------------------
+
+  /**
+   * @param {Given} given
+   * @returns {TheoryNumbers}
+   */
+  thresholds(given) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const out = memory.room("answers", 8 * layout.thresholds.length);
+    const starts = given.rolling && given.angle === 0;
+    this.call("thresholds", cell, starts ? given.vx : Number.NaN, out);
+    const values = memory.floats(out, layout.thresholds.length);
+    /** @param {string} name */
+    const value = (name) => {
+      const found = values[layout.thresholds.indexOf(name)];
+      return Number.isNaN(found) ? null : found;
+    };
+    const jams = ["jam_angle", "jam_angle_2", "jam_angle_3", "jam_angle_4"].map(value);
+    return {
+      first_slip_speed: value("first_slip_speed"),
+      first_hop_speed: value("first_hop_speed"),
+      immediate_hop_speed: value("immediate_hop_speed"),
+      needed_friction: value("needed_friction"),
+      painleve_friction: value("painleve_friction"),
+      painleve_angle: value("painleve_angle"),
+      jam_angles: jams.filter((angle) => angle !== null),
+      stable_angle: value("stable_angle"),
+      massless_loss_angle: value("massless_loss_angle"),
+      massless_loss_by_friction: value("massless_loss_by_friction") === 1,
+    };
+  }
+
+  /**
+   * @param {Given} given
+   * @param {[number, number, number, number]} window
+   * @param {number} columns
+   * @param {number} rows
+   */
+  regions(given, [left, right, bottom, top], columns, rows) {
+    const { memory } = this;
+    const cell = memory.put("cell", cellOf(given));
+    const modes = memory.room("modes", columns * rows);
+    const sides = memory.room("sides", columns);
+    this.call("regions", cell, left, right, bottom, top, columns, rows, modes, sides);
+    const { buffer } = this.exports.memory;
+    return {
+      modes: new Uint8Array(buffer, modes, columns * rows).slice(),
+      paradox: Float32Array.from(new Int8Array(buffer, sides, columns)),
+    };
+  }
+
+  /**
+   * @param {MapCells} cells
+   * @param {string} what
+   * @param {string} span
+   * @returns {MapValues}
+   */
+  map({ count, rows }, what, span) {
+    const { memory } = this;
+    const place = memory.put("cells", rows);
+    const numbers = memory.room("numbers", 8 * count * layout.numbers.length);
+    const words = memory.room("words", 4 * count * layout.words.length);
+    const keys = memory.room("keys", 8 * count * layout.keys);
+    const { angle, stop, timed } = /** @type {Record<string, any>} */ (layout.spans)[span];
+    const wanted = /** @type {Record<string, number>} */ (layout.wanted)[what];
+    this.call("map_cells", place, count, angle ?? Number.NaN, stop, timed, wanted, numbers, words, keys);
+    const { buffer } = this.exports.memory;
+    if (what === "sequence") return sequencesOf(new BigUint64Array(buffer, keys, count * layout.keys), count);
+    const values = new Float64Array(count);
+    if (what in WORD) {
+      const codes = new Int32Array(buffer, words, count * layout.words.length);
+      for (let k = 0; k < count; k++) values[k] = codes[k * layout.words.length + WORD[what]];
+    } else {
+      const found = memory.floats(numbers, count * layout.numbers.length);
+      for (let k = 0; k < count; k++) values[k] = found[k * layout.numbers.length + NUMBER[what]];
+    }
+    return { values };
+  }
+
+  // --- mechanics that checking a scenario needs -------------------------------------------------
+
+  /** @param {number} loadFraction */
+  ideal(loadFraction) {
+    const out = this.memory.room("answers", 8 * layout.thresholds.length);
+    this.call("ideal_hoop", loadFraction, out);
+    return this.memory.floats(out, 1)[0];
+  }
+
+  /**
+   * @param {number} radius
+   * @param {WholePart[]} parts
+   */
+  combine(radius, parts) {
+    const { memory } = this;
+    const rows = memory.put("parts", parts.flatMap(rowOf));
+    const out = memory.room("answers", 8 * layout.thresholds.length);
+    const reaches = memory.room("reaches", 8 * parts.length);
+    this.call("hoop_of_parts", radius, rows, parts.length, out, reaches);
+    const [mass, eccentricity, inertia_ratio] = memory.floats(out, 3);
+    return { mass, eccentricity, inertia_ratio, reaches: [...memory.floats(reaches, parts.length)] };
+  }
+
+  /**
+   * @param {Given} given
+   * @returns {Compliance}
+   */
+  compliance(given) {
+    const { memory } = this;
+    if (!given.contact) throw new TypeError("The contact is rigid.");
+    const cell = memory.put("cell", cellOf(given));
+    const contact = memory.put("contact", contactOf(given.contact));
+    const out = memory.room("answers", 8 * layout.thresholds.length);
+    this.call("compliance", cell, contact, out);
+    const values = memory.floats(out, layout.chosen.length);
+    /** @param {string} name */
+    const value = (name) => values[layout.chosen.indexOf(name)];
+    return {
+      stiffness: value("stiffness"),
+      tangential_stiffness: value("tangential_stiffness"),
+      slip_speed: value("slip_speed"),
+      depth: value("depth"),
+      steps: value("steps"),
+      automatic: { stiffness: value("stiffness_si"), slip_speed: value("slip_speed_si") },
+    };
+  }
+}
+
+/** @param {WholePart} part */
+function rowOf(part) {
+  const kind = part.shape === "rod" ? `${part.direction}_rod` : part.shape;
+  const shape = layout.shapes.indexOf(kind);
+  if (part.shape === "ring") return [shape, part.mass, part.inner_radius, part.outer_radius, 0];
+  if (part.shape === "disk") return [shape, part.mass, part.radius, 0, part.at];
+  if (part.shape === "rod") return [shape, part.mass, part.length, 0, part.at];
+  return [shape, part.mass, 0, 0, part.at];
+}
+
+// --- a motion as it is told -----------------------------------------------------------------------
+
+const LOSSES = ["friction", "impact_normal", "impact_tangential", "rolling_resistance"];
+const ENERGIES = ["kinetic", "potential", ...LOSSES, "residual"];
+const STATE = ["x", "height", "angle", "vx", "vy", "omega"];
+
+/**
+ * As Trajectory.to_dict has it.
+ * @param {Computed} computed
+ * @returns {ComputedMotion}
+ */
+function told({ given, head, rows, count, duration }) {
+  const width = layout.events.length;
+  const events = Array.from({ length: count }, (_, k) => eventOf(rows.subarray(k * width, (k + 1) * width)));
+  const last = events[count - 1];
+  const energy = Object.fromEntries(
+    [...ENERGIES, ...(given.contact ? ["spring", "damping"] : [])].map((name) => [name, head[HEAD[name]]]),
+  );
+  return {
+    status: layout.statuses[head[HEAD.status]],
+    sequence: sequenceOf(events),
+    duration,
+    events,
+    final: { t: last.t, mode: last.to, ...Object.fromEntries(STATE.map((name) => [name, last[name]])) },
+    energy,
+    doubt: finite(head[HEAD.doubt_from]),
+  };
+}
+
+/**
+ * @param {Float64Array} row
+ * @returns {any}
+ */
+function eventOf(row) {
+  const kind = layout.kinds[row[EVENT.kind]];
+  const from = row[EVENT.from_mode];
+  /** @type {Record<string, any>} */
+  const event = {
+    t: row[EVENT.t],
+    kind,
+    from: from < 0 ? null : layout.letters[from],
+    to: layout.letters[row[EVENT.to_mode]],
+  };
+  for (const name of STATE) event[name] = finite(row[EVENT[name]]);
+  event.before = Object.fromEntries(["vx", "vy", "omega"].map((name) => [name, finite(row[EVENT[`before_${name}`]])]));
+  event.impulse = { normal: row[EVENT.impulse_normal], tangential: row[EVENT.impulse_tangential] };
+  if (row[EVENT.collision] === 0) event.collision = false;
+  if (kind === "kane_gain") event.gain = row[EVENT.gain];
+  if (row[EVENT.stable] >= 0) event.stable = row[EVENT.stable] === 1;
+  return event;
+}
+
+/** @param {any[]} events */
+function sequenceOf(events) {
+  const marks = events.filter((event) => !PASSING.has(event.kind));
+  const letters = marks.slice(0, -1).map((event, k) => (marks[k + 1].t > event.t ? event.to : ""));
+  return letters.join("") || (events.at(-1)?.to ?? "");
+}

@@ -1,0 +1,116 @@
+// The address of the page: the motions, the time, what is drawn, and the part of the map that is looked at.
+
+import { once } from "./dom.js";
+import { clamp } from "./numbers.js";
+
+/** @type {[keyof StageOptions, string][]} */
+const LETTERS = [
+  ["traces", "t"],
+  ["forces", "f"],
+  ["speed", "c"],
+  ["whole", "w"],
+  ["three", "3"],
+];
+const USUAL = "tfc";
+const WAIT = 400; // milliseconds; browsers refuse more than a few changes of the address a second
+
+/**
+ * @typedef {object} Shown
+ * @property {number} [time]
+ * @property {Partial<StageOptions>} [options]
+ * @property {number} [zoom]
+ * @property {{ what: string, x: [string, number, number], y: [string, number, number] }} [map]
+ */
+
+/**
+ * What is shown, as the part of a link behind its #; what is as usual is left out.
+ * @param {Shown} shown
+ */
+export function written({ time = 0, options = {}, zoom = 1, map }) {
+  const parts = [];
+  if (time > 0) parts.push(`t=${Number(time.toFixed(4))}`);
+  const letters = LETTERS.filter(([name]) => options[name]).map(([, letter]) => letter);
+  if (letters.join("") !== USUAL) parts.push(`show=${letters.join("")}`);
+  if (zoom !== 1) parts.push(`zoom=${Number(zoom.toPrecision(3))}`);
+  if (map) parts.push(`map=${[map.what, ...map.x, ...map.y].join(",")}`);
+  return parts.join("&");
+}
+
+/**
+ * What a link says of it; what it does not say, or says wrongly, is left out.
+ * @param {string} hash
+ * @returns {Shown}
+ */
+export function readShown(hash) {
+  const parts = new URLSearchParams(hash.replace(/^#/, ""));
+  /** @type {Shown} */
+  const shown = {};
+  const time = Number(parts.get("t") ?? Number.NaN);
+  if (time >= 0) shown.time = time;
+  const letters = parts.get("show");
+  if (letters !== null) {
+    shown.options = Object.fromEntries(LETTERS.map(([name, letter]) => [name, letters.includes(letter)]));
+  }
+  const zoom = Number(parts.get("zoom") ?? Number.NaN);
+  if (zoom > 0) shown.zoom = clamp(zoom, 0.05, 60);
+  const [what, x, x0, x1, y, y0, y1] = parts.get("map")?.split(",") ?? [];
+  const ends = [x0, x1, y0, y1].map(Number);
+  if (y1 !== undefined && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3]) {
+    shown.map = { what, x: [x, ends[0], ends[1]], y: [y, ends[2], ends[3]] };
+  }
+  return shown;
+}
+
+// The two links that an address holds.
+const queries = () => {
+  const other = new URLSearchParams(location.hash.slice(1)).get("with");
+  return [location.search.slice(1), ...(other === null ? [] : [other])];
+};
+
+// Writes what is shown into the address of the page, and follows the browser's own way back.
+export class Address {
+  /** @param {import("./lab.js").Lab} lab */
+  constructor(lab) {
+    this.lab = lab;
+    this.number = 0;
+    this.soon = once(() => this.write("same"), WAIT);
+    this.listen = () => this.arrived();
+    addEventListener("popstate", this.listen);
+  }
+
+  close() {
+    removeEventListener("popstate", this.listen);
+  }
+
+  /** @param {"same" | "step" | "again" | "travelled"} step */
+  write(step) {
+    const { lab } = this;
+    if (!lab.motions.lanes.length) return;
+    const link = lab.link();
+    if (step === "step") history.pushState({ number: ++this.number }, "", link);
+    else history.replaceState({ number: this.number }, "", link);
+  }
+
+  /**
+   * The step that the lab has made is the browser's, too.
+   * @param {-1 | 1} way
+   */
+  travel(way) {
+    return /** @type {Promise<void>} */ (
+      new Promise((resolve) => {
+        const done = () => resolve();
+        addEventListener("popstate", done, { once: true });
+        setTimeout(done, 300); // where there is no such step
+        history.go(way);
+      })
+    );
+  }
+
+  async arrived() {
+    const number = history.state?.number ?? 0;
+    const asked = queries();
+    if (JSON.stringify(asked) === JSON.stringify(this.lab.motions.queries())) this.number = number;
+    else if (await this.lab.motions.arrive(asked)) this.number = number;
+    else if (number !== this.number) history.go(this.number - number); // stay with what is shown
+  }
+}

@@ -1,0 +1,127 @@
+// A field for a number: what may be typed, and what is said where it is none or not allowed.
+
+import { h, say } from "./dom.js";
+import { show, withUnit } from "./numbers.js";
+import { local } from "./words.js";
+
+/**
+ * A number as people type it: a decimal comma or point, a real minus sign, powers of ten, ∞. NaN where it is none.
+ * @param {string} text
+ * @param {string} unit which may stand behind it
+ */
+export function readNumber(text, unit = "") {
+  let plain = text.trim();
+  if (unit && plain.endsWith(unit)) plain = plain.slice(0, -unit.length);
+  plain = plain
+    .replace(/[\s\u00a0\u202f]/g, "")
+    .replace(/[−–]/g, "-")
+    .replace(/[·×*x]10\^?([-⁻]?)([\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$/, (_, sign, power) => `e${sign && "-"}${power.normalize("NFKD")}`);
+  const endless = /^([+-]?)(inf|infinity|∞)$/i.exec(plain);
+  if (endless) return endless[1] === "-" ? -Infinity : Infinity;
+  if (!/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.test(plain)) return Number.NaN;
+  return Number(plain.replace(",", "."));
+}
+
+/**
+ * What is wrong with an entry, in the unit of its field; empty where nothing is.
+ * @param {string} text as it was typed
+ * @param {number} value in the field's unit
+ * @param {{ label: string, unit: string, range?: AllowedRange }} field its range in the field's unit
+ */
+export function refusal(text, value, { label, unit, range }) {
+  const typed = text.trim();
+  if (Number.isNaN(value)) return `${label} = ${typed} must be a number, such as 2.5.`;
+  if (!range || (value >= range.least && value <= range.most) || range.also.includes(value)) return "";
+  const zero = range.also.includes(0) ? "0 or " : "";
+  const span = `from ${show(range.least, 4)} to ${withUnit(show(range.most, 4), unit)}`;
+  const endless = range.also.includes(Infinity) ? ", or inf" : "";
+  return `${label} = ${withUnit(show(value, 6), unit)} must be ${zero}${span}${endless}.`;
+}
+
+/**
+ * @typedef {object} FieldInfo
+ * @property {string} label
+ * @property {string} unit
+ * @property {AllowedRange} [range] in the field's unit
+ * @property {string} [name] for a screen reader, where no label belongs to it
+ */
+
+let count = 0;
+
+// The text that is typed stays until it is a number that is taken, or until Escape brings back what was there.
+export class Entry {
+  /**
+   * @param {FieldInfo} info
+   * @param {(value: number) => void} onvalue
+   */
+  constructor(info, onvalue) {
+    this.info = info;
+    this.onvalue = onvalue;
+    this.shown = "";
+    this.typing = false;
+    this.error = h("p", { class: "error", role: "alert", id: `hh-error-${++count}`, hidden: true });
+    this.input = h("input", {
+      type: "text",
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      class: "exact",
+      "aria-label": info.name,
+      oninput: () => {
+        this.typing = true;
+        this.accept();
+      },
+      onchange: () => this.typed(),
+      onblur: () => this.typing && this.typed(),
+      onkeydown: (/** @type {KeyboardEvent} */ event) => {
+        if (event.key !== "Escape" || !(this.typing || this.refused())) return;
+        event.stopPropagation();
+        this.restore();
+      },
+    });
+  }
+
+  refused() {
+    return this.input.getAttribute("aria-invalid") === "true";
+  }
+
+  typed() {
+    const text = this.input.value;
+    if (!this.typing) return;
+    this.typing = false;
+    if (text.trim() === "") {
+      this.restore();
+      return;
+    }
+    const value = readNumber(text, this.info.unit);
+    const wrong = refusal(text, value, this.info);
+    if (wrong) this.refuse(wrong);
+    else this.onvalue(value);
+  }
+
+  /** @param {string} sentence */
+  refuse(sentence) {
+    this.input.setAttribute("aria-invalid", "true");
+    this.input.setAttribute("aria-describedby", this.error.id);
+    say(this.error, sentence);
+    this.error.hidden = false;
+  }
+
+  accept() {
+    this.input.removeAttribute("aria-invalid");
+    this.input.removeAttribute("aria-describedby");
+    this.error.hidden = true;
+  }
+
+  restore() {
+    this.typing = false;
+    this.input.value = this.shown;
+    this.accept();
+  }
+
+  /** @param {string} text what is so now; what a hand is typing stays */
+  show(text) {
+    this.shown = local(text);
+    if (!this.typing) this.restore();
+  }
+}

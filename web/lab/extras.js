@@ -1,0 +1,170 @@
+// What stands around the player besides: the hoop in the hand, languages, the visit, challenges, sound, the table, and
+// what a class needs.
+
+import { Challenges } from "./challenges.js";
+import { h } from "./dom.js";
+import { Grips } from "./grips.js";
+import { icon } from "./icons.js";
+import { Present } from "./present.js";
+import { Sound } from "./sound.js";
+import { Table } from "./table.js";
+import { teachDialog } from "./teach.js";
+import { Visit } from "./visit.js";
+import { current, keep, LANGUAGES, repeat, speak, t, untranslated } from "./words.js";
+
+export class Extras {
+  // what the page says, for tests and for those who look in from outside
+  words = { t, untranslated };
+
+  /** @param {import("./lab.js").Lab} lab */
+  constructor(lab) {
+    this.lab = lab;
+    this.grips = new Grips(lab);
+    this.sound = new Sound();
+    this.present = new Present(lab);
+    this.challenges = new Challenges(lab);
+    this.visit = new Visit(lab, () => this.challenges.open());
+    this.table = new Table(lab);
+    this.teach = teachDialog(
+      (query) => this.challenges.load(query),
+      () => this.visit.start(),
+    );
+    this.layOut();
+    this.spoken();
+  }
+
+  layOut() {
+    const { lab } = this;
+    const player = /** @type {HTMLElement} */ (lab.stage.element.parentElement);
+    const side = lab.root.querySelector(".side");
+    if (side) side.prepend(this.visit.element, this.challenges.element);
+    else player.before(this.visit.element, this.challenges.element);
+    player.after(this.table.element);
+    lab.root.append(this.teach);
+    lab.transport.element.querySelector(".switches")?.before(this.tools());
+    const right = lab.header.element.querySelector(".right");
+    right?.prepend(this.menu(), this.languages());
+    if (lab.hosted && !location.search && !location.hash) this.visit.offer();
+  }
+
+  /** Switches beside those of the player. */
+  tools() {
+    const { clock } = this.lab;
+    const toggle = (/** @type {any} */ name, /** @type {string} */ title, /** @type {() => void} */ action) =>
+      h("button", { type: "button", title, "aria-label": title, "aria-pressed": "false", onclick: action }, icon(name));
+    this.loop = toggle("loop", "Repeat", () => {
+      clock.loop = !clock.loop;
+      this.mark();
+    });
+    this.slow = toggle("slow", "Slow motion: a tenth of the speed", () => {
+      clock.speed = clock.speed === 0.1 ? 1 : 0.1;
+      clock.changed();
+      this.mark();
+    });
+    this.loud = toggle("sound", "Sound of the contact", () => {
+      this.sound.turn(!this.sound.on);
+      this.mark();
+    });
+    this.large = toggle("large", "Presentation on the whole screen", () => this.present.turn());
+    this.present.onchange = () => this.mark();
+    this.mark();
+    return h("div", { class: "buttons tools" }, this.loop, this.slow, this.loud, this.large);
+  }
+
+  mark() {
+    const { clock } = this.lab;
+    this.loop?.setAttribute("aria-pressed", String(clock.loop));
+    this.slow?.setAttribute("aria-pressed", String(clock.speed === 0.1));
+    this.loud?.setAttribute("aria-pressed", String(this.sound.on));
+    this.large?.setAttribute("aria-pressed", String(this.present.on));
+  }
+
+  menu() {
+    const item = (/** @type {string} */ words, /** @type {() => void} */ action) =>
+      h(
+        "button",
+        {
+          type: "button",
+          onclick: () => {
+            menu.open = false;
+            action();
+          },
+        },
+        words,
+      );
+    const menu = h(
+      "details",
+      { class: "learn" },
+      h("summary", { class: "button" }, "Learn"),
+      h(
+        "div",
+        { class: "menu-body" },
+        item("Guided visit", () => this.visit.start()),
+        item("Challenges", () => this.challenges.open()),
+        item("Table of the motion", () => this.table.open(true)),
+        item("Presentation", () => this.present.turn(true)),
+        item("For teachers", () => this.teach.showModal()),
+      ),
+    );
+    this.lab.root.addEventListener("pointerdown", (/** @type {PointerEvent} */ event) => {
+      if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
+    });
+    menu.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || !menu.open) return;
+      event.stopPropagation();
+      menu.open = false;
+      menu.querySelector("summary")?.focus();
+    });
+    return menu;
+  }
+
+  languages() {
+    const select = h(
+      "select",
+      {
+        class: "language",
+        "aria-label": "Language",
+        onchange: () => {
+          keep(select.value);
+          speak(select.value);
+          this.spoken();
+          repeat(this.lab.root);
+          this.lab.show();
+        },
+      },
+      Object.entries(LANGUAGES).map(([code, name]) =>
+        h("option", { value: code, lang: code }, document.createTextNode(name)),
+      ),
+    );
+    select.value = current();
+    return select;
+  }
+
+  spoken() {
+    this.lab.root.lang = current();
+    if (this.lab.hosted) document.documentElement.lang = current();
+  }
+
+  /** Another picture is on the screen. */
+  frame() {
+    const { lab } = this;
+    this.grips.draw();
+    this.sound.follow(lab.film(), lab.clock);
+    this.table.cursor(lab.clock.time);
+    this.visit.frame();
+    this.mark();
+  }
+
+  /** Another motion is there, or the page looks or speaks otherwise. */
+  changed() {
+    this.grips.draw();
+    this.table.draw(this.lab.film());
+    this.challenges.changed();
+    this.visit.changed();
+  }
+
+  close() {
+    this.sound.close();
+    this.present.close();
+  }
+}

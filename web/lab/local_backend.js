@@ -1,0 +1,143 @@
+// Answers without a server: numbers from the kernel in the page, everything else from the model beside it.
+
+import * as model from "../model/index.js";
+
+const REGION_COLUMNS = 360;
+const REGION_ROWS = 240;
+/** @type {[number, number, number, number]} */
+const WINDOW = [0, 2 * Math.PI, -12, 12];
+
+/** Files that need no Python. @type {Record<string, string>} */
+const OWN_FILES = {
+  "motion.toml": "application/toml",
+  "motion.csv": "text/csv; charset=utf-8",
+  "motion.json": "application/json",
+};
+const SERVER_FILES = ["motion.nc", "motion.mp4", "motion.gif"];
+
+/** @implements {Backend} */
+export class LocalBackend {
+  /**
+   * @param {Kernel} kernel
+   * @param {Mechanics} mechanics
+   * @param {{ base?: URL | null, server?: Backend | null }} [beside] the page's address, where there is one to share, and a
+   *   server that makes what needs Python
+   */
+  constructor(kernel, mechanics, { base = null, server = null } = {}) {
+    this.kernel = kernel;
+    this.mechanics = mechanics;
+    this.base = base;
+    this.server = server;
+    this.shares = base !== null;
+    this.files = [...Object.keys(OWN_FILES), ...(server ? SERVER_FILES : [])];
+  }
+
+  /**
+   * @param {string} name
+   * @param {any} body
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<Reply>}
+   */
+  async call(name, body, signal) {
+    signal?.throwIfAborted();
+    if (name === "setup") return { header: model.tables.setup, arrays: {} };
+    const checked = model.asked(body, this.mechanics);
+    if (name === "film") return this.film(checked, signal);
+    if (name === "samples") {
+      const given = model.given(model.within(checked));
+      return { header: { window: body.window }, arrays: await this.kernel.columns(given, signal, body.window) };
+    }
+    if (name === "code") {
+      return { header: { python: model.pythonCode(checked), toml: model.toToml(checked) }, arrays: {} };
+    }
+    if (name === "theory") {
+      const known = await this.kernel.thresholds(model.given(checked), signal);
+      return { header: { thresholds: model.thresholds(checked, known) }, arrays: {} };
+    }
+    if (name === "regions") {
+      const window = body.window ?? WINDOW;
+      const given = model.given(checked);
+      const arrays = await this.kernel.regions(given, window, REGION_COLUMNS, REGION_ROWS, signal);
+      return { header: { window }, arrays };
+    }
+    if (name === "map") return this.map(checked, body, signal);
+    throw new model.InputError(`call = '${name}' is not one that the page answers.`);
+  }
+
+  /**
+   * @param {Checked} checked
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<Reply>}
+   */
+  async film(checked, signal) {
+    const given = model.given(model.within(checked));
+    const { motion, columns } = this.kernel.film
+      ? await this.kernel.film(given, signal)
+      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
+    const omega = await this.turning(given, motion, signal);
+    return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays: columns };
+  }
+
+  /**
+   * How the hoop turns after events at which it slips and does not turn yet.
+   * @param {Given} given
+   * @param {ComputedMotion} motion
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<(number: number) => number>}
+   */
+  async turning(given, { events }, signal) {
+    const still = model.stills(events);
+    if (!still.length) return () => 0;
+    const times = Float64Array.from(still, (number) => model.halfway(events, number));
+    const { omega } = await this.kernel.samples(given, times, signal);
+    return (number) => omega[still.indexOf(number)];
+  }
+
+  /**
+   * @param {Checked} checked
+   * @param {any} body
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<Reply>}
+   */
+  async map(checked, { x, y, what = "sequence" }, signal) {
+    const span = model.spanOf(what);
+    const base = model.checkMap(checked, { x, y, what });
+    const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
+    return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, span, signal));
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} query
+   */
+  async file(name, query) {
+    if (!(name in OWN_FILES)) {
+      if (this.server) return this.server.file(name, query);
+      throw new model.InputError(`${name} needs Python: run hophoop lab.`);
+    }
+    return new Blob([await this.fileText(name, query)], { type: OWN_FILES[name] });
+  }
+
+  /**
+   * @param {string} name
+   * @param {string} query
+   */
+  async fileText(name, query) {
+    const asked = model.asked({ query }, this.mechanics);
+    if (name === "motion.toml") return model.toToml(asked);
+    const checked = model.within(asked);
+    const given = model.given(checked);
+    const motion = await this.kernel.motion(given);
+    if (name === "motion.json") return model.resultText(checked, motion);
+    const times = model.timesOf(motion.duration);
+    return model.tableText(times, await this.kernel.samples(given, times));
+  }
+
+  /**
+   * @param {string} query
+   * @param {string} hash
+   */
+  link(query, hash) {
+    return this.base && `${new URL(query ? `?${query}` : "", this.base)}${hash}`;
+  }
+}

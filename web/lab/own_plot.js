@@ -1,0 +1,50 @@
+// A diagram of the visitor's own choice: any quantity upwards; what stands across is chosen for all diagrams.
+
+import { h } from "./dom.js";
+import { Plot } from "./plot.js";
+import { QUANTITIES, withSymbol } from "./quantities.js";
+import { t } from "./words.js";
+
+/**
+ * Options of a list of quantities.
+ * @param {(quantity: import("./quantities.js").Quantity) => string | string[]} words
+ */
+export const optionsOf = (words) =>
+  Object.entries(QUANTITIES).map(([key, quantity]) => h("option", { value: key }, words(quantity)));
+
+/**
+ * @param {PlotShared} shared
+ * @returns {Plot}
+ */
+export function ownPlot(shared) {
+  let key = "height";
+  const plot = new Plot(
+    {
+      key: "own",
+      title: "Your choice",
+      unit: "",
+      curves: (film) => [{ name: t(QUANTITIES[key].name), values: QUANTITIES[key].values(film) }],
+    },
+    shared,
+  );
+  const name = () => {
+    const { symbol, unit } = QUANTITIES[key];
+    plot.unit = unit ? `${symbol} [${unit}]` : symbol;
+  };
+  const select = h(
+    "select",
+    {
+      "aria-label": "What your diagram shows",
+      onchange: () => {
+        key = select.value;
+        name();
+        shared.changed();
+      },
+    },
+    optionsOf(withSymbol),
+  );
+  select.value = key;
+  name();
+  plot.element.querySelector("h3")?.after(select);
+  return plot;
+}

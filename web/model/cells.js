@@ -1,0 +1,167 @@
+// A map as the page asks for it: the cells that the kernel computes, and what its numbers are called.
+
+import { InputError, TooMuch } from "./check.js";
+import { classColor, classText } from "./classes.js";
+import { given } from "./given.js";
+import { contradiction, known } from "./paths.js";
+import { labText, within } from "./request.js";
+import { Broken } from "./rules.js";
+import { fitted, sectionsWith } from "./scenario.js";
+import { tables } from "./tables.js";
+
+const BREATH = 8; // milliseconds after which the page may do something else
+const { cell: CELL, laws, events: MOST_EVENTS, quantities } = tables.map;
+
+/** @typedef {{ path: string, from: number, to: number, cells: number }} Axis */
+
+/**
+ * The middle of each cell of an axis.
+ * @param {Axis} axis
+ */
+const middles = ({ from, to, cells }) =>
+  Array.from({ length: cells }, (_, k) => from + (k + 0.5) * ((to - from) / cells));
+
+/**
+ * The scenario of a map, and what is asked of it.
+ * @param {Checked} checked
+ * @param {{ x: Axis, y: Axis, what: string }} asked
+ */
+export function checkMap(checked, { x, y }) {
+  known(x.path);
+  known(y.path);
+  if (x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
+  const cells = x.cells * y.cells;
+  if (cells > tables.limits.cells) throw new TooMuch(labText("too_many_cells", { cells, most: tables.limits.cells }));
+  if (checked.contact.model !== "rigid") throw new InputError(labText("rigid_maps"));
+  const pair = contradiction([y.path, x.path]);
+  if (pair) throw new InputError(labText("two_axes", { one: pair[0], other: pair[1] }));
+  const { contact, ...rest } = within(checked);
+  return { ...rest, contact: { ...contact, max_events: Math.min(contact.max_events, MOST_EVENTS) } };
+}
+
+/**
+ * Every cell as the kernel takes it; one whose values do not go together is marked. The page breathes in between.
+ * @param {Checked} base
+ * @param {{ x: Axis, y: Axis }} axes
+ * @param {Mechanics} mechanics
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<MapCells>}
+ */
+export async function cellsOf(base, { x, y }, mechanics, signal) {
+  const across = middles(x);
+  const upwards = middles(y);
+  const cellAt = independent(base, x.path, y.path)
+    ? joined(base, { x, y }, [across, upwards], mechanics)
+    : (/** @type {number} */ i, /** @type {number} */ k) => {
+        const values = new Map([
+          [y.path, upwards[k]],
+          [x.path, across[i]],
+        ]);
+        return sectionsWith(base, values, mechanics);
+      };
+  const count = across.length * upwards.length;
+  const rows = new Float64Array(CELL.length * count);
+  const cell = { ...base };
+  let began = performance.now();
+  for (let k = 0; k < upwards.length; k++) {
+    if (performance.now() - began > BREATH) {
+      await new Promise((resolve) => setTimeout(resolve));
+      signal?.throwIfAborted();
+      began = performance.now();
+    }
+    for (let i = 0; i < across.length; i++) {
+      const sections = cellAt(i, k);
+      const numbers = sections && numbersOf(Object.assign(cell, sections), mechanics);
+      if (!numbers) continue;
+      const place = k * across.length + i;
+      for (let field = 0; field < CELL.length; field++) rows[field * count + place] = READ[field](numbers);
+    }
+  }
+  return { count, rows };
+}
+
+/**
+ * Whether the values of two axes are checked apart: in sections of their own, of which none takes from the other.
+ * @param {Checked} base
+ * @param {string} one
+ * @param {string} other
+ */
+function independent({ start }, one, other) {
+  const sections = [one, other].map((path) => path.split(".")[0]);
+  if (sections[0] === sections[1]) return false;
+  // a rolling start that becomes a free one turns as its hoop rolls
+  const free = [one, other].some((path) => path.startsWith("start.") && path !== "start.speed");
+  return !(sections.includes("hoop") && free && start.speed !== null);
+}
+
+/**
+ * The sections of a cell, each checked once for its value.
+ * @param {Checked} base
+ * @param {{ x: Axis, y: Axis }} axes
+ * @param {[number[], number[]]} values
+ * @param {Mechanics} mechanics
+ * @returns {(i: number, k: number) => Partial<Checked> | null}
+ */
+function joined(base, { x, y }, [across, upwards], mechanics) {
+  const wide = across.map((value) => sectionsWith(base, new Map([[x.path, value]]), mechanics));
+  const high = upwards.map((value) => sectionsWith(base, new Map([[y.path, value]]), mechanics));
+  return (i, k) => wide[i] && high[k] && { ...wide[i], ...high[k] };
+}
+
+/** What stands in each row of a cell. @type {((given: any) => number)[]} */
+const READ = CELL.map((/** @type {string} */ name) => {
+  if (name === "law") return (/** @type {Given} */ { impact_law }) => laws[impact_law];
+  if (name === "strike") return (/** @type {Given} */ { painleve }) => Number(painleve === "impact");
+  if (name === "allowed") return () => 1;
+  return (/** @type {any} */ given) => Number(given[name]);
+});
+
+/**
+ * @param {Checked} cell
+ * @param {Mechanics} mechanics
+ */
+function numbersOf(cell, mechanics) {
+  try {
+    return given(fitted(cell, mechanics));
+  } catch (error) {
+    if (!(error instanceof Broken)) throw error;
+    return null;
+  }
+}
+
+/**
+ * The span over which a quantity is taken.
+ * @param {string} what
+ * @returns {string}
+ */
+export function spanOf(what) {
+  if (Object.hasOwn(quantities, what)) return quantities[what].span;
+  throw new InputError(`what = ${what} must be one of ${Object.keys(quantities).join(", ")}.`);
+}
+
+/**
+ * A map as the page shows it.
+ * @param {{ x: Axis, y: Axis, what: string }} asked
+ * @param {MapValues} found
+ */
+export function mapReply({ x, y, what }, found) {
+  const { label, unit, words } = quantities[what];
+  const { values, names } = ordered(found, unit === "" ? words : null);
+  const classes =
+    unit === "" ? names.map((name) => ({ name, text: classText(name, what), color: classColor(name, what) })) : null;
+  return { header: { x, y, what, label, unit, classes }, arrays: { values } };
+}
+
+/**
+ * Sequences in the order of a legend, the short ones first; what is no code becomes nan.
+ * @param {MapValues} found
+ * @param {string[] | null} words of a coded quantity
+ * @returns {{ values: Column, names: string[] }}
+ */
+function ordered({ values, sequences }, words) {
+  if (!words) return { values: /** @type {Column} */ (values), names: [] };
+  const names = sequences ? [...sequences].sort((a, b) => a.length - b.length || (a < b ? -1 : a > b ? 1 : 0)) : words;
+  const codes = sequences?.map((name) => names.indexOf(name));
+  const coded = Float64Array.from(values, (code) => (code >= 0 ? (codes?.[code] ?? code) : Number.NaN));
+  return { values: coded, names };
+}

@@ -1,0 +1,207 @@
+// A table of keys checked against a model of Python's, field by field: values, or what is wrong with them.
+
+import { closest } from "./close.js";
+import { number, tables } from "./tables.js";
+import { fill, plain, pythonText, shortened } from "./text.js";
+
+const { texts, scenario } = tables;
+
+/** Bad input, said in one sentence. */
+export class InputError extends Error {
+  /** @param {string} message */
+  constructor(message) {
+    super(plain(message));
+    this.name = "InputError";
+  }
+}
+
+/** The request is valid, but asks for more than the lab computes at a time. */
+export class TooMuch extends InputError {}
+
+/**
+ * A sentence of Python's, filled.
+ * @param {string} name
+ * @param {Record<string, any>} [values]
+ */
+export const say = (name, values = {}) => fill(texts[name], values);
+
+/** @param {any} value */
+export const isTable = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+
+/**
+ * What was found, and how numbers were given.
+ * @typedef {object} Findings
+ * @property {string[]} said one sentence each
+ * @property {string} above path under which the scenario stands, with its dot
+ * @property {(path: string) => boolean} float whether numbers there are always shown with a point
+ */
+
+/** @param {(path: string) => boolean} [float] */
+export function findings(float = () => false, above = "") {
+  return /** @type {Findings} */ ({ said: [], above, float });
+}
+
+/**
+ * @param {Findings} found
+ * @param {string} path
+ * @param {any} value
+ * @param {string} kind
+ * @param {Record<string, any>} [values]
+ */
+export function refuse(found, path, value, kind, values) {
+  const shown = typeof value === "bigint" ? String(value) : pythonText(value, found.float(path));
+  const where = found.above + path || texts.whole_scenario;
+  found.said.push(say("finding", { path: where, shown: shortened(shown), allowed: say(kind, values) }));
+}
+
+/**
+ * The fields of a model, or null where something is wrong with them.
+ * @param {string} model
+ * @param {any} data
+ * @param {string} path
+ * @param {Findings} found
+ * @returns {{ values: Record<string, any>, given: Set<string> } | null}
+ */
+export function readFields(model, data, path, found) {
+  const { fields, place } = scenario.models[model];
+  if (!isTable(data)) {
+    refuse(found, path, data, "table");
+    return null;
+  }
+  for (const key of Object.keys(data)) {
+    if (Object.hasOwn(fields, key)) continue;
+    found.said.push(unknownKey(place, key, Object.keys(fields)));
+    return null;
+  }
+  const before = found.said.length;
+  /** @type {Record<string, any>} */
+  const values = {};
+  for (const [name, field] of Object.entries(fields)) {
+    if (field.kind === "section") continue;
+    if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
+    else if (field.required) found.said.push(say("missing", { path: `${found.above}${path}.${name}` }));
+    else values[name] = number(field.default);
+  }
+  return found.said.length === before ? { values, given: new Set(Object.keys(data)) } : null;
+}
+
+/**
+ * @param {string} place
+ * @param {string} key
+ * @param {string[]} known
+ */
+export function unknownKey(place, key, known) {
+  const close = closest(key, known);
+  const hint = close ? say("did_you_mean", { close }) : say("known_are", { known: known.join(", ") });
+  return say("unknown_key", { path: `${place}${shortened(key)}`, hint });
+}
+
+/**
+ * @param {any} field
+ * @param {any} value
+ * @param {string} path
+ * @param {Findings} found
+ * @returns {any}
+ */
+export function readValue(field, value, path, found) {
+  if (value === null && field.nullable) return null;
+  if (field.kind === "parts") return readParts(value, path, found);
+  if (field.kind === "word") {
+    if (!field.options.includes(value)) refuse(found, path, value, "literal_error", field);
+    return value;
+  }
+  const infinite = field.kind === "friction";
+  const given = infinite && value === "inf" ? Infinity : value;
+  if (typeof given !== "number") return refuse(found, path, value, "number");
+  if (infinite && !(given >= 0)) return refuse(found, path, value, "friction");
+  if (field.kind === "whole" && !Number.isInteger(given)) return refuse(found, path, value, "whole");
+  if (!infinite && !Number.isFinite(given)) return refuse(found, path, value, "finite_number");
+  for (const [kind, limit] of field.limits ?? []) {
+    if (within(kind, given, limit)) continue;
+    return refuse(found, path, field.kind === "whole" ? BigInt(given) : value, kind, { limit });
+  }
+  if (field.range && !holds(field.range, given)) return refuse(found, path, value, "range", field.range);
+  return given + 0; // no −0
+}
+
+/**
+ * @param {string} kind
+ * @param {number} value
+ * @param {number} limit
+ */
+function within(kind, value, limit) {
+  if (kind === "greater_than") return value > limit;
+  if (kind === "greater_than_equal") return value >= limit;
+  return kind === "less_than" ? value < limit : value <= limit;
+}
+
+/**
+ * @param {{ least: number, most: number, also?: any[] }} range
+ * @param {number} value
+ */
+export const holds = ({ least, most, also = [] }, value) =>
+  (least <= value && value <= most) || also.some((one) => number(one) === value);
+
+/**
+ * @param {any} value
+ * @param {string} path
+ * @param {Findings} found
+ */
+function readParts(value, path, found) {
+  if (!Array.isArray(value)) return refuse(found, path, value, "list");
+  return value.map((part, index) => readPart(part, `${path}.${index}`, found));
+}
+
+/**
+ * @param {any} part
+ * @param {string} path
+ * @param {Findings} found
+ */
+function readPart(part, path, found) {
+  const model = tagged(part, "shape", scenario.parts, path, found);
+  const read = model && readFields(model, part, path, found);
+  if (!read) return null;
+  const { inner_radius: inner, outer_radius: outer } = read.values;
+  if (inner > outer) found.said.push(say("ring_radii", { inner, outer }));
+  return read.values;
+}
+
+/**
+ * Which of several models a table is.
+ * @param {any} data
+ * @param {string} key
+ * @param {Record<string, string>} models by word
+ * @param {string} path
+ * @param {Findings} found
+ * @param {string} [usual] where the key is missing
+ * @returns {string | null}
+ */
+export function tagged(data, key, models, path, found, usual) {
+  if (!isTable(data)) {
+    refuse(found, path, data, "table");
+    return null;
+  }
+  const word = Object.hasOwn(data, key) ? data[key] : usual;
+  if (word === undefined || (word === null && usual)) {
+    found.said.push(say("missing", { path: `${found.above}${path}.${key}` }));
+    return null;
+  }
+  if (typeof word === "string" && Object.hasOwn(models, word)) return models[word];
+  const said = typeof word === "string" ? word : pythonText(word, found.float(`${path}.${key}`));
+  const words = Object.keys(models).map((name) => `'${name}'`);
+  const expected = `${words.slice(0, -1).join(", ")} or ${words.at(-1)}`;
+  const allowed = say("literal_error", { expected });
+  const values = { path: `${found.above}${path}.${key}`, shown: shortened(pythonText(said)), allowed };
+  found.said.push(say("finding", values));
+  return null;
+}
+
+/**
+ * The one sentence of all that was found.
+ * @param {string[]} said
+ */
+export function whole(said) {
+  const count = said.length - 1;
+  if (!count) return said[0];
+  return say(count === 1 ? "other_problem" : "other_problems", { first: said[0].replace(/\.$/, ""), count });
+}

@@ -1,0 +1,56 @@
+// Colours and names of the classes of motions in maps: the page's side of vocabulary/classes.py.
+
+import { tables } from "./tables.js";
+
+const { codes, families, hops, rolls, other } = tables.classes;
+const { sequence: letters } = tables.words;
+const SEQUENCE = "sequence";
+
+/**
+ * As Python's zlib.crc32 of ASCII.
+ * @param {string} text
+ */
+function checksum(text) {
+  let sum = ~0;
+  for (const sign of text) {
+    sum ^= sign.charCodeAt(0);
+    for (let bit = 0; bit < 8; bit++) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
+  }
+  return ~sum >>> 0;
+}
+
+/**
+ * @param {string} name a sequence, or a word of another quantity
+ * @param {string} quantity
+ * @returns {string} as #RRGGBB
+ */
+export function classColor(name, quantity) {
+  if (quantity !== SEQUENCE) return codes[quantity]?.[name] ?? other;
+  const first = [...name].find((letter) => "SKM".includes(letter)) ?? "R";
+  const ink = name.endsWith("H") ? hops : (families[first + name.slice(-1)] ?? rolls);
+  const base = [1, 3, 5].map((place) => Number.parseInt(ink.slice(place, place + 2), 16) / 255);
+  const middle = (base[0] + base[1] + base[2]) / 3;
+  const depth = Math.min(name.length - 1, 9) / 9;
+  // classes of one length and family still differ a little, by their names
+  const drift = (checksum(name) % 1000) / 1000;
+  const light = 0.62 - 0.62 * Math.min(2 * depth, 1);
+  const dark = Math.max(2 * depth - 1, 0) * 0.5;
+  const shades = base.map((part) => {
+    const mixed = (1 - 0.2 * drift) * part + 0.2 * drift * middle;
+    const shade = Math.min(Math.max((mixed + (1 - mixed) * light) * (1 - dark), 0), 1);
+    return Math.round(255 * shade)
+      .toString(16)
+      .padStart(2, "0");
+  });
+  return `#${shades.join("")}`;
+}
+
+/**
+ * A class in words.
+ * @param {string} name
+ * @param {string} quantity
+ */
+export function classText(name, quantity) {
+  if (quantity !== SEQUENCE) return name.replaceAll("_", " ");
+  return [...name].map((letter) => letters[letter]).join(" → ");
+}

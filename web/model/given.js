@@ -1,0 +1,48 @@
+// A scenario as the numbers that the kernel takes.
+
+/**
+ * @param {Checked} checked
+ * @returns {Given}
+ */
+export function given({ duration, hoop, plane, start, contact }) {
+  const { radius, mass, eccentricity, inertia_ratio } = hoop;
+  const { gravity, slope, rolling_resistance, mu_static, mu_kinetic, restitution, impact_law, painleve } = plane;
+  const { x, height, angle, vx, vy, omega, slip } = stateOf(start, radius);
+  const { max_events, model, ...rest } = contact;
+  return {
+    radius,
+    mass,
+    eccentricity,
+    inertia_ratio,
+    ideal: hoop.load_fraction !== null,
+    gravity,
+    slope,
+    rolling_resistance,
+    mu_static,
+    mu_kinetic,
+    restitution,
+    impact_law,
+    painleve,
+    x,
+    height,
+    angle,
+    vx,
+    vy,
+    omega,
+    slip,
+    rolling: start.speed !== null,
+    duration,
+    max_events,
+    contact: model === "rigid" ? null : /** @type {GivenContact} */ (/** @type {unknown} */ (rest)),
+  };
+}
+
+/**
+ * The start as numbers, as Python's `Start.state`: a rolling one turns with its speed over the radius and does not slip.
+ * @param {CheckedStart} start
+ * @param {number} radius
+ */
+export function stateOf({ x, height, angle, speed, vx, vy, omega }, radius) {
+  const turning = speed === null ? Number(omega) : speed / radius;
+  return { x, height, angle, vx, vy, omega: turning, slip: speed === null ? vx - radius * turning : 0 };
+}

@@ -1,0 +1,158 @@
+// Parameters by dotted path: other values in place of some, as Python's `with_replaced`.
+
+import { InputError, isTable, say } from "./check.js";
+import { stateOf } from "./given.js";
+import { tables } from "./tables.js";
+import { pythonText, Shown } from "./text.js";
+
+/** @type {Record<string, string[]>} */
+const ENDS = tables.scenario.ends;
+/** @param {string} path */
+const ends = (path) => (Object.hasOwn(ENDS, path) ? ENDS[path] : []);
+
+/**
+ * @param {string} path
+ * @returns {[string, string]} section, and what stands behind its dot
+ */
+function split(path) {
+  const dot = path.indexOf(".");
+  return dot < 0 ? [path, ""] : [path.slice(0, dot), path.slice(dot + 1)];
+}
+
+/**
+ * Two of some paths that say the same thing in two ways.
+ * @param {string[]} known
+ * @returns {[string, string] | null}
+ */
+export function contradiction(known) {
+  for (const path of known) {
+    const [section] = split(path);
+    const ended = ends(path).map((key) => `${section}.${key}`);
+    for (const other of known) {
+      if (ended.some((end) => other === end || other.startsWith(`${end}.`))) return [path, other];
+    }
+  }
+  return null;
+}
+
+/** What the page's own numbers may be called. @type {Set<string>} */
+const PATHS = new Set(tables.scenario.paths);
+
+/**
+ * Refuse a path that no scenario has.
+ * @param {string} path
+ */
+export function known(path) {
+  if (PATHS.has(path) || /^hoop\.parts\.\d+\.\w+$/.test(path)) return;
+  throw new InputError(say("no_parameter", { path, known: [...PATHS].join(", ") }));
+}
+
+/**
+ * Where a value comes in the order of replacements: a start that is spelt out needs the new hoop; wholes come before parts.
+ * @param {string} path
+ */
+function rank(path) {
+  const [section, rest] = split(path);
+  const depth = rest === "" ? 0 : path === "contact.model" || path === "hoop.parts" ? 1 : 2;
+  return (section === "start" ? 10 : 0) + depth;
+}
+
+/**
+ * Whether the number at a path is one of a scenario, which has a point, and not one that is just given.
+ * @param {string[]} given paths
+ * @returns {(path: string) => boolean}
+ */
+export const floats = (given) => (path) =>
+  !given.some((one) => path === one || path.startsWith(one.endsWith(".") ? one : `${one}.`));
+
+/**
+ * Keys of a scenario with other values at some paths, ready to be checked.
+ * @param {Checked} checked
+ * @param {Record<string, any>} data its keys, which are changed
+ * @param {Map<string, any>} values by path
+ * @param {(hoop: any, float: (path: string) => boolean) => CheckedHoop} readHoop
+ */
+export function replaced(checked, data, values, readHoop) {
+  const paths = [...values.keys()];
+  const pair = contradiction(paths);
+  if (pair) {
+    const [one, other] = pair;
+    const [first, second] = pair.map((path) => new Shown(pythonText(values.get(path), false)));
+    throw new InputError(say("two_ways", { one, other, one_value: first, other_value: second }));
+  }
+  const spelt = new Set();
+  const float = floats(paths);
+  for (const path of paths.sort((a, b) => rank(a) - rank(b))) {
+    const value = structuredClone(values.get(path));
+    const [section, rest] = split(path);
+    if (rest === "") put(data, section, value);
+    else if (path === "contact.model") data.contact = { model: value };
+    else {
+      if (!Object.hasOwn(data, section)) put(data, section, {});
+      const table = data[section];
+      if (!isTable(table)) throw new InputError(say("no_section_parts", { path, section }));
+      if (!spelt.has(section) && ends(path).some((key) => Object.hasOwn(table, key))) {
+        spelt.add(section);
+        const other = speltOut(checked, path, () => readHoop(data.hoop, float));
+        for (const [key, one] of Object.entries(other)) if (!values.has(`${section}.${key}`)) table[key] = one;
+      }
+      for (const key of ends(path)) delete table[key];
+      putAt(table, rest.split("."), value, path);
+    }
+  }
+  return data;
+}
+
+/**
+ * @param {any} table
+ * @param {string} key
+ * @param {any} value
+ */
+function put(table, key, value) {
+  Object.defineProperty(table, key, { value, enumerable: true, configurable: true, writable: true });
+}
+
+/**
+ * The same section given the other way, where that keeps what the path does not name.
+ * @param {Checked} checked
+ * @param {string} path
+ * @param {() => CheckedHoop} hoopToBe
+ * @returns {Record<string, any>}
+ */
+function speltOut({ hoop, plane, start }, path, hoopToBe) {
+  const { mass, eccentricity, inertia_ratio } = hoop;
+  if (path === "hoop.eccentricity" || path === "hoop.inertia_ratio") return { mass, eccentricity, inertia_ratio };
+  if (path === "hoop.load_fraction") return { mass };
+  if (path === "plane.mu_static" || path === "plane.mu_kinetic") {
+    const written = (/** @type {number} */ mu) => (mu === Infinity ? "inf" : mu);
+    return { mu_static: written(plane.mu_static), mu_kinetic: written(plane.mu_kinetic) };
+  }
+  if (path.startsWith("start.") && path !== "start.speed") {
+    // a rolling start, as the free one of the hoop as it will be
+    const { height, vx, vy, omega } = stateOf(start, hoopToBe().radius);
+    return { height, vx, vy, omega };
+  }
+  return {};
+}
+
+/**
+ * @param {any} table
+ * @param {string[]} steps
+ * @param {any} value
+ * @param {string} path
+ */
+function putAt(table, steps, value, path) {
+  let node = table;
+  const last = /** @type {string} */ (steps.pop());
+  const missing = (/** @type {string} */ step) => new InputError(say("not_there", { path, step }));
+  const inList = (/** @type {string} */ step) =>
+    Array.isArray(node) && /^\d+$/.test(step) && Number(step) < node.length;
+  for (const step of steps) {
+    if (inList(step)) node = node[Number(step)];
+    else if (isTable(node) && Object.hasOwn(node, step)) node = node[step];
+    else throw missing(step);
+  }
+  if (isTable(node)) put(node, last, value);
+  else if (inList(last)) node[Number(last)] = value;
+  else throw missing(last);
+}

@@ -1,0 +1,81 @@
+// What theory says about the hoop of a scenario, as the page lists it: the page's side of lab/thresholds.py.
+
+import { tables } from "./tables.js";
+import { fill, general } from "./text.js";
+import { degrees } from "./words.js";
+
+const { theory: THEORY } = tables.words;
+
+/** @typedef {{ key: string, label: string, value: number | null, unit: string, text: string }} Threshold */
+
+/**
+ * @param {Checked} checked
+ * @param {TheoryNumbers} known
+ * @returns {Threshold[]}
+ */
+export function thresholds({ hoop, plane }, known) {
+  /** @type {Threshold[]} */
+  const found = [];
+  /** @type {(key: string, value: number | null, unit: string, say: (value: number) => string) => void} */
+  const add = (key, value, unit, say) => {
+    if (value === null) return;
+    found.push({ key, label: THEORY[key], value: Number.isFinite(value) ? value : null, unit, text: say(value) });
+  };
+  const paradox = () => add("painleve", known.painleve_friction, "1", (mu) => painleve(mu, known, plane));
+  if (plane.gravity <= 0) {
+    paradox();
+    return found;
+  }
+  if (hoop.inertia_ratio === 0) {
+    const why = known.massless_loss_by_friction ? THEORY.loss_by_friction : THEORY.loss_of_contact;
+    add("loss", known.massless_loss_angle, "rad", (angle) => fill(why, { where: degrees(angle) }));
+    return found;
+  }
+  if (plane.slope >= 0) {
+    const { would_slip, would_hop, would_hop_at_once, any_push, any_speed } = THEORY;
+    add("first_slip", known.first_slip_speed, "m/s", (speed) => above(speed, would_slip, any_push));
+    add("first_hop", known.first_hop_speed, "m/s", (speed) => above(speed, would_hop, any_push));
+    add("immediate_hop", known.immediate_hop_speed, "m/s", (speed) => above(speed, would_hop_at_once, any_speed));
+  } else {
+    // uphill the speed changes with every turn: there is no one speed from which on it happens in the first
+    found.push({ key: "uphill", label: THEORY.uphill, value: null, unit: "", text: THEORY.no_threshold });
+  }
+  add("needed_friction", known.needed_friction, "1", (mu) => needed(mu, plane));
+  paradox();
+  const places = known.jam_angles.map(degrees).join(", ");
+  add("jam", known.jam_angles[0] ?? null, "rad", () => fill(THEORY.jam_at, { places }));
+  if (hoop.eccentricity > 0) {
+    add("rest", known.stable_angle, "rad", (angle) => fill(THEORY.rest_at, { where: degrees(angle) }));
+  }
+  return found;
+}
+
+/**
+ * @param {number} speed
+ * @param {string} would
+ * @param {string} always
+ */
+function above(speed, would, always) {
+  if (speed < tables.words.least_speed) return fill(always, { would });
+  return Number.isFinite(speed) ? fill(THEORY.above, { would, speed: general(speed, 4) }) : THEORY.no_speed;
+}
+
+/**
+ * @param {number} mu
+ * @param {CheckedPlane} plane
+ */
+function needed(mu, { mu_static }) {
+  if (!Number.isFinite(mu)) return THEORY.no_friction;
+  return fill(mu <= mu_static ? THEORY.friction_enough : THEORY.friction_short, { mu: general(mu, 3) });
+}
+
+/**
+ * @param {number} mu
+ * @param {TheoryNumbers} known
+ * @param {CheckedPlane} plane
+ */
+function painleve(mu, { painleve_angle: angle }, { mu_kinetic }) {
+  if (angle === null) return THEORY.never;
+  const text = mu <= mu_kinetic ? THEORY.paradox_here : THEORY.paradox_not_here;
+  return fill(text, { mu: general(mu, 3), where: degrees(angle) });
+}

@@ -1,0 +1,251 @@
+// A motion told in words, from its events: the page's side of lab/words.py, with the same sentences.
+
+import { tables } from "./tables.js";
+import { fill, fixed, general } from "./text.js";
+
+const { letters, modes, verbs, events: kinds, statuses, story: STORY, summary: SUMMARY } = tables.words;
+const UNTOLD = ["turn", "apex", "end"]; // events that a summary leaves out
+const MOST_TOLD = 400;
+const [, SPIN, SKID, FLIGHT, SKIM] = modes;
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/**
+ * A motion to be told: its events, how it ended, and how it turns at a time between them.
+ * @typedef {{ events: MotionEvent[], status: string, omega: (number: number) => number }} Told
+ */
+
+/**
+ * Whether the hoop slips but does not turn yet: the word for what follows is that of how it turns halfway to the next event.
+ * @param {MotionEvent[]} events
+ * @param {number} number
+ */
+function isStill(events, number) {
+  const { omega, to } = events[number];
+  return omega === 0 && (to === "S" || to === "K") && number + 1 < events.length;
+}
+
+/**
+ * Numbers of the events after which it has to be asked how the hoop turns.
+ * @param {MotionEvent[]} events
+ */
+export const stills = (events) => [...events.keys()].filter((number) => isStill(events, number));
+
+/**
+ * The time halfway from an event to the next.
+ * @param {MotionEvent[]} events
+ * @param {number} number
+ */
+export const halfway = (events, number) => 0.5 * (events[number].t + events[number + 1].t);
+
+/**
+ * The motion as a list of sentences.
+ * @param {Told} motion
+ * @returns {Sentence[]}
+ */
+export function story(motion, most = MOST_TOLD) {
+  /** @type {Sentence[]} */
+  const told = [];
+  let leftOut = 0;
+  const many = manyBounces(motion.events);
+  for (const [number, event] of motion.events.entries()) {
+    const bounces = many.get(number);
+    if (bounces === 0) continue;
+    const text = bounces === undefined ? say(motion, number, event) : fill(STORY.more_bounces, { count: bounces });
+    if (!text) continue;
+    if (told.length >= most) {
+      leftOut++;
+      continue;
+    }
+    told.push({ t: event.t, event: number, mode: letters[modes.indexOf(wordAfter(motion, number))], text });
+  }
+  if (leftOut) told.push({ ...told[told.length - 1], text: fill(STORY.left_out, { count: leftOut }) });
+  return told;
+}
+
+/** @param {MotionEvent} event */
+const bounces = (event) => event.kind === "impact" && event.to === "H" && event.collision !== false;
+
+// Where bounces follow each other: at the first that is not told by itself, how many there are; at the others 0.
+/** @param {MotionEvent[]} events */
+function manyBounces(events, told = 3, least = 6) {
+  /** @type {Map<number, number>} */
+  const found = new Map();
+  /** @type {number[]} */
+  let run = [];
+  for (let number = 0; number <= events.length; number++) {
+    const event = events[number];
+    if (event && (bounces(event) || (run.length && event.kind === "apex"))) {
+      run.push(number);
+      continue;
+    }
+    const impacts = run.filter((at) => events[at].kind === "impact");
+    if (impacts.length >= least) {
+      for (const at of run.slice(run.indexOf(impacts[told]))) found.set(at, 0);
+      found.set(impacts[told], impacts.length - told);
+    }
+    run = [];
+  }
+  return found;
+}
+
+/**
+ * The motion in one sentence.
+ * @param {Told} motion
+ */
+export function summary(motion, most = 6) {
+  /** @type {string[]} */
+  const phrases = [];
+  let changes = 0;
+  const many = manyBounces(motion.events, 1);
+  for (const [number, event] of motion.events.entries()) {
+    const more = many.get(number);
+    if (more !== undefined) {
+      if (more) phrases.push(fill(SUMMARY.more_bounces, { count: more }));
+      continue;
+    }
+    if (event.kind === "start" || !phrases.length) {
+      phrases.push(verbs[wordAfter(motion, number)]);
+      continue;
+    }
+    const phrase = phraseOf(motion, number, event);
+    if (!phrase) continue;
+    changes++;
+    if (changes <= most) phrases.push(fill(SUMMARY.change, { phrase, where: degrees(event.angle) }));
+  }
+  const rest = changes > most ? fill(SUMMARY.more_changes, { count: changes - most }) : "";
+  const text = phrases.join(", ").replaceAll(", and ", " and ") + rest;
+  const values = { phrases: text.slice(0, 1).toUpperCase() + text.slice(1), ending: statuses[motion.status] };
+  return fill(SUMMARY.sentence, values).trim();
+}
+
+/**
+ * @param {Told} motion
+ * @param {number} number
+ * @param {MotionEvent} event
+ * @returns {string}
+ */
+function phraseOf(motion, number, event) {
+  if (event.collision === false) return SUMMARY.without_collision;
+  if (bounces(event)) return SUMMARY.bounces;
+  if (["slip_start", "slip_reversal"].includes(event.kind) || turnsInSlip(event))
+    return verbs[wordAfter(motion, number)];
+  return UNTOLD.includes(event.kind) ? "" : kinds[event.kind];
+}
+
+/**
+ * @param {Told} motion
+ * @param {number} number
+ * @param {MotionEvent} event
+ * @returns {string}
+ */
+function say(motion, number, event) {
+  const word = wordAfter(motion, number);
+  /** @type {Record<string, any>} */
+  const values = { where: degrees(event.angle), verb: verbs[word], kind: event.kind.replaceAll("_", " ") };
+  const name = nameOf(motion.events, number, word, values);
+  return fill(STORY[name] ?? STORY.other, values);
+}
+
+/**
+ * Which sentence tells an event; what it needs besides is added to the values.
+ * @param {MotionEvent[]} events
+ * @param {number} number
+ * @param {string} word
+ * @param {Record<string, any>} values
+ */
+function nameOf(events, number, word, values) {
+  const event = events[number];
+  const { kind } = event;
+  if (kind === "start") {
+    values.speed = inWords(event.vx);
+    values.started = fill(
+      word === FLIGHT ? STORY.started_flight : word === SKIM ? STORY.started_skim : STORY.started,
+      values,
+    );
+  }
+  if (kind === "slip_start" && word === SPIN) return "slip_start_spin";
+  if (kind === "takeoff") return takeoff(events, number, values);
+  if (kind === "impact") {
+    values.speed = inWords(event.before.vy === null ? null : Math.abs(event.before.vy));
+    if (event.collision === false) return "impact_without_collision";
+    return event.to === "H" ? "impact_bounce" : kind;
+  }
+  if (kind === "turn" && turnsInSlip(event)) return "turn_in_slip";
+  if (kind === "apex") values.gap = length(event.height);
+  if (kind === "kane_gain") values.gain = inWords(event.gain);
+  return kind === "rest" && event.stable === false ? "rest_unstable" : kind;
+}
+
+/**
+ * @param {MotionEvent[]} events
+ * @param {number} number
+ * @param {Record<string, any>} values
+ */
+function takeoff(events, number, values) {
+  const { t } = events[number];
+  let top = 0;
+  for (let at = number; at < events.length; at++) {
+    top = Math.max(top, events[at].height);
+    if (at === number || events[at].kind !== "impact") continue;
+    for (let also = at + 1; also < events.length && events[also].t <= events[at].t; also++) {
+      top = Math.max(top, events[also].height);
+    }
+    if (!top) break;
+    values.top = length(top);
+    values.time = inWords(events[at].t - t);
+    return "takeoff_and_landing";
+  }
+  return "takeoff";
+}
+
+/**
+ * The word for the mode that follows an event.
+ * @param {Told} motion
+ * @param {number} number
+ * @returns {string}
+ */
+function wordAfter(motion, number) {
+  const event = motion.events[number];
+  return modeWord(event.to, isStill(motion.events, number) ? motion.omega(number) : event.omega);
+}
+
+/**
+ * What the hoop does: in slip it spins where the rim turns too fast for the way it goes, else it skids.
+ * @param {string} letter
+ * @param {number} omega
+ * @returns {string}
+ */
+export function modeWord(letter, omega) {
+  if (letter === "S") return omega > 0 ? SPIN : SKID;
+  if (letter === "K") return omega < 0 ? SPIN : SKID;
+  return modes[letters.indexOf(letter)];
+}
+
+/** What was a spin is then a skid, or the reverse. @param {MotionEvent} event */
+const turnsInSlip = (event) => event.kind === "turn" && (event.to === "S" || event.to === "K");
+
+/**
+ * An angle in degrees with one decimal.
+ * @param {number} angle
+ */
+export const degrees = (angle) => `${fixed(angle * (180 / Math.PI), 1)}°`.replaceAll("-", "−");
+
+/** @param {number} value */
+function length(value) {
+  if (value >= 0.995) return `${inWords(value)} m`;
+  return value >= 0.00995 ? `${inWords(value * 100)} cm` : `${inWords(value * 1000)} mm`;
+}
+
+/**
+ * Three digits, a real minus sign, powers of ten as they are written.
+ * @param {number | null} value
+ */
+function inWords(value) {
+  if (value === null || Number.isNaN(value)) return "?";
+  const [mantissa, power] = general(value, 3).split("e");
+  const raised = power === undefined ? "" : `·10${raisedText(Number(power))}`;
+  return `${mantissa}${raised}`.replaceAll("-", "−");
+}
+
+/** @param {number} power */
+const raisedText = (power) => [...String(power)].map((sign) => (sign === "-" ? "⁻" : RAISED[Number(sign)])).join("");

@@ -1,0 +1,52 @@
+// The page that makes the tag, the frame and the QR code for a scenario.
+
+import { qrcode } from "./qr.js";
+
+const site = new URL("../", import.meta.url);
+
+/** @param {string} id */
+const find = (id) => /** @type {any} */ (document.getElementById(id));
+
+/** @param {string} text */
+const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
+
+// What people paste: the query of a link, or the whole link.
+/** @param {string} text */
+function queryOf(text) {
+  const plain = text.trim();
+  const place = plain.indexOf("?");
+  const query = place >= 0 ? plain.slice(place + 1) : plain.includes("=") ? plain : "";
+  return query.split("#")[0];
+}
+
+function show() {
+  const query = queryOf(find("scenario").value);
+  const panels = [...document.querySelectorAll("input[name=panel]:checked")].map(
+    (box) => /** @type {any} */ (box).value,
+  );
+  const link = new URL(query ? `?${query}` : "", site).href;
+  const tag =
+    `<script type="module" src="${new URL("static/hophoop-motion.js", site).href}"></script>\n` +
+    `<hophoop-motion scenario="${escaped(query)}"${panels.length ? ` panels="${panels.join(" ")}"` : ""}></hophoop-motion>`;
+  const frame = `<iframe src="${escaped(link)}" title="A hopping hoop" width="100%" height="700" loading="lazy"></iframe>`;
+  find("tag").value = tag;
+  find("frame").value = frame;
+  find("link").textContent = link;
+  find("link").href = link;
+  find("code").innerHTML = qrcode(link);
+  const element = document.createElement("hophoop-motion");
+  element.setAttribute("scenario", query);
+  element.setAttribute("panels", panels.join(" "));
+  find("example").replaceChildren(element);
+}
+
+/** @param {any} event */
+async function copy({ target }) {
+  await navigator.clipboard.writeText(find(target.dataset.copies).value);
+  find("said").textContent = "Copied.";
+}
+
+find("scenario").value = location.search.slice(1);
+for (const input of document.querySelectorAll("input")) input.addEventListener("change", show);
+for (const button of document.querySelectorAll("button[data-copies]")) button.addEventListener("click", copy);
+show();
