@@ -180,7 +180,7 @@ def test_singular_slip_where_nothing_can_lift_the_hoop():
     om = math.copysign(0.3, turn)
     assert rate < 0.0
     p = 0.7 / -rate
-    jams, vt, after, p_n, loss = impact.singular_slip(body, -1.0, 0.0, False, 0.0, 0.7, om)
+    jams, vt, after, p_n, loss = impact.singular_slip(body, -1.0, 0.0, False, 0.0, 0.7, om, 0.0)
     assert (jams, vt) == (False, 0.0)
     assert (after, p_n, loss) == pytest.approx((om + turn * p, p, 0.5 * 0.7 * p), rel=1e-12)
 
@@ -193,7 +193,7 @@ def test_how_near_counts_as_there(sigma, th, side):
     def at(distance, u, body=STEEP):
         place = th - side * distance
         s, c = math.sin(place), math.cos(place)
-        return impact.singular_angle(body, s, c, u, sigma, *exact_slip_stiffness(body, place, 0.0, sigma))
+        return impact.singular_angle(body, s, c, u, sigma, *exact_slip_stiffness(body, place, 0.0, sigma, 0.0))
 
     assert at(0.9e-10, 0.5)[:2] == (True, True)
     assert at(1.1e-10, 0.5)[:2] == (False, False)
