@@ -72,20 +72,11 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("compliant", "static_excess", "return _bisect(lambda excess: peak(excess) - mu_static, 0.0, high)", "return _bisect(lambda excess: peak(excess) - mu_static, -1.0, high)"),
         ("compliant", "_bisect", "for _ in range(200):", "for _ in range( 201):"),
         ("compliant", "_bisect", "for _ in range(200):", "for _ in range( 199):"),
+        ("compliant", "_bisect", "break", "continue"),
     ),
     "an initial value that is written over before it is read": (
         ("impact", "impact", "target = 0.0", "target = 1.0"),
         ("impact", "impact", "target = 0.0", "target = -1.0"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = ( 1.0, 0.0, 0.0, 0.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = ( -1.0, 0.0, 0.0, 0.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, 1.0, 0.0, 0.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, -1.0, 0.0, 0.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, 0.0, 1.0, 0.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, 0.0, -1.0, 0.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, 0.0, 0.0, 1.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, 0.0, 0.0, -1.0, 0.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, 0.0, 0.0, 0.0, 1.0)"),
-        ("jets", "candidate_series", "normal = (0.0, 0.0, 0.0, 0.0, 0.0)", "normal = (0.0, 0.0, 0.0, 0.0, -1.0)"),
     ),
     "coefficients that the passes over the series write over": (
         ("jets", "candidate_series", "rate = (om, 0.0, 0.0, 0.0, 0.0)", "rate = (om, 1.0, 0.0, 0.0, 0.0)"),
@@ -151,7 +142,7 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("flight", "", "MANY_TURNS = 1_000.0", "MANY_TURNS = 999.0"),
     ),
     "an even function": (
-        ("energy", "kinetic_energy", "height = 2.0 * np.cos(0.5 * th) ** 2  # 1 + cos θ, with all its digits also near θ = π", "height = 2.0 * np.cos( -0.5 * th) ** 2 # 1 + cos θ, with all its digits also near θ = π"),
+        ("energy", "kinetic_energy", "height = 2.0 * np.cos(0.5 * th) ** 2 - sine * th_low  # 1 + cos θ, with all its digits also near θ = π", "height = 2.0 * np.cos( -0.5 * th) ** 2 - sine * th_low # 1 + cos θ, with all its digits also near θ = π"),
         ("energy", "potential_energy", "drop = y - 2.0 * body.eps * np.sin(0.5 * th) ** 2", "drop = y - 2.0 * body.eps * np.sin( -0.5 * th) ** 2"),
     ),
 }

@@ -25,3 +25,14 @@ def test_a_load_at_the_plane_keeps_its_digits():
     delta = 1e-4
     along, up = 2.0 * math.sin(0.5 * delta) ** 2, math.sin(delta)
     assert kinetic_energy(body, math.pi - delta, 1.0, 0.0, 0.0) == pytest.approx(0.5 * (along**2 + up**2), rel=1e-11)
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("state", STATES)
+def test_an_angle_in_two_parts(body, state):
+    """θ as one number and as two, which differ by the square of the second."""
+    th, om = state
+    part = 1e-7
+    whole = kinetic_energy(body, th + part, om, -0.4, 0.9)
+    assert kinetic_energy(body, th, om, -0.4, 0.9, part) == pytest.approx(whole, rel=1e-12)
+    assert abs(whole / kinetic_energy(body, th, om, -0.4, 0.9) - 1.0) > 1e-10  # so that another sign would be seen
