@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 4004126eee9c5f74f9dad12c6d794912 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources b012360479741a5111afaf8471ae096e */
 function ue(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var An=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ue(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ue(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ue(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -1236,21 +1236,21 @@ s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
 input.value=this.shown,this.accept()}show(e){this.shown=le(e),this.typing||this.restore()}};var Vn={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
 ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},_r={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},Tr=(o,e,t)=>({ring:{shape:o,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:o,mass:t,radius:.1*
+dius","m"],at:["distance from centre","m"],length:["length","m"]},Sr=(o,e,t)=>({ring:{shape:o,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:o,mass:t,radius:.1*
 e,at:.8*e},point_mass:{shape:o,mass:t,at:e},rod:{shape:o,mass:t,length:.5*e,at:.5*e}})[o];function Jn(o){let e=o["hoop.radius"],t=o["hoop.mass"],s=Math.min(Math.
 max(o["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ft(t*(1-s)),inner_radius:Ft(.98*e),outer_radius:e},{shape:"point_mass",mass:Ft(t*s),at:e}]}var Ft=o=>Number(
 o.toPrecision(6)),Wt=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=d("div",{class:"parts"}),this.element=d("div",{},this.list,d("select",
-{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Tr(s,this.radius,Ft(.2*this.mass))])}},d("option",{value:""},
+{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Sr(s,this.radius,Ft(.2*this.mass))])}},d("option",{value:""},
 "+ add a part …"),Object.entries(Vn).map(([t,{label:s}])=>d("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let n=JSON.stringify(
 e);if(n===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:n,parts:e,radius:t,mass:s}),this.list.
 replaceChildren(...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:n}=Vn[e.shape];return d("fieldset",{class:"part"},d("legend",{},s,this.parts.length>1&&
 d("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),n.map(i=>this.field(
 e,t,i)))}field(e,t,s){let[n,i]=_r[s],a=new Be({label:n,unit:i},r=>this.send(this.parts.map((l,h)=>h===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),d("div",
-{},d("label",{},`${n} [${i}]`,a.input),a.error)}};var Js=Math.PI/180;function Sr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Js:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
+{},d("label",{},`${n} [${i}]`,a.input),a.error)}};var Js=Math.PI/180;function Tr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Js:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
 var Ys=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,n=l=>()=>{this.held=l};this.
 range=d("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:n(!0),onpointerup:n(!1),onpointercancel:n(!1),onblur:n(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new Be({label:i,unit:a,name:r,range:Sr(e)},l=>this.send(l,!0)),this.element=d("div",{class:"control",title:e.help},d("label",{for:s},d("\
+n ${a}`:""}`;this.entry=new Be({label:i,unit:a,name:r,range:Tr(e)},l=>this.send(l,!0)),this.element=d("div",{class:"control",title:e.help},d("label",{for:s},d("\
 span",{},i),d("span",{class:"symbol"},e.symbol)),this.range,d("span",{class:"entry"},this.entry.input,d("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
@@ -1487,18 +1487,18 @@ c.preventDefault(),a.focus({preventScroll:!0}),h(c),W(a,c,h)}),a.addEventListene
 PageUp:45}[c.key];u!==void 0&&(c.preventDefault(),c.stopPropagation(),l(t+(c.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:c=>(n=
 ro(c),r(),Jr(t,n))}}var ft=9,[ce,Yt,Ee,ao]=[34,12,12,26];function fi({label:o,unit:e,most:t},s){let n=Array(ft).fill(t/4),i=!1,a=null,r=d("canvas",{class:"sketc\
 h-canvas"}),l=n.map((f,k)=>d("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${o} with the load at ${45*k}°`,"aria-orientation":"vertical",
-"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:T=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[T.key];E&&(T.preventDefault(),T.stopPropagation(),
-w(k,n[k]+E*t/(T.shiftKey?100:20)))}})),h=d("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),c=()=>r.getBoundingClientRect(),
-u=f=>ce+f/(ft-1)*(c().width-ce-Yt),m=f=>Ee+(1-f/t)*(c().height-Ee-ao),p=()=>{let{context:f,width:k,height:T}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
-z).trim();f.clearRect(0,0,k,T),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
-f.fillText(`${45*z}°`,u(z),T-8),f.strokeRect(u(z),Ee,0,T-Ee-ao);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),ce-6,m(z)+4),f.strokeRect(ce,m(z),
+"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:S=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[S.key];E&&(S.preventDefault(),S.stopPropagation(),
+w(k,n[k]+E*t/(S.shiftKey?100:20)))}})),h=d("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),c=()=>r.getBoundingClientRect(),
+u=f=>ce+f/(ft-1)*(c().width-ce-Yt),m=f=>Ee+(1-f/t)*(c().height-Ee-ao),p=()=>{let{context:f,width:k,height:S}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
+z).trim();f.clearRect(0,0,k,S),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
+f.fillText(`${45*z}°`,u(z),S-8),f.strokeRect(u(z),Ee,0,S-Ee-ao);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),ce-6,m(z)+4),f.strokeRect(ce,m(z),
 k-ce-Yt,0);f.textAlign="left",f.fillText(e,ce+4,Ee+10);let I=(z,Q,$s)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash($s),f.beginPath(),z.forEach((It,Mn)=>{let En=ce+
 Mn/(z.length-1)*(k-ce-Yt);Mn?f.lineTo(En,m(y(It,0,t))):f.moveTo(En,m(y(It,0,t)))}),f.stroke(),f.setLineDash([])};I(n,N("--accent"),[6,4]),a&&I(a,N("--ink"),[]),
 l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},w=(f,k)=>{a||(n[f]=y(k,0,t),i=!0,l[f].setAttribute("aria-valuenow",n[f].toPrecision(
-3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=c(),T=y((f.clientX-k.left-ce)/(k.width-ce-Yt),0,1),E=Math.round(
-T*(ft-1)),N=t*(1-(f.clientY-k.top-Ee)/(k.height-Ee-ao)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
+3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=c(),S=y((f.clientX-k.left-ce)/(k.width-ce-Yt),0,1),E=Math.round(
+S*(ft-1)),N=t*(1-(f.clientY-k.top-Ee)/(k.height-Ee-ao)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
 "pointerdown",f=>{f.preventDefault(),b=null,g(f),W(h,f,g)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
-p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Xt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Zt=o=>q(o-Xt*Math.floor(o/Xt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
+p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((S,E)=>f[Math.round(E*k)]))}}}var Xt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Zt=o=>q(o-Xt*Math.floor(o/Xt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
 t;r++){let l=o.columns.angle[0]+Xt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),c=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
 c*(n[h]-n[a]))}return i}var Qr=(o,e)=>o.t[o.columns.angle.findIndex(t=>t>=e)]??o.duration,el={R:"roll",S:"spin",K:"skid",H:"bounce"},Ae=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
@@ -1650,23 +1650,23 @@ t?[t,t+n]:e>s?[s-n,s]:[o,e]}function co(o,e,t,s,n){for(let[i,a]of[[n,4],[s,1.8]]
 13,t),o.lineTo(e-4,t),o.moveTo(e+4,t),o.lineTo(e+13,t),o.moveTo(e,t-13),o.lineTo(e,t-4),o.moveTo(e,t+4),o.lineTo(e,t+13),o.stroke()}var Ke=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,wl=.0018,_i=200,
 [bl,yl]=[1/.6,1/1.7];function Z(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ct(s()))&&(i.preventDefault(),
 e(Math.exp(-Math.min(Math.max(i.deltaY,-_i),_i)*wl),i))},{passive:!1}),o.addEventListener("dblclick",t),n&&o.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
-"=")e(bl);else if(i.key==="-")e(yl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),ii(o,e)}var Ti={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Si=48;function Mi(o){let{body:e}=o,t=!1,s=Z(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?uo(
+"=")e(bl);else if(i.key==="-")e(yl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),ii(o,e)}var Si={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ti=48;function Mi(o){let{body:e}=o,t=!1,s=Z(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?uo(
 o,i):o.pointed??void 0),home:()=>o.home(),keys:!0});e.addEventListener("pointerdown",n=>kl(o,n,s,i=>t=i)),e.addEventListener("pointermove",n=>{o.axes.box&&!t&&n.
 pointerType!=="touch"&&vl(o,n)}),e.addEventListener("pointerleave",()=>o.tip.hidden=!0),e.addEventListener("keydown",n=>xl(o,n))}function uo(o,e){let t=o.body.getBoundingClientRect();
 return o.axes.place(e.clientX-t.left,e.clientY-t.top)}function vl(o,e){o.tip.textContent=o.said(uo(o,e)),o.tip.hidden=!1;let t=o.body.getBoundingClientRect();o.
 tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,o.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function kl(o,e,t,s){e.preventDefault(),
 o.body.focus({preventScroll:!0});let n=[e.clientX,e.clientY],i={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=uo(o,e);let a=!1,r=t(),l=h=>{if(r||=t(),
 r)return;let[c,u]=[h.clientX-n[0],h.clientY-n[1]];Math.hypot(c,u)<5&&!a||(a=!0,s(!0),o.tip.hidden=!0,o.axes.drag(i,c,u),o.redraw(),o.soon())};W(o.body,e,l,(h,c)=>{
-c&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function xl(o,e){let t=o.pointed??o.here()??o.axes.middle();if(o.pointed=t,Ti[e.key]){let[s,n]=Ti[e.key],{x:i,y:a}=o.
-axes.windows;o.pointed={x:y(t.x+s*(i[1]-i[0])/Si,i[0],i[1]),y:y(t.y+n*(a[1]-a[0])/Si,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(e.
+c&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function xl(o,e){let t=o.pointed??o.here()??o.axes.middle();if(o.pointed=t,Si[e.key]){let[s,n]=Si[e.key],{x:i,y:a}=o.
+axes.windows;o.pointed={x:y(t.x+s*(i[1]-i[0])/Ti,i[0],i[1]),y:y(t.y+n*(a[1]-a[0])/Ti,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(e.
 key==="Enter")o.take(t);else return;e.preventDefault(),e.stopPropagation(),o.redraw()}var _l=["start.height","start.vx","start.vy","start.omega"];function Ei(o,e){let t="speed"in o.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(s=>_l.includes(s))?"of starts in any state, though this motion starts rolling":""}var Tl=Math.PI/180,Sl=12,Ml=["hop_height","flight_time","energy_lost","greatest_utilization"];function Ai(o){return o.unit==="rad"?[1/Tl,"°"]:[1,o.unit==="1"?"":
+ugh this motion starts otherwise":t&&e.some(s=>_l.includes(s))?"of starts in any state, though this motion starts rolling":""}var Sl=Math.PI/180,Tl=12,Ml=["hop_height","flight_time","energy_lost","greatest_utilization"];function Ai(o){return o.unit==="rad"?[1/Sl,"°"]:[1,o.unit==="1"?"":
 o.unit]}function El({classes:o,what:e},t){let[s,n]=[1/0,-1/0];if(o)return[s,n];for(let i of t)i<s&&(s=i),i>n&&(n=i);return[Ml.includes(e)?Math.min(s,0):s,n]}function zi(o){
 let{values:e}=o.arrays,t=o.header,{x:s,y:n,classes:i}=t,a=new ImageData(s.cells,n.cells),[r,l]=El(t,e),h=i?.map(({color:u})=>ue(u));for(let u=0;u<n.cells;u++)for(let m=0;m<
 s.cells;m++){let p=e[u*s.cells+m],w=4*((n.cells-1-u)*s.cells+m);if(!Number.isFinite(p))continue;let b=h&&(m+1<s.cells&&e[u*s.cells+m+1]!==p||u+1<n.cells&&e[(u+1)*
 s.cells+m]!==p),g=h?h[p].map(f=>b?.72*f:f):We[y(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...g,255],w)}let c=d("canvas",{width:s.cells,height:n.cells});
 return pe(c).putImageData(a,0,0),{picture:c,header:t,values:e,x:[s.from,s.to],y:[n.from,n.to],low:r,high:l}}function Ri(o,e){let t=(n,i)=>n[0]>=i[0]-1e-300&&n[1]<=
-i[1]+1e-300;return[...o.filter(n=>!(t(n.x,e.x)&&t(n.y,e.y))),e].slice(-Sl)}function Pi({header:o,low:e,high:t,values:s}){let{classes:n}=o;if(!n){let r=d("canvas",
+i[1]+1e-300;return[...o.filter(n=>!(t(n.x,e.x)&&t(n.y,e.y))),e].slice(-Tl)}function Pi({header:o,low:e,high:t,values:s}){let{classes:n}=o;if(!n){let r=d("canvas",
 {width:120,height:10,style:"width:120px;height:10px"}),l=pe(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${We[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
 10);let[h,c]=Ai(o);return[d("span",{},o.label,": ",t>=e?_(e*h,3):"none"," "),r,d("span",{},t>=e?F(_(t*h,3),c):""),s.some(u=>!Number.isFinite(u))?d("span",{},d("\
 i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
@@ -1761,8 +1761,8 @@ this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cur
 0,0,s,n),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),h=r.index(l.t),c=Math.min(h+1,r.length-1),u=r.t[c]>r.t[h]?(l.t-r.t[h])/(r.t[c]-r.t[h]):0,m=this.
 abscissa(r),p=this.x(m[h]+u*(m[c]-m[h])),w=p>=X-1&&p<=X+this.box.width+1;w&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(p,H),t.lineTo(p,H+
 this.box.height),t.stroke()),this.shades(r,a).forEach((b,g)=>{let f=b.values[c],k=Number.isFinite(f)?b.values[h]+u*(f-b.values[h]):b.values[h];a===this.active&&
-this.values?.[g]&&(this.values[g].textContent=_(k,3));let T=this.y(k);!w||!(T>=H-1&&T<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
-arc(p,T,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=nt("#0072B2",.2),t.fillRect(Math.min(i,a),H,Math.abs(a-i),this.box.height)}}valueAt(e){
+this.values?.[g]&&(this.values[g].textContent=_(k,3));let S=this.y(k);!w||!(S>=H-1&&S<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
+arc(p,S,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=nt("#0072B2",.2),t.fillRect(Math.min(i,a),H,Math.abs(a-i),this.box.height)}}valueAt(e){
 let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-X)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
 return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,n=this.valueAt(e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=r.clientX-t.left;
 this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};W(this.
@@ -1870,7 +1870,7 @@ scale=this.fixed??p.scale,p.draw(),this.views[m]=p,e.length>1&&(p.mark("AB"[m],i
 eft",a.fillText("AB"[m],12,h-12)),a.restore(),m>0&&(a.fillStyle=n.line,a.fillRect(0,m*h-.5,r,1))})}},bo=class{top=0;constructor(e,t,s,n,i,a,r,l,h,c,u){this.context=
 e,this.width=t,this.height=s,this.film=n,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=n.at(i);let m=n.radius,{left:p,right:w}=n.extent,{top:b}=u;
 this.cosine=Math.cos(n.slope),this.sine=Math.sin(n.slope);let g=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/g,.36*t/u.radius);if(a.whole){let k=(w-p)*this.
-cosine+2.6*m,T=(w-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/T,f)*h,this.focus=[.5*(p+w),0],this.place=[.5*t+c[0],(n.slope?.62:.8)*s+c[1]]}else
+cosine+2.6*m,S=(w-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/S,f)*h,this.focus=[.5*(p+w),0],this.place=[.5*t+c[0],(n.slope?.62:.8)*s+c[1]]}else
 this.scale=f*h,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=[(t<520?.6:.46)*t+c[0],.82*s+c[1]]}point(e,t){let s=e-this.focus[0],n=t-this.
 focus[1];return[this.place[0]+this.scale*(s*this.cosine+n*this.sine),this.place[1]-this.scale*(n*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/
 this.scale,n=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-n*this.sine,this.focus[1]+s*this.sine+n*this.cosine]}draw(){this.ground(),(this.options.
@@ -1881,18 +1881,18 @@ e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.stroke();let u=U(s/this.scale,s/90);
 ceil((this.focus[0]-i)/u),p=Math.min(Math.floor((this.focus[0]+i)/u),m+400);for(let w=m;w<=p;w++){let[b,g]=this.point(w*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
 b,g),e.lineTo(b-6*this.sine,g+6*this.cosine),e.stroke(),e.fillText(`${Y(w*u,u)} m`,b-18*this.sine,g+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:n}=this,
 i=e.radius,a=this.options.ahead?e.duration:this.pose.t,r=(l,h,c,u)=>{t.strokeStyle=h,t.lineWidth=c,t.lineJoin="round",t.beginPath();let m=!1,p=(w,b,g)=>{let[f,k]=this.
-point(w+l*Math.sin(g),i+b+l*Math.cos(g));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let w of e.pieces()){let{x:b,height:g,angle:f,mode:k}=w.film.columns;for(let T=w.
-from;T<w.to&&w.film.t[T]<=a;T++)u===void 0||k[T]===3===u?p(b[T],g[T],f[T]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
+point(w+l*Math.sin(g),i+b+l*Math.cos(g));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let w of e.pieces()){let{x:b,height:g,angle:f,mode:k}=w.film.columns;for(let S=w.
+from;S<w.to&&w.film.t[S]<=a;S++)u===void 0||k[S]===3===u?p(b[S],g[S],f[S]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
 pose.height,this.pose.angle),t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,s.ink,1.3),r(e.eccentricity*i,n.gravity_center,1.8,!1),r(e.eccentricity*i,n.
 airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,film:n,pose:i,scale:a}=this,[r,l]=this.point(i.x,n.radius+i.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),
 s.arc(r,l,Math.max(n.radius*a-y(.07*n.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(
 e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:n,colors:i,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),h=r-.5*l/a,c=[t.x,r+t.height],u=(g,f=h)=>this.point(c[0]+
 f*Math.sin(g),c[1]+f*Math.cos(g));if(s.lineCap="butt",n.dark&&(s.strokeStyle=n.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(c[0],c[1]),h*a,0,2*Math.PI),
-s.stroke()),this.options.speed){let g=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Ci;for(let k=0;k<Ci;k++){let T=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
-cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=Nt[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
+s.stroke()),this.options.speed){let g=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Ci;for(let k=0;k<Ci;k++){let S=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
+cos(S+.5*f),t.vy-r*t.omega*Math.sin(S+.5*f));s.strokeStyle=Nt[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(S-.04*f)),s.lineTo(...u(S+1.04*f)),s.
 stroke()}}else s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(c[0],c[1]),h*a,0,2*Math.PI),s.stroke();s.strokeStyle=n.soft,s.lineWidth=
-1,s.beginPath(),s.moveTo(...this.point(c[0],c[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(g,f,k,T)=>{s.beginPath(),s.arc(...g,f,0,2*Math.PI),s.fillStyle=k,s.
-fill(),s.lineWidth=1.5,s.strokeStyle=T,s.stroke()};m(this.point(c[0],c[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,c):m(u(t.angle),y(.1*r*
+1,s.beginPath(),s.moveTo(...this.point(c[0],c[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(g,f,k,S)=>{s.beginPath(),s.arc(...g,f,0,2*Math.PI),s.fillStyle=k,s.
+fill(),s.lineWidth=1.5,s.strokeStyle=S,s.stroke()};m(this.point(c[0],c[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,c):m(u(t.angle),y(.1*r*
 a,4,16),n.ink,n.paper);let w=e.eccentricity*r,b=this.point(c[0]+w*Math.sin(t.angle),c[1]+w*Math.cos(t.angle));m(b,y(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,
 n.paper)}parts(e,t){let{film:s,pose:n,context:i,look:a,scale:r}=this,h=e.reduce((c,u)=>c+u.mass*(u.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let c of e){let u=h*
 (c.at??0),m=this.point(t[0]+u*Math.sin(n.angle),t[1]+u*Math.cos(n.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),c.shape==="ring")i.globalAlpha=.22,i.
@@ -1905,9 +1905,9 @@ look:h,width:c}=this,u=2.2*this.film.radius,m=Math.abs(s)>u||Math.abs(n)>u;[s,n]
 w[0]-p[0],w[1]-p[1]);if(b<2)return;let g=(w[0]-p[0])/b,f=(w[1]-p[1])/b,k=Math.min(11,b);for(let[N,I]of[[h.paper,6],[i,3]])l.strokeStyle=N,l.fillStyle=N,l.lineWidth=
 I,l.beginPath(),l.moveTo(...p),l.lineTo(w[0]-g*k,w[1]-f*k),l.stroke();if(l.beginPath(),l.moveTo(...w),l.lineTo(w[0]-g*k-f*k*.5,w[1]-f*k+g*k*.5),l.lineTo(w[0]-g*
 k+f*k*.5,w[1]-f*k-g*k*.5),l.fill(),m){let[N,I]=[p[0]+.55*g*b,p[1]+.55*f*b];l.strokeStyle=h.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(N+g*(z-
-3)-f*7,I+f*(z-3)+g*7),l.lineTo(N+g*(z+3)+f*7,I+f*(z+3)-g*7);l.stroke()}l.font=`600 12px ${h.font}`;let T=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
-ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*T-32*this.sine,p[1]+32*this.cosine]:[w[0]+12,y(w[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
-c-T-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function vo(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Oi(o,e,t,s){
+3)-f*7,I+f*(z-3)+g*7),l.lineTo(N+g*(z+3)+f*7,I+f*(z+3)-g*7);l.stroke()}l.font=`600 12px ${h.font}`;let S=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
+ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*S-32*this.sine,p[1]+32*this.cosine]:[w[0]+12,y(w[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
+c-S-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function vo(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Oi(o,e,t,s){
 let n=1/Math.tan(o/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function Di(o,e){let t=Pe(ko(o,e)),s=Pe(fs([0,1,0],t)),
 n=fs(t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-yo(s,o),-yo(n,o),-yo(t,o),1])}var ko=(o,e)=>[o[0]-e[0],o[1]-e[1],o[2]-e[2]],
 yo=(o,e)=>o[0]*e[0]+o[1]*e[1]+o[2]*e[2],fs=(o,e)=>[o[1]*e[2]-o[2]*e[1],o[2]*e[0]-o[0]*e[2],o[0]*e[1]-o[1]*e[0]];function Pe(o){let e=Math.hypot(...o)||1;return[
@@ -1924,7 +1924,7 @@ t.vertices);let s=0;for(let[n,i]of Object.entries(t.parts)){let a=e.attributes[n
 t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function _o(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
 n,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Fi(o,e=120,t=14){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++)s.push(2*Math.PI*n/e,2*Math.PI*i/t);return Ie(
 o,s,{bend:2},_o(e,t))}function Wi(o,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*n/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ie(o,s,{position:3,normal:3},_o(e,t))}function To(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ie(o,s,{position:3,normal:3},_o(e,t))}function So(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
 Math.PI*n/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Ie(o,s,{position:3,normal:3},_o(t,1))}var Ki=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
@@ -1983,7 +1983,7 @@ float side;
    }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],ws=class{constructor(e,t,s,n,{keep:i=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
 e,this.sun=Pe(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Ge(a,$i[0],$i[1]),this.body=Ge(a,Bi[0],Bi[1]),this.line=Ge(a,Hi[0],Hi[1]),this.torus=Fi(
-a),this.sphere=Wi(a),this.cylinder=To(a,1),this.cone=To(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
+a),this.sphere=Wi(a),this.cylinder=So(a,1),this.cone=So(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
 l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
 a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=xo(0),
 this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:n,angle:i,near:a,far:r}){let{gl:l,canvas:h}=this;l.viewport(0,0,h.width,h.height),l.clearColor(
@@ -2065,13 +2065,13 @@ this.inks[e]=it(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),t
 k",this.hosted&&re(Yi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var _s={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
 energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Zi=o=>o.kind==="takeoff"||o.to==="H"&&o.from!=="H"&&o.kind!=="impact";var vt={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},Ts=Object.keys(vt);function Xi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ts.indexOf(i.kind)-Ts.indexOf(a.kind)||i.x-a.x),n=[];
-for(let{kind:i,x:a}of s){let r=Ts.indexOf(i)<Ts.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
+↺",apex:"•"},Ss=Object.keys(vt);function Xi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ss.indexOf(i.kind)-Ss.indexOf(a.kind)||i.x-a.x),n=[];
+for(let{kind:i,x:a}of s){let r=Ss.indexOf(i)<Ss.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
 x+e))<e-1e-9)?l[0].mark!==vt[i]&&n.push({mark:vt[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:n.push({mark:vt[i],x:a,rare:r,hidden:0})}return n.sort((i,a)=>i.
 x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Qi(o,e,t){let s=[],n=new Map,i=-1,a=(l,h,c)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-h)<1e-6?u.
 wide+=c:s.push({mode:l,from:h,wide:c})},r=()=>{n.size&&a([...n].reduce((l,h)=>h[1]>l[1]?h:l)[0],i,1),n=new Map};for(let{mode:l,from:h,to:c}of o){let[u,m]=[Math.
 max(e(h),0),Math.min(e(c),t)];if(m>u)for(let p=u;p<m-1e-9;){if((Math.floor(p+1e-9)!==i||!n.size)&&(r(),i=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-i)<1e-6)){let b=Math.
-floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let w=Math.min(m,i+1);n.set(l,(n.get(l)??0)+w-p),p=w}}return r(),s}var Ss=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=d("canvas",{class:"timeline-canvas"}),this.tip=d("div",{class:"tip",hidden:!0}),
+floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let w=Math.min(m,i+1);n.set(l,(n.get(l)??0)+w-p),p=w}}return r(),s}var Ts=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=d("canvas",{class:"timeline-canvas"}),this.tip=d("div",{class:"tip",hidden:!0}),
 this.element=d("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
 erleave",()=>this.tip.hidden=!0),this.pinched=Z(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
@@ -2084,8 +2084,8 @@ let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(_s[s.kind]??s.kind)} · ${_(s.
 tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,n]=this.ends(),i=t*(n-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let h=Math.abs(l.t-e);h<=i&&
 (!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=g=>(g-r)/(l-r)*
-i;n.clearRect(0,0,i,a);let c=15,u=(a-15)/e.length-c;e.forEach((g,f)=>{let k=c+f*(c+u);for(let{mode:T,from:E,wide:N}of Qi(g.phases,h,i)){let I=s.modes[T];n.fillStyle=
-I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[T]),E,N,k,u-2,I,t)}g.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(g.duration),0),k,i,u-2)),this.marks(
+i;n.clearRect(0,0,i,a);let c=15,u=(a-15)/e.length-c;e.forEach((g,f)=>{let k=c+f*(c+u);for(let{mode:S,from:E,wide:N}of Qi(g.phases,h,i)){let I=s.modes[S];n.fillStyle=
+I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[S]),E,N,k,u-2,I,t)}g.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(g.duration),0),k,i,u-2)),this.marks(
 n,g,h,k,i,t),e.length>1&&(n.fillStyle=ie(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="right",n.fillText("AB"[f],i-1,k-4))});let m=U(l-r,i/60);n.fillStyle=
 t.soft,n.font=`10.5px ${t.font}`;let p=te(r,l,i/60);for(let g of p){let f=h(g);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(Y(g,m)+(g===p[0]?" s":
 ""),f,a-3)}let w=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,c-4,2,a-c-9),n.beginPath(),n.moveTo(w-6,c-10),n.lineTo(
@@ -2114,7 +2114,7 @@ tell(ee(`${l}${x("{what} at {angle}, {time} s",{what:h,angle:q(a.angle),time:_(a
 colors:r}=s;this.known=s.presets,this.address=n?new Ot(this):null,this.clock=new Dt,this.motions=new hs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
 story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new cs,this.theme=new xs(
 e,r,n,()=>this.show()),this.stage=new ys(r,()=>{this.request(),this.address?.soon()}),this.transport=new Ms(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Ss(this.clock),this.story=new vs(this.clock),this.theory=new ks,this.plots=new us(this.clock,r),this.phase=
+notice.say(l),l=>this.story.say(l)),this.timeline=new Ts(this.clock),this.story=new vs(this.clock),this.theory=new ks,this.plots=new us(this.clock,r),this.phase=
 new ds(t,this.clock,r),this.map=new rs(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
 controls=new $t(s.controls,(l,h)=>this.motions.change(l,h)),this.share=new ms(this),this.singleKeys=new os(n),this.help=wi(s.version,r,this.singleKeys.element),
 this.hoops=new ss(l=>this.motions.choose(l)),this.header=new ts(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
@@ -2149,14 +2149,14 @@ lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock
 this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;
 let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(
 e,t)}catch(s){let{name:n,message:i}=s;n!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else
-try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var So=class extends Error{},Mo=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var To=class extends Error{},Mo=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:n}=this.waiting;this.waiting=null,t.error?n(new Error(
 t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let n=new Promise((i,a)=>{this.waiting=
 {resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),n}},kt=class{constructor(e,t,s,n){this.start=e,this.compiled=t,this.
 size=s,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
 resolve(new Mo(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,n=[]){
-s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new So(`This takes longer than ${this.
+s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new To(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),s?.removeEventListener(
 "abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
@@ -2178,12 +2178,12 @@ ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","r
 k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
 "no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
 "slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
-rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ye=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Xp=Ye(v.cell),ge=Ye(v.heads),K=Ye(v.events),Eo=Ye(v.samples),ta=Ye(v.numbers),Ao=Ye(v.words),$l={newton:0,poisson:1,
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ye=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Qp=Ye(v.cell),ge=Ye(v.heads),K=Ye(v.events),Eo=Ye(v.samples),ta=Ye(v.numbers),Ao=Ye(v.words),$l={newton:0,poisson:1,
 stronge:2};function Ze(o){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:$l[o.impact_law],
 strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return v.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function zo(o){let e=t=>t??Number.NaN;return Float64Array.
 of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var Es=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
-n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Bl=150,Hl=240,Kl=6e3,[sf,sa,oa]=[0,1,2],Ul={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Bl=150,Hl=240,Kl=6e3,[of,sa,oa]=[0,1,2],Ul={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
 al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ro(o,e,t){let{rows:s,count:n,duration:i}=e,[a,r]=(t??[0,i]).map(g=>Math.
 min(Math.max(g,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Bl),Hl),Kl),h=v.events.length,c=new Set;for(let g=0;g<=l&&i>0;g++)c.add(g===l?r:a+g*((r-a)/l));let u=new Set;
@@ -2408,45 +2408,45 @@ oad at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0):
 classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0072B2",reversal:"#009E73",takeoff:"\
 #D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"\
 #F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",takeoff:"#D55E00",stick:"#0072B2",turn:"#009E73",end:"#56B4E9",impact:"#F0E442",slip_reversal:"\
-#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},hops:"#D55E00",rolls:"#0072B2",
-other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
-"angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{
-label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
-label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
-label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
-label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
-label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
-ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
-t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
- the lab; the library itself has no such limit.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.pa\
-th are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compl\
-iant' must be 'rigid' for a map.",not_a_pair:"changes holds {change}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,
-cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"\
-J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass",
-"hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.he\
-ight","start.vx","start.vy","start.omega"]};var S=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
+#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},massless:{rolls:"#F0E442","roll\
+s, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gra\
+vity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance",
+"allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},
+hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{
+label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{label:"greatest friction utilization",span:"first_revolution",unit:"1",
+words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{
+label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{label:"how it ends",span:"duration",unit:"",words:["duration","revo\
+lutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"duration = {duration:g} must be at most {most:g} s in the lab; the li\
+brary itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have at most {most} in the lab.",too_many_turns:"duration = {duration:g} \
+s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab; the library itself has no such limit.",too_many_cells:"x.\
+cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} \
+cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",not_a_pair:"changes holds {change\
+}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"\
+m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",
+impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ra\
+tio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
 "-":"",[t,s]=Math.abs(o).toExponential().split("e"),n=t.replace(".",""),i=Number(s);return i<-4||i>=16?`${e}${t}e${No(i)}`:e+(i<0?`0.${"0".repeat(-i-1)}${n}`:ma(
 n,i+1))}function ma(o,e){let t=o.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var No=o=>`${o<0?"-":"+"}${String(Math.abs(o)).padStart(2,"0")}`;function pa(o,e){
 let[t,s]=o.toExponential(e-1).split("e"),n=t.replace(".",""),i=o.toExponential(100).split("e")[0].replace(".","");return i[e]==="5"&&/^0*$/.test(i.slice(e+1))&&
-Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function qo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
-0||Object.is(o,-0)?"-":"";function qe(o,e=6){if(!Number.isFinite(o))return qo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
+Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function qo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var St=o=>o<
+0||Object.is(o,-0)?"-":"";function qe(o,e=6){if(!Number.isFinite(o))return qo(o);let t=St(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
 "")||"0";if(n<-4||n>=e)return`${t}${i[0]}${i.length>1?`.${i.slice(1)}`:""}e${No(n)}`;if(n<0)return`${t}0.${"0".repeat(-n-1)}${i}`;let[a,r]=ma(s,n+1).split("."),
 l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function lh(o,e){if(!Number.isFinite(o))return qo(o);let[t,s]=o===0?["0".repeat(e+1),0]:pa(Math.abs(o),e+1),
-n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${No(s)}`}function jo(o,e){if(!Number.isFinite(o))return qo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
+n=t.slice(1);return`${St(o)}${t[0]}${n&&`.${n}`}e${No(s)}`}function jo(o,e){if(!Number.isFinite(o))return qo(o);let t=Math.abs(o);if(t>=1e21)return`${St(o)}${BigInt(
 t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),n=t.toFixed(100),i=n.slice(n.indexOf(".")+1+e),a=n.slice(0,n.indexOf(".")+(e?1+e:0));return/^50*$/.test(i)&&Number(
-a.at(-1))%2===0?Tt(o)+a:Tt(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Le?r.text:n?
+a.at(-1))%2===0?St(o)+a:St(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Le?r.text:n?
 oe(r):a==="g"?qe(r,i===""?6:Number(i)||1):a==="e"?lh(r,Number(i)):a==="f"?jo(r,Number(i)):String(r)})}function oe(o,e=!0){return o==null?"None":o===!0?"True":o===
 !1?"False":typeof o=="number"?e?Ne(o):fa(o):typeof o=="string"?da(o):Array.isArray(o)?`[${o.map(s=>oe(s,e)).join(", ")}]`:`{${Object.entries(o).map(([s,n])=>`${da(
-s)}: ${oe(n,e)}`).join(", ")}}`}function fa(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Ne(o)}function St(o){return typeof o=="number"?fa(o):
-typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${zs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(St).join(", ")}]`:o&&typeof o=="obj\
-ect"?`{${Object.entries(o).map(([e,t])=>`${St(e)}: ${St(t)}`).join(", ")}}`:String(o)}var zs=(o,e)=>o.toString(16).padStart(e,"0"),hh=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+s)}: ${oe(n,e)}`).join(", ")}}`}function fa(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Ne(o)}function Tt(o){return typeof o=="number"?fa(o):
+typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${zs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(Tt).join(", ")}]`:o&&typeof o=="obj\
+ect"?`{${Object.entries(o).map(([e,t])=>`${Tt(e)}: ${Tt(t)}`).join(", ")}}`:String(o)}var zs=(o,e)=>o.toString(16).padStart(e,"0"),hh=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
 ga=o=>o===" "||!hh.test(o);function wa(o){if(o===`
 `)return"\\n";if(o==="\r")return"\\r";if(o==="	")return"\\t";let e=o.codePointAt(0);return e<256?`\\x${zs(e,2)}`:e<65536?`\\u${zs(e,4)}`:`\\U${zs(e,8)}`}function da(o){
 let e=o.includes("'")&&!o.includes('"')?'"':"'",t=[...o].map(s=>s===e||s==="\\"?`\\${s}`:ga(s)?s:wa(s));return e+t.join("")+e}var ba=o=>[...o].map(e=>ga(e)?e:wa(
 e)).join("");function Rs(o){let e=[...o];return e.length<=60?o:`${e.slice(0,57).join("")}...`}var ua="[\\s\\x1c-\\x1f\\x85]*",ch=new RegExp(`^${ua}([+-]?)(?:(in\
 f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${ua}$`,"i");function ya(o){let e=ch.exec(o);if(!e||o.includes(
-"\uFEFF"))return;let[,t,s,n]=e,i=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(n.replaceAll("_",""));return t==="-"?-i:i}var{texts:va,scenario:ka}=S,A=class extends Error{constructor(e){super(ba(e)),this.name="InputError"}},Te=class extends A{},R=(o,e={})=>P(va[o],e),ne=o=>o!==null&&
-typeof o=="object"&&!Array.isArray(o);function Se(o=()=>!1,e=""){return{said:[],above:e,float:o}}function C(o,e,t,s,n){let i=typeof t=="bigint"?String(t):oe(t,o.
+"\uFEFF"))return;let[,t,s,n]=e,i=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(n.replaceAll("_",""));return t==="-"?-i:i}var{texts:va,scenario:ka}=T,A=class extends Error{constructor(e){super(ba(e)),this.name="InputError"}},Se=class extends A{},R=(o,e={})=>P(va[o],e),ne=o=>o!==null&&
+typeof o=="object"&&!Array.isArray(o);function Te(o=()=>!1,e=""){return{said:[],above:e,float:o}}function C(o,e,t,s,n){let i=typeof t=="bigint"?String(t):oe(t,o.
 float(e)),a=o.above+e||va.whole_scenario;o.said.push(R("finding",{path:a,shown:Rs(i),allowed:R(s,n)}))}function Co(o,e,t,s){let{fields:n,place:i}=ka.models[o];if(!ne(
 e))return C(s,t,e,"table"),null;for(let l of Object.keys(e))if(!Object.hasOwn(n,l))return s.said.push(Oo(i,l,Object.keys(n))),null;let a=s.said.length,r={};for(let[
 l,h]of Object.entries(n))h.kind!=="section"&&(Object.hasOwn(e,l)?r[l]=Do(h,e[l],`${t}.${l}`,s):h.required?s.said.push(R("missing",{path:`${s.above}${t}.${l}`})):
@@ -2462,97 +2462,98 @@ outer:a})),n.values}function Fo(o,e,t,s,n,i){if(!ne(o))return C(n,s,o,"table"),n
 R("missing",{path:`${n.above}${s}.${e}`})),null;if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:oe(a,n.float(`${s}.${e}`)),l=Object.
 keys(t).map(m=>`'${m}'`),h=`${l.slice(0,-1).join(", ")} or ${l.at(-1)}`,c=R("literal_error",{expected:h}),u={path:`${n.above}${s}.${e}`,shown:Rs(oe(r)),allowed:c};
 return n.said.push(R("finding",u)),null}function Mt(o){let e=o.length-1;return e?R(e===1?"other_problem":"other_problems",{first:o[0].replace(/\.$/,""),count:e}):
-o[0]}var{codes:ph,families:fh,hops:gh,rolls:wh,other:bh}=S.classes,{sequence:yh}=S.words,xa="sequence";function vh(o){let e=-1;for(let t of o){e^=t.charCodeAt(0);for(let s=0;s<
-8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function _a(o,e){if(e!==xa)return ph[e]?.[o]??bh;let t=[...o].find(u=>"SKM".includes(u))??"R",s=o.endsWith("H")?gh:
-fh[t+o.slice(-1)]??wh,n=[1,3,5].map(u=>Number.parseInt(s.slice(u,u+2),16)/255),i=(n[0]+n[1]+n[2])/3,a=Math.min(o.length-1,9)/9,r=vh(o)%1e3/1e3,l=.62-.62*Math.min(
-2*a,1),h=Math.max(2*a-1,0)*.5;return`#${n.map(u=>{let m=(1-.2*r)*u+.2*r*i,p=Math.min(Math.max((m+(1-m)*l)*(1-h),0),1);return Math.round(255*p).toString(16).padStart(
-2,"0")}).join("")}`}function Ta(o,e){return e!==xa?o.replaceAll("_"," "):[...o].map(t=>yh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:c,rolling_resistance:u,mu_static:m,
-mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Qe(s,i),{max_events:Q,model:$s,...It}=n;return{radius:i,mass:a,
+o[0]}var{codes:ph,families:fh,massless:gh,hops:wh,rolls:bh,other:yh}=T.classes,{sequence:vh}=T.words,xa="sequence";function kh(o){let e=-1;for(let t of o){e^=t.charCodeAt(
+0);for(let s=0;s<8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function _a(o,e){if(e!==xa)return ph[e]?.[o]??yh;let t=[...o].find(p=>"SK".includes(p))??"R",s=[o.
+startsWith("R")&&"rolls",/[SK]/.test(o)&&"slips"].filter(Boolean).join(", "),n=o.endsWith("H")?wh:fh[t+o.slice(-1)]??bh,i=o.includes("M")?gh[s]:n,a=[1,3,5].map(
+p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(o.length-1,9)/9,h=kh(o)%1e3/1e3,c=.62-.62*Math.min(2*l,1),u=Math.max(2*l-1,0)*.5;return`\
+#${a.map(p=>{let w=(1-.2*h)*p+.2*h*r,b=Math.min(Math.max((w+(1-w)*c)*(1-u),0),1);return Math.round(255*b).toString(16).padStart(2,"0")}).join("")}`}function Sa(o,e){
+return e!==xa?o.replaceAll("_"," "):[...o].map(t=>vh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:c,rolling_resistance:u,mu_static:m,
+mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:S,vx:E,vy:N,omega:I,slip:z}=Qe(s,i),{max_events:Q,model:$s,...It}=n;return{radius:i,mass:a,
 eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:c,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:w,impact_law:b,painleve:g,
-x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:$s==="rigid"?null:It}}function Qe({x:o,height:e,angle:t,speed:s,
-vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var Sa=S.scenario.ends,Wo=o=>Object.hasOwn(Sa,o)?Sa[o]:[];function Bo(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
-let[t]=Bo(e),s=Wo(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ma=new Set(S.scenario.paths);function Ho(o){
+x:f,height:k,angle:S,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:$s==="rigid"?null:It}}function Qe({x:o,height:e,angle:t,speed:s,
+vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var Ta=T.scenario.ends,Wo=o=>Object.hasOwn(Ta,o)?Ta[o]:[];function Bo(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
+let[t]=Bo(e),s=Wo(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ma=new Set(T.scenario.paths);function Ho(o){
 if(!(Ma.has(o)||/^hoop\.parts\.\d+\.\w+$/.test(o)))throw new A(R("no_parameter",{path:o,known:[...Ma].join(", ")}))}function Ea(o){let[e,t]=Bo(o);return(e==="st\
 art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Ko=o=>e=>!o.some(t=>e===t||e.startsWith(t.endsWith(".")?t:`${t}.`));function Uo(o,e,t,s){let n=[
 ...t.keys()],i=Et(n);if(i){let[l,h]=i,[c,u]=i.map(m=>new Le(oe(t.get(m),!1)));throw new A(R("two_ways",{one:l,other:h,one_value:c,other_value:u}))}let a=new Set,
 r=Ko(n);for(let l of n.sort((h,c)=>Ea(h)-Ea(c))){let h=structuredClone(t.get(l)),[c,u]=Bo(l);if(u==="")$o(e,c,h);else if(l==="contact.model")e.contact={model:h};else{
 Object.hasOwn(e,c)||$o(e,c,{});let m=e[c];if(!ne(m))throw new A(R("no_section_parts",{path:l,section:c}));if(!a.has(c)&&Wo(l).some(p=>Object.hasOwn(m,p))){a.add(
-c);let p=kh(o,l,()=>s(e.hoop,r));for(let[w,b]of Object.entries(p))t.has(`${c}.${w}`)||(m[w]=b)}for(let p of Wo(l))delete m[p];xh(m,u.split("."),h,l)}}return e}function $o(o,e,t){
-Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function kh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
+c);let p=xh(o,l,()=>s(e.hoop,r));for(let[w,b]of Object.entries(p))t.has(`${c}.${w}`)||(m[w]=b)}for(let p of Wo(l))delete m[p];_h(m,u.split("."),h,l)}}return e}function $o(o,e,t){
+Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function xh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
 if(s==="hoop.eccentricity"||s==="hoop.inertia_ratio")return{mass:i,eccentricity:a,inertia_ratio:r};if(s==="hoop.load_fraction")return{mass:i};if(s==="plane.mu_s\
 tatic"||s==="plane.mu_kinetic"){let l=h=>h===1/0?"inf":h;return{mu_static:l(e.mu_static),mu_kinetic:l(e.mu_kinetic)}}if(s.startsWith("start.")&&s!=="start.speed"){
-let{height:l,vx:h,vy:c,omega:u}=Qe(t,n().radius);return{height:l,vx:h,vy:c,omega:u}}return{}}function xh(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
+let{height:l,vx:h,vy:c,omega:u}=Qe(t,n().radius);return{height:l,vx:h,vy:c,omega:u}}return{}}function _h(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
 step:l})),r=l=>Array.isArray(n)&&/^\d+$/.test(l)&&Number(l)<n.length;for(let l of e)if(r(l))n=n[Number(l)];else if(ne(n)&&Object.hasOwn(n,l))n=n[l];else throw a(
-l);if(ne(n))$o(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var _h=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>_h)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
+l);if(ne(n))$o(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var Sh=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>Sh)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),h=t;for(let c of r)if(h.has(c)||h.set(c,new Map),h=h.get(c),!(h instanceof
 Map))throw new A(R("beside_a_value",{path:i,above:i.slice(0,i.lastIndexOf("."))}));if(h.has(l))throw new A(R("given_twice",{path:i}));h.set(l,ya(a)??a)}let s=t.
 get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",Th(n)),Go(t)}function Th(o){let e=Array.from({length:o.size},(s,n)=>String(
 n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_order",{name:s}));return e.map(s=>o.get(s))}function Go(o){return Array.isArray(
-o)?o.map(Go):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Go(t)])):o}function za(o){return Ra(o,"").map(([e,t])=>`${e}=${Sh(e,t)}`).join("&")}function Ra(o,e){
-return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>Ra(s,e?`${e}.${t}`:t))}function Sh(o,e){return Ps(o,e).replace("e+","e").replace(
-/\.0$/,"")}function Ps(o,e){return typeof e=="string"?e:Mh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Mh=new Set(Object.values(S.scenario.models).flatMap(
-({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=S,Eh=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],Ah=["height","vx","vy","omega"],je=class extends Error{};function L(o,e){
-throw new je(R(o,e))}function Is(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Vo({values:o,given:e},t){let s={...o},n=Eh.filter(
-c=>e.has(c)&&o[c]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Is("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,zh(s.radius,s.parts,
+o)?o.map(Go):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Go(t)])):o}function za(o){return Ra(o,"").map(([e,t])=>`${e}=${Mh(e,t)}`).join("&")}function Ra(o,e){
+return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>Ra(s,e?`${e}.${t}`:t))}function Mh(o,e){return Ps(o,e).replace("e+","e").replace(
+/\.0$/,"")}function Ps(o,e){return typeof e=="string"?e:Eh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Eh=new Set(Object.values(T.scenario.models).flatMap(
+({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=T,Ah=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],zh=["height","vx","vy","omega"],je=class extends Error{};function L(o,e){
+throw new je(R(o,e))}function Is(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Vo({values:o,given:e},t){let s={...o},n=Ah.filter(
+c=>e.has(c)&&o[c]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Is("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,Rh(s.radius,s.parts,
 t))):s.load_fraction!==null||!n.length?(Is("hoop","load_fraction",n),s.load_fraction??=et.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
 s.inertia_ratio=t.ideal(s.load_fraction)):n.length===1&&L("half_a_hoop",{missing:n[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:n[0]});let{mass:i,inertia_ratio:a,
 load_fraction:r,eccentricity:l}=s,h=et.ranges;if(Xe(h["hoop.mass"],i)||L("hoop_mass",{mass:i,words:h["hoop.mass"].words}),!Xe(h["hoop.inertia_ratio"],a)){let{words:c}=h["\
 hoop.inertia_ratio"];L(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:c})}return a===0&&l!==1&&L("massless_eccentricity",{eccentricity:l}),
-s}function zh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+et.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
+s}function Rh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+et.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
 radius:o}),n}function Ia({values:o,given:e}){let t={...o};t.apart=Pa.some(r=>e.has(r)),t.mu!==null?(Is("plane","mu",Pa.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:n,slope:i}=t;n>s&&L("kinetic_above_static",{mu_kinetic:n,mu_static:s}),Math.abs(
 i)<.5*Math.PI||L("vertical",{slope:i});let a=et.ranges["plane.slope"];return Xe(a,i)||L("slope",{slope:i,words:a.words}),t}function La({values:o,given:e}){let t={
-...o};return t.speed!==null?(Is("start","speed",Ah.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function Na({values:o}){let e=o;
+...o};return t.speed!==null?(Is("start","speed",zh.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function Na({values:o}){let e=o;
 return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&L("together",{section:"contact",other:"restitution",way:"damping"}),e}function qa(o,e,t){let{
 hoop:s,plane:n,contact:i}=o,a=s.inertia_ratio===0,r=i.model==="compliant";a&&n.slope!==0&&L("massless_slope",{slope:n.slope});let l=n.rolling_resistance;l!==0&&
 a&&L("massless_resistance",{given:l});let h=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);h!==void 0&&!(l<h)&&L("resistance",{given:l,most:h}),a&&
-r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Rh(i,e.compliance(t(o)))}function Rh(o,e){for(let[n,{of:i,...a}]of Object.
+r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Ph(i,e.compliance(t(o)))}function Ph(o,e){for(let[n,{of:i,...a}]of Object.
 entries(et.relative)){let r=o[n];if(r===null)continue;let l=e[n];Xe(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
-s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=S,Ph={rigid:"Rigid",compliant:"Compliant"};function Jo(o,e,t=Se()){let s=Yo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Yo(o,e,t){let{
+s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=T,Ih={rigid:"Rigid",compliant:"Compliant"};function Jo(o,e,t=Te()){let s=Yo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Yo(o,e,t){let{
 fields:s,place:n}=we.models.Scenario;if(!ne(o))return C(t,"",o,"table"),null;let i=Object.keys(o).find(r=>!Object.hasOwn(s,r));if(i!==void 0)return t.said.push(
 Oo(n,i,Object.keys(s))),null;let a=Object.fromEntries(Object.keys(s).map(r=>{let l=Object.hasOwn(o,r)?o[r]:we.default[r];return[r,Ca(r,l,e,t)]}));return t.said.
 length?null:Oa(t,()=>Zo(a,e))}function Ca(o,e,t,s){if(o==="hoop")return At("Hoop",e,o,s,i=>Vo(i,t));if(o==="plane")return At("Plane",e,o,s,Ia);if(o==="start")return At(
-"Start",e,o,s,La);if(o!=="contact")return Do(we.models.Scenario.fields[o],e,o,s);let n=Fo(e,"model",Ph,o,s,"rigid");return n&&At(n,e,o,s,Na)}function Zo(o,e){return qa(
+"Start",e,o,s,La);if(o!=="contact")return Do(we.models.Scenario.fields[o],e,o,s);let n=Fo(e,"model",Ih,o,s,"rigid");return n&&At(n,e,o,s,Na)}function Zo(o,e){return qa(
 o,e,J),o}function At(o,e,t,s,n){let i=Co(o,e,t,s);return i&&Oa(s,()=>n(i))}function Oa(o,e){try{return e()}catch(t){if(!(t instanceof je))throw t;return o.said.
-push(t.message),null}}function Xo(o,e){return Jo(Aa(o),e,Se(()=>!0))}function Ls(o,e,t){let s=Uo(o,be(o),e,(n,i)=>Da(n,t,i));return Jo(s,t,Se(Ko([...e.keys()])))}
-function Ns(o,e,t){let s=Se();try{let n=Uo(o,be(o),e,(r,l)=>Da(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ca(r,n[r],t,s)]);return s.
-said.length?null:Object.fromEntries(a)}catch(n){if(n instanceof A)return null;throw n}}function Da(o,e,t){let s=Se(t),n=At("Hoop",o,"hoop",s,i=>Vo(i,e));if(!n)throw new A(
-Mt(s.said));return n}var Ih=o=>o===1/0?"inf":o,zt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Ih(o[t])])),Qo=o=>Object.keys(we.models[o].fields);
-function be({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Lh(e),plane:Nh(t),start:qh(s),contact:zt(n,Qo(n.model==="rigid"?"Rigid":"Compl\
-iant"))}}function Lh(o){if(o.parts){let t=o.parts.map(s=>zt(s,Qo(we.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return zt(o,["radius","mass",...e])}function Nh(o){let e=o.apart?["mu"]:["mu_static","mu_kinetic"];return o.rolling_resistance===
-0&&e.push("rolling_resistance"),zt(o,Qo("Plane").filter(t=>!e.includes(t)))}function qh(o){return zt(o,o.speed===null?["x","height","angle","vx","vy","omega"]:[
+push(t.message),null}}function Xo(o,e){return Jo(Aa(o),e,Te(()=>!0))}function Ls(o,e,t){let s=Uo(o,be(o),e,(n,i)=>Da(n,t,i));return Jo(s,t,Te(Ko([...e.keys()])))}
+function Ns(o,e,t){let s=Te();try{let n=Uo(o,be(o),e,(r,l)=>Da(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ca(r,n[r],t,s)]);return s.
+said.length?null:Object.fromEntries(a)}catch(n){if(n instanceof A)return null;throw n}}function Da(o,e,t){let s=Te(t),n=At("Hoop",o,"hoop",s,i=>Vo(i,e));if(!n)throw new A(
+Mt(s.said));return n}var Lh=o=>o===1/0?"inf":o,zt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Lh(o[t])])),Qo=o=>Object.keys(we.models[o].fields);
+function be({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Nh(e),plane:qh(t),start:jh(s),contact:zt(n,Qo(n.model==="rigid"?"Rigid":"Compl\
+iant"))}}function Nh(o){if(o.parts){let t=o.parts.map(s=>zt(s,Qo(we.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return zt(o,["radius","mass",...e])}function qh(o){let e=o.apart?["mu"]:["mu_static","mu_kinetic"];return o.rolling_resistance===
+0&&e.push("rolling_resistance"),zt(o,Qo("Plane").filter(t=>!e.includes(t)))}function jh(o){return zt(o,o.speed===null?["x","height","angle","vx","vy","omega"]:[
 "x","angle","speed"])}function en(o,e){let{Hoop:t,Start:s}=we.models;if(o==="hoop"){let{radius:n,mass:i,eccentricity:a}=t.fields;return{radius:n.default,mass:i.
 default,load_fraction:a.default}}return o==="plane"?we.default.plane:o==="start"?{...ja(s),speed:void 0}:ja(we.models[e==="compliant"?"Compliant":"Rigid"])}var ja=({
 fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function tn(o){let e={};for(let[t,s]of Object.entries(be(o))){let n=we.default[t];
 if(Rt(s,n))continue;if(!ne(s)){e[t]=s;continue}let i=en(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="model"||!Rt(i[r],l));e[t]=a.length?Object.fromEntries(
 a):s}return za(e)}function Rt(o,e){if(o===e)return!0;if(o===null||e===null||typeof o!="object"||typeof e!="object")return!1;let t=Object.keys(o);return t.length===
-Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:jh,limits:tt}=S,Me=(o,e={})=>P(jh[o],e);function qs({scenario:o,query:e=null,changes:t=[]},s){let n=Se(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
-table"):o!==void 0&&(i=Yo(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&C(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!Ch(r)).
-map(Oh)):C(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Xo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Ls(
-i,a,s),a=new Map),a.set(r,l);return a.size?Ls(i,a,s):i}var Ch=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Oh=o=>Me("not_a_pair",{change:new Le(St(o).
-slice(0,60))});function Ce(o){let{duration:e,hoop:t,contact:s}=o;if(e>tt.duration)throw new Te(Me("too_long",{duration:e,most:tt.duration}));let n=t.parts?.length??
-0;if(n>tt.parts)throw new Te(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Dh=8,{cell:sn,laws:Fh,events:Wh,quantities:js}=S.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ho(
-e.path),Ho(t.path),e.path===t.path)throw new A(Me("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new Te(Me("too_many_cells",{cells:s,
-most:S.limits.cells}));if(o.contact.model!=="rigid")throw new A(Me("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Me("two_axes",{one:n[0],other:n[1]}));
-let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,Wh)}}}async function nn(o,{x:e,y:t},s,n){let i=Fa(e),a=Fa(t),r=$h(o,e.path,
-t.path)?Bh(o,{x:e,y:t},[i,a],s):(m,p)=>{let w=new Map([[t.path,a[p]],[e.path,i[m]]]);return Ns(o,w,s)},l=i.length*a.length,h=new Float64Array(sn.length*l),c={...o},
-u=performance.now();for(let m=0;m<a.length;m++){performance.now()-u>Dh&&(await new Promise(p=>setTimeout(p)),n?.throwIfAborted(),u=performance.now());for(let p=0;p<
-i.length;p++){let w=r(p,m),b=w&&Kh(Object.assign(c,w),s);if(!b)continue;let g=m*i.length+p;for(let f=0;f<sn.length;f++)h[f*l+g]=Hh[f](b)}}return{count:l,rows:h}}
-function $h({start:o},e,t){let s=[e,t].map(i=>i.split(".")[0]);if(s[0]===s[1])return!1;let n=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.
-includes("hoop")&&n&&o.speed!==null)}function Bh(o,{x:e,y:t},[s,n],i){let a=s.map(l=>Ns(o,new Map([[e.path,l]]),i)),r=n.map(l=>Ns(o,new Map([[t.path,l]]),i));return(l,h)=>a[l]&&
-r[h]&&{...a[l],...r[h]}}var Hh=sn.map(o=>o==="law"?({impact_law:e})=>Fh[e]:o==="strike"?({painleve:e})=>+(e==="impact"):o==="allowed"?()=>1:e=>Number(e[o]));function Kh(o,e){
+Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:Ch,limits:tt}=T,Me=(o,e={})=>P(Ch[o],e);function qs({scenario:o,query:e=null,changes:t=[]},s){let n=Te(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
+table"):o!==void 0&&(i=Yo(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&C(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!Oh(r)).
+map(Dh)):C(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Xo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Ls(
+i,a,s),a=new Map),a.set(r,l);return a.size?Ls(i,a,s):i}var Oh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Dh=o=>Me("not_a_pair",{change:new Le(Tt(o).
+slice(0,60))});function Ce(o){let{duration:e,hoop:t,contact:s}=o;if(e>tt.duration)throw new Se(Me("too_long",{duration:e,most:tt.duration}));let n=t.parts?.length??
+0;if(n>tt.parts)throw new Se(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Fh=8,{cell:sn,laws:Wh,events:$h,quantities:js}=T.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ho(
+e.path),Ho(t.path),e.path===t.path)throw new A(Me("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>T.limits.cells)throw new Se(Me("too_many_cells",{cells:s,
+most:T.limits.cells}));if(o.contact.model!=="rigid")throw new A(Me("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Me("two_axes",{one:n[0],other:n[1]}));
+let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,$h)}}}async function nn(o,{x:e,y:t},s,n){let i=Fa(e),a=Fa(t),r=Bh(o,e.path,
+t.path)?Hh(o,{x:e,y:t},[i,a],s):(m,p)=>{let w=new Map([[t.path,a[p]],[e.path,i[m]]]);return Ns(o,w,s)},l=i.length*a.length,h=new Float64Array(sn.length*l),c={...o},
+u=performance.now();for(let m=0;m<a.length;m++){performance.now()-u>Fh&&(await new Promise(p=>setTimeout(p)),n?.throwIfAborted(),u=performance.now());for(let p=0;p<
+i.length;p++){let w=r(p,m),b=w&&Uh(Object.assign(c,w),s);if(!b)continue;let g=m*i.length+p;for(let f=0;f<sn.length;f++)h[f*l+g]=Kh[f](b)}}return{count:l,rows:h}}
+function Bh({start:o},e,t){let s=[e,t].map(i=>i.split(".")[0]);if(s[0]===s[1])return!1;let n=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.
+includes("hoop")&&n&&o.speed!==null)}function Hh(o,{x:e,y:t},[s,n],i){let a=s.map(l=>Ns(o,new Map([[e.path,l]]),i)),r=n.map(l=>Ns(o,new Map([[t.path,l]]),i));return(l,h)=>a[l]&&
+r[h]&&{...a[l],...r[h]}}var Kh=sn.map(o=>o==="law"?({impact_law:e})=>Wh[e]:o==="strike"?({painleve:e})=>+(e==="impact"):o==="allowed"?()=>1:e=>Number(e[o]));function Uh(o,e){
 try{return J(Zo(o,e))}catch(t){if(!(t instanceof je))throw t;return null}}function an(o){if(Object.hasOwn(js,o))return js[o].span;throw new A(`what = ${o} must \
-be one of ${Object.keys(js).join(", ")}.`)}function rn({x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=js[t],{values:r,names:l}=Uh(s,i===""?a:null),h=i===""?l.map(
-c=>({name:c,text:Ta(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Uh({values:o,sequences:e},t){
+be one of ${Object.keys(js).join(", ")}.`)}function rn({x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=js[t],{values:r,names:l}=Gh(s,i===""?a:null),h=i===""?l.map(
+c=>({name:c,text:Sa(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Gh({values:o,sequences:e},t){
 if(!t)return{values:o,names:[]};let s=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,n=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(o,a=>a>=
-0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Os}=S,Gh=30;function Wa(o,e){for(let t of Os.sections[o]??["Scenario"]){let s=Os.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):Ps(o,e)}function $a(o,e,t){let s=`${o} = ${Ba(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Gh)} # ${t}`}function Ds(o){
+0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Os}=T,Vh=30;function Wa(o,e){for(let t of Os.sections[o]??["Scenario"]){let s=Os.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):Ps(o,e)}function $a(o,e,t){let s=`${o} = ${Ba(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Vh)} # ${t}`}function Ds(o){
 let{duration:e,...t}=be(o),s=[$a("duration",e,Wa("","duration"))];for(let[n,i]of Object.entries(t)){s.push("",`[${n}]`);for(let[a,r]of Object.entries(i))if(!Array.
 isArray(r))s.push($a(a,r,Wa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h=Object.entries(l).map(([c,u])=>`${c} = ${Ba(c,u)}`);s.push(`  { ${h.join(", ")}\
  },`)}s.push("]")}}return`${s.join(`
 `)}
-`}var Vh={hoop:"Hoop",plane:"Plane",start:"Start"},Jh=["load_fraction","mu"];function ln(o){let e=be(o),t=Rt(e.contact,Os.default.contact)?"":`    contact=${Cs(
+`}var Jh={hoop:"Hoop",plane:"Plane",start:"Start"},Yh=["load_fraction","mu"];function ln(o){let e=be(o),t=Rt(e.contact,Os.default.contact)?"":`    contact=${Cs(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
@@ -2565,65 +2566,65 @@ isArray(r))s.push($a(a,r,Wa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h
 `,`print(motion.sequence, motion.status)
 `,`for event in motion.events:
 `,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":Vh[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:en(
-o,t.model),a=Object.entries(t).filter(([r,l])=>Jh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${hn(r,l)}`);return e&&a.push(`parts=[${e.map(Yh).join(", ")}]`),`hh\
-.${n}(${a.join(", ")})`}function Yh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${hn(s,n)}`);return`hh.${Os.parts[o]}(${t.join(", ")})`}function hn(o,e){
-return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Ps(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Zh,statuses:Xh,story:Oe,summary:st}=S.words,Qh=["turn","apex","end"],ec=400,[,cn,Ha,tc,sc]=dn,oc="⁰¹²³⁴⁵⁶⁷⁸⁹";
+`].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":Jh[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:en(
+o,t.model),a=Object.entries(t).filter(([r,l])=>Yh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${hn(r,l)}`);return e&&a.push(`parts=[${e.map(Zh).join(", ")}]`),`hh\
+.${n}(${a.join(", ")})`}function Zh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${hn(s,n)}`);return`hh.${Os.parts[o]}(${t.join(", ")})`}function hn(o,e){
+return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Ps(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Xh,statuses:Qh,story:Oe,summary:st}=T.words,ec=["turn","apex","end"],tc=400,[,cn,Ha,sc,oc]=dn,nc="⁰¹²³⁴⁵⁶⁷⁸⁹";
 function Ua(o,e){let{omega:t,to:s}=o[e];return t===0&&(s==="S"||s==="K")&&e+1<o.length}var mn=o=>[...o.keys()].filter(e=>Ua(o,e)),pn=(o,e)=>.5*(o[e].t+o[e+1].t);
-function fn(o,e=ec){let t=[],s=0,n=Va(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?ic(o,i,a):P(Oe.more_bounces,
+function fn(o,e=tc){let t=[],s=0,n=Va(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?ac(o,i,a):P(Oe.more_bounces,
 {count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:Ka[dn.indexOf(Fs(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Oe.left_out,
 {count:s})}),t}var Ga=o=>o.kind==="impact"&&o.to==="H"&&o.collision!==!1;function Va(o,e=3,t=6){let s=new Map,n=[];for(let i=0;i<=o.length;i++){let a=o[i];if(a&&
 (Ga(a)||n.length&&a.kind==="apex")){n.push(i);continue}let r=n.filter(l=>o[l].kind==="impact");if(r.length>=t){for(let l of n.slice(n.indexOf(r[e])))s.set(l,0);
 s.set(r[e],r.length-e)}n=[]}return s}function gn(o,e=6){let t=[],s=0,n=Va(o.events,1);for(let[l,h]of o.events.entries()){let c=n.get(l);if(c!==void 0){c&&t.push(
-P(st.more_bounces,{count:c}));continue}if(h.kind==="start"||!t.length){t.push(un[Fs(o,l)]);continue}let u=nc(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Fe(
-h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Xh[o.
-status]};return P(st.sentence,r).trim()}function nc(o,e,t){return t.collision===!1?st.without_collision:Ga(t)?st.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||Ja(t)?un[Fs(o,e)]:Qh.includes(t.kind)?"":Zh[t.kind]}function ic(o,e,t){let s=Fs(o,e),n={where:Fe(t.angle),verb:un[s],kind:t.kind.replaceAll("_"," ")},i=ac(
-o.events,e,s,n);return P(Oe[i]??Oe.other,n)}function ac(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=De(n.vx),s.started=P(t===tc?Oe.started_flight:
-t===sc?Oe.started_skim:Oe.started,s)),i==="slip_start"&&t===cn?"slip_start_spin":i==="takeoff"?rc(o,e,s):i==="impact"?(s.speed=De(n.before.vy===null?null:Math.abs(
+P(st.more_bounces,{count:c}));continue}if(h.kind==="start"||!t.length){t.push(un[Fs(o,l)]);continue}let u=ic(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Fe(
+h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Qh[o.
+status]};return P(st.sentence,r).trim()}function ic(o,e,t){return t.collision===!1?st.without_collision:Ga(t)?st.bounces:["slip_start","slip_reversal"].includes(
+t.kind)||Ja(t)?un[Fs(o,e)]:ec.includes(t.kind)?"":Xh[t.kind]}function ac(o,e,t){let s=Fs(o,e),n={where:Fe(t.angle),verb:un[s],kind:t.kind.replaceAll("_"," ")},i=rc(
+o.events,e,s,n);return P(Oe[i]??Oe.other,n)}function rc(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=De(n.vx),s.started=P(t===sc?Oe.started_flight:
+t===oc?Oe.started_skim:Oe.started,s)),i==="slip_start"&&t===cn?"slip_start_spin":i==="takeoff"?lc(o,e,s):i==="impact"?(s.speed=De(n.before.vy===null?null:Math.abs(
 n.before.vy)),n.collision===!1?"impact_without_collision":n.to==="H"?"impact_bounce":i):i==="turn"&&Ja(n)?"turn_in_slip":(i==="apex"&&(s.gap=Ya(n.height)),i==="\
-kane_gain"&&(s.gain=De(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function rc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
+kane_gain"&&(s.gain=De(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function lc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
 height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t;a++)n=Math.max(n,o[a].height);if(!n)break;return t.top=Ya(n),t.time=De(o[i].t-s),
-"takeoff_and_landing"}return"takeoff"}function Fs(o,e){let t=o.events[e];return lc(t.to,Ua(o.events,e)?o.omega(e):t.omega)}function lc(o,e){return o==="S"?e>0?cn:
+"takeoff_and_landing"}return"takeoff"}function Fs(o,e){let t=o.events[e];return hc(t.to,Ua(o.events,e)?o.omega(e):t.omega)}function hc(o,e){return o==="S"?e>0?cn:
 Ha:o==="K"?e<0?cn:Ha:dn[Ka.indexOf(o)]}var Ja=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Fe=o=>`${jo(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ya(o){
 return o>=.995?`${De(o)} m`:o>=.00995?`${De(o*100)} cm`:`${De(o*1e3)} mm`}function De(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=qe(o,3).split("e"),s=t===
-void 0?"":`·10${hc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var hc=o=>[...String(o)].map(e=>e==="-"?"⁻":oc[Number(e)]).join("");var Za=2e3,cc=o=>o===1/0?"inf":o;function Ws(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:be(
+void 0?"":`·10${cc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var cc=o=>[...String(o)].map(e=>e==="-"?"⁻":nc[Number(e)]).join("");var Za=2e3,dc=o=>o===1/0?"inf":o;function Ws(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:be(
 o),status:e,sequence:t,events:s,final:n,energy:i}}function wn(o,e,t,s){let n={events:e.events,status:e.status,omega:t};return{...Ws(o,e),events:e.events.slice(0,
-Za),query:tn(o),duration:e.duration,values:dc(o),automatic:uc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:S.words.statuses[e.status],
-shortened:e.events.length>Za}}function dc(o){let{speed:e}=o.start,t={...o,start:{...Qe(o.start,o.hoop.radius),speed:e}},s=n=>{let[i,a]=n.split(".");return cc(t[i][a])};
-return Object.fromEntries(S.shown.map(n=>[n,s(n)]))}function uc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
-J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:mc,variables:bn}=S.table,{letters:pc}=S.words,yn=(o,e)=>JSON.stringify(Ws(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*mc)+1,2),S.limits.
+Za),query:tn(o),duration:e.duration,values:uc(o),automatic:mc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:T.words.statuses[e.status],
+shortened:e.events.length>Za}}function uc(o){let{speed:e}=o.start,t={...o,start:{...Qe(o.start,o.hoop.radius),speed:e}},s=n=>{let[i,a]=n.split(".");return dc(t[i][a])};
+return Object.fromEntries(T.shown.map(n=>[n,s(n)]))}function mc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
+J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:pc,variables:bn}=T.table,{letters:fc}=T.words,yn=(o,e)=>JSON.stringify(Ws(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*pc)+1,2),T.limits.
 samples),t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function kn(o,e){let t=Object.keys(bn),s=t.map(l=>bn[l]==="1"?l:`${l} [${bn[l]}]`),
-{kinetic:n,potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let c=t.map(u=>u==="mode"?pc[a.
+{kinetic:n,potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let c=t.map(u=>u==="mode"?fc[a.
 mode[l]]:Ne(a[u][l]));r.push([Ne(h),...c].join(","))}return`${r.join(`\r
 `)}\r
-`}var{theory:O}=S.words;function _n({hoop:o,plane:e},t){let s=[],n=(r,l,h,c)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:c(l)})},
-i=()=>n("painleve",t.painleve_friction,"1",r=>gc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
+`}var{theory:O}=T.words;function _n({hoop:o,plane:e},t){let s=[],n=(r,l,h,c)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:c(l)})},
+i=()=>n("painleve",t.painleve_friction,"1",r=>wc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
 O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:Fe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:c,
 any_speed:u}=O;n("first_slip",t.first_slip_speed,"m/s",m=>xn(m,r,c)),n("first_hop",t.first_hop_speed,"m/s",m=>xn(m,l,c)),n("immediate_hop",t.immediate_hop_speed,
-"m/s",m=>xn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>fc(r,e)),i();
+"m/s",m=>xn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>gc(r,e)),i();
 let a=t.jam_angles.map(Fe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
-O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:qe(o,4)}):O.no_speed}function fc(o,{
-mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:qe(o,3)}):O.no_friction}function gc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var bc=360,yc=240,vc=[0,2*Math.PI,-12,12],Tn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},kc=["mot\
+O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<T.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:qe(o,4)}):O.no_speed}function gc(o,{
+mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:qe(o,3)}):O.no_friction}function wc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var yc=360,vc=240,kc=[0,2*Math.PI,-12,12],Sn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},xc=["mot\
 ion.nc","motion.mp4","motion.gif"],Pt=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
-s!==null,this.files=[...Object.keys(Tn),...n?kc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=qs(t,this.mechanics);
+s!==null,this.files=[...Object.keys(Sn),...n?xc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let n=qs(t,this.mechanics);
 if(e==="film")return this.film(n,s);if(e==="samples"){let i=J(Ce(n));return{header:{window:t.window},arrays:await this.kernel.columns(i,s,t.window)}}if(e==="cod\
 e")return{header:{python:ln(n),toml:Ds(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:_n(n,i)},arrays:{}}}
-if(e==="regions"){let i=t.window??vc,a=J(n),r=await this.kernel.regions(a,i,bc,yc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
+if(e==="regions"){let i=t.window??kc,a=J(n),r=await this.kernel.regions(a,i,yc,vc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
 `call = '${e}' is not one that the page answers.`)}async film(e,t){let s=J(Ce(e)),{motion:n,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.
 kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:wn(e,n,a,this.mechanics),arrays:i}}async turning(e,{events:t},s){
 let n=mn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>pn(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,
 y:s,what:n="sequence"},i){let a=an(n),r=on(e,{x:t,y:s,what:n}),l=await nn(r,{x:t,y:s},this.mechanics,i);return rn({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){
-if(!(e in Tn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Tn[e]})}async fileText(e,t){
+if(!(e in Sn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Sn[e]})}async fileText(e,t){
 let s=qs({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);let n=Ce(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return yn(n,a);let r=vn(
-a.duration);return kn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Sn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
+a.duration);return kn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Tn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
 navigator.serviceWorker?.register(o).catch(()=>{})}async function Qa(o){let e=new is(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new Pt(
-t,t.mechanics,{server:e})}catch{return e}}var xc=new URL("./",import.meta.url);async function _c(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s,n;try{s=await Sn(xc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
+t,t.mechanics,{server:e})}catch{return e}}var _c=new URL("./",import.meta.url);async function Sc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,n;try{s=await Tn(_c,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
 o,s,n,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Gn(location.hash);try{await i.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Jg(o,e,t,s){let n=await Sn(
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Yg(o,e,t,s){let n=await Tn(
 e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Je(o,n,i,{panels:s});return await a.open([t]),a}async function Tc({model:o,el:e}){let t=document.
 createElement("div");e.append(t);let s=await Qa(o),n=new Je(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
 n.motions.set([He(o.get("film"))]),n.begin();let i=()=>n.motions.replace(He(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
-n.close()}}var er=document.getElementById("hophoop-lab");er&&_c(er);var Yg={render:Tc};export{Yg as default,Jg as mount};
+n.close()}}var er=document.getElementById("hophoop-lab");er&&Sc(er);var Zg={render:Tc};export{Zg as default,Yg as mount};
