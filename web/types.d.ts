@@ -373,6 +373,7 @@ interface Given {
   ideal: boolean; // given by its load fraction: κ = 1 − ε²
   gravity: number;
   slope: number;
+  rolling_resistance: number;
   mu_static: number; // may be Infinity, as μk
   mu_kinetic: number;
   restitution: number;
@@ -462,7 +463,7 @@ interface Kernel {
   film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
-  columns(given: Given, window?: [number, number], signal?: AbortSignal): MaybeLater<Record<string, Column>>;
+  columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;
   /** The state at some times, as Trajectory.at. */
   samples(given: Given, times: Float64Array, signal?: AbortSignal): MaybeLater<Samples>;
   thresholds(given: Given, signal?: AbortSignal): MaybeLater<TheoryNumbers>;

@@ -38,7 +38,10 @@ const CALLS = {
   },
 };
 
-const local = new LocalBackend(mechanics, mechanics);
+const kernel = Object.assign(Object.create(mechanics), {
+  columns: (given, signal, window) => mechanics.columns(given, window),
+});
+const local = new LocalBackend(kernel, mechanics);
 CALLS.local = async ({ name, body }) => {
   const { header, arrays } = await local.call(name, body);
   return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };

@@ -29,17 +29,16 @@ const COLUMNS = {
 /**
  * @param {import("./module.js").HoopModule} module in which the motion was computed last
  * @param {Computed} computed
- * @param {[number, number]} [window] from when to when; the whole motion where there is none [s]
+ * @param {[number, number]} [window] times from and to; the whole motion by default
  */
 export function columnsOf(module, computed, window) {
   const { rows, count, duration } = computed;
-  const [begin, end] = window ? window.map((t) => Math.min(Math.max(t, 0), duration)) : [0, duration];
-  const steps = end > begin ? Math.min(Math.max(Math.ceil((end - begin) * RATE), FEWEST), MOST) : 0;
+  const [begin, end] = (window ?? [0, duration]).map((time) => Math.min(Math.max(time, 0), duration));
+  const steps = Math.min(Math.max(Math.ceil((end - begin) * RATE), FEWEST), MOST);
   const width = layout.events.length;
   /** @type {Set<number>} */
   const places = new Set();
-  for (let k = 0; k < steps; k++) places.add(begin + k * ((end - begin) / steps));
-  places.add(end);
+  for (let k = 0; k <= steps && duration > 0; k++) places.add(k === steps ? end : begin + k * ((end - begin) / steps));
   const marks = new Set();
   // the end of the last piece can lie a rounding beyond the duration
   for (let k = 0; k < count; k++) {

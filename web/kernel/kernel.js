@@ -78,10 +78,10 @@ export class WorkerKernel {
 
   /**
    * @param {Given} given
-   * @param {[number, number]} [window] from when to when [s]
    * @param {AbortSignal} [signal]
+   * @param {[number, number]} [window] times from and to; the whole motion by default
    */
-  columns(given, window, signal) {
+  columns(given, signal, window) {
     return this.motions.ask("columns", [given, window], signal);
   }
 

@@ -128,7 +128,7 @@ export class HoopModule {
 
   /**
    * @param {Given} given
-   * @param {[number, number]} [window] from when to when [s]
+   * @param {[number, number]} [window] times from and to; the whole motion by default
    */
   columns(given, window) {
     return columnsOf(this, this.compute(given), window);

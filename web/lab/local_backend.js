@@ -43,7 +43,10 @@ export class LocalBackend {
     if (name === "setup") return { header: model.tables.setup, arrays: {} };
     const checked = model.asked(body, this.mechanics);
     if (name === "film") return this.film(checked, signal);
-    if (name === "samples") return this.samples(checked, body.window, signal);
+    if (name === "samples") {
+      const given = model.given(model.within(checked));
+      return { header: { window: body.window }, arrays: await this.kernel.columns(given, signal, body.window) };
+    }
     if (name === "code") {
       return { header: { python: model.pythonCode(checked), toml: model.toToml(checked) }, arrays: {} };
     }
@@ -70,24 +73,9 @@ export class LocalBackend {
     const given = model.given(model.within(checked));
     const { motion, columns } = this.kernel.film
       ? await this.kernel.film(given, signal)
-      : {
-          motion: await this.kernel.motion(given, signal),
-          columns: await this.kernel.columns(given, undefined, signal),
-        };
+      : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
     const omega = await this.turning(given, motion, signal);
     return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays: columns };
-  }
-
-  /**
-   * A part of a film, finer.
-   * @param {Checked} checked
-   * @param {[number, number]} window from when to when [s]
-   * @param {AbortSignal} [signal]
-   * @returns {Promise<Reply>}
-   */
-  async samples(checked, window, signal) {
-    const given = model.given(model.within(checked));
-    return { header: { window }, arrays: await this.kernel.columns(given, window, signal) };
   }
 
   /**

@@ -25,7 +25,7 @@ from hophoop._processes import python_beside
 
 ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
 REPORT = 0.25  # seconds between two reports that code is compiled
-_IDLE, _COMPUTING, _WRITING = range(3)
+_IDLE, _COMPUTING, _WRITING, _PREPARING = range(4)
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Worker:
 
     @property
     def compiling(self) -> bool:
-        """Whether it compiles code, which is no fault of what it was asked."""
+        """Whether it begins, or compiles code, which is no fault of what it was asked."""
         return time.monotonic() - self._compiled < 4.0 * REPORT
 
     def exchange(self, job: Job) -> tuple[str, Any]:
@@ -144,11 +144,20 @@ class _Loop:
         with self.lock:
             _write(self.outward, said)
 
+    def pay(self) -> bool:
+        """Answer an interrupt that came while it could not be answered; whether there was one."""
+        if self.owed == 0:
+            return False
+        self.owed -= 1
+        self.say((STOPPED, None))
+        return True
+
     def report(self) -> None:
         """Say now and then that code is compiled."""
         while True:
             time.sleep(REPORT)
-            if self.state == _COMPUTING and (self.compiles or busy()):
+            compiles = self.state == _COMPUTING and (self.compiles or busy())
+            if compiles or self.state == _PREPARING:
                 with contextlib.suppress(OSError):
                     self.say((COMPILING, None))
 
@@ -167,6 +176,8 @@ class _Loop:
                 job = _read(self.inward)
             except EOFError:
                 return
+            if self.pay():  # it was given up before it began
+                continue
             try:
                 self.state = _COMPUTING
                 said = outcome(job)
@@ -174,9 +185,8 @@ class _Loop:
             except _Stopped:
                 said = (STOPPED, None)
             self.say(said)
-            while self.owed:
-                self.owed -= 1
-                self.say((STOPPED, None))
+            while self.pay():
+                pass
             self.state = _IDLE
 
 
@@ -214,7 +224,7 @@ def main() -> None:
     signal.signal(signal.SIGINT, loop.interrupted)
     threading.Thread(target=loop.report, daemon=True).start()
     _follow_compiler(loop)
-    loop.state = _WRITING  # an interrupt meanwhile is answered with the first job
+    loop.state = _PREPARING  # an interrupt meanwhile is for the first job
     _prepare()
     loop.state = _IDLE
     loop.run()

@@ -239,6 +239,8 @@ class Workers:
         try:
             if not worker.interrupt():
                 raise Ended
+            while worker.compiling and not exchange.done():  # that is of use to others, and stops by itself
+                await asyncio.wait({exchange}, timeout=GRACE)
             async with asyncio.timeout(GRACE):
                 said, _ = await asyncio.shield(exchange)
                 while said != STOPPED:  # the answer came before the interrupt

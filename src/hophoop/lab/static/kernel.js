@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources abf0f2bd28d549d2ab4fe35fa4578b29 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 4004126eee9c5f74f9dad12c6d794912 */
 var l={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
@@ -26,12 +26,12 @@ l.laws.indexOf(n.law),l.friction_laws.indexOf(n.friction),e(n.stiffness),e(n.dam
 rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
 o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,D=6e3,[fe,R,F]=[0,1,2],P={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(n,e,t){let{rows:s,count:o,duration:i}=e,[a,r]=t?t.map(_=>Math.min(Math.
-max(_,0),i)):[0,i],c=r>a?Math.min(Math.max(Math.ceil((r-a)*W),B),D):0,m=l.events.length,f=new Set;for(let _=0;_<c;_++)f.add(a+_*((r-a)/c));f.add(r);let p=new Set;
-for(let _=0;_<o;_++){let h=Math.min(s[_*m+d.t],i);h>=a&&h<=r&&p.add(h)}for(let _ of p)f.add(_);let g=Float64Array.from(f).sort(),b=Float64Array.from(p).filter(_=>_>
+amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(n,e,t){let{rows:s,count:o,duration:i}=e,[a,r]=(t??[0,i]).map(p=>Math.
+min(Math.max(p,0),i)),c=Math.min(Math.max(Math.ceil((r-a)*W),B),D),m=l.events.length,f=new Set;for(let p=0;p<=c&&i>0;p++)f.add(p===c?r:a+p*((r-a)/c));let _=new Set;
+for(let p=0;p<o;p++){let h=Math.min(s[p*m+d.t],i);h>=a&&h<=r&&_.add(h)}for(let p of _)f.add(p);let g=Float64Array.from(f).sort(),b=Float64Array.from(_).filter(p=>p>
 0).sort(),w=n.states(e,g,!1),u=n.states(e,b,!0);return V(g,w,b,u)}function V(n,e,t,s){let o=n.length+t.length,i=l.samples.length,a=new Float64Array(o),r=new Float64Array(
-o*i),c=0,m=0;for(let p=0;p<n.length;p++)m<t.length&&t[m]<=n[p]&&(a[c]=t[m],r.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=n[p],r.set(e.subarray(p*i,(p+1)*i),c*
-i),c++;let f={t:a};for(let[p,g]of Object.entries(P)){let b=new Float64Array(o);for(let w of g)for(let u=0;u<o;u++)b[u]+=r[u*i+O[w]];f[p]=b}return f.mode=C(r,o,f.
+o*i),c=0,m=0;for(let _=0;_<n.length;_++)m<t.length&&t[m]<=n[_]&&(a[c]=t[m],r.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=n[_],r.set(e.subarray(_*i,(_+1)*i),c*
+i),c++;let f={t:a};for(let[_,g]of Object.entries(P)){let b=new Float64Array(o);for(let w of g)for(let u=0;u<o;u++)b[u]+=r[u*i+O[w]];f[_]=b}return f.mode=C(r,o,f.
 omega),f}function C(n,e,t){let s=l.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(
 t[a])||i;let r=n[a*s+O.mode],c=r===R?-1:r===F?1:0;o[a]=c===0?r:c*i<0?R:F}return o}function T(n,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let i=$(n.subarray(o*l.keys,(o+1)*l.keys));if(i===""){s[o]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[o]=a}return{values:s,sequences:[...t.keys()]}}function $(n){let e="";for(let t of n){let s=t;for(let o=0;o<l.letters_a_key&&
@@ -53,11 +53,11 @@ olds",s,i?e.vx:Number.NaN,o);let a=t.floats(o,l.thresholds.length),r=m=>{let f=a
 le_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_ho\
 p_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:c.filter(m=>m!==null),stable_angle:r(
 "stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,s,o,i],a,r){let{memory:c}=this,
-m=c.put("cell",v(e)),f=c.room("modes",a*r),p=c.room("sides",a);this.call("regions",m,t,s,o,i,a,r,f,p);let{buffer:g}=this.exports.memory;return{modes:new Uint8Array(
-g,f,a*r).slice(),paradox:Float32Array.from(new Int8Array(g,p,a))}}map({count:e,rows:t},s,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*l.numbers.
-length),c=i.room("words",4*e*l.words.length),m=i.room("keys",8*e*l.keys),{angle:f,stop:p,timed:g}=l.spans[o],b=l.wanted[s];this.call("map_cells",a,e,f??Number.NaN,
-p,g,b,r,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*l.keys),e);let u=new Float64Array(e);if(s in S){let _=new Int32Array(
-w,c,e*l.words.length);for(let h=0;h<e;h++)u[h]=_[h*l.words.length+S[s]]}else{let _=i.floats(r,e*l.numbers.length);for(let h=0;h<e;h++)u[h]=_[h*l.numbers.length+
+m=c.put("cell",v(e)),f=c.room("modes",a*r),_=c.room("sides",a);this.call("regions",m,t,s,o,i,a,r,f,_);let{buffer:g}=this.exports.memory;return{modes:new Uint8Array(
+g,f,a*r).slice(),paradox:Float32Array.from(new Int8Array(g,_,a))}}map({count:e,rows:t},s,o){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*l.numbers.
+length),c=i.room("words",4*e*l.words.length),m=i.room("keys",8*e*l.keys),{angle:f,stop:_,timed:g}=l.spans[o],b=l.wanted[s];this.call("map_cells",a,e,f??Number.NaN,
+_,g,b,r,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*l.keys),e);let u=new Float64Array(e);if(s in S){let p=new Int32Array(
+w,c,e*l.words.length);for(let h=0;h<e;h++)u[h]=p[h*l.words.length+S[s]]}else{let p=i.floats(r,e*l.numbers.length);for(let h=0;h<e;h++)u[h]=p[h*l.numbers.length+
 M[s]]}return{values:u}}ideal(e){let t=this.memory.room("answers",8*l.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}combine(e,t){
 let{memory:s}=this,o=s.put("parts",t.flatMap(Y)),i=s.room("answers",8*l.thresholds.length),a=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,o,t.length,
 i,a);let[r,c,m]=s.floats(i,3);return{mass:r,eccentricity:c,inertia_ratio:m,reaches:[...s.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
