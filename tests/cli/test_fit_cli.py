@@ -59,6 +59,28 @@ def test_a_chain_on_request(table):
     assert sum(posterior["shares"].values()) == pytest.approx(1.0)
 
 
+def test_the_lab_opens_a_fit(table, tmp_path, monkeypatch):
+    pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+    opened = []
+    monkeypatch.setattr("hophoop.lab.app.serve", lambda *given: opened.append(given))
+    file = tmp_path / "fit.json"
+    done = call("fit", table, "--radius", 0.3, "--save", file, "--lab", "--quiet")
+    assert done.exit_code == 0, done.output
+    assert call("lab", file, "--no-browser", "--port", 0).exit_code == 0
+    wanted = hh.load_fit(file).scenario.to_query()
+    assert [given[4] for given in opened] == [wanted, wanted]
+    assert [given[6] for given in opened] == [None, None]  # no film
+    # the data are a table, not a film
+    done = call("lab", file, "--film", file)
+    assert done.exit_code == 2
+    assert "not to a track of a film" in " ".join(done.output.split())
+    hh.Scenario().save(tmp_path / "hop.toml")
+    done = call("lab", tmp_path / "hop.toml", "--film", file)
+    assert done.exit_code == 2
+    assert "--film needs a fit" in done.output
+    assert len(opened) == 2
+
+
 def test_no_good_fit_is_status_1(table):
     done = call("fit", table, "--radius", 0.3, "--sigma", 1e-4, "--fix", "gamma=0.2")
     assert done.exit_code == 1

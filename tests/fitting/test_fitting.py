@@ -9,7 +9,7 @@ import pytest
 import hophoop as hh
 from hophoop.fitting import report
 from hophoop.fitting.channels import scatter
-from hophoop.fitting.covariance import covariance_of, memories
+from hophoop.fitting.covariance import Lasting, covariance_of, memories
 from hophoop.fitting.guess import gathered, rates
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.judging import least_static_friction, runs
@@ -201,6 +201,19 @@ def lasting(rng, n, sigma, alike):
     return sigma * fresh
 
 
+def test_a_share_of_the_errors_that_lasts_is_found():
+    """Under errors that are new in each frame a slow one hides, whose neighbours correlate by little, and for long."""
+    track = track_of(np.arange(1000.0), {"x": np.arange(1000.0), "y": np.zeros(1000)}, radius=0.3, placed=True)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (1.0, None))
+    rng = np.random.default_rng(6)
+    slow = np.sqrt(0.3) * lasting(rng, 1000, 1.0, 0.9) + np.sqrt(0.7) * rng.normal(size=1000)
+    found = memories(problem, np.concatenate([slow, rng.normal(size=1000)]))
+    assert found["x"].frames == pytest.approx(1 + 2 * 0.3 * 0.9 / 0.1, rel=0.4)
+    assert found["x"].share < 0.6
+    assert found["y"].share == 0.0
+    assert Lasting(0.3, 0.9).frames == pytest.approx(1 + 2 * sum(0.3 * 0.9**k for k in range(1, 200)))
+
+
 def test_errors_that_last_over_frames_count_less(hop):
     track, rng = filmed(hop), np.random.default_rng(5)
     n = len(track.t)
@@ -213,16 +226,19 @@ def test_errors_that_last_over_frames_count_less(hop):
     values |= TRUTH
     off = problem.residuals(values)
     found = memories(problem, off)
-    assert found["x"] == pytest.approx(0.7, abs=0.15)
-    assert found["y"] == pytest.approx(0.7, abs=0.15)
-    assert found["angle"] == 0.0
+    for name in ("x", "y"):  # (1 + 0.7)/(1 − 0.7) of them say as much as one
+        assert found[name].share * found[name].fade == pytest.approx(0.7, abs=0.2)
+        assert found[name].frames == pytest.approx(17 / 3, rel=0.5)
+    assert found["angle"].share == 0.0
     # A⁻¹ Jᵀ P J A⁻¹ with all of P written down
     names = tuple(TRUTH)
     jacobian = slopes(problem, Choice(values, names, {}, {}), names)
     apart = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
     whole = np.zeros((3 * n, 3 * n))
     for k, name in enumerate(("x", "y", "angle")):
-        whole[k * n : k * n + n, k * n : k * n + n] = np.where(apart == 0, 1.0, found[name] ** apart.astype(float))
+        whole[k * n : k * n + n, k * n : k * n + n] = np.where(
+            apart == 0, 1.0, found[name].share * found[name].fade ** apart.astype(float)
+        )
     known = np.linalg.inv(jacobian.T @ jacobian)
     expected = known @ jacobian.T @ whole @ jacobian @ known
     assert covariance_of(problem, jacobian, off, False) == pytest.approx(expected, rel=1e-6)

@@ -5,6 +5,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.fitting import Posterior, sample
+from hophoop.fitting.covariance import Lasting
 from hophoop.fitting.problem import problem_of
 from hophoop.fitting.sampling import news
 from hophoop.tracking.table import track_of
@@ -121,12 +122,13 @@ def test_news_of_lasting_errors_have_their_likelihood():
     track = rolled(0.9, frames=20)
     problem = problem_of(track, "ideal", "rolling", hh.Plane(), (None, None))
     off = np.random.default_rng(3).normal(size=problem.count)
-    found = news(problem, off, {"x": 0.6, "y": 0.0, "angle": 0.3})
+    memory = {"x": Lasting(1.0, 0.6), "y": Lasting(0.0, 0.0), "angle": Lasting(0.4, 0.8)}
+    found = news(problem, off, memory)
     apart = np.abs(np.subtract.outer(np.arange(20), np.arange(20)))
-    for k, alike in enumerate((0.6, 0.0, 0.3)):
+    for k, (share, fade) in enumerate(memory.values()):
         own, part = off[20 * k : 20 * k + 20], found[20 * k : 20 * k + 20]
-        whole = np.where(apart == 0, 1.0, alike ** apart.astype(float))
-        assert (part**2).sum() == pytest.approx(own @ np.linalg.solve(whole, own), rel=1e-12)
+        whole = np.where(apart == 0, 1.0, share * fade ** apart.astype(float))
+        assert part == pytest.approx(np.linalg.solve(np.linalg.cholesky(whole), own), rel=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -264,6 +264,28 @@ def test_bad_files(tmp_path, name, text, message):
     assert str(caught.value).endswith(".")
 
 
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("a.csv", "is larger than 500 MB"), ("a.trk", "is empty or larger than 200 MB"), ("a.json", "is larger than 500 MB")],
+)
+def test_gigabytes_are_refused_unread(tmp_path, name, message):
+    file = tmp_path / name
+    with file.open("wb") as stream:
+        stream.truncate(3_000_000_000)  # sparse: no byte of it is on the disk
+    with pytest.raises(ValueError, match=message):
+        read_track(file)
+
+
+def test_an_archive_that_would_unpack_to_gigabytes_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr("hophoop.tracking.trk.MOST_BYTES", 100_000)
+    file = tmp_path / "a.trz"
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("a.trk", b"<object>" + bytes(1_000_000))
+    assert file.stat().st_size < 10_000
+    with pytest.raises(ValueError, match="is empty or larger than"):
+        read_track(file)
+
+
 def test_files_that_are_no_text(tmp_path):
     file = tmp_path / "a.csv"
     file.write_bytes(b"\xff\xfe\x00\x01")

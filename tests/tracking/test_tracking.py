@@ -195,6 +195,11 @@ def test_files_that_are_no_films(tmp_path):
         hh.track(text, RADIUS)
     with pytest.raises(FileNotFoundError):
         hh.track(tmp_path / "absent.mp4", RADIUS)
+    vast = tmp_path / "vast.mp4"
+    with vast.open("wb") as stream:
+        stream.truncate(5_000_000_000)  # sparse: no byte of it is on the disk
+    with pytest.raises(ValueError, match=r"vast\.mp4 cannot be read as a video"):
+        hh.track(vast, RADIUS)
     whole = nothing(tmp_path).read_bytes()
     cut = tmp_path / "cut.mp4"
     cut.write_bytes(whole[: len(whole) // 2])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,7 +15,23 @@ Floats = NDArray[np.float64]
 
 FEWEST = 30  # residuals of which the correlation of neighbours is taken
 CERTAIN = 3.0  # standard deviations from which it is believed
-LONGEST = 0.99  # correlation of neighbours at most
+FIRST = 5  # lags that tell whether there is any
+LONGEST = 0.98  # correlation from a frame to the next at most
+
+
+class Lasting(NamedTuple):
+    """Errors of which a share fades from frame to frame: neighbours n frames apart correlate by share × fade^n."""
+
+    share: float
+    fade: float
+
+    @property
+    def frames(self) -> float:
+        """How many frames say as much as one would whose errors do not last [1]."""
+        return 1.0 + 2.0 * self.share * self.fade / (1.0 - self.fade)
+
+
+NONE = Lasting(0.0, 0.0)
 
 
 def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
@@ -21,7 +39,7 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
 
     With ψ the slope of half the loss, A = Jᵀ ψ' J with the residuals found, which is E[ψ'] times what the data would say
     without outliers, and B = E[ψ²] Jᵀ P J for residuals as large as the data say; P holds the correlations of errors in a
-    quantity, ρ to the power of the number of frames between them.
+    quantity, a share of which fades from frame to frame.
 
     Parameters
     ----------
@@ -47,7 +65,7 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
         information, square = information / slope, square / slope**2
     known = inverse(information)
     memory = memories(problem, pulls)
-    if not any(memory.values()) or not np.isfinite(known).all():
+    if not any(one.share for one in memory.values()) or not np.isfinite(known).all():
         return known * square
     variance, begin = information.copy(), 0
     for channel in problem.channels:
@@ -57,8 +75,8 @@ def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: b
     return known @ variance @ known * square
 
 
-def memories(problem: Problem, pulls: Floats) -> dict[str, float]:
-    """By how much the errors of neighbouring frames are alike.
+def memories(problem: Problem, pulls: Floats) -> dict[str, Lasting]:
+    """How the errors of a quantity last from frame to frame.
 
     Parameters
     ----------
@@ -68,29 +86,48 @@ def memories(problem: Problem, pulls: Floats) -> dict[str, float]:
 
     Returns
     -------
-    correlations : dict of float
-        By quantity: 0 where they are not alike beyond what chance has, or fewer than 30 [1].
+    memories : dict of Lasting
+        By quantity; no share where they are not alike beyond what chance has, or fewer than 30 [1].
     """
     result, begin = {}, 0
     for channel in problem.channels:
-        own = pulls[begin : begin + len(channel.rows)]
+        own = np.full(int(channel.rows[-1] - channel.rows[0]) + 1, np.nan)
+        own[channel.rows - channel.rows[0]] = pulls[begin : begin + len(channel.rows)]
         begin += len(channel.rows)
-        pairs = np.flatnonzero(np.diff(channel.rows) == 1)
-        size = float((own**2).mean()) if len(own) else 0.0
-        alike = float((own[pairs] * own[pairs + 1]).mean() / size) if len(pairs) >= FEWEST and size > 0 else 0.0
-        believed = alike * np.sqrt(max(len(pairs), 1)) > CERTAIN
-        result[channel.name] = min(alike, LONGEST) if believed else 0.0
+        result[channel.name] = _lasting(own)
     return result
 
 
-def _from_neighbours(channel: Channel, columns: Floats, alike: float) -> Floats:
-    """P − 1 times columns, P_ij = ρ^|i − j|, by going through the frames once forwards and once backwards."""
-    fading = alike ** np.diff(channel.rows).astype(float)
+def _lasting(values: Floats) -> Lasting:
+    """From correlations up to the lag from which they are gone in pairs: their sum, and the lag of its middle."""
+    known = np.isfinite(values)
+    count, size = int(known.sum()), float(np.nanmean(values**2))
+    if count < FEWEST or not size > 0:
+        return NONE
+    alike = []
+    for lag in range(1, max(count // 4, FIRST + 1)):
+        both = values[lag:] * values[:-lag]
+        alike.append(float(np.nanmean(both)) / size if np.isfinite(both).sum() >= FEWEST // 2 else 0.0)
+    first = float(np.mean(alike[:FIRST]))
+    if max(alike[0] * np.sqrt(count), first * np.sqrt(FIRST * count)) < CERTAIN or first <= 0.0:
+        return NONE
+    pairs = np.array(alike[: len(alike) // 2 * 2]).reshape(-1, 2).sum(axis=1)
+    gone = pairs <= np.sqrt(2.0 / count)  # what chance makes of them
+    until = 2 * (int(np.argmax(gone)) if gone.any() else len(pairs))
+    kept = np.array(alike[: max(until, 1)])
+    whole = float(kept.sum())
+    fade = float(np.clip(1.0 - whole / float((np.arange(1, len(kept) + 1) * kept).sum()), 0.05, LONGEST))
+    return Lasting(float(np.clip(whole * (1.0 - fade) / fade, 0.0, 1.0)), fade)
+
+
+def _from_neighbours(channel: Channel, columns: Floats, memory: Lasting) -> Floats:
+    """P − 1 times columns, P_ij = share × fade^|i − j|, by going through the frames once forwards and once backwards."""
+    fading = memory.fade ** np.diff(channel.rows).astype(float)
     before, after = np.zeros_like(columns), np.zeros_like(columns)
     for k in range(1, len(columns)):
         before[k] = fading[k - 1] * (before[k - 1] + columns[k - 1])
         after[-1 - k] = fading[-k] * (after[-k] + columns[-k])
-    return before + after
+    return memory.share * (before + after)
 
 
 def inverse(information: Floats) -> Floats:

@@ -185,10 +185,10 @@ def _told(
         if name not in ("mu_kinetic", "mu_excess", "restitution"):
             notes.append(f"The film says nothing about {name}.")
     pulls = influence(solution.residuals) if soft else solution.residuals
-    for name, alike in memories(problem, pulls).items():
-        if alike:
+    for name, memory in memories(problem, pulls).items():
+        if memory.share:
             notes.append(
-                f"Errors of {WORDS[name]} last over several frames (correlation of neighbours {alike:.2f}); "
+                f"Errors of {WORDS[name]} last over several frames ({memory.frames:.1f} of them say as much as one); "
                 "the uncertainties count with that."
             )
     chi_square = float((solution.residuals**2).sum())

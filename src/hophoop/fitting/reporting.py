@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import hophoop
 from hophoop._files import replacing
 from hophoop.fitting.guess import rates_of
-from hophoop.fitting.result import Fit
+from hophoop.fitting.result import GIVEN, Fit
 from hophoop.tracking import overlay
 from hophoop.tracking.page import STYLE, Curve, plot
 from hophoop.vocabulary import colors
@@ -22,7 +22,7 @@ from hophoop.vocabulary.words import mode_words
 Floats = NDArray[np.float64]
 
 UNITS = {"x": ("m", 1e3, "mm"), "y": ("m", 1e3, "mm"), "angle": ("rad", 1e3, "mrad")}
-MEASURED, COMPUTED = "#0b6", "#222"
+MEASURED, COMPUTED = "#0a6", "currentColor"
 
 
 def report(
@@ -155,25 +155,24 @@ def energies(fit: Fit) -> dict[str, tuple[Floats, Floats, Floats]]:
 
 def _page(fit: Fit, film: str | None) -> str:
     name = escape(fit.track.source or "a hoop")
-    rows = "".join(
-        f"<tr><td>{escape(a)}</td><td class='value'>{escape(b)}</td><td>{escape(c)}</td></tr>" for a, b, c in fit.rows()
-    )
+    found = [row for row in fit.rows() if not row[1].endswith(GIVEN)]
+    given = [(first, text.removesuffix(GIVEN), meaning) for first, text, meaning in fit.rows() if text.endswith(GIVEN)]
     said = "".join(f"<li>{escape(sentence)}</li>" for sentence in fit.sentences())
     parts = [
         "<!doctype html><html lang='en'><head><meta charset='utf-8'><meta name='viewport' content='width=device-width'>",
         f"<title>Fit of {name}</title><style>{STYLE}</style></head><body><h1>Fit of {name}</h1>",
-        f"<ul>{said}</ul><table><thead><tr><th>parameter</th><th>value</th><th>meaning</th></tr></thead><tbody>{rows}</tbody></table>",
-        "<p>In the lab: <code>hophoop lab scenario.toml</code>, or its link with "
-        f"<code>?{escape(fit.scenario.to_query())}</code></p>",
+        f"<ul>{said}</ul>{_table(found)}<details><summary>What was given</summary>{_table(given)}</details>",
+        "<p>In the lab: <code>hophoop lab fit.json</code>, with <code>--film</code> over the film.</p>",
+        f"<details><summary>Its link</summary><code>?{escape(fit.scenario.to_query())}</code></details>",
     ]
     if film is not None:
         parts.append(
             f"<h2>Film</h2><p>Yellow is the hoop as tracked, dashed magenta the fitted motion.</p>"
-            f"<video controls loop muted src='{escape(film, quote=True)}'></video>"
+            f"<video controls loop muted playsinline src='{escape(film, quote=True)}#t=0.001'></video>"
         )
-    parts.append("<h2>Residuals</h2><p>Data less motion; the ribbon is the motion's mode.</p>")
     t, problem = fit.problem.t, fit.problem
     ribbon = _ribbon(fit)
+    parts.append(f"<h2>Residuals</h2><p>Data less motion; the ribbon under each is what the motion does.</p>{_key(fit)}")
     for channel in problem.channels:
         _, factor, unit = UNITS.get(channel.name, ("m", 1e3, "mm"))
         off = fit.residuals[channel.name] * channel.errors * factor
@@ -187,6 +186,19 @@ def _page(fit: Fit, film: str | None) -> str:
             parts.append(plot(curves, f"{key} energy (J/kg)", ribbon=ribbon))
     parts.append(f"<footer>hophoop {hophoop.__version__}</footer></body></html>")
     return "".join(parts)
+
+
+def _table(rows: list[tuple[str, str, str]]) -> str:
+    cells = "".join(f"<tr><td>{escape(a)}</td><td class='value'>{escape(b)}</td><td>{escape(c)}</td></tr>" for a, b, c in rows)
+    return f"<table><thead><tr><th>parameter</th><th>value</th><th>meaning</th></tr></thead><tbody>{cells}</tbody></table>"
+
+
+def _key(fit: Fit) -> str:
+    """Colours of what the motion does, with their words."""
+    state = fit.motion.at(fit.motion.times(600))
+    words = dict.fromkeys(mode_words(state.mode, state.omega).tolist())
+    spans = "".join(f"<span><i style='background:{colors.mode_color(word)}'></i>{escape(word)}</span>" for word in words)
+    return f"<p class='key'>{spans}</p>"
 
 
 def _ribbon(fit: Fit) -> list[tuple[float, float, str]]:

@@ -28,6 +28,7 @@ from hophoop.trajectory import Trajectory
 Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-fit/1"
+GIVEN = " (given)"  # behind the value of a parameter that was not fitted
 WORST = 2.0  # chi-square over degrees of freedom, above which no fit is good
 
 
@@ -177,7 +178,7 @@ class Fit:
             elif name in self.free:
                 text = f"{rounded(self.values[name], self.error(name))}{unit}"
             else:
-                text = f"{self.values[name]:.6g}{unit} (given)"
+                text = f"{self.values[name]:.6g}{unit}{GIVEN}"
             result.append((name, text, kind.meaning))
         if "mu_static" not in self.limits and {"mu_kinetic", "mu_excess"} <= set(self.free):
             static = self.values["mu_kinetic"] + self.values["mu_excess"]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._extras import need
-from hophoop.fitting.covariance import memories
+from hophoop.fitting.covariance import Lasting, memories
 from hophoop.fitting.guess import gathered
 from hophoop.fitting.losses import influence, soften
 from hophoop.fitting.posterior import Posterior
@@ -113,16 +113,19 @@ def _likelihood(fit: Fit, problem: Problem, choice: Choice) -> Callable[[Floats]
     return likelihood
 
 
-def news(problem: Problem, residuals: Floats, memory: dict[str, float]) -> Floats:
-    """What each residual says beyond the one before it, in standard deviations of that.
+def news(problem: Problem, residuals: Floats, memory: dict[str, Lasting]) -> Floats:
+    """What each residual says beyond those before it, in standard deviations of that.
+
+    Errors are a share that fades from frame to frame and a rest that is new in each, so that what is expected of the next
+    follows from the ones before by Kalman's filter.
 
     Parameters
     ----------
     problem : Problem
     residuals : ndarray, shape (count,)
         [1]
-    memory : dict of float
-        Correlation of neighbours, by quantity [1].
+    memory : dict of Lasting
+        By quantity [1].
 
     Returns
     -------
@@ -131,11 +134,17 @@ def news(problem: Problem, residuals: Floats, memory: dict[str, float]) -> Float
     """
     result, begin = residuals.copy(), 0
     for channel in problem.channels:
-        own = residuals[begin : begin + len(channel.rows)]
-        if alike := memory[channel.name]:
-            carried = alike ** np.diff(channel.rows).astype(float)
-            result[begin + 1 : begin + len(own)] = (own[1:] - carried * own[:-1]) / np.sqrt(1.0 - carried**2)
-        begin += len(own)
+        share, fade = memory[channel.name]
+        if share:
+            own = residuals[begin : begin + len(channel.rows)].tolist()
+            fading = [0.0, *(fade ** np.diff(channel.rows).astype(float)).tolist()]
+            expected, unsure = 0.0, share
+            for k, value in enumerate(own):
+                expected, unsure = fading[k] * expected, share + fading[k] ** 2 * (unsure - share)
+                spread = unsure + 1.0 - share
+                result[begin + k] = (value - expected) / spread**0.5
+                expected, unsure = expected + unsure / spread * (value - expected), unsure * (1.0 - share) / spread
+        begin += len(channel.rows)
     return result
 
 

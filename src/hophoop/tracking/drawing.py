@@ -24,7 +24,7 @@ Colour = tuple[int, int, int]
 
 RIM, MARK, GROUND, GONE = (255, 214, 10), (0, 229, 255), (255, 255, 255), (230, 30, 30)
 MODEL = (255, 60, 220)  # a computed hoop
-POINTS = "#0b6"
+POINTS = "#0a6"
 DARK = (20, 20, 20)
 STILLS = 9
 LOST_STILLS = 3
@@ -204,7 +204,7 @@ def _page(track: Track, stills: list[tuple[int, bytes]], film: str | None) -> st
         f"</head><body><h1>Track of {escape(track.source)}</h1><p>{escape(' '.join(words))}</p>",
     ]
     if film is not None:
-        parts.append(f"<video controls loop muted src='{escape(film, quote=True)}'></video>")
+        parts.append(f"<video controls loop muted playsinline src='{escape(film, quote=True)}#t=0.001'></video>")
     parts.append("<h2>Stills</h2><div class='stills'>")
     for row, image in stills:
         caption = f"t = {track.t[row]:.3f} s, {track.state[row]}"

@@ -12,17 +12,30 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 1240px; padding: 0 1rem;
-  color: #1b1b1b; background: #fff; }
-.stills { display: grid; grid-template-columns: repeat(auto-fill, minmax(360px, 1fr)); gap: 0.8rem; }
-figure { margin: 0; } figure img, video { width: 100%; display: block; } figcaption { font-size: 0.85rem; color: #555; }
-svg { width: 100%; height: auto; display: block; margin: 0.4rem 0 1rem; }
-svg text { font: 12px system-ui, sans-serif; fill: #444; }
-table { border-collapse: collapse; margin: 1rem 0; } td, th { text-align: left; padding: 0.15rem 1.5rem 0.15rem 0; }
-td.value { font-variant-numeric: tabular-nums; white-space: nowrap; } th { border-bottom: 1px solid #999; }
+:root { color-scheme: light dark; --ink: #1b1b1b; --soft: #555; --line: #ccc; --paper: #fff; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e8e8e8; --soft: #aaa; --line: #555; --paper: #16181b; } }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 1100px; padding: 0 1rem;
+  color: var(--ink); background: var(--paper); }
+h1 { font-size: 1.7rem; line-height: 1.25; overflow-wrap: anywhere; } h2 { font-size: 1.25rem; margin-bottom: 0.3rem; }
+a { color: inherit; } footer { color: var(--soft); margin-top: 2rem; }
+.stills { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(320px, 100%), 1fr)); gap: 0.8rem; }
+figure { margin: 0; } figure img, video { width: 100%; display: block; } figcaption { font-size: 0.85rem; color: var(--soft); }
+.plot { overflow-x: auto; } svg { width: 100%; min-width: 600px; height: auto; display: block; margin: 0.4rem 0 1rem; }
+svg text { font: 13px system-ui, sans-serif; fill: var(--soft); } svg text.name { fill: var(--ink); font-weight: 600; }
+table { border-collapse: collapse; margin: 1rem 0; }
+td, th { text-align: left; padding: 0.2rem 1.2rem 0.2rem 0; vertical-align: top; }
+td.value { font-variant-numeric: tabular-nums; white-space: nowrap; } th { border-bottom: 1px solid var(--line); }
+.key span { margin-right: 1.2em; white-space: nowrap; }
+.key i { display: inline-block; width: 1em; height: 0.6em; margin-right: 0.4em; }
 code { overflow-wrap: anywhere; }
+summary { cursor: pointer; } details { margin: 0.5rem 0; }
+@media (max-width: 600px) {
+  body { margin: 1rem auto; } thead { display: none; }
+  tr { display: grid; grid-template-columns: 1fr auto; border-top: 1px solid var(--line); }
+  td { padding: 0.1rem 0; } td:nth-child(3) { grid-column: 1 / -1; color: var(--soft); font-size: 0.9rem; }
+}
 """
-WIDE, TALL, LEFT, FOOT, HEAD = 1200, 190, 70, 20, 22
+WIDE, TALL, LEFT, FOOT, HEAD = 900, 170, 70, 20, 22
 
 
 class Curve(NamedTuple):
@@ -66,8 +79,8 @@ def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, floa
 
     foot = TALL - FOOT
     parts = [
-        f"<rect x='{LEFT}' y='{HEAD}' width='{WIDE - LEFT - 4}' height='{foot - HEAD - 4}' fill='none' stroke='#ccc'/>",
-        f"<text x='{LEFT}' y='14' font-weight='600'>{escape(label)}</text>",
+        f"<rect x='{LEFT}' y='{HEAD}' width='{WIDE - LEFT - 4}' height='{foot - HEAD - 4}' fill='none' stroke='var(--line)'/>",
+        f"<text x='{LEFT}' y='14' class='name'>{escape(label)}</text>",
         f"<text x='2' y='{HEAD + 10}'>{high:.4g}</text><text x='2' y='{foot - 6}'>{low:.4g}</text>",
         f"<text x='{LEFT}' y='{TALL - 4}'>{begin:.3g} s</text><text x='{WIDE - 56}' y='{TALL - 4}'>{begin + span:.3g} s</text>",
     ]
@@ -76,7 +89,7 @@ def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, floa
         parts.append(f"<rect x='{a:.1f}' y='{foot - 4}' width='{max(b - a, 1):.1f}' height='5' fill='{colour}'/>")
     if zero and low < 0 < high:
         level = float(down(np.array(0.0)))
-        parts.append(f"<line x1='{LEFT}' x2='{WIDE - 4}' y1='{level:.1f}' y2='{level:.1f}' stroke='#999'/>")
+        parts.append(f"<line x1='{LEFT}' x2='{WIDE - 4}' y1='{level:.1f}' y2='{level:.1f}' stroke='var(--line)'/>")
     for curve in curves:
         there = np.isfinite(curve.values)
         places = list(zip(across(curve.t[there]).tolist(), down(curve.values[there]).tolist(), strict=True))
@@ -86,4 +99,5 @@ def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, floa
         else:
             dots = "".join(f"<circle cx='{a:.1f}' cy='{b:.1f}' r='1.6'/>" for a, b in places)
             parts.append(f"<g fill='{curve.colour}'>{dots}</g>")
-    return f"<svg viewBox='0 0 {WIDE} {TALL}' role='img' aria-label='{escape(label, quote=True)}'>{''.join(parts)}</svg>"
+    words = escape(label, quote=True)
+    return f"<div class='plot'><svg viewBox='0 0 {WIDE} {TALL}' role='img' aria-label='{words}'>{''.join(parts)}</svg></div>"

@@ -52,9 +52,8 @@ def test_corners_lie_where_the_camera_saw_them(filmed):
 def served(filmed):
     import uvicorn
 
-    from hophoop.lab import api, app
+    from hophoop.lab import api
 
-    app.warm_up()
     video, fit, folder = filmed
     under = backdrop(fit, video, folder / "served.mp4")
     server = uvicorn.Server(uvicorn.Config(api.create_app(backdrop=under), host="127.0.0.1", port=0, log_level="error"))
@@ -80,8 +79,8 @@ def test_the_film_lies_under_the_hoop(browser, served, filmed, tmp_path):
     for moment in (0.1, 0.35):
         page.evaluate(f"hophoopLab.clock.play(false); hophoopLab.clock.seek({moment})")
         page.wait_for_function(
-            f"(() => {{ const film = document.querySelector('video.backdrop'); return !film.seeking && film.readyState > 1"
-            f" && Math.abs(film.currentTime - {backdrop_start(filmed)} - hophoopLab.clock.time) < 0.003; }})()"
+            f"() => {{ const film = document.querySelector('video.backdrop'); return !film.seeking && film.readyState > 1"
+            f" && Math.abs(film.currentTime - {backdrop_start(filmed)} - hophoopLab.clock.time) < 0.003; }}"
         )
         page.wait_for_timeout(200)
         place = page.evaluate(WHERE)
