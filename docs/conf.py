@@ -40,6 +40,7 @@ extensions = [
     "matplotlib.sphinxext.plot_directive",
     "generated",
     "slides",
+    "play",
     "gallery",
     "sphinx_gallery.gen_gallery",
     "numpydoc",

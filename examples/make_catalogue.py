@@ -180,7 +180,7 @@ def counts(gamma: float, width: float) -> tuple[int, int]:
 
 def print_tables() -> None:
     """The tables of docs/catalogue.md."""
-    print("| sequence | ending | share of the window | width | example μ | example v0 (m/s) |")
+    print("| sequence | ending | share of the window | width | example μ | example $v_0$ (m/s) |")
     print("| --- | --- | --- | --- | --- | --- |")
     for entry in maps.catalogue():
         print(

@@ -28,7 +28,7 @@ def roll(gamma: float, mu: float, speed: float = SPEED, duration: float = 6.0, a
 
 def losses() -> None:
     """Where and why the massless hoop loses its contact force, and when its load strikes the plane."""
-    print("| v0 (m/s) | μ | force gone at | θ̇ there (rad/s) | by | load strikes the plane | phases |")
+    print("| $v_0$ (m/s) | μ | force gone at | θ̇ there (rad/s) | by | load strikes the plane | phases |")
     for speed, mu in ((0.001, 2.0), (0.01, 2.0), (0.1, 2.0), (1.0, 2.0), (3.0, 2.0), (3.2, 2.0), (0.1, 1.0), (0.1, 0.5)):
         motion = roll(1.0, mu, speed, 12.0)
         skim, strike = motion.find("skim")[0], motion.find("impact")[0]
@@ -112,7 +112,7 @@ def limit(folder: Path) -> None:
 
 def beyond() -> None:
     """What the bottom takes: energy lost up to the end of the first slip, beside that of the load's travel along the plane."""
-    print("| v0 (m/s) | γ | lost (J) | travel (J) | θ̇ at the stick (rad/s) | highest load later (m) |")
+    print("| $v_0$ (m/s) | γ | lost (J) | travel (J) | θ̇ at the stick (rad/s) | highest load later (m) |")
     for speed in (1.0, 3.0):
         skim = roll(1.0, 1.0, speed).find("skim")[0]
         travel = 0.5 * (skim.omega * (1 + math.cos(skim.angle))) ** 2

@@ -255,7 +255,7 @@ def second_way() -> None:
         jams += mine
         same += mine == close_by_scipy(gamma, mu, speed)
     print(f"{number} random throws, {jams} of which come to p = 0 in the first slip: SciPy agrees in {same}")
-    print("| γ | μ | border at v0 (m/s) | by SciPy |")
+    print("| γ | μ | border at $v_0$ (m/s) | by SciPy |")
     for gamma, mu in ((0.88, 0.8), (0.95, 0.75), (0.98, 0.4), (0.99, 0.5)):
         speeds = np.linspace(3.4, 12.0, 173)
         found = [close(gamma, mu, float(speed)) for speed in speeds]
@@ -274,7 +274,7 @@ def second_way() -> None:
 
 def examples() -> None:
     """The jams of single motions."""
-    print("| γ | μ | slope | v0 (m/s) | phases | jams at (s) | θ | θ̇ (rad/s) | v_t (m/s) | off theory, θ and θ̇ |")
+    print("| γ | μ | slope | $v_0$ (m/s) | phases | jams at (s) | θ | θ̇ (rad/s) | v_t (m/s) | off theory, θ and θ̇ |")
     for gamma, mu, degrees, speed in ((0.85, 0.8, 0.0, 8.6), (0.95, 0.5, 30.0, 2.0), (0.99, 0.3, 30.0, 0.5)):
         hoop, plane = hh.Hoop.ideal(gamma), hh.Plane(mu=mu, slope=math.radians(degrees))
         for trial in np.linspace(speed, speed + 2.0, 201):

@@ -463,7 +463,7 @@ interface Kernel {
   film?(given: Given, signal?: AbortSignal): MaybeLater<{ motion: ComputedMotion; columns: Record<string, Column> }>;
   motion(given: Given, signal?: AbortSignal): MaybeLater<ComputedMotion>;
   /** The film's columns, as lab/film.columns: t, x, height, angle, …; `mode` is the code of the mode's word. */
-  columns(given: Given, signal?: AbortSignal): MaybeLater<Record<string, Column>>;
+  columns(given: Given, signal?: AbortSignal, window?: [number, number]): MaybeLater<Record<string, Column>>;
   /** The state at some times, as Trajectory.at. */
   samples(given: Given, times: Float64Array, signal?: AbortSignal): MaybeLater<Samples>;
   thresholds(given: Given, signal?: AbortSignal): MaybeLater<TheoryNumbers>;

@@ -1,10 +1,12 @@
 """The films of the article: all of them, of its runs, small here."""
 
+import numpy as np
 import pytest
+from PIL import Image
 
 import hophoop as hh
 from animate_tools import decoded
-from hophoop.animate import article, article_films, films
+from hophoop.animate import article, article_films
 from hophoop.animate.article import ARTICLE_FILMS
 
 
@@ -12,7 +14,7 @@ from hophoop.animate.article import ARTICLE_FILMS
 def small(monkeypatch):
     monkeypatch.setattr(article, "SIZE", (128, 72))
     for name, value in (("FPS_2D", 4.0), ("FPS_3D", 2.0)):
-        monkeypatch.setattr(films, name, value)
+        monkeypatch.setattr(article, name, value)
 
 
 def test_all_films_are_made(tmp_path, small):
@@ -22,8 +24,11 @@ def test_all_films_are_made(tmp_path, small):
     assert told == [(k + 1, 6) for k in range(6)]
     for path, film in zip(paths, ARTICLE_FILMS, strict=True):
         pictures, _ = decoded(path)
-        assert len(pictures) >= film.duration * (2 if film.three_d else 4)
+        assert len(pictures) >= film.duration * film.share * (2 if film.three_d else 4)
         assert pictures.shape[1:] == (72, 128, 3)
+        with Image.open(path.with_suffix(".png")) as still:
+            assert still.size == (128, 72)
+            assert np.asarray(still).std() > 5.0
 
 
 def test_the_runs_are_the_articles():

@@ -54,7 +54,7 @@ def test_json_is_the_result_and_nothing_else():
     assert (impact["from"], impact["to"]) == ("H", "R")
     assert list(data["final"]) == ["t", "mode", "x", "height", "angle", "vx", "vy", "omega"]
     assert list(data["energy"]) == [
-        "kinetic", "potential", "friction", "impact_normal", "impact_tangential", "residual",
+        "kinetic", "potential", "friction", "impact_normal", "impact_tangential", "rolling_resistance", "residual",
     ]  # fmt: skip
 
 
@@ -418,3 +418,13 @@ def test_what_goes_wrong_beside_is_raised(monkeypatch):
     monkeypatch.setattr("hophoop.simulation.simulate_watched", breaks)
     with pytest.raises(ValueError, match=r"^hoop\.radius is wrong\.$"):
         _work.with_progress(hh.Scenario(contact=hh.Compliant()), Console(quiet=True, force_terminal=True))
+
+
+def test_rolling_resistance_is_an_option_and_told():
+    done = run("run", "--v0", 2.0, "--duration", 1.0, "--rolling-resistance", 0.02)
+    assert done.exit_code == 0
+    motion = hh.simulate(hh.Scenario(plane=hh.Plane(rolling_resistance=0.02), start=hh.Start.rolling(2.0), duration=1.0))
+    assert f"rolling resistance {motion.ledger.rolling_resistance:.6g} J" in " ".join(done.stdout.split())
+    refused = run("run", "--gamma", 1.0, "--rolling-resistance", 0.02)
+    assert refused.exit_code == 2
+    assert "must be 0 for the massless hoop" in " ".join(refused.stderr.split())

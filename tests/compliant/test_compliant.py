@@ -4,10 +4,12 @@ import math
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 import hophoop as hh
 from hophoop.compliant.parameters import to_compliance
 from oracles import compliant as oracle
+from oracles import mechanics
 from oracles.cases import Case
 
 HOOP = hh.Hoop.ideal(0.75)
@@ -226,3 +228,44 @@ def test_limits_end_with_their_status():
     assert not cut.ok
     assert len(cut.events) == 3
     assert math.isfinite(cut.at(0.0).kinetic)
+
+
+@pytest.mark.parametrize("friction", ["tanh", "bristle"])
+def test_rolling_resistance_converges_to_the_rigid_one(friction):
+    scenario = hh.Scenario(plane=hh.Plane(mu=0.5, rolling_resistance=0.05), start=hh.Start.rolling(1.0), duration=1.5)
+    rigid = hh.simulate(scenario)
+    errors = []
+    for stiffness in (1e4, 1e5, 1e6):
+        motion = hh.simulate(scenario.replace("contact", hh.Compliant(stiffness=stiffness, friction=friction)))
+        ledger = motion.ledger
+        assert abs(ledger.residual) < 1e-9 * ledger.range
+        assert ledger.rolling_resistance == pytest.approx(rigid.ledger.rolling_resistance, rel=20.0 / stiffness)
+        errors.append(abs(motion.at(1.4).angle - rigid.at(1.4).angle))
+    assert errors[2] < 0.2 * errors[1] < 0.04 * errors[0]
+
+
+def test_rolling_resistance_by_another_integrator():
+    """The couple −f N tanh(Rθ̇/v_s) in the Lagrangian's equations, by SciPy's Radau."""
+    f, stiffness, damping, slow = 0.2, 3e3, 20.0, 0.05
+    case = Case("soft", eccentricity=0.6, inertia_ratio=0.5, mu_static=0.4, mu_kinetic=0.4)
+    contact = oracle.Contact(stiffness, damping, slow)
+    hoop, plane = hh.Hoop(eccentricity=0.6, inertia_ratio=0.5), hh.Plane(mu=0.4, rolling_resistance=f)
+    model = hh.Compliant(stiffness=stiffness, damping=damping, slip_speed=slow, friction="tanh", rtol=1e-10)
+    motion = hh.simulate(hoop, plane, hh.Start(angle=1.0, vx=0.5, omega=-1.5), duration=0.6, contact=model)
+    first = motion.at(0.0)
+    assert set(motion.sequence) <= set("RSK")
+
+    def right(_, state):
+        load = oracle.normal(contact, state[1], state[4])
+        drag = oracle.friction(case, contact, 0, load, state[3] - state[5], 0.0)
+        couple = -f * load * np.tanh(state[5] / slow)
+        force = mechanics.applied_forces(case, state[2], state[5]) + mechanics.contact_jacobian(case).T @ [drag, load]
+        force[2] += couple
+        return [*state[3:6], *np.linalg.solve(mechanics.mass_matrix(case, state[2]), force), -couple * state[5]]
+
+    begin = [first.x, first.height, first.angle, first.vx, first.vy, first.omega, 0.0]
+    exact = solve_ivp(right, (0.0, 0.6), begin, method="Radau", rtol=1e-9, atol=1e-11).y[:, -1]
+    last = motion.at(0.6)
+    found = [last.x, last.height, last.angle, last.vx, last.vy, last.omega, last.rolling_resistance]
+    assert found == pytest.approx(exact, rel=1e-6, abs=1e-7)
+    assert last.rolling_resistance > 0.1

@@ -255,3 +255,31 @@ def test_a_short_film_asks_for_nothing(js):
     whole = {name: column.tolist() for name, column in answered.arrays.items()}
     header = json.loads(json.dumps(calls.finite(answered.header)))
     assert js("film.js", "return new lab.Film({ header, arrays: whole }).wanted(3, 4)", header=header, whole=whole) is None
+
+
+# What theory and maps say
+
+
+def test_theory_says_what_can_be_said_on_every_slope():
+    import hophoop as hh
+    from hophoop.lab.thresholds import thresholds
+
+    steep = {row["key"]: row["text"] for row in thresholds(hh.Scenario(plane=hh.Plane(slope=math.radians(23.0))))}
+    assert steep["first_slip"] == "would slip: any push is enough"
+    for text in steep.values():
+        assert "e-" not in text
+    uphill = {row["key"]: row["text"] for row in thresholds(hh.Scenario(plane=hh.Plane(slope=-0.1)))}
+    assert "no threshold uphill" in uphill["uphill"]
+    level = {row["key"]: row["text"] for row in thresholds(hh.Scenario())}
+    assert level["first_slip"] == "would slip above 2.043 m/s"
+    assert "uphill" not in level
+
+
+def test_motions_of_a_massless_hoop_are_told_apart_by_colour():
+    from hophoop.vocabulary.classes import class_color
+
+    colors = [class_color(name) for name in ("RMR", "MR", "RMKR", "MKR", "R")]
+    parts = [[int(color[i : i + 2], 16) for i in (1, 3, 5)] for color in colors]
+    for k, one in enumerate(parts):
+        for other in parts[:k]:
+            assert sum(abs(a - b) for a, b in zip(one, other, strict=True)) > 60

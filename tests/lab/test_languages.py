@@ -12,6 +12,7 @@ from hophoop.lab import motion_map, thresholds, words
 from hophoop.lab.controls import controls
 from hophoop.lab.presets import presets
 from hophoop.vocabulary.classes import CODES, class_text
+from hophoop.vocabulary.sentences import LAB, THEORY
 from hophoop.vocabulary.words import LETTERS, MODES, STATUSES
 from strategies import scenarios
 
@@ -87,11 +88,8 @@ def test_no_text_is_left_over():
     sources += "".join(f"{p.group}|{p.title}|{p.text}|" for p in presets()) + "|".join(STATUSES.values())
     lab = Path(words.__file__).parent
     vocabulary = lab.parent / "vocabulary"
-    scenario = [
-        lab.parent / "scenario" / f"{name}.py" for name in ("models", "scenario", "sentences", "base", "ranges", "paths")
-    ]
-    told_by = [lab / f"{name}.py" for name in ("words", "thresholds", "calls", "limits", "motion_map", "files", "workers")]
-    for path in [*told_by, *scenario, vocabulary / "words.py", vocabulary / "classes.py", lab.parent / "maps" / "evaluate.py"]:
+    rooms = [*lab.glob("*.py"), *vocabulary.glob("*.py"), *(lab.parent / "scenario").glob("*.py")]
+    for path in [*rooms, lab.parent / "maps" / "evaluate.py"]:
         text = path.read_text(encoding="utf-8")
         text = re.sub(r'"\s*\n\s*f?"', "", text)
         sources += re.sub(r"\{[^{}]*\}", "{}", text)
@@ -146,6 +144,12 @@ def test_refusals_are_known():
         with pytest.raises(ValueError) as found:
             hh.Scenario.from_query(query)
         assert known(str(found.value)), found.value
+
+
+def test_every_sentence_of_theory_and_of_the_lab_is_known():
+    whole = [text for key, text in THEORY.items() if not key.startswith("would") and "{would}" not in text]
+    refused = [text for key, text in LAB.items() if key != "not_a_pair"]  # which the page itself never causes
+    assert [text for text in [*whole, *refused] if not known(re.sub(r"\{[^{}]*\}", "7", text))] == []
 
 
 def test_an_unknown_sentence_is_noticed():

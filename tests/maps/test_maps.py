@@ -31,7 +31,7 @@ def cell_of(scenario):
         hoop.radius, hoop.mass, hoop.eccentricity, hoop.inertia_ratio, plane.gravity, plane.slope,
         plane.mu_static, plane.mu_kinetic, plane.restitution, law, plane.painleve == "impact", state.x,
         state.height, state.angle, state.vy, state.omega, state.slip, scenario.duration,
-        scenario.contact.max_events, hoop.load_fraction is not None, 1.0,
+        scenario.contact.max_events, hoop.load_fraction is not None, plane.rolling_resistance, 1.0,
     ]  # fmt: skip
 
 
@@ -48,6 +48,7 @@ VALUES = {
     "plane.mu_static": st.floats(0.0, 2.0),
     "plane.mu_kinetic": st.floats(0.0, 2.0),
     "plane.restitution": st.floats(0.0, 1.0),
+    "plane.rolling_resistance": st.sampled_from([0.0, 0.01, 1.0]),
     "plane.impact_law": st.sampled_from(["newton", "poisson", "stronge"]),
     "plane.painleve": st.sampled_from(["flight", "impact"]),
     "start.x": st.floats(-3.0, 3.0),
@@ -396,3 +397,33 @@ def test_bad_options(options, message):
 def test_maps_are_for_rigid_contact():
     with pytest.raises(ValueError, match="must be 'rigid' in a map"):
         make_plan(hh.Scenario(contact=hh.Compliant()), {"plane.mu": [1], "start.speed": [1]}, ["hop"], "duration")
+
+
+def test_rolling_resistance_is_an_axis():
+    given, speeds = [0.01, 0.3], [1.0, 3.1]
+    base = hh.Scenario(duration=2.0)
+    found = maps.sweep(
+        base,
+        {"plane.rolling_resistance": given, "start.speed": speeds},
+        ["sequence", "energy_lost", "greatest_utilization", "status"],
+        span="duration",
+    )
+    for i, f in enumerate(given):
+        for k, speed in enumerate(speeds):
+            motion = hh.simulate(base.with_values({"plane.rolling_resistance": f, "start.speed": speed}))
+            ledger, cell = motion.ledger, found.isel({"plane.rolling_resistance": i, "start.speed": k})
+            lost = ledger.friction + ledger.impact_normal + ledger.impact_tangential + ledger.rolling_resistance
+            assert float(cell.energy_lost) == pytest.approx(lost, rel=1e-13, abs=1e-13)
+            used = motion.at(motion.times(2001)).utilization(motion.scenario.plane)
+            assert float(cell.greatest_utilization) == pytest.approx(np.nanmax(used), rel=1e-5)
+            assert float(cell.greatest_utilization) >= np.nanmax(used) - 1e-10
+
+
+def test_too_much_rolling_resistance_is_marked():
+    found = maps.sweep(
+        hh.Scenario(duration=0.5),
+        {"hoop.load_fraction": [0.5, 0.99], "plane.rolling_resistance": [0.0, 0.3]},
+        ["energy_lost"],
+        span="duration",
+    )
+    assert np.isfinite(found.energy_lost.values).tolist() == [[True, True], [True, False]]

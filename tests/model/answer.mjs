@@ -38,12 +38,15 @@ const CALLS = {
   },
 };
 
-const local = new LocalBackend(mechanics, mechanics);
+const kernel = Object.assign(Object.create(mechanics), {
+  columns: (given, signal, window) => mechanics.columns(given, window),
+});
+const local = new LocalBackend(kernel, mechanics);
 CALLS.local = async ({ name, body }) => {
   const { header, arrays } = await local.call(name, body);
   return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };
 };
-CALLS.file = ({ name, query }) => local.fileText(name, query);
+CALLS.file = async ({ name, query }) => (await local.file(name, query)).text();
 
 for await (const line of createInterface({ input: process.stdin })) {
   const { call, body } = JSON.parse(line);

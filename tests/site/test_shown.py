@@ -126,3 +126,14 @@ def serious(browser, address, scheme="light"):
         for each in found
         if each["impact"] in ("serious", "critical")
     ]
+
+
+def test_the_lab_beside_the_pages_computes(browser, address):
+    page = browser.new_page()
+    foreign = []
+    page.on("request", lambda request: request.url.startswith((address, "data:", "blob:")) or foreign.append(request.url))
+    page.goto(f"{address}play/index.html?start.speed=3.1")
+    page.wait_for_selector("[data-ready]", timeout=60_000)
+    page.wait_for_function("() => globalThis.hophoopLab?.film()?.sequence?.startsWith('RKRSH')", timeout=60_000)
+    assert foreign == []
+    page.close()

@@ -207,3 +207,46 @@ def test_littlewoods_ninety_degrees():
     border = math.sqrt(9.81 * (1 - mu**2) / (1 + mu**2))
     first = theory.massless_loss(border * np.array([1 - BESIDE, 1 + BESIDE]), plane=hh.Plane(mu=mu))
     assert first.by_friction.tolist() == [True, False]
+
+
+@pytest.mark.parametrize("slope", [0.0, 0.2, -0.3])
+@pytest.mark.parametrize("eps", [0.0, 0.25, 0.75])
+def test_rest_ranges_are_where_the_couple_is_enough(slope, eps):
+    hoop = hh.Hoop(eccentricity=eps, inertia_ratio=0.5)
+    for f in (0.01, 0.19, 0.3, 0.9):
+        found = theory.rest_ranges(hoop, hh.Plane(slope=slope, rolling_resistance=f))
+        for angle in np.linspace(0.003, 2.0 * np.pi, 157):
+            need = abs(eps * np.sin(angle) * np.cos(slope) + (1.0 + eps * np.cos(angle)) * np.sin(slope))
+            inside = any(rest.low <= angle <= rest.high or rest.low <= angle + 2.0 * np.pi <= rest.high for rest in found)
+            assert inside == (need <= f * np.cos(slope)), (f, angle)
+        assert all(0.0 <= rest.low < 2.0 * np.pi and rest.low < rest.high <= rest.low + 2.0 * np.pi for rest in found)
+
+
+def test_closed_forms_are_refused_with_rolling_resistance():
+    plane = hh.Plane(rolling_resistance=0.05)
+    hoop = hh.Hoop.ideal(0.75)
+    for asked in (
+        lambda: theory.rolling_speed(1.0, hoop, 2.0, plane),
+        lambda: theory.needed_friction(hoop, 2.0, plane),
+        lambda: theory.first_slip_speed(hoop, plane),
+        lambda: theory.jam_states(hoop, plane),
+        lambda: theory.equilibria(hoop, plane),
+        lambda: theory.rolling_range(1.0, hoop, plane),
+    ):
+        with pytest.raises(ValueError, match=r"plane.rolling_resistance = 0.05 must be 0 here"):
+            asked()
+    told = {quantity.key: quantity for quantity in theory.summary(hh.Scenario(plane=plane))}
+    assert told["needed_friction"].value is None
+    assert told["painleve_friction"].value is None
+    assert told["immediate_hop_speed"].value == theory.immediate_hop_speed(hoop)
+    assert told["rest_from"].value == theory.rest_ranges(hoop, plane)[0].low
+
+
+def test_the_mode_with_rolling_resistance():
+    # at rest within reach it rolls on as it is; beside a steep friction cone the couple decides
+    plane = hh.Plane(rolling_resistance=0.3, mu=0.2)
+    modes = theory.mode_of([0.1, 0.6, 2.0], [0.0, 0.0, 3.0], hh.Hoop.ideal(0.75), plane)
+    for angle, omega, mode in zip([0.1, 0.6, 2.0], [0.0, 0.0, 3.0], modes, strict=True):
+        start = hh.Start.rolling(omega, angle=angle)
+        motion = hh.simulate(hh.Hoop.ideal(0.75), plane, start, duration=1e-3)
+        assert motion.sequence[0] == mode

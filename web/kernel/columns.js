@@ -29,17 +29,22 @@ const COLUMNS = {
 /**
  * @param {import("./module.js").HoopModule} module in which the motion was computed last
  * @param {Computed} computed
+ * @param {[number, number]} [window] times from and to; the whole motion by default
  */
-export function columnsOf(module, computed) {
+export function columnsOf(module, computed, window) {
   const { rows, count, duration } = computed;
-  const steps = Math.min(Math.max(Math.ceil(duration * RATE), FEWEST), MOST);
+  const [begin, end] = (window ?? [0, duration]).map((time) => Math.min(Math.max(time, 0), duration));
+  const steps = Math.min(Math.max(Math.ceil((end - begin) * RATE), FEWEST), MOST);
   const width = layout.events.length;
   /** @type {Set<number>} */
   const places = new Set();
-  for (let k = 0; k <= steps && duration > 0; k++) places.add(k === steps ? duration : k * (duration / steps));
+  for (let k = 0; k <= steps && duration > 0; k++) places.add(k === steps ? end : begin + k * ((end - begin) / steps));
   const marks = new Set();
   // the end of the last piece can lie a rounding beyond the duration
-  for (let k = 0; k < count; k++) marks.add(Math.min(rows[k * width + EVENT.t], duration));
+  for (let k = 0; k < count; k++) {
+    const mark = Math.min(rows[k * width + EVENT.t], duration);
+    if (mark >= begin && mark <= end) marks.add(mark);
+  }
   for (const mark of marks) places.add(mark);
   const times = Float64Array.from(places).sort();
   const sides = Float64Array.from(marks)

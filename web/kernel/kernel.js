@@ -79,9 +79,10 @@ export class WorkerKernel {
   /**
    * @param {Given} given
    * @param {AbortSignal} [signal]
+   * @param {[number, number]} [window] times from and to; the whole motion by default
    */
-  columns(given, signal) {
-    return this.motions.ask("columns", [given], signal);
+  columns(given, signal, window) {
+    return this.motions.ask("columns", [given, window], signal);
   }
 
   /**

@@ -126,9 +126,12 @@ export class HoopModule {
     return { motion: told(computed), columns: columnsOf(this, computed) };
   }
 
-  /** @param {Given} given */
-  columns(given) {
-    return columnsOf(this, this.compute(given));
+  /**
+   * @param {Given} given
+   * @param {[number, number]} [window] times from and to; the whole motion by default
+   */
+  columns(given, window) {
+    return columnsOf(this, this.compute(given), window);
   }
 
   /**

@@ -69,7 +69,7 @@ export const SPEED_COLORS = viridis();
 export const SPEED_TEXTS = SPEED_COLORS.map((color) => `rgb(${color.join(",")})`);
 
 // What tells two hoops apart, beside their letters; neither is the colour of a mode or of a quantity.
-export const HOOP_INKS = ["#6a3d9a", "#33702a"];
+export const HOOP_INKS = ["#123a8c", "#8a6d00"];
 
 /**
  * @param {number} lane

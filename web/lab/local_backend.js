@@ -43,6 +43,10 @@ export class LocalBackend {
     if (name === "setup") return { header: model.tables.setup, arrays: {} };
     const checked = model.asked(body, this.mechanics);
     if (name === "film") return this.film(checked, signal);
+    if (name === "samples") {
+      const given = model.given(model.within(checked));
+      return { header: { window: body.window }, arrays: await this.kernel.columns(given, signal, body.window) };
+    }
     if (name === "code") {
       return { header: { python: model.pythonCode(checked), toml: model.toToml(checked) }, arrays: {} };
     }
@@ -98,7 +102,7 @@ export class LocalBackend {
   async map(checked, { x, y, what = "sequence" }, signal) {
     const span = model.spanOf(what);
     const base = model.checkMap(checked, { x, y, what });
-    const cells = model.cellsOf(base, { x, y }, this.mechanics);
+    const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
     return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, span, signal));
   }
 

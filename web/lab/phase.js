@@ -129,7 +129,7 @@ export class PhasePlane {
     return {
       window: header.window,
       paradox: arrays.paradox,
-      picture: this.paint(arrays.modes, header.arrays[0].shape),
+      picture: this.paint(arrays.modes, arrays.paradox.length),
     };
   }
 
@@ -226,10 +226,11 @@ export class PhasePlane {
   }
 
   /**
-   * @param {Column} codes
-   * @param {number[]} shape
+   * @param {Column} codes by rows
+   * @param {number} columns
    */
-  paint(codes, [rows, columns]) {
+  paint(codes, columns) {
+    const rows = codes.length / columns;
     const { modes } = this.colors;
     const picture = h("canvas", { width: columns, height: rows });
     const image = new ImageData(columns, rows);

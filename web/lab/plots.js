@@ -148,7 +148,7 @@ export class Plots {
     const two = films.length > 1;
     say(
       this.hint,
-      two ? `A violet, B green; the dashes tell the quantities; numbers of ${"AB"[active]}; ${hands}` : hands,
+      two ? `A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[active]}; ${hands}` : hands,
     );
     this.redraw();
   }

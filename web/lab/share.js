@@ -24,7 +24,9 @@ export class Share {
         "div",
         { class: "menu-body" },
         lab.backend.shares && this.item("Copy the link", () => this.copyLink()),
-        FILES.map(([name, label]) => this.item(label, () => this.download(name))),
+        FILES.filter(([name]) => lab.backend.files?.includes(name) ?? true).map(([name, label]) =>
+          this.item(label, () => this.download(name)),
+        ),
         this.item("Picture (PNG)", () => this.picture()),
         this.item("Record a film here (WebM)", () => this.record()),
         this.item("Show me the Python", () => this.code()),

@@ -5,7 +5,7 @@ import { h } from "./dom.js";
 import { degrees, length, show, withUnit } from "./numbers.js";
 import { Stage2D } from "./stage2d.js";
 import { Stage3D } from "./stage3d.js";
-import { t } from "./words.js";
+import { local, t } from "./words.js";
 
 const OUTPUTS = ["hoop", "mode", "time", "angle", "v", "R θ̇", "gap"];
 
@@ -94,7 +94,7 @@ export class Stage {
     const values = [
       films.length > 1 ? "AB"[active] : "",
       t(this.colors.mode_names[pose.mode]),
-      `${pose.t.toFixed(3)} s`,
+      local(`${pose.t.toFixed(3)} s`),
       degrees(pose.angle),
       withUnit(show(pose.vx, 3), "m/s"),
       withUnit(show(pose.omega * film.radius, 3), "m/s"),

@@ -161,8 +161,8 @@ export class Timeline {
       if (films.length > 1) {
         context.fillStyle = hoopInk(i, look.dark);
         context.font = `700 12px ${look.font}`;
-        context.textAlign = "left";
-        context.fillText("AB"[i], 1, y - 4);
+        context.textAlign = "right";
+        context.fillText("AB"[i], width - 1, y - 4);
       }
     });
     const step = niceStep(end - begin, width / 60);

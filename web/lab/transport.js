@@ -5,7 +5,7 @@ import { h } from "./dom.js";
 import { icon } from "./icons.js";
 import { degrees, show } from "./numbers.js";
 import { EVENT_WORDS, leaves } from "./events.js";
-import { name, t } from "./words.js";
+import { name, t, utter } from "./words.js";
 
 const STEP = 1 / 60; // seconds
 
@@ -133,8 +133,11 @@ export class Transport {
     this.clock.seek(next.event.t);
     const { event, lane } = next;
     const hoop = this.films().length > 1 ? `${t(`Hoop ${"AB"[lane]}`)}: ` : "";
+    const what = t(EVENT_WORDS[event.kind] ?? event.kind);
     this.tell(
-      `${hoop}${t("{what} at {angle}, {time} s", { what: t(EVENT_WORDS[event.kind] ?? event.kind), angle: degrees(event.angle), time: show(event.t, 4) })}`,
+      utter(
+        `${hoop}${t("{what} at {angle}, {time} s", { what, angle: degrees(event.angle), time: show(event.t, 4) })}`,
+      ),
     );
   }
 }

@@ -5,9 +5,11 @@ import { classColor, classText } from "./classes.js";
 import { given } from "./given.js";
 import { contradiction, known } from "./paths.js";
 import { labText, within } from "./request.js";
-import { withValues } from "./scenario.js";
+import { Broken } from "./rules.js";
+import { fitted, sectionsWith } from "./scenario.js";
 import { tables } from "./tables.js";
 
+const BREATH = 8; // milliseconds after which the page may do something else
 const { cell: CELL, laws, events: MOST_EVENTS, quantities } = tables.map;
 
 /** @typedef {{ path: string, from: number, to: number, cells: number }} Axis */
@@ -38,53 +40,91 @@ export function checkMap(checked, { x, y }) {
 }
 
 /**
- * Every cell as the kernel takes it; one whose values do not go together is marked.
+ * Every cell as the kernel takes it; one whose values do not go together is marked. The page breathes in between.
  * @param {Checked} base
  * @param {{ x: Axis, y: Axis }} axes
  * @param {Mechanics} mechanics
- * @returns {MapCells}
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<MapCells>}
  */
-export function cellsOf(base, { x, y }, mechanics) {
+export async function cellsOf(base, { x, y }, mechanics, signal) {
   const across = middles(x);
   const upwards = middles(y);
+  const cellAt = independent(base, x.path, y.path)
+    ? joined(base, { x, y }, [across, upwards], mechanics)
+    : (/** @type {number} */ i, /** @type {number} */ k) => {
+        const values = new Map([
+          [y.path, upwards[k]],
+          [x.path, across[i]],
+        ]);
+        return sectionsWith(base, values, mechanics);
+      };
   const count = across.length * upwards.length;
   const rows = new Float64Array(CELL.length * count);
-  let place = 0;
-  for (const high of upwards) {
-    for (const wide of across) {
-      const numbers = numbersOf(base, x.path, wide, y.path, high, mechanics);
-      if (numbers) for (let field = 0; field < CELL.length; field++) rows[field * count + place] = numbers[CELL[field]];
-      place++;
+  const cell = { ...base };
+  let began = performance.now();
+  for (let k = 0; k < upwards.length; k++) {
+    if (performance.now() - began > BREATH) {
+      await new Promise((resolve) => setTimeout(resolve));
+      signal?.throwIfAborted();
+      began = performance.now();
+    }
+    for (let i = 0; i < across.length; i++) {
+      const sections = cellAt(i, k);
+      const numbers = sections && numbersOf(Object.assign(cell, sections), mechanics);
+      if (!numbers) continue;
+      const place = k * across.length + i;
+      for (let field = 0; field < CELL.length; field++) rows[field * count + place] = READ[field](numbers);
     }
   }
   return { count, rows };
 }
 
 /**
+ * Whether the values of two axes are checked apart: in sections of their own, of which none takes from the other.
  * @param {Checked} base
- * @param {string} xPath
- * @param {number} x
- * @param {string} yPath
- * @param {number} y
- * @param {Mechanics} mechanics
- * @returns {Record<string, any> | null}
+ * @param {string} one
+ * @param {string} other
  */
-function numbersOf(base, xPath, x, yPath, y, mechanics) {
-  const values = new Map([
-    [yPath, y],
-    [xPath, x],
-  ]);
+function independent({ start }, one, other) {
+  const sections = [one, other].map((path) => path.split(".")[0]);
+  if (sections[0] === sections[1]) return false;
+  // a rolling start that becomes a free one turns as its hoop rolls
+  const free = [one, other].some((path) => path.startsWith("start.") && path !== "start.speed");
+  return !(sections.includes("hoop") && free && start.speed !== null);
+}
+
+/**
+ * The sections of a cell, each checked once for its value.
+ * @param {Checked} base
+ * @param {{ x: Axis, y: Axis }} axes
+ * @param {[number[], number[]]} values
+ * @param {Mechanics} mechanics
+ * @returns {(i: number, k: number) => Partial<Checked> | null}
+ */
+function joined(base, { x, y }, [across, upwards], mechanics) {
+  const wide = across.map((value) => sectionsWith(base, new Map([[x.path, value]]), mechanics));
+  const high = upwards.map((value) => sectionsWith(base, new Map([[y.path, value]]), mechanics));
+  return (i, k) => wide[i] && high[k] && { ...wide[i], ...high[k] };
+}
+
+/** What stands in each row of a cell. @type {((given: any) => number)[]} */
+const READ = CELL.map((/** @type {string} */ name) => {
+  if (name === "law") return (/** @type {Given} */ { impact_law }) => laws[impact_law];
+  if (name === "strike") return (/** @type {Given} */ { painleve }) => Number(painleve === "impact");
+  if (name === "allowed") return () => 1;
+  return (/** @type {any} */ given) => Number(given[name]);
+});
+
+/**
+ * @param {Checked} cell
+ * @param {Mechanics} mechanics
+ */
+function numbersOf(cell, mechanics) {
   try {
-    const found = given(withValues(base, values, mechanics));
-    return {
-      ...found,
-      law: laws[found.impact_law],
-      strike: found.painleve === "impact" ? 1 : 0,
-      ideal: found.ideal ? 1 : 0,
-      allowed: 1,
-    };
+    return given(fitted(cell, mechanics));
   } catch (error) {
-    if (!(error instanceof InputError)) throw error;
+    if (!(error instanceof Broken)) throw error;
     return null;
   }
 }

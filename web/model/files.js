@@ -5,7 +5,7 @@ import { tables } from "./tables.js";
 import { floatText } from "./text.js";
 
 const { rate, variables } = tables.table;
-const LETTER = "mode"; // the only column that is no number with a point
+const { letters } = tables.words;
 
 /**
  * The motion as a result file.
@@ -37,7 +37,7 @@ export function tableText(times, samples) {
   const columns = { ...samples, total: Float64Array.from(kinetic, (energy, k) => energy + potential[k]) };
   const lines = [["t [s]", ...heads].join(",")];
   for (const [k, t] of times.entries()) {
-    const row = names.map((name) => (name === LETTER ? String(columns[name][k]) : floatText(columns[name][k])));
+    const row = names.map((name) => (name === "mode" ? letters[columns.mode[k]] : floatText(columns[name][k])));
     lines.push([floatText(t), ...row].join(","));
   }
   return `${lines.join("\r\n")}\r\n`;

@@ -27,39 +27,40 @@ export function resultOf(checked, { status, sequence, events, final, energy }) {
  * @param {Mechanics} mechanics
  */
 export function headerOf(checked, motion, omega, mechanics) {
-  const { hoop, plane, start } = checked;
-  const { height, vx, vy, omega: turning } = stateOf(start, hoop.radius);
   const told = { events: motion.events, status: motion.status, omega };
   return {
     ...resultOf(checked, motion),
     events: motion.events.slice(0, MOST_EVENTS),
     query: toQuery(checked),
     duration: motion.duration,
-    // as the sliders show them, whichever way the scenario is given
-    values: {
-      "hoop.radius": hoop.radius,
-      "hoop.mass": hoop.mass,
-      "hoop.load_fraction": hoop.load_fraction,
-      "hoop.eccentricity": hoop.eccentricity,
-      "hoop.inertia_ratio": hoop.inertia_ratio,
-      "plane.mu": written(plane.mu),
-      "plane.mu_static": written(plane.mu_static),
-      "plane.mu_kinetic": written(plane.mu_kinetic),
-      "plane.rolling_resistance": plane.rolling_resistance,
-      "start.speed": start.speed,
-      "start.height": height,
-      "start.vx": vx,
-      "start.vy": vy,
-      "start.omega": turning,
-    },
+    values: valuesOf(checked),
     // what is chosen by itself where the scenario leaves it open
     automatic: automatic(checked, mechanics),
-    massless: hoop.inertia_ratio === 0,
+    massless: checked.hoop.inertia_ratio === 0,
     summary: summary(told),
     story: story(told),
     ending: tables.words.statuses[motion.status],
     shortened: motion.events.length > MOST_EVENTS,
   };
+}
+
+/**
+ * Numbers as the sliders show them, whichever way the scenario is given.
+ * @param {Checked} checked
+ * @returns {Record<string, any>}
+ */
+function valuesOf(checked) {
+  const { speed } = checked.start;
+  const sections = /** @type {any} */ ({
+    ...checked,
+    start: { ...stateOf(checked.start, checked.hoop.radius), speed },
+  });
+  /** @param {string} path */
+  const value = (path) => {
+    const [section, name] = path.split(".");
+    return written(sections[section][name]);
+  };
+  return Object.fromEntries(tables.shown.map((/** @type {string} */ path) => [path, value(path)]));
 }
 
 /**

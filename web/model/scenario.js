@@ -40,20 +40,39 @@ export function read(keys, mechanics, found) {
     found.said.push(unknownKey(place, unknown, Object.keys(fields)));
     return null;
   }
-  /** @param {string} name */
-  const key = (name) => (Object.hasOwn(keys, name) ? keys[name] : knowledge.default[name]);
-  const duration = readValue(fields.duration, key("duration"), "duration", found);
-  const hoop = section("Hoop", key("hoop"), "hoop", found, (one) => completeHoop(one, mechanics));
-  const plane = section("Plane", key("plane"), "plane", found, completePlane);
-  const start = section("Start", key("start"), "start", found, completeStart);
-  const model = tagged(key("contact"), "model", CONTACTS, "contact", found, "rigid");
-  const contact = model && section(model, key("contact"), "contact", found, completeContact);
-  if (found.said.length || !hoop || !plane || !start || !contact) return null;
-  const checked = { duration, hoop, plane, start, contact };
-  return kept(found, () => {
-    fitting(checked, mechanics, given);
-    return checked;
-  });
+  const checked = Object.fromEntries(
+    Object.keys(fields).map((name) => {
+      const data = Object.hasOwn(keys, name) ? keys[name] : knowledge.default[name];
+      return [name, readSection(name, data, mechanics, found)];
+    }),
+  );
+  return found.said.length ? null : kept(found, () => fitted(/** @type {any} */ (checked), mechanics));
+}
+
+/**
+ * One section of a scenario by itself, or its duration.
+ * @param {string} name
+ * @param {any} data
+ * @param {Mechanics} mechanics
+ * @param {import("./check.js").Findings} found
+ */
+function readSection(name, data, mechanics, found) {
+  if (name === "hoop") return section("Hoop", data, name, found, (one) => completeHoop(one, mechanics));
+  if (name === "plane") return section("Plane", data, name, found, completePlane);
+  if (name === "start") return section("Start", data, name, found, completeStart);
+  if (name !== "contact") return readValue(knowledge.models.Scenario.fields[name], data, name, found);
+  const model = tagged(data, "model", CONTACTS, name, found, "rigid");
+  return model && section(model, data, name, found, completeContact);
+}
+
+/**
+ * A scenario whose sections go together; throws what they break.
+ * @param {Checked} checked
+ * @param {Mechanics} mechanics
+ */
+export function fitted(checked, mechanics) {
+  fitting(checked, mechanics, given);
+  return checked;
 }
 
 /**
@@ -105,6 +124,26 @@ export function fromQuery(query, mechanics) {
 export function withValues(checked, values, mechanics) {
   const keys = replaced(checked, toDict(checked), values, (hoop, path) => readHoop(hoop, mechanics, path));
   return fromDict(keys, mechanics, findings(floats([...values.keys()])));
+}
+
+/**
+ * Sections with other values at some paths, whether or not they go with the others; null where they are not allowed.
+ * @param {Checked} checked
+ * @param {Map<string, any>} values by path
+ * @param {Mechanics} mechanics
+ * @returns {Partial<Checked> | null}
+ */
+export function sectionsWith(checked, values, mechanics) {
+  const found = findings();
+  try {
+    const keys = replaced(checked, toDict(checked), values, (hoop, path) => readHoop(hoop, mechanics, path));
+    const names = new Set([...values.keys()].map((path) => path.split(".")[0]));
+    const sections = [...names].map((name) => [name, readSection(name, keys[name], mechanics, found)]);
+    return found.said.length ? null : Object.fromEntries(sections);
+  } catch (error) {
+    if (error instanceof InputError) return null;
+    throw error;
+  }
 }
 
 /**

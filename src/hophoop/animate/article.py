@@ -3,18 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from hophoop.animate.films import film, film_3d
+import numpy as np
+
+from hophoop.animate.export import save_png, write
+from hophoop.animate.films import FPS_2D, FPS_3D
 from hophoop.animate.frames import Timing
 from hophoop.animate.look import Look, Look3D
+from hophoop.animate.mpl import Film2D
+from hophoop.animate.scene3d import Film3D
 from hophoop.scenario import Hoop, Plane, Scenario, Start
 from hophoop.simulation import simulate
+from hophoop.trajectory import Trajectory
 
 SIZE: Final = (960, 540)
 USUAL: Final = Timing()
+CALM: Final = 0.5  # of the usual pictures a second, where nothing moves fast for long
 
 
 @dataclass(frozen=True)
@@ -42,6 +50,8 @@ class ArticleFilm:
     duration: float
     three_d: bool
     timing: Timing = USUAL
+    still: float = 0.9
+    share: float = 1.0
 
     @property
     def scenario(self) -> Scenario:
@@ -58,12 +68,12 @@ _HOP: Final = Timing(slow_at=("takeoff", "impact"), slow_factor=4.0, slow_width=
 
 ARTICLE_FILMS: Final = (
     # so slow a start hardly stirs for two seconds; one revolution takes some six
-    ArticleFilm("v0.1", 0.1, 1.0, 6.0, False),
+    ArticleFilm("v0.1", 0.1, 1.0, 6.0, False, USUAL, 3.3, CALM),
     ArticleFilm("v2", 2.0, 1.0, 3.0, False),
     ArticleFilm("v2.8", 2.8, 1.0, 3.0, False),
-    ArticleFilm("v3.1", 3.1, 1.0, 2.5, False, _HOP),
-    ArticleFilm("v0.1-mu0.3", 0.1, 0.3, 9.0, False),
-    ArticleFilm("v3.1-3d", 3.1, 1.0, 2.5, True),
+    ArticleFilm("v3.1", 3.1, 1.0, 2.5, False, _HOP, 1.42),
+    ArticleFilm("v0.1-mu0.3", 0.1, 0.3, 9.0, False, USUAL, 4.9, CALM),
+    ArticleFilm("v3.1-3d", 3.1, 1.0, 2.5, True, USUAL, 1.42),
 )
 
 
@@ -72,7 +82,7 @@ def article_films(
     progress: Callable[[int, int], None] | None = None,
     scenarios: Mapping[str, Scenario] | None = None,
 ) -> list[Path]:
-    """All films of the article: five in 2D and the one in 3D.
+    """All films of the article: five in 2D and the one in 3D, each with a picture of the same name that stands for it.
 
     Parameters
     ----------
@@ -102,13 +112,24 @@ def article_films(
             raise ValueError(f"scenarios names {name!r}, which is not one of {', '.join(names)}.")
     paths = []
     for done, each in enumerate(ARTICLE_FILMS):
-        motion = simulate(given.get(each.name, each.scenario))
         path = Path(out_dir) / f"{each.name}.mp4"
-        if each.three_d:
-            film_3d(motion, path, each.timing, Look3D(size=SIZE))
-        else:
-            film(motion, path, each.timing, Look(size=SIZE))
+        _make(each, simulate(given.get(each.name, each.scenario)), path)
         paths.append(path)
         if progress is not None:
             progress(done + 1, len(ARTICLE_FILMS))
     return paths
+
+
+def _make(film: ArticleFilm, motion: Trajectory, path: Path) -> None:
+    """A film, and beside it the picture that stands for it where it does not play."""
+    with ExitStack() as open_ones:
+        pictures: Film2D | Film3D
+        if film.three_d:
+            timing = replace(film.timing, fps=film.share * FPS_3D)
+            pictures = open_ones.enter_context(Film3D((motion,), timing, Look3D(size=SIZE)))
+        else:
+            timing = replace(film.timing, fps=film.share * FPS_2D)
+            pictures = Film2D((motion,), timing, Look(size=SIZE))
+        write(pictures, path)
+        k = int(np.searchsorted(pictures.clock.times[0], min(film.still, motion.duration)))
+        save_png(pictures.draw(min(k, pictures.count - 1)), path.with_suffix(".png"))

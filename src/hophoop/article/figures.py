@@ -201,9 +201,8 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ArticleFigure(
         "slow_end_slipping",
         PART2,
-        "v₀ = 2.8 m/s, followed for long: the energy above rolling at the critical speed, after each "
-        "slip. It "
-        "falls as 1/t, so that the slip grows ever weaker and never ends.",
+        "v₀ = 2.8 m/s, followed for long: the energy above rolling at the critical speed, after each slip. It falls as 1/t, "
+        "so that the slip grows ever weaker and never ends.",
         _slow_end,
         ours=True,
     ),
@@ -246,12 +245,10 @@ FIGURES: tuple[ArticleFigure, ...] = (
     ArticleFigure(
         "phase_plane",
         PART3,
-        "The (θ, θ̇) plane for γ = 3/4, μ = 1: what follows contact without slip, and the five "
-        "motions in their "
-        "modes' colours. The corner where the hoop lifts off lies at the upper right of a turn; a slipping "
-        "hoop leaves the plane as it crosses the dashed line (▲ take-off, ▼ landing). The motion on "
-        "μ = 0.3 is "
-        "dashed: other borders hold for it, shown below.",
+        "The (θ, θ̇) plane for γ = 3/4, μ = 1: what follows contact without slip, and the five motions in their modes' "
+        "colours. The corner where the hoop lifts off lies at the upper right of a turn; a slipping hoop leaves the plane as "
+        "it crosses the dashed line (▲ take-off, ▼ landing). The motion on μ = 0.3 is dashed, up to where it turns back: "
+        "other borders hold for it, shown below.",
         _phase_plane,
         (8.6, 5.6),
     ),

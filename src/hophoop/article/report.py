@@ -1,59 +1,55 @@
-"""The report: one page that holds everything but the films, which lie beside it."""
+"""The report: a story on one page that holds everything but the films, which lie beside it."""
 
 from __future__ import annotations
 
 import base64
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from datetime import date
 from html import escape
 from importlib.resources import files
 from pathlib import Path
+from string import Template
 
 import hophoop
+from hophoop.article.facts import facts
 from hophoop.article.figures import FIGURES, ArticleFigure
+from hophoop.article.formulas import FORMULAS
+from hophoop.article.inks import for_both
+from hophoop.article.runs import Runs
 from hophoop.article.scenarios import scenarios
 from hophoop.article.statement import VERDICTS, Statement
+from hophoop.article.typeset import typeset
 from hophoop.plots.curves import phases
-from hophoop.simulation import simulate
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.words import FLIGHT, ROLL, SKID, SPIN
 
-# wide tables scroll by themselves, by the keyboard too
-SCROLL = "<div class='scroll' tabindex='0' role='group' aria-label='table'>"
-
-SECTIONS = {
-    "The Problem": "A thin ring of radius 1 m carries three quarters of its mass, 1 kg in all, in one point. "
-    "It starts with the load at the top and rolls along a level plane with friction μ = 1. Does it hop?",
-    "A First Attempt": "Rolled off at 0.1 m/s it turns over once, and everything follows from the "
-    "conservation of energy. The formulas are not put in by hand: they come out of the computed motion.",
-    "Increase the Speed": "At 2 m/s it still rolls, by a small margin. At 2.8 m/s it slips twice a turn.",
-    "Let's Hop!": "At 3.1 m/s the spinning hoop leaves the plane late in its first turn.",
-    "Revisiting Low Friction": "On μ = 0.3 even the slow hoop slips, and cannot get over the top again.",
-}
-
-FILMS = {
-    "A First Attempt": ("v0.1",),
-    "Increase the Speed": ("v2", "v2.8"),
-    "Let's Hop!": ("v3.1", "v3.1-3d"),
-    "Revisiting Low Friction": ("v0.1-mu0.3",),
-}
+ARTICLE_URL = "https://www.comsol.com/blogs/the-physics-of-a-hopping-hoop"
 STARTS = ("slip_start", "takeoff")  # events of the table of motions
-FILM_CAPTIONS = {
-    "v0.1": "v₀ = 0.1 m/s.",
-    "v2": "v₀ = 2 m/s.",
-    "v2.8": "v₀ = 2.8 m/s.",
-    "v3.1": "v₀ = 3.1 m/s, slower around take-off and landing.",
-    "v3.1-3d": "v₀ = 3.1 m/s in three dimensions.",
-    "v0.1-mu0.3": "v₀ = 0.1 m/s on μ = 0.3.",
+# in the text: the name of the file, and what is to be seen
+FILMS = {
+    "hop": ("v3.1", "The hop, at 3.1 m/s. It runs slower around take-off and landing, where a ring spreads."),
+    "slow": ("v0.1", "A nudge of 0.1 m/s. The arrows are the forces of the floor; their scale follows them and stands above."),
+    "faster": ("v2", "At 2 m/s it rolls as before, only faster and more evenly."),
+    "slipping": ("v2.8", "At 2.8 m/s it slips twice a turn. Watch the word at the upper left."),
+    "low": ("v0.1-mu0.3", "0.1 m/s on μ = 0.3: it slips, turns back, and rocks."),
+    "hop3d": ("v3.1-3d", "The hop once more, in three dimensions."),
 }
-
-SOURCE = "Henrik Sönnerlind, <cite>The Physics of a Hopping Hoop</cite> (2023); figures and words are our own."
+# figures beside those in the text, by the step that they belong to
+MORE = {
+    "rolling": ("path_slow", "velocity_time_slow", "energy_slow"),
+    "slipping": ("forces_slow", "friction_slow", "path_faster", "path_slipping", "friction_slipping", "energy_slipping"),
+    "landing": ("landing_restitution",),
+    "low": ("path_low_friction", "velocity_low_friction", "energy_low_friction"),
+}
+FILM_SIZE = (960, 540)
 CLASSES = dict(zip(VERDICTS, ("agrees", "reading", "differs", "fails"), strict=True))
+DARK_TEXT = 0.45  # lightness of a colour from which on letters on it are black
 
 
-def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path]) -> str:
+def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], runs: Runs | None = None) -> str:
     """The whole page, with the figures in `folder` inside and links to the films.
 
     Parameters
@@ -62,70 +58,84 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path]) -
     folder : Path
         Holds ``figures/NAME.svg``.
     films : sequence of Path
-        Films that are there.
+        Films that are there; a picture of the same name beside one is its poster.
+    runs : Runs, optional
+        The motions, where they have been computed already.
 
     Returns
     -------
     html : str
+
+    Raises
+    ------
+    ImportError
+        If latex2mathml is missing.
     """
-    style = files("hophoop.article").joinpath("report.css").read_text(encoding="utf-8")
-    number = {figure.name: k + 1 for k, figure in enumerate(FIGURES)}
-    body = [_head(statements), _legend(), _runs(), _table(statements)]
+    runs = runs or Runs()
+    here = files("hophoop.article")
+    story = here.joinpath("story.html").read_text(encoding="utf-8")
+    style = here.joinpath("report.css").read_text(encoding="utf-8")
+    numbered = {name: k + 1 for k, name in enumerate(figures_of(story))}
+    drawn = {figure.name: figure for figure in FIGURES if figure.name in numbered}
+    shown = {name: _figure(figure, numbered[name], folder) for name, figure in drawn.items()}
     there = {path.stem: path for path in films}
-    for section, text in SECTIONS.items():
-        body.append(f"<section id='{_anchor(section)}'><h2>{escape(section)}</h2><p>{escape(text)}</p>")
-        body += [_figure(figure, number[figure.name], folder) for figure in FIGURES if figure.section == section]
-        shown = [name for name in FILMS.get(section, ()) if name in there]
-        if shown:
-            players = "".join(_film(name, there[name], folder) for name in shown)
-            body.append(f"<div class='films'>{players}</div>")
-        body.append("</section>")
-    body.append(
-        f"<footer><p>After {SOURCE} Made by hophoop {escape(hophoop.__version__)} on "
-        f"{date.today().isoformat()} with <code>hophoop reproduce</code>. The numbers behind the table, "
-        "in full "
-        "precision, are in <a href='statements.json'>statements.json</a>; the figures in "
-        "<code>figures/</code>.</p>"
-        "</footer>"
-    )
+    values = {
+        "article_url": ARTICLE_URL,
+        "count_statements": str(len(statements)),
+        "badges": _badges(statements),
+        "legend": _legend(),
+        "runs": _runs(runs),
+        "table": _table(statements),
+        **{f"formula_{name}": latex for name, latex in FORMULAS.items()},
+        **{f"figure_{name}": shown.get(name, "") for name in numbered},
+        **{f"more_{step}": _more([shown[name] for name in names if name in shown]) for step, names in MORE.items()},
+        **{f"film_{name}": _film(*film, there, folder) for name, film in FILMS.items()},
+        **_links(statements, story),
+        **facts(statements, runs),
+    }
+    body = typeset(Template(story).substitute(values))
     return (
         "<!doctype html>\n<html lang='en'><head><meta charset='utf-8'>"
-        "<meta name='viewport' content='width=device-width, initial-scale=1'>"
-        f"<title>The hopping hoop, computed</title><style>{style}</style></head><body><main>"
-        + "\n".join(body)
-        + "</main></body></html>\n"
+        "<meta name='viewport' content='width=device-width, initial-scale=1'><meta name='color-scheme' content='light dark'>"
+        f"<title>The hopping hoop, computed</title><style>{style}</style></head><body><main>\n"
+        f"{body}\n{_footer()}\n</main></body></html>\n"
     )
 
 
-def _anchor(section: str) -> str:
-    return "".join(letter for letter in section.lower().replace(" ", "-") if letter.isalnum() or letter == "-")
+def figures_of(story: str) -> list[str]:
+    """Names of the figures in the order in which a reader meets them."""
+    names: list[str] = []
+    for kind, name in re.findall(r"\$(figure|more)_(\w+)", story):
+        names += [name] if kind == "figure" else MORE[name]
+    return names
 
 
-def _head(statements: Sequence[Statement]) -> str:
+def _badges(statements: Sequence[Statement]) -> str:
     counts = {verdict: sum(one.verdict == verdict for one in statements) for verdict in VERDICTS}
-    badges = " ".join(
-        f"<span class='badge {CLASSES[verdict]}'>{count} {'agree' if verdict == 'agrees' else escape(_plural(verdict))}</span>"
-        for verdict, count in counts.items()
-        if count
-    )
-    sections = " · ".join(f"<a href='#{_anchor(name)}'>{escape(name)}</a>" for name in SECTIONS)
-    return (
-        "<header><h1>The hopping hoop, computed</h1>"
-        "<p class='lead'>A well-known article simulates a loaded hoop that rolls, slips and hops, with a "
-        "penalty "
-        "contact in finite elements. Here its five motions are computed again, each phase in closed form "
-        "or by quadrature and each change of phase to rounding; its figures are drawn anew and its "
-        f"{len(statements)} checkable statements laid beside ours.</p>"
-        f"<p class='badges'>{badges}</p><nav><a href='#statements'>Statements</a> · {sections}</nav></header>"
-    )
-
-
-def _plural(verdict: str) -> str:
-    return {
+    words = {
+        "agrees": "agree",
         "agrees within reading accuracy": "within reading accuracy",
         "differs": "differ",
         "fails": "fail",
-    }[verdict]
+    }
+    return " ".join(
+        f"<span class='badge {CLASSES[verdict]}'>{count} {words[verdict]}</span>" for verdict, count in counts.items() if count
+    )
+
+
+def _links(statements: Sequence[Statement], story: str) -> Mapping[str, str]:
+    """From the text to the statements: their numbers in the colours of their verdicts."""
+    numbers = {one.key: (k + 1, one.verdict) for k, one in enumerate(statements)}
+    links = {}
+    for key in re.findall(r"\$see_(\w+)", story):
+        number, verdict = numbers.get(key, (0, ""))
+        links[f"see_{key}"] = (
+            f"<a class='see {CLASSES[verdict]}' href='#{key}' aria-label='Statement {number} {verdict}' "
+            f"title='Statement {number} {verdict}'>{number}</a>"
+            if number
+            else ""
+        )
+    return links
 
 
 def _legend() -> str:
@@ -141,25 +151,24 @@ def _legend() -> str:
     return f"<ul class='legend' aria-label='Colours of the modes'>{chips}</ul>"
 
 
-def _runs() -> str:
+def _runs(runs: Runs) -> str:
     rows = []
-    for scenario in scenarios().values():
-        motion = simulate(scenario)
+    for name, scenario in scenarios().items():
+        motion = runs.motion(name)
         ledger = motion.ledger
         cells = [_degrees(found[0].angle) if (found := motion.find(kind)) else "–" for kind in STARTS]
         cells += [f"{ledger.friction + ledger.impact_tangential:.4f}", f"{ledger.impact_normal:.4f}"]
-        cells.append(f"{abs(ledger.residual):.0e}")
+        cells.append(f"{abs(ledger.residual):.0e}" if ledger.residual else "0")
         numbers = "".join(f"<td>{cell}</td>" for cell in cells)
         rows.append(
             f"<tr><td>{scenario.start.speed:g}</td><td>{scenario.plane.mu:g}</td>"
             f"<td class='l'>{_ribbon(motion)}</td>{numbers}</tr>"
         )
     return (
-        f"<h2 id='motions'>The five motions</h2>{SCROLL}<table class='runs'><thead><tr>"
+        "<div class='scroll' tabindex='0' role='region' aria-label='The five motions'><table class='runs'><thead><tr>"
         "<th>v₀ (m/s)</th><th>μ</th><th class='l'>phases</th><th>slips at</th><th>takes off at</th>"
-        "<th>lost to friction (J)</th><th>in impacts, normal part (J)</th><th>unaccounted for (J)</th></tr></thead><tbody>"
-        + "".join(rows)
-        + "</tbody></table></div>"
+        "<th>lost to<br>friction (J)</th><th>in impacts,<br>normal part (J)</th><th>unaccounted<br>for (J)</th></tr>"
+        "</thead><tbody>" + "".join(rows) + "</tbody></table></div>"
     )
 
 
@@ -167,56 +176,78 @@ def _degrees(angle: float) -> str:
     return f"{math.degrees(angle):.3f}°"
 
 
-def _ribbon(motion: Trajectory, most: int = 16) -> str:
+def _ribbon(motion: Trajectory, most: int = 12) -> str:
     pieces = phases(motion)
     marks = "".join(
-        f"<i style='background:{colors.MODES[piece.word]}' title='{piece.word}'>{piece.mode}</i>" for piece in pieces[:most]
+        f"<i style='background:{colors.MODES[piece.word]}' title='{piece.word}'{_onto(piece.word)}>{piece.mode}</i>"
+        for piece in pieces[:most]
     )
     return f"<span class='ribbon'>{marks}{'…' if len(pieces) > most else ''}</span>"
+
+
+def _onto(word: str) -> str:
+    return " class='onto-dark'" if colors.lightness(colors.MODES[word]) < DARK_TEXT else ""
 
 
 def _table(statements: Sequence[Statement]) -> str:
     rows = []
     section = ""
-    for one in statements:
+    for number, one in enumerate(statements, 1):
         if one.section != section:
             section = one.section
-            rows.append(f"<tr class='part'><th colspan='4'>{escape(section)}</th></tr>")
+            rows.append(f"<tr class='part'><th colspan='5'>{escape(section)}</th></tr>")
         why = f"<p class='why'>{escape(one.why)}</p>" if one.why else ""
         rows.append(
-            f"<tr id='{escape(one.key)}'><td>{escape(one.statement)}</td><td>{escape(one.article)}</td>"
-            f"<td>{escape(one.ours)}{why}</td>"
+            f"<tr id='{escape(one.key)}'><td>{number}</td><td>{escape(one.statement)}</td>"
+            f"<td data-of='Article'>{escape(one.article)}</td><td data-of='Ours'>{escape(one.ours)}{why}</td>"
             f"<td><span class='badge {CLASSES[one.verdict]}'>{escape(one.verdict)}</span></td></tr>"
         )
     return (
-        f"<h2 id='statements'>What the article says, and what we find</h2>{SCROLL}"
-        "<table "
-        "class='statements'><thead><tr><th>Statement</th><th>Article</th><th>Ours</th><th>Verdict</th></tr>"
-        "</thead><tbody>" + "".join(rows) + "</tbody></table></div>"
-        "<p class='note'>‘Differs’ means that the article is not confirmed and that the reason given has "
-        "itself been "
-        "checked on the computed motion. A statement that is neither confirmed nor explained would be marked "
-        "‘fails’, and the program would say so with its exit status.</p>"
+        "<table class='statements'><thead><tr><th>No.</th><th>Statement</th><th>Article</th><th>Ours</th><th>Verdict</th></tr>"
+        "</thead><tbody>" + "".join(rows) + "</tbody></table>"
     )
 
 
 def _figure(figure: ArticleFigure, number: int, folder: Path) -> str:
-    code = base64.b64encode((folder / "figures" / f"{figure.name}.svg").read_bytes()).decode("ascii")
-    new = " <em>Not in the article.</em>" if figure.ours else ""
+    drawing = for_both((folder / "figures" / f"{figure.name}.svg").read_text(encoding="utf-8"))
+    code = base64.b64encode(drawing.encode("utf-8")).decode("ascii")
+    origin = "Not in the article." if figure.ours else f"In the article's part ‘{figure.section}’."
     wide = " class='wide'" if figure.size[0] > 8.0 else ""
+    width, height = (round(96.0 * side) for side in figure.size)
     return (
-        f"<figure{wide} id='figure-{figure.name}'><img loading='lazy' "
-        f"alt='{escape(figure.caption, quote=True)}' "
-        f"src='data:image/svg+xml;base64,{code}'><figcaption><b>Figure {number}.</b> "
-        f"{escape(figure.caption)}{new}"
-        "</figcaption></figure>"
+        f"<figure{wide} id='figure-{figure.name}'><div class='pic'><a href='figures/{figure.name}.svg'>"
+        f"<img loading='lazy' width='{width}' height='{height}' "
+        f"alt='{escape(figure.caption.split(':')[0], quote=True)}' src='data:image/svg+xml;base64,{code}'></a></div>"
+        f"<figcaption><b>Figure {number}.</b> {escape(figure.caption)} {escape(origin)}</figcaption></figure>"
     )
 
 
-def _film(name: str, path: Path, folder: Path) -> str:
+def _more(figures: Sequence[str]) -> str:
+    if not figures:
+        return ""
+    words = "One more figure" if len(figures) == 1 else f"{len(figures)} more figures"
+    return f"<details><summary>{words}</summary>{''.join(figures)}</details>"
+
+
+def _film(name: str, caption: str, there: Mapping[str, Path], folder: Path) -> str:
+    if name not in there:
+        return ""
+    path = there[name]
     place = escape(path.relative_to(folder).as_posix(), quote=True)
+    still = path.with_suffix(".png")
+    poster = f" poster='{escape(still.relative_to(folder).as_posix(), quote=True)}'" if still.exists() else ""
+    said = escape(caption, quote=True)
     return (
-        "<figure class='wide'><video controls loop muted playsinline preload='metadata' "
-        f"src='{place}'></video>"
-        f"<figcaption><b>Film.</b> {escape(FILM_CAPTIONS[name])}</figcaption></figure>"
+        f"<figure class='wide' id='film-{escape(name)}'><video controls loop muted playsinline "
+        f"preload='{'none' if poster else 'metadata'}' width='{FILM_SIZE[0]}' height='{FILM_SIZE[1]}'{poster} "
+        f"aria-label='{said}' src='{place}'></video><figcaption><b>Film.</b> {said}</figcaption></figure>"
+    )
+
+
+def _footer() -> str:
+    return (
+        f"<footer><p>After Henrik Sönnerlind, <a href='{ARTICLE_URL}'><cite>The Physics of a Hopping Hoop</cite></a> (2023); "
+        f"figures and words are our own. Made by hophoop {escape(hophoop.__version__)} on {date.today().isoformat()} with "
+        "<code>hophoop reproduce</code>. The numbers behind the table, in full precision, are in "
+        "<a href='statements.json'>statements.json</a>; the figures in <code>figures/</code>.</p></footer>"
     )

@@ -18,6 +18,13 @@ DRAWN = (
     "friction_loss", "normal_loss", "rolling_resistance", "utilization", "mode",
 )  # fmt: skip
 
+SHOWN = (
+    "hoop.radius", "hoop.mass", "hoop.load_fraction", "hoop.eccentricity", "hoop.inertia_ratio",
+    "plane.mu", "plane.rolling_resistance", "plane.mu_static", "plane.mu_kinetic",
+    "start.speed", "start.height", "start.vx", "start.vy", "start.omega",
+)  # fmt: skip
+"""Paths of what a slider shows that need not stand in the scenario itself."""
+
 
 def columns(
     motion: Trajectory, rate: float = 150.0, most: int = 6000, window: tuple[float, float] | None = None
@@ -98,43 +105,36 @@ def header(motion: Trajectory, scenario: Scenario | None = None) -> dict[str, An
         Its result, scenario, link, the values of the sliders, and the motion in words.
     """
     scenario = motion.scenario if scenario is None else scenario
-    hoop, plane = scenario.hoop, scenario.plane
     result = motion.to_dict()
     del result["scenario"]
     many = len(result["events"]) > 2000
     if many:
         result["events"] = result["events"][:2000]
-    state = scenario.start.state(hoop)
     return {
         **result,
         "scenario": scenario.to_dict(),
         "query": scenario.to_query(),
         "duration": motion.duration,
-        # as the sliders show them, whichever way the scenario is given
-        "values": {
-            "hoop.radius": hoop.radius,
-            "hoop.mass": hoop.mass,
-            "hoop.load_fraction": hoop.load_fraction,
-            "hoop.eccentricity": hoop.eccentricity,
-            "hoop.inertia_ratio": hoop.inertia_ratio,
-            "plane.mu": _finite(plane.mu),
-            "plane.rolling_resistance": plane.rolling_resistance,
-            "plane.mu_static": _finite(plane.mu_static),
-            "plane.mu_kinetic": _finite(plane.mu_kinetic),
-            "start.speed": scenario.start.speed,
-            "start.height": state.height,
-            "start.vx": state.vx,
-            "start.vy": state.vy,
-            "start.omega": state.omega,
-        },
+        "values": _values(scenario),
         # what is chosen by itself where the scenario leaves it open
         "automatic": _automatic(scenario),
-        "massless": hoop.massless,
+        "massless": scenario.hoop.massless,
         "summary": words.summary(motion),
         "story": words.story(motion),
         "ending": STATUSES[motion.status],
         "shortened": many,
     }
+
+
+def _values(scenario: Scenario) -> dict[str, Any]:
+    """Numbers as the sliders show them, whichever way the scenario is given."""
+    state = scenario.start.state(scenario.hoop)
+    found: dict[str, Any] = {}
+    for path in SHOWN:
+        section, _, name = path.partition(".")
+        holder: Any = state if section == "start" and name != "speed" else getattr(scenario, section)
+        found[path] = _finite(getattr(holder, name))
+    return found
 
 
 def _automatic(scenario: Scenario) -> dict[str, float]:

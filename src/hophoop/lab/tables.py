@@ -16,8 +16,8 @@ from pydantic import AfterValidator, BeforeValidator
 from pydantic.fields import FieldInfo
 
 from hophoop.export import SCHEMA
-from hophoop.lab.controls import DEGREES
 from hophoop.lab.files import SAMPLES_PER_SECOND
+from hophoop.lab.film import SHOWN
 from hophoop.lab.limits import USUAL
 from hophoop.lab.motion_map import MAP_EVENTS, MAP_QUANTITIES
 from hophoop.lab.setup import setup
@@ -67,7 +67,13 @@ def tables() -> dict[str, Any]:
             "theory": THEORY,
             "least_speed": LEAST_SPEED,
         },
-        "classes": {"codes": classes.CODES, "families": classes.FAMILIES, "hops": classes.HOPS, "rolls": classes.ROLLS}
+        "classes": {
+            "codes": classes.CODES,
+            "families": classes.FAMILIES,
+            "massless": classes.MASSLESS,
+            "hops": classes.HOPS,
+            "rolls": classes.ROLLS,
+        }
         | {"other": colors.GRAY},
         "map": {
             "cell": CELL,
@@ -81,7 +87,7 @@ def tables() -> dict[str, Any]:
         "lab": LAB,
         "limits": {name: getattr(USUAL, name) for name in ("duration", "events", "parts", "samples", "cells")},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: unit for name, (unit, _) in VARIABLES.items()}},
-        "degrees": sorted(DEGREES),
+        "shown": SHOWN,
     }
     return found
 

@@ -7,7 +7,6 @@ interrupt, which ends a map, a film or a file at once and keeps the process; one
 from __future__ import annotations
 
 import contextlib
-import math
 import os
 import pickle
 import signal
@@ -24,8 +23,9 @@ from hophoop._jit.beside import busy
 from hophoop._processes import python_beside
 
 ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
+BEGINS = 4.0  # seconds that a process may need until it can report
 REPORT = 0.25  # seconds between two reports that code is compiled
-_IDLE, _COMPUTING, _WRITING = range(3)
+_IDLE, _COMPUTING, _WRITING, _PREPARING = range(4)
 
 
 @dataclass(frozen=True)
@@ -56,16 +56,17 @@ class Worker:
     def __init__(self) -> None:
         # in a session of its own: Ctrl-C is for the server, which ends it, and whatever it has started ends with it
         self._process = python_beside(
-            "from hophoop.lab.worker import main; main()",
+            # an interrupt may come before there is somebody to hear it
+            "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); from hophoop.lab.worker import main; main()",
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,
         )
-        self._compiled = -math.inf
+        self._compiled = time.monotonic() + BEGINS
 
     @property
     def compiling(self) -> bool:
-        """Whether it compiles code, which is no fault of what it was asked."""
+        """Whether it begins, or compiles code, which is no fault of what it was asked."""
         return time.monotonic() - self._compiled < 4.0 * REPORT
 
     def exchange(self, job: Job) -> tuple[str, Any]:
@@ -137,17 +138,27 @@ class _Loop:
         self.inward, self.outward = inward, outward
         self.state = _IDLE
         self.owed = 0
+        self.compiles = 0
         self.lock = threading.Lock()
 
     def say(self, said: tuple[str, Any]) -> None:
         with self.lock:
             _write(self.outward, said)
 
+    def pay(self) -> bool:
+        """Answer an interrupt that came while it could not be answered; whether there was one."""
+        if self.owed == 0:
+            return False
+        self.owed -= 1
+        self.say((STOPPED, None))
+        return True
+
     def report(self) -> None:
         """Say now and then that code is compiled."""
         while True:
             time.sleep(REPORT)
-            if self.state == _COMPUTING and busy():
+            compiles = self.state == _COMPUTING and (self.compiles or busy())
+            if compiles or self.state == _PREPARING:
                 with contextlib.suppress(OSError):
                     self.say((COMPILING, None))
 
@@ -166,6 +177,8 @@ class _Loop:
                 job = _read(self.inward)
             except EOFError:
                 return
+            if self.pay():  # it was given up before it began
+                continue
             try:
                 self.state = _COMPUTING
                 said = outcome(job)
@@ -173,9 +186,8 @@ class _Loop:
             except _Stopped:
                 said = (STOPPED, None)
             self.say(said)
-            while self.owed:
-                self.owed -= 1
-                self.say((STOPPED, None))
+            while self.pay():
+                pass
             self.state = _IDLE
 
 
@@ -212,10 +224,28 @@ def main() -> None:
     loop = _Loop(inward, outward)
     signal.signal(signal.SIGINT, loop.interrupted)
     threading.Thread(target=loop.report, daemon=True).start()
-    loop.state = _WRITING  # an interrupt meanwhile is answered with the first job
+    usual = sys.unraisablehook
+    # what is stopped within a callback says so to nobody
+    sys.unraisablehook = lambda found: None if isinstance(found.exc_value, _Stopped) else usual(found)
+    _follow_compiler(loop)
+    loop.state = _PREPARING  # an interrupt meanwhile is for the first job
     _prepare()
     loop.state = _IDLE
     loop.run()
+
+
+def _follow_compiler(loop: _Loop) -> None:
+    """Count what this process compiles itself, where it does."""
+    from numba.core import event
+
+    class Compiles(event.Listener):  # type: ignore[misc]
+        def on_start(self, _: Any) -> None:
+            loop.compiles += 1
+
+        def on_end(self, _: Any) -> None:
+            loop.compiles -= 1
+
+    event.register("numba:compile", Compiles())
 
 
 def _prepare() -> None:

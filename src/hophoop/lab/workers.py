@@ -41,8 +41,8 @@ class Lane:
         """Learn from one that has been computed."""
         self.seconds += 0.2 * (seconds - self.seconds)
 
-    async def enter(self, most: float) -> None:
-        """Wait for a place, in order of arrival.
+    async def enter(self, most: float, compiling: Callable[[], bool] = lambda: False) -> None:
+        """Wait for a place, in order of arrival; time in which code is compiled does not count.
 
         Raises
         ------
@@ -55,8 +55,13 @@ class Lane:
         place: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         self.queue.append(place)
         try:
-            async with asyncio.timeout(most):
-                await place
+            while most > 0.0 and not place.done():
+                look = min(most, LOOK)
+                await asyncio.wait({place}, timeout=look)
+                if not compiling():
+                    most -= look
+            if not place.done():
+                raise TimeoutError
         except BaseException:
             if place.done() and not place.cancelled():
                 self.leave()  # it was given a place at this very moment
@@ -142,14 +147,13 @@ class Workers:
         if lane.wait() > queue or len(lane.queue) >= self.limits.waiting:
             raise TooBusy.after(lane.wait())
         try:
-            await lane.enter(queue)
+            await lane.enter(queue, self._compiling)
         except TimeoutError:
             raise TooBusy.after(lane.wait()) from None
-        begin = time.monotonic()
         try:
             patience = self.limits.film_patience if kind == FILM else self.limits.patience
-            said, content = await self._computed(job, patience)
-            lane.measured(time.monotonic() - begin)
+            said, content, seconds = await self._computed(job, patience)
+            lane.measured(seconds)
         except TooMuch:
             lane.measured(patience)
             raise
@@ -162,20 +166,26 @@ class Workers:
             raise RuntimeError("The computation failed.")
         return bytes(content)
 
-    async def _computed(self, job: Job, patience: float) -> tuple[str, Any]:
+    def _compiling(self) -> bool:
+        return any(worker.compiling for worker in self._all)
+
+    async def _computed(self, job: Job, patience: float) -> tuple[str, Any, float]:
+        """What a process says, and how long it took apart from compiling [s]."""
         for last in (False, True):
             try:
-                await self._places.enter(self.limits.queue)
+                await self._places.enter(self.limits.queue, self._compiling)
             except TimeoutError:  # films, and what is being stopped
                 raise TooBusy.after(self.lanes[HEAVY].seconds) from None
             worker = self._take()
             exchange = self._beside(worker.exchange, job)
-            left = patience
+            left, begin, compiled = patience, time.monotonic(), False
             try:
                 while not exchange.done() and left > 0.0:
                     look = min(left, LOOK)
                     await asyncio.wait({exchange}, timeout=look)
-                    if not worker.compiling:
+                    if worker.compiling:
+                        compiled = True
+                    else:
                         left -= look
                 if not exchange.done():
                     self._stop(worker, exchange)
@@ -191,7 +201,8 @@ class Workers:
                     raise RuntimeError("The process that computed this has ended.") from None
                 continue
             self._give_back(worker)
-            return said
+            took = time.monotonic() - begin
+            return *said, min(took, patience - left) if compiled else took
         raise AssertionError
 
     def _beside(self, call: Callable[..., Any], *arguments: Any) -> asyncio.Future[Any]:
@@ -228,6 +239,8 @@ class Workers:
         try:
             if not worker.interrupt():
                 raise Ended
+            while worker.compiling and not exchange.done():  # that is of use to others, and stops by itself
+                await asyncio.wait({exchange}, timeout=GRACE)
             async with asyncio.timeout(GRACE):
                 said, _ = await asyncio.shield(exchange)
                 while said != STOPPED:  # the answer came before the interrupt

@@ -143,7 +143,7 @@ def _word(piece: Phase, share: float, ax: Axes) -> str:
 
 
 def _ink(word: str) -> str:
-    return "white" if word in ("roll", "flight") else "black"
+    return "white" if colors.lightness(colors.mode_color(word)) < 0.45 else "black"
 
 
 def set_title(ax: Axes, title: str) -> None:

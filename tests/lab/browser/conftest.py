@@ -1,5 +1,7 @@
 """The system's Chromium, driven by playwright; without either, these tests are left out."""
 
+import functools
+import http.server
 import threading
 import time
 from urllib.parse import urlsplit
@@ -27,6 +29,31 @@ def address():
     thread.join(5)
 
 
+@pytest.fixture(scope="session")
+def site_folder(tmp_path_factory):
+    """The lab as a folder of files."""
+    from hophoop.lab import site
+
+    made = tmp_path_factory.mktemp("site")
+    site.export(made)
+    return made
+
+
+@pytest.fixture(scope="session")
+def site_address(site_folder):
+    """The folder, served by Python's plain web server."""
+
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *_):
+            pass
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=site_folder))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield f"http://127.0.0.1:{server.server_address[1]}/"
+    server.shutdown()
+    server.server_close()
+
+
 @pytest.fixture
 def visit(browser, address):
     """Opens a page; at the end nothing may have gone wrong in any of them."""
@@ -35,12 +62,14 @@ def visit(browser, address):
     def trouble(kind, text):
         troubles.append(f"{kind}: {text}")
 
-    def open_page(query="", ready=True, expected=(), **options):
+    def open_page(query="", ready=True, expected=(), script="", **options):
         options.setdefault("viewport", {"width": 1440, "height": 900})
         context = browser.new_context(**options)
         contexts.append(context)
         page = context.new_page()
         page.set_default_timeout(30_000)
+        if script:
+            page.add_init_script(script)
         page.on("pageerror", lambda error: trouble("page", error))
         page.on(
             "console",

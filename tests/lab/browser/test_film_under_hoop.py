@@ -79,8 +79,8 @@ def test_the_film_lies_under_the_hoop(browser, served, filmed, tmp_path):
     for moment in (0.1, 0.35):
         page.evaluate(f"hophoopLab.clock.play(false); hophoopLab.clock.seek({moment})")
         page.wait_for_function(
-            f"(() => {{ const film = document.querySelector('video.backdrop'); return !film.seeking && film.readyState > 1"
-            f" && Math.abs(film.currentTime - {backdrop_start(filmed)} - hophoopLab.clock.time) < 0.003; }})()"
+            f"() => {{ const film = document.querySelector('video.backdrop'); return !film.seeking && film.readyState > 1"
+            f" && Math.abs(film.currentTime - {backdrop_start(filmed)} - hophoopLab.clock.time) < 0.003; }}"
         )
         page.wait_for_timeout(200)
         place = page.evaluate(WHERE)

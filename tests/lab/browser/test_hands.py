@@ -4,9 +4,13 @@ import math
 
 import pytest
 
-pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
-
 import hophoop as hh
+
+
+@pytest.fixture(scope="module")
+def address(site_address):
+    """The page that computes by itself."""
+    return site_address
 
 
 def wait_for(page, expression):

@@ -15,30 +15,19 @@ PATIENCE = 30_000
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    made = tmp_path_factory.mktemp("site")
-    site.export(made)
-    (made / "blog.html").write_text(
+def folder(site_folder):
+    (site_folder / "blog.html").write_text(
         '<!doctype html><html lang="en"><meta charset="utf-8"><title>Blog</title><body><h1>My blog</h1>'
         '<script type="module" src="static/hophoop-motion.js"></script>'
         '<hophoop-motion scenario="start.speed=2.8" panels="controls"></hophoop-motion></body></html>',
         encoding="utf-8",
     )
-    return made
+    return site_folder
 
 
 @pytest.fixture(scope="module")
-def address(folder):
-    class Quiet(http.server.SimpleHTTPRequestHandler):
-        def log_message(self, *_):
-            pass
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=folder))
-    thread = threading.Thread(target=server.serve_forever, daemon=True)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_address[1]}/"
-    server.shutdown()
-    server.server_close()
+def address(folder, site_address):
+    return site_address
 
 
 def wait_for(page, expression):

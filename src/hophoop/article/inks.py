@@ -1,0 +1,48 @@
+"""Figures as SVG that a dark page shows as well: the same drawing, whose colours follow what the reader has chosen."""
+
+from __future__ import annotations
+
+import re
+
+from hophoop.plots.style import ON_COLOR
+from hophoop.vocabulary import colors
+
+PAPER, INK = "#14171B", "#ECEEF0"  # of the dark page
+GRAY_LEVEL = 12  # parts of red, green and blue that differ by less are a gray
+_INK = re.compile(r"(fill|stroke): (#[0-9a-fA-F]{6})")
+
+
+def for_both(svg: str) -> str:
+    """An SVG of Matplotlib whose colours are variables, with a value for light pages and one for dark ones.
+
+    Parameters
+    ----------
+    svg : str
+
+    Returns
+    -------
+    svg : str
+    """
+    body = svg[svg.index("<svg") :]
+    found = sorted({match[2].lower() for match in _INK.finditer(body)} | {"#000000"})
+    body = _INK.sub(lambda match: f"{match[1]}: var(--i{match[2][1:].lower()})", body)
+    light = "".join(f"--i{color[1:]}:{color};" for color in found)
+    dark = "".join(f"--i{color[1:]}:{in_the_dark(color)};" for color in found)
+    style = (
+        f"<style>svg{{{light}fill:var(--i000000)}}"
+        f"@media (prefers-color-scheme:dark){{svg{{{dark}}}}}"
+        # what lies on a colour keeps its ink: the colour stays as well
+        f"[id^='{ON_COLOR}']{{{light}fill:#000000}}</style>"
+    )
+    start = body.index(">") + 1
+    return body[:start] + style + body[start:]
+
+
+def in_the_dark(color: str) -> str:
+    """A colour of a light page as a dark one shows it: grays change sides, other colours get light enough."""
+    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
+    if max(parts) - min(parts) > GRAY_LEVEL:
+        return colors.on_dark(color)
+    share = sum(parts) / (3 * 255.0)
+    dark, light = ([int(end[i : i + 2], 16) for i in (1, 3, 5)] for end in (PAPER, INK))
+    return "#" + "".join(f"{round(b + share * (a - b)):02X}" for a, b in zip(dark, light, strict=True))
