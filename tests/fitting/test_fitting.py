@@ -145,8 +145,10 @@ def test_slopes_are_those_of_differences(kind, marker):
     values |= {name: value for name, value in known.items() if name in values} | (
         {"inertia_ratio": 0.6} if "inertia_ratio" in values else {}
     )
-    jacobian = slopes(problem, Choice(values, problem.names, {}, {}), problem.names)
-    for k, name in enumerate(problem.names):
+    # rolling resistance has no derivatives; at 0 it is at the end of its range
+    names = tuple(name for name in problem.names if name != "rolling_resistance")
+    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    for k, name in enumerate(names):
         expected = differences(problem, values, name, 1e-8 if name == "row_delay" else 2e-6)
         size = np.abs(expected).max() + 1.0
         # a frame within a step of an event is off in the differences
