@@ -1,8 +1,9 @@
-"""The wheel in clean environments: `python tests/installs.py [--python EXECUTABLE ...] [--bounds] [--markdown FILE]`.
+"""The wheel in clean environments: `python tests/installs.py [--python EXECUTABLE ...] [--bounds [only]] [--markdown FILE]`.
 
 With every Python given (by default those from 3.11 to 3.14 that are found) the wheel is installed without extras into an
 environment of its own, and run in poor surroundings. With `--bounds` the fast tests run with the lowest versions that
-pyproject.toml allows, and with the newest ones.
+pyproject.toml allows, and with the newest ones, with `--bounds only` nothing else. Rows of a table that is there are
+kept, but for those that are tried again, so that it can be made in parts.
 """
 
 from __future__ import annotations
@@ -14,7 +15,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import tomllib
 from collections.abc import Callable
 from pathlib import Path
@@ -30,6 +30,20 @@ EXTRAS = {
     "cluster": "from hophoop.maps.distributed import compute_on_cluster as c; c(None, [], None, 1, print)",
     "gpu": "from hophoop.maps.gpu import require_gpu; require_gpu()",
 }
+# what other tests need than those that run here
+TOOLS = (
+    "hophoop",
+    "ruff",
+    "mypy",
+    "import-linter",
+    "cosmic-ray",
+    "httpx",
+    "schemathesis",
+    "playwright",
+    "mujoco",
+    "pymunk",
+    "box2d",
+)
 
 
 def sh(*words: str | Path, **options: object) -> subprocess.CompletedProcess[str]:
@@ -138,9 +152,7 @@ def bounds(lowest: bool) -> list[str]:
     named = [*project["dependencies"]]
     for extra in ("plots", "maps", "test"):
         named += project["optional-dependencies"][extra]
-    named = [
-        name for name in named if not name.startswith(("hophoop", "mujoco", "pymunk", "box2d", "playwright", "schemathesis"))
-    ]
+    named = [name for name in named if not name.startswith(TOOLS)]
     return [re.sub(">=", "==", name) if lowest else name for name in named]
 
 
@@ -164,7 +176,13 @@ def main() -> int:
     """Try what was asked for, and write the table."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--python", action="append", help="an interpreter; may be repeated")
-    parser.add_argument("--bounds", action="store_true", help="run the fast tests with the lowest and the newest versions")
+    parser.add_argument(
+        "--bounds",
+        nargs="?",
+        const="too",
+        choices=["too", "only"],
+        help="run the fast tests with the lowest and the newest versions",
+    )
     parser.add_argument("--markdown", type=Path, help="write the table to this file")
     options = parser.parse_args()
     pythons = found_pythons()
@@ -172,31 +190,48 @@ def main() -> int:
         pythons = {
             sh(one, "-c", "import sys; print('%d.%d' % sys.version_info[:2])").stdout.strip(): one for one in options.python
         }
-    rows: list[str] = []
+    rows = Rows(options.markdown)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        folder.chmod(0o755)
         built = sh(sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w", folder, ROOT)
         assert built.returncode == 0, built.stderr[-2000:]
         wheel = next(folder.glob("*.whl"))
-        for version in VERSIONS:
+        for version in VERSIONS if options.bounds != "only" else ():
             if version not in pythons:
-                rows.append(f"| Python {version} | not found on the machine: not tried | |")
+                if not options.python:
+                    rows.add(version, "anything", "not found on the machine: not tried")
                 continue
-            began = time.monotonic()
             for what, came in check_surroundings(Clean(pythons[version], folder / version, wheel)).items():
-                rows.append(f"| Python {version} | {what} | {came} |")
-            print(f"Python {version}: {time.monotonic() - began:.0f} s", flush=True)
+                rows.add(version, what, came)
         if options.bounds:
+            version, python = next(iter(pythons.items()))
             for lowest in (True, False):
-                version, python = next(iter(pythons.items()))
                 came = check_bounds(python, folder / f"bounds-{lowest}", wheel, lowest)
-                rows.append(f"| Python {version} | {'lowest' if lowest else 'newest'} allowed versions, fast tests | {came} |")
-    text = "\n".join(["| Where | What was tried | What came |", "| --- | --- | --- |", *rows]) + "\n"
+                rows.add(version, f"{'lowest' if lowest else 'newest'} allowed versions, fast tests", came)
+    text = rows.text()
     print(text, end="")
-    if options.markdown is not None:
-        options.markdown.write_text(text, encoding="utf-8")
     return 0 if "failed" not in text and "ended with" not in text else 1
+
+
+class Rows:
+    """A table that is written after each row."""
+
+    def __init__(self, file: Path | None) -> None:
+        self.file = file
+        lines = file.read_text(encoding="utf-8").splitlines()[2:] if file is not None and file.exists() else []
+        self.rows = {tuple(cells[1:3]): cells[3] for cells in ([cell.strip() for cell in line.split("|")] for line in lines)}
+
+    def add(self, version: str, what: str, came: str) -> None:
+        """A row, in place of one of the same."""
+        self.rows[f"Python {version}", what] = came
+        if self.file is not None:
+            self.file.write_text(self.text(), encoding="utf-8")
+
+    def text(self) -> str:
+        """Markdown, by versions."""
+        rows = sorted(self.rows.items(), key=lambda row: row[0][0])
+        lines = [f"| {where} | {what} | {came} |" for (where, what), came in rows]
+        return "\n".join(["| Where | What was tried | What came |", "| --- | --- | --- |", *lines]) + "\n"
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 4004126eee9c5f74f9dad12c6d794912 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 803138bf18f76d9c0c4d4ac52d85edad */
 var l={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 4004126eee9c5f74f9dad12c6d794912 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 803138bf18f76d9c0c4d4ac52d85edad */
 function ue(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var An=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ue(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ue(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ue(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -127,53 +127,52 @@ r":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, 
 N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diag\
 ramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to \
 go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zo\
-oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","A violet, B green; \
-the dashes tell the quantities; numbers of {hoop}; {hands}":"A violett, B grün; die Strichelung zeigt die Größe; Zahlen von {hoop}; {hands}","{name} from {lo\
-w} to {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}\
-]":"{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem \
-Rand","height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindi\
-gkeit","speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","norm\
-al force":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"po\
-tenzielle Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rollin\
-g, slip and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb\
- einer Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontak\
-t ohne Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger \
-vergrößern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg z\
-oomt das Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte de\
-r Bewegungen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Ein\
-gabe übernimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole \
-map":"Ganze Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","\
-Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung i\
-n den Abspieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werde\
-n berechnet …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, thou\
-gh this motion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus belie\
-bigem Zustand, obwohl diese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Karten wird einma\
-lig übersetzt: {done} von {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)",
-"Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hi\
-er einen Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"D\
-er Link ist kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauer\
-t eine Weile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"\
-Dieser Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is the\
-re.":"Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rol\
-ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
-. Move a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hü\
-pft, landet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of t\
-ime":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →",
-"previous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"\
-Pos1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zo\
-om back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z\
- y  Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the r\
-im turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reif\
-en vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts r\
-ollt)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne\
- Kraft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces wit\
-hout number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Ein\
-zelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene",
-"Tilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll o\
-r throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, o\
-r arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow \
-motion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf \
-dem ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
+oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} t\
+o {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"\
+{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand",
+"height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit",
+"speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal forc\
+e":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenziel\
+le Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip\
+ and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer \
+Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne \
+Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergröß\
+ern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das \
+Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegun\
+gen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe über\
+nimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganz\
+e Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to t\
+ake that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Absp\
+ieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechne\
+t …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this mo\
+tion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zust\
+and, obwohl diese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Karten wird einmalig überse\
+tzt: {done} von {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)","Motion (\
+netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hier einen \
+Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link i\
+st kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine We\
+ile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser\
+ Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"\
+Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on \
+a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move\
+ a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, l\
+andet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"\
+Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previ\
+ous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos\
+1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom \
+back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y \
+ Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim \
+turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen \
+vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts roll\
+t)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kr\
+aft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces withou\
+t number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzel\
+ne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","T\
+ilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or \
+throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or \
+arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow mo\
+tion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf de\
+m ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
 Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count}\
  rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderu\
 ng",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","\
@@ -430,20 +429,19 @@ n impactos, parte normal","Contact forces":"Fuerzas de contacto","force [N]":"fu
 so del rozamiento","Your choice":"A tu elección","What your diagram shows":"Qué muestra tu diagrama","Horizontal axis of the diagrams":"Eje horizontal de los \
 diagramas","over {quantity}":"en función de: {quantity}","Whole motion":"Todo el movimiento","slide to go there, two fingers zoom":"desliza para ir ahí; dos de\
 dos amplían","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"clic para ir ahí, arrastrar para ampliar; tr\
-as un clic, o con Ctrl, la rueda amplía; doble clic para todo","A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violeta, B ve\
-rde; los trazos indican la magnitud; números de {hoop}; {hands}","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagra\
-ma: {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place \
-of the centre":"posición del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed \
-of the centre":"velocidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip veloci\
-ty":"velocidad de deslizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"\
-uso del rozamiento","kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano \
-de θ y θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadu\
-ra, deslizamiento y vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: s\
-lip that meets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.",
-"Click to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click fo\
-r all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the ma\
-p shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"\
-Mapa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"\
+as un clic, o con Ctrl, la rueda amplía; doble clic para todo","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagrama\
+: {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place of\
+ the centre":"posición del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed of\
+ the centre":"velocidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip velocity":"\
+velocidad de deslizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"uso\
+ del rozamiento","kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano de \
+θ y θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadura,\
+ deslizamiento y vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: slip\
+ that meets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","C\
+lick to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for \
+all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the map \
+shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"M\
+apa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"\
 Reducir el mapa","Whole map":"Mapa entero","Click to take that motion into the player; two fingers zoom.":"Toca para llevar ese movimiento al reproductor; dos d\
 edos amplían.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic lleva ese\
  movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","computing {count} motions …":"calculando {\
@@ -732,37 +730,36 @@ e contact","force [N]":"force [N]","normal N":"normale N","friction F":"frotteme
 "What your diagram shows":"Ce que montre votre diagramme","Horizontal axis of the diagrams":"Axe horizontal des diagrammes","over {quantity}":"en fonction de : \
 {quantity}","Whole motion":"Tout le mouvement","slide to go there, two fingers zoom":"glissez pour y aller ; deux doigts agrandissent","click to go there, drag \
 to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"cliquez pour y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la molette\
- agrandit ; double-clic pour tout","A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violet, B vert ; les tirets indiquent la g\
-randeur ; nombres de {hoop} ; {hands}","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.",
-"θ mod 360°":"θ mod 360°",Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du cen\
-tre","gap under the rim":"écart sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","spe\
-ed of rotation":"vitesse de rotation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"\
-vitesse angulaire","normal force":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie\
- cinétique","potential energy":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular \
-velocity with the regions of rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","a\
-ngle θ within a turn [°]":"angle θ dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"\
-Couleurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"\
-Touchez pour y aller ; deux doigts agrandissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller \
-; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce q\
-ue montre la carte","Map of motions":"Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des \
-mouvements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the\
- map":"Réduire la carte","Whole map":"Carte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le \
-lecteur ; deux doigts agrandissent.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all\
-.":"Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {co\
-unt} motions …":"calcul de {count} mouvements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec conta\
-ct rigide","of rolling starts, though this motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though \
-this motion starts rolling":"partant d’un état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} \
-functions":"compilation du noyau des cartes, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"\
-Scénario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture \
-(PNG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même \
-mouvement en Python","The link is copied.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a whi\
-le …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser canno\
-t record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passa\
-ge…","The film is there.":"Le film est là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a lo\
-ad on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechan\
-ics cannot decide. Move a slider and see.":"Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que \
-pousser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on th\
-e bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →",
+ agrandit ; double-clic pour tout","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.","θ m\
+od 360°":"θ mod 360°",Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du centre",
+"gap under the rim":"écart sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","speed of\
+ rotation":"vitesse de rotation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"vite\
+sse angulaire","normal force":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie cin\
+étique","potential energy":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular velo\
+city with the regions of rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","angle\
+ θ within a turn [°]":"angle θ dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Cou\
+leurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"Tou\
+chez pour y aller ; deux doigts agrandissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller ; a\
+près un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce que \
+montre la carte","Map of motions":"Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des mou\
+vements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the ma\
+p":"Réduire la carte","Whole map":"Carte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le lec\
+teur ; deux doigts agrandissent.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"\
+Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {count}\
+ motions …":"calcul de {count} mouvements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec contact r\
+igide","of rolling starts, though this motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though this\
+ motion starts rolling":"partant d’un état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} func\
+tions":"compilation du noyau des cartes, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"Sc\
+énario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture (P\
+NG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même mo\
+uvement en Python","The link is copied.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a while\
+ …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser cannot \
+record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passage\
+…","The film is there.":"Le film est là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a load\
+ on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanic\
+s cannot decide. Move a slider and see.":"Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que po\
+usser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on the \
+bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →",
 "previous, next event":"événement précédent, suivant","next flight, landing":"vol, retombée suivants","slower, faster":"plus lent, plus vite","Home End":"D\
 ébut Fin","start, end":"début, fin","traces, forces, rim speed, whole path":"trajectoires, forces, vitesse de la jante, trajet","in space":"en 3D","zoom, zoom\
  back":"agrandir, revenir","leave a field, a menu, a picture that the wheel zooms":"quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z":"\
@@ -1024,7 +1021,6 @@ per":"阻尼损耗","lost in impacts, normal part":"碰撞损耗，法向部分"
 iction F":"摩擦力 F","Use of friction":"摩擦利用率","Your choice":"自选","What your diagram shows":"自选图的纵轴","Horizontal axis of the diagra\
 ms":"图的横轴","over {quantity}":"横轴：{quantity}","Whole motion":"整个运动","slide to go there, two fingers zoom":"滑动以跳转，双指缩放",
 "click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"单击跳转，拖动放大；单击后或按住 Ctrl 时滚轮缩放；双击显示全部",
-"A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 紫色，B 绿色；虚线样式区分各量；数值属于 {hoop}；{hands}",
 "{name} from {low} to {high}":"{name}：{low} 至 {high}","Diagram: {title} in {unit}.":"图：{title}，单位 {unit}。","θ mod 360°":"θ mod 360°",Esc:"Es\
 c","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"一圈内的角度","place of the centre":"圆心位置","gap under the rim":"圆环下的间隙",
 "height of the centre of gravity":"重心高度","speed of the centre":"圆心速度","speed of rotation":"转动线速度","speed away from the plane":"离开平面的速度",
@@ -1177,15 +1173,15 @@ ps} steps of integration and must need at most {most} in the lab.":"contact.stif
 x 与 y 共 {count} 格，约 {turns} 圈，本实验室中不得超过 {most}；请减少格数、降低速度或缩短时长。","duration = {value} must be a\
 t most {most} s for a film from the lab.":"从本实验室制作影片时 duration = {value} 不得超过 {most} s。","A blue, B ochre; the dashes tell the qua\
 ntities; numbers of {hoop}; {hands}":"A 为蓝色，B 为赭色；线型表示物理量；数值属于 {hoop}；{hands}"};var Bs=new Map;function ae(o){try{return localStorage.getItem(o)??Bs.get(o)??null}catch{return Bs.get(o)??null}}function re(o,e){Bs.set(o,e);try{localStorage.setItem(
-o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Ks={de:zn,es:Rn,fr:Pn,zh:In},lr=new Set(["de","es","fr"]),qn="hophoop-language",jn=4e3,
-hr=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,qt=/\{(\w+)\}/g,me="en",Cn=[],at=new Map,rt=new Set,ht=new Set,jt=()=>me;
+o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Ks={de:zn,es:Rn,fr:Pn,zh:In},lr=new Set(["de","es","fr"]),jn="hophoop-language",qn=4e3,
+hr=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,jt=/\{(\w+)\}/g,me="en",Cn=[],at=new Map,rt=new Set,ht=new Set,qt=()=>me;
 function Us(o){me=o in lt?o:"en",at=new Map,rt=new Set,ht.clear(),Cn=Object.keys(Ks[me]??{}).filter(e=>e.includes("{")).map(dr).sort((e,t)=>Ln(t.key)-Ln(e.key))}
-function cr(){let o=ae(qn);return o&&o in lt?o:(globalThis.navigator?.languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in lt)??"en"}function On(o){re(
-qn,o)}var Ln=o=>o.replace(qt,"").length;function dr(o){let e=[...o.matchAll(qt)].map(([,s])=>s),t=o.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
+function cr(){let o=ae(jn);return o&&o in lt?o:(globalThis.navigator?.languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in lt)??"en"}function On(o){re(
+jn,o)}var Ln=o=>o.replace(jt,"").length;function dr(o){let e=[...o.matchAll(jt)].map(([,s])=>s),t=o.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
 return{key:o,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var le=o=>lr.has(me)?o.replace(/(\d)\.(\d)/g,"$1,$2"):o;function x(o,e){let t=Ks[me];if(e)
 return ee(Fn(t?.[o]??Nn(o),e));if(!t||!/\p{L}/u.test(o))return le(o);if(rt.has(o))return o;let s=at.get(o);if(s!==void 0)return s;let n=o.trim(),i=t[n]??ur(n,t)??
-Nn(n),a=o.replace(n,()=>i);return at.size>jn&&at.clear(),at.set(o,a),ee(a)}function ee(o){return rt.size>jn&&rt.clear(),rt.add(o),o}var Dn=(o,e)=>o.replace(qt,(t,s)=>String(
-e[s])),Fn=(o,e)=>o.replace(qt,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));function ur(o,e){for(let{key:t,pattern:s,names:n}of Cn){let i=o.match(s);
+Nn(n),a=o.replace(n,()=>i);return at.size>qn&&at.clear(),at.set(o,a),ee(a)}function ee(o){return rt.size>qn&&rt.clear(),rt.add(o),o}var Dn=(o,e)=>o.replace(jt,(t,s)=>String(
+e[s])),Fn=(o,e)=>o.replace(jt,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));function ur(o,e){for(let{key:t,pattern:s,names:n}of Cn){let i=o.match(s);
 if(i)return Fn(e[t],Object.fromEntries(n.map((a,r)=>[a,i[r+1]])))}return mr(o)}function mr(o){if(o.includes(" → "))return o.split(" → ").map(e=>x(e)).join("\
  → ")}function Wn(o){if(!Ks[me])return o;let[,e,t]=o.match(/^(.*?)\.(?: (.*))?$/su)??["",o,""],{comma:s,stop:n}=me==="zh"?{comma:"，",stop:"。"}:{comma:", ",
 stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return ee(`${a[0]?.toLocaleUpperCase(me)??""}${a.slice(1)}${n}${t?`\
@@ -1205,7 +1201,7 @@ setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function he(o,e){let t=0;return(
 o)?"–":o>0?"∞":"−∞";if(o===0)return"0";let t=Math.abs(o),s;if(t>=1e6||t<1e-4){let[n,i]=o.toExponential(e-1).split("e");s=`${Hn(n)}·10${gr(Number(i))}`}else
 s=Hn(o.toPrecision(e)),s.includes("e")&&(s=String(Math.round(o)));return le(s.replace("-","−"))}function Hn(o){return o.includes(".")&&!o.includes("e")?o.replace(
 /\.?0+$/,""):o}function gr(o){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(o)].map(t=>e[t]).join(
-"")}var F=(o,e)=>e?e==="°"?`${o}°`:`${o} ${e}`:o,q=o=>le(`${(o*180/Math.PI).toFixed(1)}°`.replace("-","−"));function ye(o){let e=Math.abs(o),[t,s]=e>=.995?
+"")}var F=(o,e)=>e?e==="°"?`${o}°`:`${o} ${e}`:o,j=o=>le(`${(o*180/Math.PI).toFixed(1)}°`.replace("-","−"));function ye(o){let e=Math.abs(o),[t,s]=e>=.995?
 [1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return F(_(o*t,3),s)}function U(o,e){let t=o/Math.max(e,1),s=10**Math.floor(Math.log10(t)),n=t/s;return(n>5?10:n>2?5:n>1?
 2:1)*s}function te(o,e,t){if(!(e>o)||!Number.isFinite(o)||!Number.isFinite(e))return[];let s=U(e-o,t),n=[];for(let i=Math.ceil(o/s-1e-9);i*s<=e+1e-9*s&&n.length<
 200;i++)n.push(i*s);return n}function Y(o,e){let t=y(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(o),e)>=1e6||t>12?_(o,3):le((Math.abs(o)<e*1e-6?
@@ -1300,7 +1296,7 @@ t",text:"Let the hoop land with its load at the very top. Everything is allowed;
 0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:o=>{let e=Zn(o)[0],t=o.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
 points:0,text:"It does not hop."};let s=o.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Rr)return{points:0,text:"The first hop is too low."};let n=Math.
 abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Zs,i=Math.max(0,Math.round(100*(1-(n-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
-from the top.",values:{off:q(n*Zs)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+from the top.",values:{off:j(n*Zs)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
 t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:o=>{let e=Yn(o,10);if(e)return{points:0,text:e};if(Math.
 abs(Math.abs(o.scenario.start.angle??0)-Math.PI)>.5*Zs)return{points:0,text:"The load must start at the bottom."};if(o.values["plane.mu_kinetic"]>1.5||o.values["\
@@ -1350,7 +1346,7 @@ toggle("running",e.clock.playing);let{pose:n,film:i,scale:a}=t,r=i.radius,l=t.po
 c=this.onPlane(t),u=y(1.1*r*a,to,190),m=[["plane",c,to],["hoop",l,u],["load",h,to]];for(let[p,[w,b],g]of m){let f=this.places.get(p);f.style.transform=`translat\
 e(${w-g/2}px, ${t.top+b-g/2}px)`,f.style.width=f.style.height=`${g}px`,f.hidden=w<0||b<0||w>t.width||b>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.
 point(e.pose.x,0),n=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+n,0)}tell(e){
-let t=this.pull?.held??this.held??Kt(e,this.lab.clock.time),s={load:q(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:ye(t.height),speed:_(t.vx,3)}),plane:q(
+let t=this.pull?.held??this.held??Kt(e,this.lab.clock.time),s={load:j(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:ye(t.height),speed:_(t.vx,3)}),plane:j(
 t.slope)},n={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
 r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(n[a].toPrecision(4)))),r.setAttribute(
 "aria-valuemin",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
@@ -1365,28 +1361,28 @@ t,c.held,!1),this.show(t,c.held))}},(f,k)=>{p||(w(),m&&(k?(this.change(t,c.relea
 t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Kt(s.film(),s.clock.time);let n=ni(
 e,t.key,t.shiftKey,this.held,s.film());if(!n)return;this.before===null&&(this.hold(),this.begin()),this.held=n,this.change(e==="load"?"hoop":e,n,!1),this.show(e,
 n),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
-ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(oi(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${q(t.angle)}`,
-hoop:t.height>0?`y = ${ye(t.height)}`:`θ = ${q(t.angle)}`,plane:`β = ${q(t.slope)}`};M(this.tip,t.vx&&this.held?`${s[e]}, v = ${_(t.vx,3)} m/s`:s[e]),this.tip.
+ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(oi(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${j(t.angle)}`,
+hoop:t.height>0?`y = ${ye(t.height)}`:`θ = ${j(t.angle)}`,plane:`β = ${j(t.slope)}`};M(this.tip,t.vx&&this.held?`${s[e]}, v = ${_(t.vx,3)} m/s`:s[e]),this.tip.
 hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=
 !0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.
 request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let s=e.motions.lanes[e.motions.active];for(s.pending=null;s.busy;)await new Promise(
 n=>requestAnimationFrame(n));try{e.motions.replace(await e.backend.call("film",{query:t}))}catch(n){e.notice.fail(n)}}comeBack(e){let{flat:t}=this.lab.stage,s=matchMedia(
 "(prefers-reduced-motion: reduce)").matches,n=()=>{if(this.pull)return;let i=t.shift[0]-e[0];t.shift=Math.abs(i)<1||s?[...e]:[e[0]+.82*i,e[1]],this.lab.request(),
-t.shift[0]!==e[0]&&requestAnimationFrame(n)};n()}};var qr={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
+t.shift[0]!==e[0]&&requestAnimationFrame(n)};n()}};var jr={play:"M5 3l9 5.5L5 14z",pause:"M4 3h3.4v11H4zM9.6 3H13v11H9.6z",start:"M3 3h2v11H3zM14 3v11L6 8.5z",back:"M11.5 3.5v10L4.5 8.5z",on:"M5.5 3.5v10l7-5z",previous:"\
 M8.5 3.5v10l-6-5zM15 3.5v10l-6-5z",next:"M2 3.5v10l6-5zM8.5 3.5v10l6-5z",undo:"M6 2.5L2 6.5l4 4V8h4.2a2.3 2.3 0 0 1 0 4.6H6v2h4.2a4.3 4.3 0 0 0 0-8.6H6z",redo:"\
 M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:"M4.3 5a3.6 3.6 0 1 0 .01 0zM12.7 5a3.6 3.6 0 1 0 .01 0z",loop:"M4 4h7.5V1.8L15.\
 5 5l-4 3.2V6H6v3.5H4zM13 13H5.5v2.2L1.5 12l4-3.2V11H11V7.5h2z",slow:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2a4.5 4.5 0 1 1 0 9 4.5 4.5 0 0 1 0-9zM7.7 \
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function $(o){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",qr[o]),t.append(s),t}var Gt=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",jr[o]),t.append(s),t}var Gt=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var ai=.22,ri=.03;function li(o,e){let t=o.at(e),s=o.mass*(o.gravity||9.81),n=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,i=n/(1+n),a=t.mode==="S"||t.mode===
 "K",r=Math.abs(t.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:i,pitch:55*(1+Math.min(n,8))**.5,hiss:a?i*y(.15+r,0,1):0}}function hi(o,e,t){let s=Math.
-sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:n,t:i,before:a})=>n==="impact"&&a&&i>e&&i<=t).map(({before:n})=>y(Math.abs(n.vy)/s,.02,1))}function jr(o){
+sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:n,t:i,before:a})=>n==="impact"&&a&&i>e&&i<=t).map(({before:n})=>y(Math.abs(n.vy)/s,.02,1))}function qr(o){
 let e=o.createBuffer(1,o.sampleRate,o.sampleRate),t=e.getChannelData(0),s=1;for(let n=0;n<t.length;n++)s=s*16807%2147483647,t[n]=2*s/2147483647-1;return e}var Vt=class{static heard=li;static knocks=hi;context=null;on=!1;last=0;start(){
-let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=jr(e),s.loop=!0;let n=e.createBiquadFilter();n.type="bandp\
+let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=qr(e),s.loop=!0;let n=e.createBiquadFilter();n.type="bandp\
 ass",n.frequency.value=1800,n.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),s.connect(n).connect(
 a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(this,{tone:t,low:i,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
 resume():this.context&&(this.set("low",0),this.set("high",0))}set(e,t){let{gain:s}=this[e];s.setTargetAtTime(ai*t,this.context.currentTime,ri)}follow(e,t){if(!this.
@@ -1498,7 +1494,7 @@ l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},w=(f
 3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=c(),T=y((f.clientX-k.left-ce)/(k.width-ce-Yt),0,1),E=Math.round(
 T*(ft-1)),N=t*(1-(f.clientY-k.top-Ee)/(k.height-Ee-ao)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
 "pointerdown",f=>{f.preventDefault(),b=null,g(f),W(h,f,g)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
-p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Xt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Zt=o=>q(o-Xt*Math.floor(o/Xt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
+p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Xt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Zt=o=>j(o-Xt*Math.floor(o/Xt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
 t;r++){let l=o.columns.angle[0]+Xt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),c=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
 c*(n[h]-n[a]))}return i}var Qr=(o,e)=>o.t[o.columns.angle.findIndex(t=>t>=e)]??o.duration,el={R:"roll",S:"spin",K:"skid",H:"bounce"},Ae=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
@@ -1578,8 +1574,8 @@ button"},"Learn"),d("div",{class:"menu-body"},e("Guided visit",()=>this.visit.st
 table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{
 t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),
 t}languages(){let e=d("select",{class:"language","aria-label":"Language",onchange:()=>{On(e.value),Us(e.value),this.spoken(),Bn(this.lab.root),this.lab.show()}},
-Object.entries(lt).map(([t,s])=>d("option",{value:t,lang:t},document.createTextNode(s))));return e.value=jt(),e}spoken(){this.lab.root.lang=jt(),this.lab.hosted&&
-(document.documentElement.lang=jt())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
+Object.entries(lt).map(([t,s])=>d("option",{value:t,lang:t},document.createTextNode(s))));return e.value=qt(),e}spoken(){this.lab.root.lang=qt(),this.lab.hosted&&
+(document.documentElement.lang=qt())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
 this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.
 close()}};var bt=(o,e,t)=>d("button",{type:"button",title:e,"aria-label":e,onclick:t},o),ts=class{constructor(e,t,s){let n=new Map;for(let a of e)n.set(a.group,[...n.get(
 a.group)??[],a]);this.fresh=!1,this.presets=d("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
@@ -1772,7 +1768,7 @@ Math.abs(s[i]-e)<Math.abs(s[n]-e)&&(n=i);return this.onseek(t.t[n])}middle(){ret
 max(e-(e-this.range[0])*t,s[0]),i=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(n<=s[0]&&i>=s[1]?null:[n,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:
 null,this.shared.changed()}};function go(o,e="solid"){let t=d("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=o??"var(--ink)",t.style.borderTopStyle=
 {solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,n=fo[e].map((i,a)=>(s+=i,`${a%2?"transparent":o??"var(--\
-ink)"} ${s-i}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${n.join(", ")})`}return t}var xe=52,Ni=10,j=8,Rl=30,Pl="RSKHM?",ds=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
+ink)"} ${s-i}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${n.join(", ")})`}return t}var xe=52,Ni=10,q=8,Rl=30,Pl="RSKHM?",ds=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
 e,this.clock=t,this.colors=s,this.canvas=d("canvas",{class:"plot-canvas"}),this.over=d("canvas",{class:"plot-canvas plot-over"}),this.keys=d("div",{class:"plot-\
 keys"}),this.body=d("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
 ght"},this.canvas,this.over),this.element=d("section",{class:"phase"},d("header",{},d("h3",{},"Plane of θ and θ̇"),this.keys),this.body,d("p",{class:"hint"},
@@ -1785,39 +1781,39 @@ pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortContr
 arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,i.paradox.length)}}reach(){
 return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
 e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
-this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-xe)/this.box.width,n=1-(e.clientY-t.top-j)/this.box.
+this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-xe)/this.box.width,n=1-(e.clientY-t.top-q)/this.box.
 height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+n*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
 bottom()+this.top())]}zoomAbout([e,t],s){let n=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.
 bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-n<2*Math.PI-1e-9||l-r<2*a-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
 window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
 e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.some(n=>n.columns.omega.some(i=>i<
--.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return xe+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return j+
+-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return xe+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return q+
 (1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,t){let s=e.length/t,{modes:n}=this.colors,i=d("canvas",{width:t,height:s}),a=new ImageData(
 t,s);for(let r=0;r<s;r++)for(let l=0;l<t;l++){let h=Pl[e[r*t+l]],c=ue(n[h]??"#6E6E6E"),u=4*((s-1-r)*t+l);a.data.set([...c,255],u)}return pe(i).putImageData(a,0,
-0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-xe-Ni,height:i-j-Rl},s.clearRect(
-0,0,n,i),s.save(),s.beginPath(),s.rect(xe,j,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.
+0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-xe-Ni,height:i-q-Rl},s.clearRect(
+0,0,n,i),s.save(),s.beginPath(),s.rect(xe,q,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.
 pictures){let[l,h,c,u]=r,m=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(c)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.
 drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==
 t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>d("span",{class:"plot\
 -key"},go(e.modes[r]),l)))}this.cursor(this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",
 .28),e.lineWidth=1;for(let n=0;n<s;n++){if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),
-e.rect(a,j,r-a,this.box.height),e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?j+this.box.height:j),e.
-lineTo(a+h+this.box.height,l>0?j:j+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,
+e.rect(a,q,r-a,this.box.height),e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?q+this.box.height:q),e.
+lineTo(a+h+this.box.height,l>0?q:q+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,
 e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?ie(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(
 i[h])){l=null;continue}let c=Math.floor(n[h]/r),u=n[h]-c*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(c!==l.lap){let m=c>l.lap?r:0;e.lineTo(this.x(m),
 this.y(i[h])),e.moveTo(this.x(r-m),this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:c,mode:a[h]}}e.stroke(),e.setLineDash(
-[])}axes(e,t,s){let{look:n}=this;e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(xe+.5,j+.5,this.box.width-1,this.box.
+[])}axes(e,t,s){let{look:n}=this;e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(xe+.5,q+.5,this.box.width-1,this.box.
 height-1),e.textAlign="center";let i=this.range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){
-let c=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(c,j+this.box.height),e.lineTo(c,j+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),c,j+this.box.height+15)}
+let c=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(c,q+this.box.height),e.lineTo(c,q+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),c,q+this.box.height+15)}
 e.textAlign="right",e.fillText(x("angle θ within a turn [°]"),t-Ni,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of te(this.bottom(),this.
-top(),5))e.fillText(Y(h,U(l,5)),xe-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,j+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="cent\
+top(),5))e.fillText(Y(h,U(l,5)),xe-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,q+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="cent\
 er",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.
-films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-Math.floor(r.angle/l)*l,c=this.x(h),u=this.y(r.omega);c>=xe&&c<=xe+this.box.width&&u>=j&&u<=j+this.box.
+films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-Math.floor(r.angle/l)*l,c=this.x(h),u=this.y(r.omega);c>=xe&&c<=xe+this.box.width&&u>=q&&u<=q+this.box.
 height&&(t.beginPath(),t.arc(c,u,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ie(a,this.look.
 dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],c+8,
 u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,
 omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let c=0;c<i.length;c++){let u=a[c]-Math.floor(a[c]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[c])-n);m<h.distance&&
-(h={distance:m,t:i.t[c]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var wo=o=>Object.entries(B).map(([e,t])=>d("option",{value:e},o(t)));function qi(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+(h={distance:m,t:i.t[c]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var wo=o=>Object.entries(B).map(([e,t])=>d("option",{value:e},o(t)));function ji(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
 B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=d("select",{"aria-label":"What your diagram shows",onchange:()=>{
 e=n.value,s(),o.changed()}},wo(ci));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function Il(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
@@ -1828,7 +1824,7 @@ normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to r
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:o.normal_force,values:e.columns.normal_force},{name:"friction F",color:o.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:o.
 friction_force,values:e.columns.utilization}]}]}var us=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
-redraw()},this.plots=[...Il(t).map(n=>new Ue(n,this.shared)),qi(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
+redraw()},this.plots=[...Il(t).map(n=>new Ue(n,this.shared)),ji(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
 n.element,!0]));let s=new IntersectionObserver(n=>{for(let{target:i,isIntersecting:a}of n)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let n of this.
 plots)s.observe(n.element);this.axis=d("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
 null,this.redraw()}},wo(({name:n})=>`over ${n}`)),this.back=d("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
@@ -1848,7 +1844,7 @@ lab.film();this.lab.notice.say(e.endsWith("mp4")?"The film is being made; this t
 return this.copyInto(t),new Promise(s=>{t.toBlob(n=>{n&&$e(n,"hophoop.png"),s()},"image/png")})}copyInto(e){let{lab:t}=this,s=t.stage.canvas(),n=pe(e);n.fillStyle=
 t.theme.look.paper,n.fillRect(0,0,e.width,e.height),n.drawImage(s,0,0,e.width,e.height);let i=e.width/Math.max(s.getBoundingClientRect().width,1);n.textBaseline=
 "top",n.textAlign="left";let a=t.films();for(let[r,l]of a.entries()){let h=l.at(t.clock.time),c=[a.length>1?`${"AB"[r]}: `:"",`${x(t.theme.colors.mode_names[h.mode])}\
-, t = ${h.t.toFixed(3)} s, θ = ${q(h.angle)}, v = ${_(h.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/a.length;n.
+, t = ${h.t.toFixed(3)} s, θ = ${j(h.angle)}, v = ${_(h.vx,3)} m/s`].join(""),u=t.stage.options.three?10+20*r:10+r*s.getBoundingClientRect().height/a.length;n.
 fillStyle=t.theme.colors.modes[h.mode],n.fillRect(12*i,(u+2)*i,11*i,11*i),n.fillStyle=t.theme.look.ink,n.font=`${13*i}px ${t.theme.look.font}`,n.fillText(c,30*i,
 u*i)}}async record(){let{lab:e}=this,t=e.stage.canvas();if(!t.captureStream||!globalThis.MediaRecorder)throw new Error("This browser cannot record a canvas; tak\
 e the MP4 instead.");let s=d("canvas",{width:2*Math.ceil(t.width/2),height:2*Math.ceil(t.height/2)}),n=new MediaRecorder(s.captureStream(60),{videoBitsPerSecond:8e6}),
@@ -1858,7 +1854,7 @@ i,{type:n.mimeType}),"hophoop.webm"),e.notice.say("The film is there.")}async co
 scenario});this.show("The same motion in Python",e.python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let s=0;s<e.length;s+=2){let n=e[s+1],i=d("bu\
 tton",{type:"button"},"Copy");i.onclick=async()=>{await navigator.clipboard?.writeText(n).catch(()=>{}),M(i,"Copied")},t.push(d("header",{},d("h2",{},e[s]),i),d(
 "pre",{tabindex:"0"},d("code",{},document.createTextNode(n))))}this.dialog.replaceChildren(...t,d("button",{type:"button",class:"close",onclick:()=>this.dialog.
-close()},"Close")),this.dialog.showModal()}};function ji(o,e){let t=d("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([n])=>{let i=!n.isIntersecting&&n.boundingClientRect.top<0;if(i===
+close()},"Close")),this.dialog.showModal()}};function qi(o,e){let t=d("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([n])=>{let i=!n.isIntersecting&&n.boundingClientRect.top<0;if(i===
 o.classList.contains("stuck"))return;let a=o.offsetHeight;o.style.marginBottom="",o.classList.toggle("stuck",i),i&&(o.style.marginBottom=`${a-o.offsetHeight}px`),
 document.documentElement.style.scrollPaddingTop=i?`${o.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var Ci=120,ps=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
 "pointerdown",s=>this.drag(s)),this.pinched=Z(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
@@ -2001,7 +1997,7 @@ s-a,.029*n,i),this.solid(this.cone,gs(r,t,a,Math.min(.075*n,.6*a)),i)}trace(e,t,
 r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((h,c)=>2*h-l[c])}for(let l of[-1,1])n.push(...a,0,...r,0,...s(i),l)}return Ie(this.gl,n,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:s,distance:n=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:n,
 shift:i,depth:a}),Ve(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let n=this.view,[i,a,r]=[0,1,3].map(l=>n[l]*e+n[4+l]*t+n[8+l]*s+n[12+
-l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Nl=[.35,.85,.4],ql=.18,Vi={azimuth:.5,height:.22,distance:5.2},Ji=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
+l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:null}};var Nl=[.35,.85,.4],jl=.18,Vi={azimuth:.5,height:.22,distance:5.2},Ji=[`attribute vec2 corner; uniform mat4 view; uniform float reach; varying vec2 p;
    void main() { p = corner * reach; gl_Position = view * vec4(p.x, 0.0, p.y, 1.0); }`,`precision highp float;
    varying vec2 p; uniform vec3 light, dark, far; uniform float reach, shift, tile;
    void main() {
@@ -2009,7 +2005,7 @@ l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new ws(e,We,Nl,ql,{keep:!0}),this.floor=Ge(this.space.gl,Ji[0],Ji[1]),this.corners=Ie(this.
+   }`],bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new ws(e,We,Nl,jl,{keep:!0}),this.floor=Ge(this.space.gl,Ji[0],Ji[1]),this.corners=Ie(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Vi},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
 "pointerdown",s=>this.drag(s)),this.pinched=Z(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
 this.turned.distance/e,1.6,60):this.turned={...Vi},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};W(this.canvas,e,s=>{this.pinched()||(this.
@@ -2032,9 +2028,9 @@ space.arrow(r,[0,1,0],l(t.normal_force),i,se(n.normal_force)),this.space.arrow(r
 get(e);if(n?.dark===t.dark)return n;let i=e.radius,{x:a,height:r,angle:l,mode:h}=e.columns,c=(b,g)=>this.space.trace(e.length,f=>[a[f]+b*Math.sin(l[f]),i+r[f]+b*
 Math.cos(l[f])],g),[u,m,p]=[se(s.gravity_center),se(s.airborne),se(t.ink)],w={dark:t.dark,load:c(i,()=>p),center:c(e.eccentricity*i,b=>h[b]===3?m:u)};return this.
 lines.set(e,w),w}drawTraces(e,t,s,n,i,a){let{load:r,center:l}=this.linesOf(e,n,i),h=Math.min(e.index(t.t)+2,e.length),c={shift:this.focus,depth:s};this.space.drawTrace(
-r,h,{width:a,...c}),this.space.drawTrace(l,h,{width:1.6*a,...c})}};var jl=["hoop","mode","time","angle","v","R θ̇","gap"],ys=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+r,h,{width:a,...c}),this.space.drawTrace(l,h,{width:1.6*a,...c})}};var ql=["hoop","mode","time","angle","v","R θ̇","gap"],ys=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
 three:!1,ahead:!1},this.plane=d("canvas",{class:"stage-canvas"}),this.space=d("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new ps(this.plane,t),this.deep=
-null,this.outputs=jl.map(n=>({name:d("dt",{},n),value:d("dd",{})})),this.outputs[1].value.className="mode",this.fastest=d("span",{}),this.legend=d("div",{class:"\
+null,this.outputs=ql.map(n=>({name:d("dt",{},n),value:d("dd",{})})),this.outputs[1].value.className="mode",this.fastest=d("span",{}),this.legend=d("div",{class:"\
 legend","aria-hidden":"true"},d("i",{style:`background: linear-gradient(90deg, ${Nt.filter((n,i)=>i%15===0).join(",")})`}),d("span",{},"0"),d("span",{},"rim spe\
 ed"),this.fastest);let s=(n,i)=>d("span",{},d("i",{class:"dot",style:`background:${n}`}),i);this.order=d("span",{hidden:!0},"A in front, B behind"),this.element=
 d("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,d("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
@@ -2042,7 +2038,7 @@ d("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.pla
 "the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:n,inks:i}){let{options:a}=this;this.legend.hidden=!a.
 speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${_(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new bs(this.
 space,this.onview),this.deep.draw(e,s.time,a,n,i,s.playing)):this.flat.draw(e,s.time,a,n,i),this.read(e,t,s.time)}read(e,t,s){let n=e[t],i=n.at(s),a=[e.length>1?
-"AB"[t]:"",x(this.colors.mode_names[i.mode]),le(`${i.t.toFixed(3)} s`),q(i.angle),F(_(i.vx,3),"m/s"),F(_(i.omega*n.radius,3),"m/s"),i.height>0?ye(i.height):"0"];
+"AB"[t]:"",x(this.colors.mode_names[i.mode]),le(`${i.t.toFixed(3)} s`),j(i.angle),F(_(i.vx,3),"m/s"),F(_(i.omega*n.radius,3),"m/s"),i.height>0?ye(i.height):"0"];
 for(let[h,c]of a.entries()){let{value:u}=this.outputs[h];u.textContent!==c&&(u.textContent=c)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.
 style.setProperty("--mode",this.colors.modes[i.mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){
 let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.
@@ -2110,7 +2106,7 @@ t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Ol*Ma
 flatMap((c,u)=>c.events.map(m=>({event:m,lane:u}))).filter(({event:c})=>!t||(t==="impact"?c.kind===t:Zi(c))).sort((c,u)=>c.event.t-u.event.t),n=this.clock.time,
 i=e>0?s.find(({event:c})=>c.t>n+1e-9):s.findLast(({event:c})=>c.t<n-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",h=x(_s[a.kind]??a.kind);this.
-tell(ee(`${l}${x("{what} at {angle}, {time} s",{what:h,angle:q(a.angle),time:_(a.t,4)})}`))}};var Je=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
+tell(ee(`${l}${x("{what} at {angle}, {time} s",{what:h,angle:j(a.angle),time:_(a.t,4)})}`))}};var Je=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
 colors:r}=s;this.known=s.presets,this.address=n?new Ot(this):null,this.clock=new Dt,this.motions=new hs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
 story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new cs,this.theme=new xs(
 e,r,n,()=>this.show()),this.stage=new ys(r,()=>{this.request(),this.address?.soon()}),this.transport=new Ms(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
@@ -2123,33 +2119,33 @@ surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=h
 bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=yi(this,n),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
 this.root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
 "true")}layOut(e){let{root:t,notice:s}=this,n=c=>!e||e.includes(c),i=d("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
-element),a=d("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?ji(a,()=>this.request()):null;let r=d(
-"a",{class:"skip button",href:"#hh-player"},"Skip to the player");r.onclick=c=>{c.preventDefault(),this.timeline.element.focus()};let l=d("div",{class:"middle"},
-this.sticky?.edge,a,d("div",{class:"words"},this.story.element,n("theory")&&this.theory.element),n("map")&&this.map.element),h=d("div",{class:"why"},n("plots")&&
-this.plots.element,n("plots")&&this.phase.element);t.replaceChildren(d("div",{class:"page"},this.hosted&&r,this.header.element,d("div",{class:"columns"},n("cont\
-rols")&&i,l,h)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!n("controls"))}async open(e,t={}){await this.motions.load(e),this.clock.duration=
-Math.max(...this.films().map(s=>s.duration)),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.
-dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.
-close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){this.notice.
-clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(
-this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(){let{clock:e,stage:t,map:s}=this;return this.motions.
-link(Un({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:n}){if(t){let{three:i,...a}=t;Object.assign(this.stage.
-options,a),i&&this.toggle("three")}s&&(this.stage.flat.zoom=s),n&&this.map.restore(n),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(
-s=>s.query===e);this.header.presets.value=t?.key??"",M(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.
-query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){return this.motions.
-travel(e)}show(e=null){let{motions:t,clock:s}=this,n=this.films();if(!n.length)return;let i=n.length>1;this.theme.read(),s.duration=Math.max(...n.map(a=>a.duration)),
-s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(n.length,t.active),this.drawStage(),this.controls.
-show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.
-surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),
-{active:t}=this.motions,{look:s,colors:n}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,n),this.drawTime(),this.map.mark(this.film(),
-s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){let{
-time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(
-e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.motions.
-lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),
-this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;
-let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(
-e,t)}catch(s){let{name:n,message:i}=s;n!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else
-try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var So=class extends Error{},Mo=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+element),a=d("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?qi(a,()=>this.request()):null;let r=d(
+"a",{class:"skip button",href:"#hh-player"},"Skip to the player");this.hosted&&(this.timeline.element.id="hh-player"),r.onclick=c=>{c.preventDefault(),this.timeline.
+element.focus()};let l=d("div",{class:"middle"},this.sticky?.edge,a,d("div",{class:"words"},this.story.element,n("theory")&&this.theory.element),n("map")&&this.
+map.element),h=d("div",{class:"why"},n("plots")&&this.plots.element,n("plots")&&this.phase.element);t.replaceChildren(d("div",{class:"page"},this.hosted&&r,this.
+header.element,d("div",{class:"columns"},n("controls")&&i,l,h)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!n("controls"))}async open(e,t={}){
+await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),
+this.sizes.observe(this.stage.element),this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.
+theme.close(),this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.
+motions.films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),
+this.showPreset()}noted(e){this.header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(){let{
+clock:e,stage:t,map:s}=this;return this.motions.link(Un({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:n}){
+if(t){let{three:i,...a}=t;Object.assign(this.stage.options,a),i&&this.toggle("three")}s&&(this.stage.flat.zoom=s),n&&this.map.restore(n),e&&this.clock.seek(e)}showPreset(){
+let{query:e}=this.film(),t=this.known.find(s=>s.query===e);this.header.presets.value=t?.key??"",M(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.
+backend.call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){
+return this.motions.travel(e)}show(e=null){let{motions:t,clock:s}=this,n=this.films();if(!n.length)return;let i=n.length>1;this.theme.read(),s.duration=Math.max(
+...n.map(a=>a.duration)),s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(n.length,t.active),
+this.drawStage(),this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(
+performance.now()-e),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=
+!1;let e=this.films(),{active:t}=this.motions,{look:s,colors:n}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,n),this.drawTime(),
+this.map.mark(this.film(),s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.
+theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(
+e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=
+!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),
+this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.
+asked=new AbortController;let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.
+name()),await this.phase.fetch(e,t)}catch(s){let{name:n,message:i}=s;n!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;
+if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var So=class extends Error{},Mo=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:n}=this.waiting;this.waiting=null,t.error?n(new Error(
 t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let n=new Promise((i,a)=>{this.waiting=
@@ -2178,12 +2174,12 @@ ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","r
 k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
 "no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
 "slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
-rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ye=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Xp=Ye(v.cell),ge=Ye(v.heads),K=Ye(v.events),Eo=Ye(v.samples),ta=Ye(v.numbers),Ao=Ye(v.words),$l={newton:0,poisson:1,
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ye=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Qp=Ye(v.cell),ge=Ye(v.heads),K=Ye(v.events),Eo=Ye(v.samples),ta=Ye(v.numbers),Ao=Ye(v.words),$l={newton:0,poisson:1,
 stronge:2};function Ze(o){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:$l[o.impact_law],
 strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return v.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function zo(o){let e=t=>t??Number.NaN;return Float64Array.
 of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var Es=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
-n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Bl=150,Hl=240,Kl=6e3,[sf,sa,oa]=[0,1,2],Ul={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Bl=150,Hl=240,Kl=6e3,[of,sa,oa]=[0,1,2],Ul={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
 al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ro(o,e,t){let{rows:s,count:n,duration:i}=e,[a,r]=(t??[0,i]).map(g=>Math.
 min(Math.max(g,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Bl),Hl),Kl),h=v.events.length,c=new Set;for(let g=0;g<=l&&i>0;g++)c.add(g===l?r:a+g*((r-a)/l));let u=new Set;
@@ -2408,34 +2404,34 @@ oad at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0):
 classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0072B2",reversal:"#009E73",takeoff:"\
 #D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"\
 #F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",takeoff:"#D55E00",stick:"#0072B2",turn:"#009E73",end:"#56B4E9",impact:"#F0E442",slip_reversal:"\
-#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},hops:"#D55E00",rolls:"#0072B2",
-other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
-"angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{
-label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
-label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
-label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
-label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
-label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
-ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
-t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
- the lab; the library itself has no such limit.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.pa\
-th are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compl\
-iant' must be 'rigid' for a map.",not_a_pair:"changes holds {change}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,
-cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"\
-J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass",
-"hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.he\
-ight","start.vx","start.vy","start.omega"]};var S=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
+#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},massless:{rolls:"#F0E442","roll\
+s, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gra\
+vity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance",
+"allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},
+hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{
+label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{label:"greatest friction utilization",span:"first_revolution",unit:"1",
+words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{
+label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{label:"how it ends",span:"duration",unit:"",words:["duration","revo\
+lutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"duration = {duration:g} must be at most {most:g} s in the lab; the li\
+brary itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have at most {most} in the lab.",too_many_turns:"duration = {duration:g} \
+s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab; the library itself has no such limit.",too_many_cells:"x.\
+cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} \
+cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",not_a_pair:"changes holds {change\
+}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"\
+m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",
+impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ra\
+tio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var S=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
 "-":"",[t,s]=Math.abs(o).toExponential().split("e"),n=t.replace(".",""),i=Number(s);return i<-4||i>=16?`${e}${t}e${No(i)}`:e+(i<0?`0.${"0".repeat(-i-1)}${n}`:ma(
 n,i+1))}function ma(o,e){let t=o.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var No=o=>`${o<0?"-":"+"}${String(Math.abs(o)).padStart(2,"0")}`;function pa(o,e){
 let[t,s]=o.toExponential(e-1).split("e"),n=t.replace(".",""),i=o.toExponential(100).split("e")[0].replace(".","");return i[e]==="5"&&/^0*$/.test(i.slice(e+1))&&
-Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function qo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
-0||Object.is(o,-0)?"-":"";function qe(o,e=6){if(!Number.isFinite(o))return qo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
+Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function jo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
+0||Object.is(o,-0)?"-":"";function je(o,e=6){if(!Number.isFinite(o))return jo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
 "")||"0";if(n<-4||n>=e)return`${t}${i[0]}${i.length>1?`.${i.slice(1)}`:""}e${No(n)}`;if(n<0)return`${t}0.${"0".repeat(-n-1)}${i}`;let[a,r]=ma(s,n+1).split("."),
-l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function lh(o,e){if(!Number.isFinite(o))return qo(o);let[t,s]=o===0?["0".repeat(e+1),0]:pa(Math.abs(o),e+1),
-n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${No(s)}`}function jo(o,e){if(!Number.isFinite(o))return qo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
+l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function lh(o,e){if(!Number.isFinite(o))return jo(o);let[t,s]=o===0?["0".repeat(e+1),0]:pa(Math.abs(o),e+1),
+n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${No(s)}`}function qo(o,e){if(!Number.isFinite(o))return jo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
 t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),n=t.toFixed(100),i=n.slice(n.indexOf(".")+1+e),a=n.slice(0,n.indexOf(".")+(e?1+e:0));return/^50*$/.test(i)&&Number(
 a.at(-1))%2===0?Tt(o)+a:Tt(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Le?r.text:n?
-oe(r):a==="g"?qe(r,i===""?6:Number(i)||1):a==="e"?lh(r,Number(i)):a==="f"?jo(r,Number(i)):String(r)})}function oe(o,e=!0){return o==null?"None":o===!0?"True":o===
+oe(r):a==="g"?je(r,i===""?6:Number(i)||1):a==="e"?lh(r,Number(i)):a==="f"?qo(r,Number(i)):String(r)})}function oe(o,e=!0){return o==null?"None":o===!0?"True":o===
 !1?"False":typeof o=="number"?e?Ne(o):fa(o):typeof o=="string"?da(o):Array.isArray(o)?`[${o.map(s=>oe(s,e)).join(", ")}]`:`{${Object.entries(o).map(([s,n])=>`${da(
 s)}: ${oe(n,e)}`).join(", ")}}`}function fa(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Ne(o)}function St(o){return typeof o=="number"?fa(o):
 typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${zs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(St).join(", ")}]`:o&&typeof o=="obj\
@@ -2462,11 +2458,12 @@ outer:a})),n.values}function Fo(o,e,t,s,n,i){if(!ne(o))return C(n,s,o,"table"),n
 R("missing",{path:`${n.above}${s}.${e}`})),null;if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:oe(a,n.float(`${s}.${e}`)),l=Object.
 keys(t).map(m=>`'${m}'`),h=`${l.slice(0,-1).join(", ")} or ${l.at(-1)}`,c=R("literal_error",{expected:h}),u={path:`${n.above}${s}.${e}`,shown:Rs(oe(r)),allowed:c};
 return n.said.push(R("finding",u)),null}function Mt(o){let e=o.length-1;return e?R(e===1?"other_problem":"other_problems",{first:o[0].replace(/\.$/,""),count:e}):
-o[0]}var{codes:ph,families:fh,hops:gh,rolls:wh,other:bh}=S.classes,{sequence:yh}=S.words,xa="sequence";function vh(o){let e=-1;for(let t of o){e^=t.charCodeAt(0);for(let s=0;s<
-8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function _a(o,e){if(e!==xa)return ph[e]?.[o]??bh;let t=[...o].find(u=>"SKM".includes(u))??"R",s=o.endsWith("H")?gh:
-fh[t+o.slice(-1)]??wh,n=[1,3,5].map(u=>Number.parseInt(s.slice(u,u+2),16)/255),i=(n[0]+n[1]+n[2])/3,a=Math.min(o.length-1,9)/9,r=vh(o)%1e3/1e3,l=.62-.62*Math.min(
-2*a,1),h=Math.max(2*a-1,0)*.5;return`#${n.map(u=>{let m=(1-.2*r)*u+.2*r*i,p=Math.min(Math.max((m+(1-m)*l)*(1-h),0),1);return Math.round(255*p).toString(16).padStart(
-2,"0")}).join("")}`}function Ta(o,e){return e!==xa?o.replaceAll("_"," "):[...o].map(t=>yh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:c,rolling_resistance:u,mu_static:m,
+o[0]}var{codes:ph,families:fh,massless:gh,hops:wh,rolls:bh,other:yh}=S.classes,{sequence:vh}=S.words,xa="sequence";function kh(o){let e=-1;for(let t of o){e^=t.charCodeAt(
+0);for(let s=0;s<8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function _a(o,e){if(e!==xa)return ph[e]?.[o]??yh;let t=[...o].find(p=>"SK".includes(p))??"R",s=[o.
+startsWith("R")&&"rolls",/[SK]/.test(o)&&"slips"].filter(Boolean).join(", "),n=o.endsWith("H")?wh:fh[t+o.slice(-1)]??bh,i=o.includes("M")?gh[s]:n,a=[1,3,5].map(
+p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(o.length-1,9)/9,h=kh(o)%1e3/1e3,c=.62-.62*Math.min(2*l,1),u=Math.max(2*l-1,0)*.5;return`\
+#${a.map(p=>{let w=(1-.2*h)*p+.2*h*r,b=Math.min(Math.max((w+(1-w)*c)*(1-u),0),1);return Math.round(255*b).toString(16).padStart(2,"0")}).join("")}`}function Ta(o,e){
+return e!==xa?o.replaceAll("_"," "):[...o].map(t=>vh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:c,rolling_resistance:u,mu_static:m,
 mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Qe(s,i),{max_events:Q,model:$s,...It}=n;return{radius:i,mass:a,
 eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:c,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:w,impact_law:b,painleve:g,
 x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:$s==="rigid"?null:It}}function Qe({x:o,height:e,angle:t,speed:s,
@@ -2477,82 +2474,82 @@ art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Ko=o=>e=>!o.
 ...t.keys()],i=Et(n);if(i){let[l,h]=i,[c,u]=i.map(m=>new Le(oe(t.get(m),!1)));throw new A(R("two_ways",{one:l,other:h,one_value:c,other_value:u}))}let a=new Set,
 r=Ko(n);for(let l of n.sort((h,c)=>Ea(h)-Ea(c))){let h=structuredClone(t.get(l)),[c,u]=Bo(l);if(u==="")$o(e,c,h);else if(l==="contact.model")e.contact={model:h};else{
 Object.hasOwn(e,c)||$o(e,c,{});let m=e[c];if(!ne(m))throw new A(R("no_section_parts",{path:l,section:c}));if(!a.has(c)&&Wo(l).some(p=>Object.hasOwn(m,p))){a.add(
-c);let p=kh(o,l,()=>s(e.hoop,r));for(let[w,b]of Object.entries(p))t.has(`${c}.${w}`)||(m[w]=b)}for(let p of Wo(l))delete m[p];xh(m,u.split("."),h,l)}}return e}function $o(o,e,t){
-Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function kh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
+c);let p=xh(o,l,()=>s(e.hoop,r));for(let[w,b]of Object.entries(p))t.has(`${c}.${w}`)||(m[w]=b)}for(let p of Wo(l))delete m[p];_h(m,u.split("."),h,l)}}return e}function $o(o,e,t){
+Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function xh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
 if(s==="hoop.eccentricity"||s==="hoop.inertia_ratio")return{mass:i,eccentricity:a,inertia_ratio:r};if(s==="hoop.load_fraction")return{mass:i};if(s==="plane.mu_s\
 tatic"||s==="plane.mu_kinetic"){let l=h=>h===1/0?"inf":h;return{mu_static:l(e.mu_static),mu_kinetic:l(e.mu_kinetic)}}if(s.startsWith("start.")&&s!=="start.speed"){
-let{height:l,vx:h,vy:c,omega:u}=Qe(t,n().radius);return{height:l,vx:h,vy:c,omega:u}}return{}}function xh(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
+let{height:l,vx:h,vy:c,omega:u}=Qe(t,n().radius);return{height:l,vx:h,vy:c,omega:u}}return{}}function _h(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
 step:l})),r=l=>Array.isArray(n)&&/^\d+$/.test(l)&&Number(l)<n.length;for(let l of e)if(r(l))n=n[Number(l)];else if(ne(n)&&Object.hasOwn(n,l))n=n[l];else throw a(
-l);if(ne(n))$o(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var _h=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>_h)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
+l);if(ne(n))$o(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var Th=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>Th)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),h=t;for(let c of r)if(h.has(c)||h.set(c,new Map),h=h.get(c),!(h instanceof
 Map))throw new A(R("beside_a_value",{path:i,above:i.slice(0,i.lastIndexOf("."))}));if(h.has(l))throw new A(R("given_twice",{path:i}));h.set(l,ya(a)??a)}let s=t.
-get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",Th(n)),Go(t)}function Th(o){let e=Array.from({length:o.size},(s,n)=>String(
+get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",Sh(n)),Go(t)}function Sh(o){let e=Array.from({length:o.size},(s,n)=>String(
 n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_order",{name:s}));return e.map(s=>o.get(s))}function Go(o){return Array.isArray(
-o)?o.map(Go):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Go(t)])):o}function za(o){return Ra(o,"").map(([e,t])=>`${e}=${Sh(e,t)}`).join("&")}function Ra(o,e){
-return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>Ra(s,e?`${e}.${t}`:t))}function Sh(o,e){return Ps(o,e).replace("e+","e").replace(
-/\.0$/,"")}function Ps(o,e){return typeof e=="string"?e:Mh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Mh=new Set(Object.values(S.scenario.models).flatMap(
-({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=S,Eh=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],Ah=["height","vx","vy","omega"],je=class extends Error{};function L(o,e){
-throw new je(R(o,e))}function Is(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Vo({values:o,given:e},t){let s={...o},n=Eh.filter(
-c=>e.has(c)&&o[c]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Is("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,zh(s.radius,s.parts,
+o)?o.map(Go):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Go(t)])):o}function za(o){return Ra(o,"").map(([e,t])=>`${e}=${Mh(e,t)}`).join("&")}function Ra(o,e){
+return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>Ra(s,e?`${e}.${t}`:t))}function Mh(o,e){return Ps(o,e).replace("e+","e").replace(
+/\.0$/,"")}function Ps(o,e){return typeof e=="string"?e:Eh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Eh=new Set(Object.values(S.scenario.models).flatMap(
+({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=S,Ah=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],zh=["height","vx","vy","omega"],qe=class extends Error{};function L(o,e){
+throw new qe(R(o,e))}function Is(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Vo({values:o,given:e},t){let s={...o},n=Ah.filter(
+c=>e.has(c)&&o[c]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Is("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,Rh(s.radius,s.parts,
 t))):s.load_fraction!==null||!n.length?(Is("hoop","load_fraction",n),s.load_fraction??=et.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
 s.inertia_ratio=t.ideal(s.load_fraction)):n.length===1&&L("half_a_hoop",{missing:n[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:n[0]});let{mass:i,inertia_ratio:a,
 load_fraction:r,eccentricity:l}=s,h=et.ranges;if(Xe(h["hoop.mass"],i)||L("hoop_mass",{mass:i,words:h["hoop.mass"].words}),!Xe(h["hoop.inertia_ratio"],a)){let{words:c}=h["\
 hoop.inertia_ratio"];L(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:c})}return a===0&&l!==1&&L("massless_eccentricity",{eccentricity:l}),
-s}function zh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+et.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
+s}function Rh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+et.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
 radius:o}),n}function Ia({values:o,given:e}){let t={...o};t.apart=Pa.some(r=>e.has(r)),t.mu!==null?(Is("plane","mu",Pa.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:n,slope:i}=t;n>s&&L("kinetic_above_static",{mu_kinetic:n,mu_static:s}),Math.abs(
 i)<.5*Math.PI||L("vertical",{slope:i});let a=et.ranges["plane.slope"];return Xe(a,i)||L("slope",{slope:i,words:a.words}),t}function La({values:o,given:e}){let t={
-...o};return t.speed!==null?(Is("start","speed",Ah.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function Na({values:o}){let e=o;
-return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&L("together",{section:"contact",other:"restitution",way:"damping"}),e}function qa(o,e,t){let{
+...o};return t.speed!==null?(Is("start","speed",zh.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function Na({values:o}){let e=o;
+return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&L("together",{section:"contact",other:"restitution",way:"damping"}),e}function ja(o,e,t){let{
 hoop:s,plane:n,contact:i}=o,a=s.inertia_ratio===0,r=i.model==="compliant";a&&n.slope!==0&&L("massless_slope",{slope:n.slope});let l=n.rolling_resistance;l!==0&&
 a&&L("massless_resistance",{given:l});let h=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);h!==void 0&&!(l<h)&&L("resistance",{given:l,most:h}),a&&
-r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Rh(i,e.compliance(t(o)))}function Rh(o,e){for(let[n,{of:i,...a}]of Object.
+r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Ph(i,e.compliance(t(o)))}function Ph(o,e){for(let[n,{of:i,...a}]of Object.
 entries(et.relative)){let r=o[n];if(r===null)continue;let l=e[n];Xe(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
-s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=S,Ph={rigid:"Rigid",compliant:"Compliant"};function Jo(o,e,t=Se()){let s=Yo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Yo(o,e,t){let{
+s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=S,Ih={rigid:"Rigid",compliant:"Compliant"};function Jo(o,e,t=Se()){let s=Yo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Yo(o,e,t){let{
 fields:s,place:n}=we.models.Scenario;if(!ne(o))return C(t,"",o,"table"),null;let i=Object.keys(o).find(r=>!Object.hasOwn(s,r));if(i!==void 0)return t.said.push(
 Oo(n,i,Object.keys(s))),null;let a=Object.fromEntries(Object.keys(s).map(r=>{let l=Object.hasOwn(o,r)?o[r]:we.default[r];return[r,Ca(r,l,e,t)]}));return t.said.
 length?null:Oa(t,()=>Zo(a,e))}function Ca(o,e,t,s){if(o==="hoop")return At("Hoop",e,o,s,i=>Vo(i,t));if(o==="plane")return At("Plane",e,o,s,Ia);if(o==="start")return At(
-"Start",e,o,s,La);if(o!=="contact")return Do(we.models.Scenario.fields[o],e,o,s);let n=Fo(e,"model",Ph,o,s,"rigid");return n&&At(n,e,o,s,Na)}function Zo(o,e){return qa(
-o,e,J),o}function At(o,e,t,s,n){let i=Co(o,e,t,s);return i&&Oa(s,()=>n(i))}function Oa(o,e){try{return e()}catch(t){if(!(t instanceof je))throw t;return o.said.
+"Start",e,o,s,La);if(o!=="contact")return Do(we.models.Scenario.fields[o],e,o,s);let n=Fo(e,"model",Ih,o,s,"rigid");return n&&At(n,e,o,s,Na)}function Zo(o,e){return ja(
+o,e,J),o}function At(o,e,t,s,n){let i=Co(o,e,t,s);return i&&Oa(s,()=>n(i))}function Oa(o,e){try{return e()}catch(t){if(!(t instanceof qe))throw t;return o.said.
 push(t.message),null}}function Xo(o,e){return Jo(Aa(o),e,Se(()=>!0))}function Ls(o,e,t){let s=Uo(o,be(o),e,(n,i)=>Da(n,t,i));return Jo(s,t,Se(Ko([...e.keys()])))}
 function Ns(o,e,t){let s=Se();try{let n=Uo(o,be(o),e,(r,l)=>Da(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ca(r,n[r],t,s)]);return s.
 said.length?null:Object.fromEntries(a)}catch(n){if(n instanceof A)return null;throw n}}function Da(o,e,t){let s=Se(t),n=At("Hoop",o,"hoop",s,i=>Vo(i,e));if(!n)throw new A(
-Mt(s.said));return n}var Ih=o=>o===1/0?"inf":o,zt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Ih(o[t])])),Qo=o=>Object.keys(we.models[o].fields);
-function be({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Lh(e),plane:Nh(t),start:qh(s),contact:zt(n,Qo(n.model==="rigid"?"Rigid":"Compl\
-iant"))}}function Lh(o){if(o.parts){let t=o.parts.map(s=>zt(s,Qo(we.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return zt(o,["radius","mass",...e])}function Nh(o){let e=o.apart?["mu"]:["mu_static","mu_kinetic"];return o.rolling_resistance===
+Mt(s.said));return n}var Lh=o=>o===1/0?"inf":o,zt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Lh(o[t])])),Qo=o=>Object.keys(we.models[o].fields);
+function be({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Nh(e),plane:jh(t),start:qh(s),contact:zt(n,Qo(n.model==="rigid"?"Rigid":"Compl\
+iant"))}}function Nh(o){if(o.parts){let t=o.parts.map(s=>zt(s,Qo(we.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return zt(o,["radius","mass",...e])}function jh(o){let e=o.apart?["mu"]:["mu_static","mu_kinetic"];return o.rolling_resistance===
 0&&e.push("rolling_resistance"),zt(o,Qo("Plane").filter(t=>!e.includes(t)))}function qh(o){return zt(o,o.speed===null?["x","height","angle","vx","vy","omega"]:[
 "x","angle","speed"])}function en(o,e){let{Hoop:t,Start:s}=we.models;if(o==="hoop"){let{radius:n,mass:i,eccentricity:a}=t.fields;return{radius:n.default,mass:i.
-default,load_fraction:a.default}}return o==="plane"?we.default.plane:o==="start"?{...ja(s),speed:void 0}:ja(we.models[e==="compliant"?"Compliant":"Rigid"])}var ja=({
+default,load_fraction:a.default}}return o==="plane"?we.default.plane:o==="start"?{...qa(s),speed:void 0}:qa(we.models[e==="compliant"?"Compliant":"Rigid"])}var qa=({
 fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function tn(o){let e={};for(let[t,s]of Object.entries(be(o))){let n=we.default[t];
 if(Rt(s,n))continue;if(!ne(s)){e[t]=s;continue}let i=en(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="model"||!Rt(i[r],l));e[t]=a.length?Object.fromEntries(
 a):s}return za(e)}function Rt(o,e){if(o===e)return!0;if(o===null||e===null||typeof o!="object"||typeof e!="object")return!1;let t=Object.keys(o);return t.length===
-Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:jh,limits:tt}=S,Me=(o,e={})=>P(jh[o],e);function qs({scenario:o,query:e=null,changes:t=[]},s){let n=Se(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
-table"):o!==void 0&&(i=Yo(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&C(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!Ch(r)).
-map(Oh)):C(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Xo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Ls(
-i,a,s),a=new Map),a.set(r,l);return a.size?Ls(i,a,s):i}var Ch=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Oh=o=>Me("not_a_pair",{change:new Le(St(o).
+Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:Ch,limits:tt}=S,Me=(o,e={})=>P(Ch[o],e);function js({scenario:o,query:e=null,changes:t=[]},s){let n=Se(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
+table"):o!==void 0&&(i=Yo(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&C(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!Oh(r)).
+map(Dh)):C(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Xo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Ls(
+i,a,s),a=new Map),a.set(r,l);return a.size?Ls(i,a,s):i}var Oh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Dh=o=>Me("not_a_pair",{change:new Le(St(o).
 slice(0,60))});function Ce(o){let{duration:e,hoop:t,contact:s}=o;if(e>tt.duration)throw new Te(Me("too_long",{duration:e,most:tt.duration}));let n=t.parts?.length??
-0;if(n>tt.parts)throw new Te(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Dh=8,{cell:sn,laws:Fh,events:Wh,quantities:js}=S.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ho(
+0;if(n>tt.parts)throw new Te(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Fh=8,{cell:sn,laws:Wh,events:$h,quantities:qs}=S.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ho(
 e.path),Ho(t.path),e.path===t.path)throw new A(Me("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new Te(Me("too_many_cells",{cells:s,
 most:S.limits.cells}));if(o.contact.model!=="rigid")throw new A(Me("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Me("two_axes",{one:n[0],other:n[1]}));
-let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,Wh)}}}async function nn(o,{x:e,y:t},s,n){let i=Fa(e),a=Fa(t),r=$h(o,e.path,
-t.path)?Bh(o,{x:e,y:t},[i,a],s):(m,p)=>{let w=new Map([[t.path,a[p]],[e.path,i[m]]]);return Ns(o,w,s)},l=i.length*a.length,h=new Float64Array(sn.length*l),c={...o},
-u=performance.now();for(let m=0;m<a.length;m++){performance.now()-u>Dh&&(await new Promise(p=>setTimeout(p)),n?.throwIfAborted(),u=performance.now());for(let p=0;p<
-i.length;p++){let w=r(p,m),b=w&&Kh(Object.assign(c,w),s);if(!b)continue;let g=m*i.length+p;for(let f=0;f<sn.length;f++)h[f*l+g]=Hh[f](b)}}return{count:l,rows:h}}
-function $h({start:o},e,t){let s=[e,t].map(i=>i.split(".")[0]);if(s[0]===s[1])return!1;let n=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.
-includes("hoop")&&n&&o.speed!==null)}function Bh(o,{x:e,y:t},[s,n],i){let a=s.map(l=>Ns(o,new Map([[e.path,l]]),i)),r=n.map(l=>Ns(o,new Map([[t.path,l]]),i));return(l,h)=>a[l]&&
-r[h]&&{...a[l],...r[h]}}var Hh=sn.map(o=>o==="law"?({impact_law:e})=>Fh[e]:o==="strike"?({painleve:e})=>+(e==="impact"):o==="allowed"?()=>1:e=>Number(e[o]));function Kh(o,e){
-try{return J(Zo(o,e))}catch(t){if(!(t instanceof je))throw t;return null}}function an(o){if(Object.hasOwn(js,o))return js[o].span;throw new A(`what = ${o} must \
-be one of ${Object.keys(js).join(", ")}.`)}function rn({x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=js[t],{values:r,names:l}=Uh(s,i===""?a:null),h=i===""?l.map(
-c=>({name:c,text:Ta(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Uh({values:o,sequences:e},t){
+let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,$h)}}}async function nn(o,{x:e,y:t},s,n){let i=Fa(e),a=Fa(t),r=Bh(o,e.path,
+t.path)?Hh(o,{x:e,y:t},[i,a],s):(m,p)=>{let w=new Map([[t.path,a[p]],[e.path,i[m]]]);return Ns(o,w,s)},l=i.length*a.length,h=new Float64Array(sn.length*l),c={...o},
+u=performance.now();for(let m=0;m<a.length;m++){performance.now()-u>Fh&&(await new Promise(p=>setTimeout(p)),n?.throwIfAborted(),u=performance.now());for(let p=0;p<
+i.length;p++){let w=r(p,m),b=w&&Uh(Object.assign(c,w),s);if(!b)continue;let g=m*i.length+p;for(let f=0;f<sn.length;f++)h[f*l+g]=Kh[f](b)}}return{count:l,rows:h}}
+function Bh({start:o},e,t){let s=[e,t].map(i=>i.split(".")[0]);if(s[0]===s[1])return!1;let n=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.
+includes("hoop")&&n&&o.speed!==null)}function Hh(o,{x:e,y:t},[s,n],i){let a=s.map(l=>Ns(o,new Map([[e.path,l]]),i)),r=n.map(l=>Ns(o,new Map([[t.path,l]]),i));return(l,h)=>a[l]&&
+r[h]&&{...a[l],...r[h]}}var Kh=sn.map(o=>o==="law"?({impact_law:e})=>Wh[e]:o==="strike"?({painleve:e})=>+(e==="impact"):o==="allowed"?()=>1:e=>Number(e[o]));function Uh(o,e){
+try{return J(Zo(o,e))}catch(t){if(!(t instanceof qe))throw t;return null}}function an(o){if(Object.hasOwn(qs,o))return qs[o].span;throw new A(`what = ${o} must \
+be one of ${Object.keys(qs).join(", ")}.`)}function rn({x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=qs[t],{values:r,names:l}=Gh(s,i===""?a:null),h=i===""?l.map(
+c=>({name:c,text:Ta(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Gh({values:o,sequences:e},t){
 if(!t)return{values:o,names:[]};let s=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,n=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(o,a=>a>=
-0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Os}=S,Gh=30;function Wa(o,e){for(let t of Os.sections[o]??["Scenario"]){let s=Os.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):Ps(o,e)}function $a(o,e,t){let s=`${o} = ${Ba(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Gh)} # ${t}`}function Ds(o){
+0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Os}=S,Vh=30;function Wa(o,e){for(let t of Os.sections[o]??["Scenario"]){let s=Os.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):Ps(o,e)}function $a(o,e,t){let s=`${o} = ${Ba(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Vh)} # ${t}`}function Ds(o){
 let{duration:e,...t}=be(o),s=[$a("duration",e,Wa("","duration"))];for(let[n,i]of Object.entries(t)){s.push("",`[${n}]`);for(let[a,r]of Object.entries(i))if(!Array.
 isArray(r))s.push($a(a,r,Wa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h=Object.entries(l).map(([c,u])=>`${c} = ${Ba(c,u)}`);s.push(`  { ${h.join(", ")}\
  },`)}s.push("]")}}return`${s.join(`
 `)}
-`}var Vh={hoop:"Hoop",plane:"Plane",start:"Start"},Jh=["load_fraction","mu"];function ln(o){let e=be(o),t=Rt(e.contact,Os.default.contact)?"":`    contact=${Cs(
+`}var Jh={hoop:"Hoop",plane:"Plane",start:"Start"},Yh=["load_fraction","mu"];function ln(o){let e=be(o),t=Rt(e.contact,Os.default.contact)?"":`    contact=${Cs(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
@@ -2565,65 +2562,65 @@ isArray(r))s.push($a(a,r,Wa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h
 `,`print(motion.sequence, motion.status)
 `,`for event in motion.events:
 `,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":Vh[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:en(
-o,t.model),a=Object.entries(t).filter(([r,l])=>Jh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${hn(r,l)}`);return e&&a.push(`parts=[${e.map(Yh).join(", ")}]`),`hh\
-.${n}(${a.join(", ")})`}function Yh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${hn(s,n)}`);return`hh.${Os.parts[o]}(${t.join(", ")})`}function hn(o,e){
-return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Ps(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Zh,statuses:Xh,story:Oe,summary:st}=S.words,Qh=["turn","apex","end"],ec=400,[,cn,Ha,tc,sc]=dn,oc="⁰¹²³⁴⁵⁶⁷⁸⁹";
+`].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":Jh[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:en(
+o,t.model),a=Object.entries(t).filter(([r,l])=>Yh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${hn(r,l)}`);return e&&a.push(`parts=[${e.map(Zh).join(", ")}]`),`hh\
+.${n}(${a.join(", ")})`}function Zh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${hn(s,n)}`);return`hh.${Os.parts[o]}(${t.join(", ")})`}function hn(o,e){
+return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Ps(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Xh,statuses:Qh,story:Oe,summary:st}=S.words,ec=["turn","apex","end"],tc=400,[,cn,Ha,sc,oc]=dn,nc="⁰¹²³⁴⁵⁶⁷⁸⁹";
 function Ua(o,e){let{omega:t,to:s}=o[e];return t===0&&(s==="S"||s==="K")&&e+1<o.length}var mn=o=>[...o.keys()].filter(e=>Ua(o,e)),pn=(o,e)=>.5*(o[e].t+o[e+1].t);
-function fn(o,e=ec){let t=[],s=0,n=Va(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?ic(o,i,a):P(Oe.more_bounces,
+function fn(o,e=tc){let t=[],s=0,n=Va(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?ac(o,i,a):P(Oe.more_bounces,
 {count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:Ka[dn.indexOf(Fs(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Oe.left_out,
 {count:s})}),t}var Ga=o=>o.kind==="impact"&&o.to==="H"&&o.collision!==!1;function Va(o,e=3,t=6){let s=new Map,n=[];for(let i=0;i<=o.length;i++){let a=o[i];if(a&&
 (Ga(a)||n.length&&a.kind==="apex")){n.push(i);continue}let r=n.filter(l=>o[l].kind==="impact");if(r.length>=t){for(let l of n.slice(n.indexOf(r[e])))s.set(l,0);
 s.set(r[e],r.length-e)}n=[]}return s}function gn(o,e=6){let t=[],s=0,n=Va(o.events,1);for(let[l,h]of o.events.entries()){let c=n.get(l);if(c!==void 0){c&&t.push(
-P(st.more_bounces,{count:c}));continue}if(h.kind==="start"||!t.length){t.push(un[Fs(o,l)]);continue}let u=nc(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Fe(
-h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Xh[o.
-status]};return P(st.sentence,r).trim()}function nc(o,e,t){return t.collision===!1?st.without_collision:Ga(t)?st.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||Ja(t)?un[Fs(o,e)]:Qh.includes(t.kind)?"":Zh[t.kind]}function ic(o,e,t){let s=Fs(o,e),n={where:Fe(t.angle),verb:un[s],kind:t.kind.replaceAll("_"," ")},i=ac(
-o.events,e,s,n);return P(Oe[i]??Oe.other,n)}function ac(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=De(n.vx),s.started=P(t===tc?Oe.started_flight:
-t===sc?Oe.started_skim:Oe.started,s)),i==="slip_start"&&t===cn?"slip_start_spin":i==="takeoff"?rc(o,e,s):i==="impact"?(s.speed=De(n.before.vy===null?null:Math.abs(
+P(st.more_bounces,{count:c}));continue}if(h.kind==="start"||!t.length){t.push(un[Fs(o,l)]);continue}let u=ic(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Fe(
+h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Qh[o.
+status]};return P(st.sentence,r).trim()}function ic(o,e,t){return t.collision===!1?st.without_collision:Ga(t)?st.bounces:["slip_start","slip_reversal"].includes(
+t.kind)||Ja(t)?un[Fs(o,e)]:ec.includes(t.kind)?"":Xh[t.kind]}function ac(o,e,t){let s=Fs(o,e),n={where:Fe(t.angle),verb:un[s],kind:t.kind.replaceAll("_"," ")},i=rc(
+o.events,e,s,n);return P(Oe[i]??Oe.other,n)}function rc(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=De(n.vx),s.started=P(t===sc?Oe.started_flight:
+t===oc?Oe.started_skim:Oe.started,s)),i==="slip_start"&&t===cn?"slip_start_spin":i==="takeoff"?lc(o,e,s):i==="impact"?(s.speed=De(n.before.vy===null?null:Math.abs(
 n.before.vy)),n.collision===!1?"impact_without_collision":n.to==="H"?"impact_bounce":i):i==="turn"&&Ja(n)?"turn_in_slip":(i==="apex"&&(s.gap=Ya(n.height)),i==="\
-kane_gain"&&(s.gain=De(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function rc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
+kane_gain"&&(s.gain=De(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function lc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
 height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t;a++)n=Math.max(n,o[a].height);if(!n)break;return t.top=Ya(n),t.time=De(o[i].t-s),
-"takeoff_and_landing"}return"takeoff"}function Fs(o,e){let t=o.events[e];return lc(t.to,Ua(o.events,e)?o.omega(e):t.omega)}function lc(o,e){return o==="S"?e>0?cn:
-Ha:o==="K"?e<0?cn:Ha:dn[Ka.indexOf(o)]}var Ja=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Fe=o=>`${jo(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ya(o){
-return o>=.995?`${De(o)} m`:o>=.00995?`${De(o*100)} cm`:`${De(o*1e3)} mm`}function De(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=qe(o,3).split("e"),s=t===
-void 0?"":`·10${hc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var hc=o=>[...String(o)].map(e=>e==="-"?"⁻":oc[Number(e)]).join("");var Za=2e3,cc=o=>o===1/0?"inf":o;function Ws(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:be(
+"takeoff_and_landing"}return"takeoff"}function Fs(o,e){let t=o.events[e];return hc(t.to,Ua(o.events,e)?o.omega(e):t.omega)}function hc(o,e){return o==="S"?e>0?cn:
+Ha:o==="K"?e<0?cn:Ha:dn[Ka.indexOf(o)]}var Ja=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Fe=o=>`${qo(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ya(o){
+return o>=.995?`${De(o)} m`:o>=.00995?`${De(o*100)} cm`:`${De(o*1e3)} mm`}function De(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=je(o,3).split("e"),s=t===
+void 0?"":`·10${cc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var cc=o=>[...String(o)].map(e=>e==="-"?"⁻":nc[Number(e)]).join("");var Za=2e3,dc=o=>o===1/0?"inf":o;function Ws(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:be(
 o),status:e,sequence:t,events:s,final:n,energy:i}}function wn(o,e,t,s){let n={events:e.events,status:e.status,omega:t};return{...Ws(o,e),events:e.events.slice(0,
-Za),query:tn(o),duration:e.duration,values:dc(o),automatic:uc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:S.words.statuses[e.status],
-shortened:e.events.length>Za}}function dc(o){let{speed:e}=o.start,t={...o,start:{...Qe(o.start,o.hoop.radius),speed:e}},s=n=>{let[i,a]=n.split(".");return cc(t[i][a])};
-return Object.fromEntries(S.shown.map(n=>[n,s(n)]))}function uc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
-J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:mc,variables:bn}=S.table,{letters:pc}=S.words,yn=(o,e)=>JSON.stringify(Ws(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*mc)+1,2),S.limits.
+Za),query:tn(o),duration:e.duration,values:uc(o),automatic:mc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:S.words.statuses[e.status],
+shortened:e.events.length>Za}}function uc(o){let{speed:e}=o.start,t={...o,start:{...Qe(o.start,o.hoop.radius),speed:e}},s=n=>{let[i,a]=n.split(".");return dc(t[i][a])};
+return Object.fromEntries(S.shown.map(n=>[n,s(n)]))}function mc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
+J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:pc,variables:bn}=S.table,{letters:fc}=S.words,yn=(o,e)=>JSON.stringify(Ws(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*pc)+1,2),S.limits.
 samples),t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function kn(o,e){let t=Object.keys(bn),s=t.map(l=>bn[l]==="1"?l:`${l} [${bn[l]}]`),
-{kinetic:n,potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let c=t.map(u=>u==="mode"?pc[a.
+{kinetic:n,potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let c=t.map(u=>u==="mode"?fc[a.
 mode[l]]:Ne(a[u][l]));r.push([Ne(h),...c].join(","))}return`${r.join(`\r
 `)}\r
 `}var{theory:O}=S.words;function _n({hoop:o,plane:e},t){let s=[],n=(r,l,h,c)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:c(l)})},
-i=()=>n("painleve",t.painleve_friction,"1",r=>gc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
+i=()=>n("painleve",t.painleve_friction,"1",r=>wc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
 O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:Fe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:c,
 any_speed:u}=O;n("first_slip",t.first_slip_speed,"m/s",m=>xn(m,r,c)),n("first_hop",t.first_hop_speed,"m/s",m=>xn(m,l,c)),n("immediate_hop",t.immediate_hop_speed,
-"m/s",m=>xn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>fc(r,e)),i();
+"m/s",m=>xn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>gc(r,e)),i();
 let a=t.jam_angles.map(Fe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
-O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:qe(o,4)}):O.no_speed}function fc(o,{
-mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:qe(o,3)}):O.no_friction}function gc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var bc=360,yc=240,vc=[0,2*Math.PI,-12,12],Tn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},kc=["mot\
+O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:je(o,4)}):O.no_speed}function gc(o,{
+mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:je(o,3)}):O.no_friction}function wc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:je(o,3),where:Fe(e)})}var yc=360,vc=240,kc=[0,2*Math.PI,-12,12],Tn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},xc=["mot\
 ion.nc","motion.mp4","motion.gif"],Pt=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
-s!==null,this.files=[...Object.keys(Tn),...n?kc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=qs(t,this.mechanics);
+s!==null,this.files=[...Object.keys(Tn),...n?xc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=js(t,this.mechanics);
 if(e==="film")return this.film(n,s);if(e==="samples"){let i=J(Ce(n));return{header:{window:t.window},arrays:await this.kernel.columns(i,s,t.window)}}if(e==="cod\
 e")return{header:{python:ln(n),toml:Ds(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:_n(n,i)},arrays:{}}}
-if(e==="regions"){let i=t.window??vc,a=J(n),r=await this.kernel.regions(a,i,bc,yc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
+if(e==="regions"){let i=t.window??kc,a=J(n),r=await this.kernel.regions(a,i,yc,vc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
 `call = '${e}' is not one that the page answers.`)}async film(e,t){let s=J(Ce(e)),{motion:n,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.
 kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:wn(e,n,a,this.mechanics),arrays:i}}async turning(e,{events:t},s){
 let n=mn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>pn(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,
 y:s,what:n="sequence"},i){let a=an(n),r=on(e,{x:t,y:s,what:n}),l=await nn(r,{x:t,y:s},this.mechanics,i);return rn({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){
 if(!(e in Tn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Tn[e]})}async fileText(e,t){
-let s=qs({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);let n=Ce(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return yn(n,a);let r=vn(
+let s=js({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);let n=Ce(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return yn(n,a);let r=vn(
 a.duration);return kn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Sn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
 navigator.serviceWorker?.register(o).catch(()=>{})}async function Qa(o){let e=new is(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new Pt(
-t,t.mechanics,{server:e})}catch{return e}}var xc=new URL("./",import.meta.url);async function _c(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s,n;try{s=await Sn(xc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
+t,t.mechanics,{server:e})}catch{return e}}var _c=new URL("./",import.meta.url);async function Tc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,n;try{s=await Sn(_c,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
 o,s,n,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Gn(location.hash);try{await i.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Jg(o,e,t,s){let n=await Sn(
-e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Je(o,n,i,{panels:s});return await a.open([t]),a}async function Tc({model:o,el:e}){let t=document.
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Yg(o,e,t,s){let n=await Sn(
+e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Je(o,n,i,{panels:s});return await a.open([t]),a}async function Sc({model:o,el:e}){let t=document.
 createElement("div");e.append(t);let s=await Qa(o),n=new Je(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
 n.motions.set([He(o.get("film"))]),n.begin();let i=()=>n.motions.replace(He(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
-n.close()}}var er=document.getElementById("hophoop-lab");er&&_c(er);var Yg={render:Tc};export{Yg as default,Jg as mount};
+n.close()}}var er=document.getElementById("hophoop-lab");er&&Tc(er);var Zg={render:Sc};export{Zg as default,Yg as mount};
