@@ -27,8 +27,16 @@ def mathml(latex: str, display: bool) -> str:
     return str(CONVERTER.convert_with_local_state(latex, displaystyle=display))
 
 
+def unknown(latex: str) -> str | None:
+    """What the converter would print instead of obeying it."""
+    found = re.search(r"\\\\\s*\[[^\]]*\]", latex)
+    return found[0] if found else None
+
+
 def _converted(node: nodes.Element, display: bool) -> str:
     latex = node.astext().strip()
+    if unknown(latex):
+        log.warning("formula %r: %s is not known here", latex, unknown(latex), location=node)
     try:
         return mathml(latex, display)
     except math_core.LatexError as error:

@@ -261,7 +261,7 @@ def test_a_map_stops_and_its_process_stays_and_a_long_motion_stops_too(monkeypat
             computing.limits = replace(HOSTILE, processes=1, patience=0.1)
             with pytest.raises(TooMuch):
                 await computing.run(Job(long, HOSTILE, "packed"), LIGHT)
-            assert await _until_free(computing) < 1.0
+            assert await _until_free(computing) < 2.0
             computing.limits = replace(HOSTILE, processes=1, patience=60.0)
             assert len(await computing.run(film, LIGHT)) > 10_000
         finally:
@@ -300,7 +300,8 @@ def test_each_interrupt_is_answered_once():
 
 @pytest.fixture(scope="module")
 def client():
-    with TestClient(api.create_app(names=["hoop.example.org"]), base_url="http://localhost") as client:
+    limits = replace(USUAL, patience=300.0, queue=300.0)  # others may be at work on this machine
+    with TestClient(api.create_app(limits, names=["hoop.example.org"]), base_url="http://localhost") as client:
         yield client
 
 

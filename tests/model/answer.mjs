@@ -3,7 +3,9 @@
 import { readFileSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { LocalBackend } from "../../web/lab/local_backend.js";
+import { closest } from "../../web/model/close.js";
 import * as model from "../../web/model/index.js";
+import { fill, floatOf, jsonText, plain, pythonText, shortened } from "../../web/model/text.js";
 
 const [script, binary] = process.argv.slice(2);
 const { HoopModule } = await import(script);
@@ -33,6 +35,10 @@ const CALLS = {
     const infinity = ([name, value]) => [name, value === "inf" ? Infinity : value];
     return model.thresholds(checked, Object.fromEntries(Object.entries(known).map(infinity)));
   },
+  numbers: (values) =>
+    values.map((value) => fill("{value!r} {value:g} {value:.3g} {value:.6g} {value:.0e} {value:.2e} {value:.1f} {value:.0f}", { value })),
+  texts: (texts) => texts.map((text) => [pythonText(text), plain(text), shortened(text), jsonText(text), floatOf(text) ?? null]),
+  closest: ({ words, known }) => words.map((word) => closest(word, known) ?? null),
   within(body) {
     return model.toDict(model.within(model.asked(body, mechanics)));
   },

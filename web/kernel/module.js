@@ -258,6 +258,16 @@ export class HoopModule {
   }
 
   /**
+   * @param {number} eccentricity
+   * @param {number} inertiaRatio
+   */
+  resistance(eccentricity, inertiaRatio) {
+    const out = this.memory.room("answers", 8 * layout.thresholds.length);
+    this.call("resistance_limit", eccentricity, inertiaRatio, out);
+    return this.memory.floats(out, 1)[0];
+  }
+
+  /**
    * @param {number} radius
    * @param {WholePart[]} parts
    */

@@ -143,6 +143,7 @@ export class Lab {
     const player = h("div", { class: "player" }, this.stage.element, this.timeline.element, this.transport.element);
     this.sticky = this.hosted ? keepInSight(player, () => this.request()) : null;
     const skip = h("a", { class: "skip button", href: "#hh-player" }, "Skip to the player");
+    if (this.hosted) this.timeline.element.id = "hh-player";
     skip.onclick = (event) => {
       event.preventDefault(); // what stands behind the # of the address is the lab's own
       this.timeline.element.focus();

@@ -74,6 +74,8 @@ export class LocalBackend {
     const { motion, columns } = this.kernel.film
       ? await this.kernel.film(given, signal)
       : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
+    // where the digits of doubles do not decide what happens, Python asks for more
+    if (motion.doubt && this.server) return this.server.call("film", { query: model.toQuery(checked) }, signal);
     const omega = await this.turning(given, motion, signal);
     return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays: columns };
   }

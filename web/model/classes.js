@@ -2,7 +2,7 @@
 
 import { tables } from "./tables.js";
 
-const { codes, families, hops, rolls, other } = tables.classes;
+const { codes, families, massless, hops, rolls, other } = tables.classes;
 const { sequence: letters } = tables.words;
 const SEQUENCE = "sequence";
 
@@ -26,8 +26,10 @@ function checksum(text) {
  */
 export function classColor(name, quantity) {
   if (quantity !== SEQUENCE) return codes[quantity]?.[name] ?? other;
-  const first = [...name].find((letter) => "SKM".includes(letter)) ?? "R";
-  const ink = name.endsWith("H") ? hops : (families[first + name.slice(-1)] ?? rolls);
+  const first = [...name].find((letter) => "SK".includes(letter)) ?? "R";
+  const does = [name.startsWith("R") && "rolls", /[SK]/.test(name) && "slips"].filter(Boolean).join(", ");
+  const contact = name.endsWith("H") ? hops : (families[first + name.slice(-1)] ?? rolls);
+  const ink = name.includes("M") ? massless[does] : contact;
   const base = [1, 3, 5].map((place) => Number.parseInt(ink.slice(place, place + 2), 16) / 255);
   const middle = (base[0] + base[1] + base[2]) / 3;
   const depth = Math.min(name.length - 1, 9) / 9;

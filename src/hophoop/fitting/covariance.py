@@ -117,7 +117,10 @@ def _lasting(values: Floats) -> Lasting:
     kept = np.array(alike[: max(until, 1)])
     whole = float(kept.sum())
     fade = float(np.clip(1.0 - whole / float((np.arange(1, len(kept) + 1) * kept).sum()), 0.05, LONGEST))
-    return Lasting(float(np.clip(whole * (1.0 - fade) / fade, 0.0, 1.0)), fade)
+    share = Lasting(float(np.clip(whole * (1.0 - fade) / fade, 0.0, 1.0)), fade)
+    # where all of it fades, the first lag alone tells how fast; the sum, which ends where chance begins, tells a little less
+    all_of_it = Lasting(1.0, float(np.clip(alike[0], 0.0, LONGEST)))
+    return max(share, all_of_it, key=lambda one: one.frames)
 
 
 def _from_neighbours(channel: Channel, columns: Floats, memory: Lasting) -> Floats:

@@ -190,6 +190,7 @@ async def _reply(request: Request, call: str, body: Any, packed: bool = False) -
     headers = {"ETag": tag, "Cache-Control": "public, max-age=0, must-revalidate", "Vary": "Accept"}
     if tag in _tags(request.headers.get("if-none-match", "")):
         return Response(status_code=304, headers=headers)
+    calls.bounded(asked, limits)
     content = await _computed(request, Job(asked, limits, "packed" if packed else "json"), calls.cost(asked, limits))
     kind = "application/octet-stream" if packed else JSON
     return answered(request, content, kind, headers)

@@ -197,6 +197,25 @@ def read(call: str, body: Any, limits: Limits = USUAL) -> Request:
     return request
 
 
+def bounded(request: Request, limits: Limits = USUAL) -> None:
+    """Refuse what is more than the lab computes, before it waits for anything.
+
+    Parameters
+    ----------
+    request : Request
+    limits : Limits, optional
+
+    Raises
+    ------
+    TooMuch
+        If it is.
+    """
+    if request.call == "map":
+        motion_map.bounded(request.scenario, request.body.x, request.body.y, request.body.what, limits)
+    elif request.call in ("film", "samples", "simulate"):
+        within(request.scenario, limits)
+
+
 def waits_for(request: Request) -> str:
     """What an answer would have to wait for, in a sentence: a map for compiled code, the first time; else empty.
 

@@ -81,15 +81,8 @@ def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) 
     -----
     A cell with a value that no scenario may have is nan.
     """
-    if isinstance(scenario.contact, Compliant):
-        raise InputError(LAB["rigid_maps"])
     words, span = MAP_QUANTITIES[what]
-    inside = {axis.path: _allowed(axis) for axis in (y, x)}
-    base = within(scenario, limits)
-    if isinstance(base.contact, Rigid) and base.contact.max_events > MAP_EVENTS:
-        base = base.replace("contact.max_events", MAP_EVENTS)
-    values = {axis.path: axis.middles()[inside[axis.path]] for axis in (y, x)}
-    _bounded(base, x, y, values, span, limits)
+    base, inside, values = bounded(scenario, x, y, what, limits)
     numbers = np.full((y.cells, x.cells), math.nan)
     names: list[str] = []
     quantity = maps.QUANTITIES[what]
@@ -113,6 +106,44 @@ def motion_map(scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits) 
     if quantity.is_code:
         header["classes"] = [{"name": name, "text": class_text(name, what), "color": class_color(name, what)} for name in names]
     return header, numbers
+
+
+def bounded(
+    scenario: Scenario, x: Axis, y: Axis, what: str, limits: Limits
+) -> tuple[Scenario, dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """What a map is computed from; one that would take too long is refused before anything is computed.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    x, y : Axis
+    what : str
+    limits : Limits
+
+    Returns
+    -------
+    base : Scenario
+        With its events bounded.
+    inside, values : dict of str to ndarray
+        By path: which cells have a value that a scenario may have, and those values.
+
+    Raises
+    ------
+    ValueError
+        If its contact is compliant.
+    TooMuch
+        If it would take too long.
+    """
+    if isinstance(scenario.contact, Compliant):
+        raise InputError(LAB["rigid_maps"])
+    _, span = MAP_QUANTITIES[what]
+    inside = {axis.path: _allowed(axis) for axis in (y, x)}
+    base = within(scenario, limits)
+    if isinstance(base.contact, Rigid) and base.contact.max_events > MAP_EVENTS:
+        base = base.replace("contact.max_events", MAP_EVENTS)
+    values = {axis.path: axis.middles()[inside[axis.path]] for axis in (y, x)}
+    _bounded(base, x, y, values, span, limits)
+    return base, inside, values
 
 
 def _allowed(axis: Axis) -> np.ndarray:

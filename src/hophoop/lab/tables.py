@@ -67,7 +67,13 @@ def tables() -> dict[str, Any]:
             "theory": THEORY,
             "least_speed": LEAST_SPEED,
         },
-        "classes": {"codes": classes.CODES, "families": classes.FAMILIES, "hops": classes.HOPS, "rolls": classes.ROLLS}
+        "classes": {
+            "codes": classes.CODES,
+            "families": classes.FAMILIES,
+            "massless": classes.MASSLESS,
+            "hops": classes.HOPS,
+            "rolls": classes.ROLLS,
+        }
         | {"other": colors.GRAY},
         "map": {
             "cell": CELL,

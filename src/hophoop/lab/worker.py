@@ -7,7 +7,6 @@ interrupt, which ends a map, a film or a file at once and keeps the process; one
 from __future__ import annotations
 
 import contextlib
-import math
 import os
 import pickle
 import signal
@@ -24,6 +23,7 @@ from hophoop._jit.beside import busy
 from hophoop._processes import python_beside
 
 ANSWER, ERROR, FAILED, STOPPED, COMPILING = "answer", "error", "failed", "stopped", "compiling"
+BEGINS = 4.0  # seconds that a process may need until it can report
 REPORT = 0.25  # seconds between two reports that code is compiled
 _IDLE, _COMPUTING, _WRITING, _PREPARING = range(4)
 
@@ -56,12 +56,13 @@ class Worker:
     def __init__(self) -> None:
         # in a session of its own: Ctrl-C is for the server, which ends it, and whatever it has started ends with it
         self._process = python_beside(
-            "from hophoop.lab.worker import main; main()",
+            # an interrupt may come before there is somebody to hear it
+            "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); from hophoop.lab.worker import main; main()",
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             start_new_session=True,
         )
-        self._compiled = -math.inf
+        self._compiled = time.monotonic() + BEGINS
 
     @property
     def compiling(self) -> bool:
@@ -223,6 +224,9 @@ def main() -> None:
     loop = _Loop(inward, outward)
     signal.signal(signal.SIGINT, loop.interrupted)
     threading.Thread(target=loop.report, daemon=True).start()
+    usual = sys.unraisablehook
+    # what is stopped within a callback says so to nobody
+    sys.unraisablehook = lambda found: None if isinstance(found.exc_value, _Stopped) else usual(found)
     _follow_compiler(loop)
     loop.state = _PREPARING  # an interrupt meanwhile is for the first job
     _prepare()

@@ -13,6 +13,7 @@ from hophoop.module.layout import PART, THRESHOLDS
 from hophoop.module.motions import FIELDS
 from hophoop.physics.body import Mode
 from hophoop.physics.mass import AT, FIRST, SECOND, SHAPE, combined, ideal_inertia, part_reach
+from hophoop.physics.resistance import most_resistance
 from hophoop.records.layout import EVENT
 from hophoop.rigid.contact_phase import equilibrium_is_stable
 from hophoop.theory.kernels.arcs import TURN, first_valley
@@ -22,6 +23,8 @@ from hophoop.theory.kernels.painleve import regions as paradox_sides
 from hophoop.theory.kernels.phase_plane import lift_off
 from hophoop.theory.kernels.phase_plane import modes as following_modes
 from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
+
+greatest_resistance = jit(most_resistance)
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
@@ -151,6 +154,12 @@ def map_cells(cells, n, span, stop, timed, wanted, numbers, words, keys):
 def ideal_hoop(load_fraction, out):
     """κ of the ideal hoop."""
     carray(out, (1,))[0] = ideal_inertia(load_fraction)
+
+
+@jit
+def resistance_limit(eccentricity, inertia_ratio, out):
+    """The rolling resistance below which rolling has one answer at every angle."""
+    carray(out, (1,))[0] = greatest_resistance(eccentricity, inertia_ratio)
 
 
 @jit

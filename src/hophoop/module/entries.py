@@ -26,6 +26,7 @@ ENTRIES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "thresholds": (answers.thresholds, (FLOATS, NUMBER, FLOATS)),
     "regions": (answers.regions, (FLOATS, NUMBER, NUMBER, NUMBER, NUMBER, COUNT, COUNT, BYTES, SIGNS)),
     "ideal_hoop": (answers.ideal_hoop, (NUMBER, FLOATS)),
+    "resistance_limit": (answers.resistance_limit, (NUMBER, NUMBER, FLOATS)),
     "hoop_of_parts": (answers.hoop_of_parts, (NUMBER, FLOATS, COUNT, FLOATS, FLOATS)),
     "map_cells": (
         answers.map_cells,

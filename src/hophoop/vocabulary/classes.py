@@ -35,7 +35,7 @@ FAMILIES: Final = {
 }  # fmt: skip
 # Colours of massless motions: by whether they roll before they skim, and whether they slip.
 MASSLESS: Final = {
-    (True, False): colors.YELLOW, (True, True): colors.ORANGE, (False, False): colors.SKY, (False, True): colors.PURPLE,
+    "rolls": colors.YELLOW, "rolls, slips": colors.ORANGE, "": colors.GREEN, "slips": colors.PURPLE,
 }  # fmt: skip
 HOPS: Final = colors.VERMILION
 ROLLS: Final = colors.BLUE
@@ -70,7 +70,8 @@ def class_color(name: str, quantity: str = SEQUENCE) -> str:
         return CODES.get(quantity, {}).get(name, colors.GRAY)
     first = next((letter for letter in name if letter in "SK"), "R")
     if "M" in name:
-        ink = MASSLESS[name.startswith("R"), "S" in name or "K" in name]
+        does = [word for word, there in (("rolls", name.startswith("R")), ("slips", "S" in name or "K" in name)) if there]
+        ink = MASSLESS[", ".join(does)]
     else:
         ink = HOPS if name.endswith("H") else FAMILIES.get(first + name[-1:], ROLLS)
     base = [int(ink[i : i + 2], 16) / 255.0 for i in (1, 3, 5)]

@@ -1,6 +1,8 @@
 """The visit, the challenges and what a class needs: every answer and score is that of the computed motion."""
 
 import math
+import os
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -239,3 +241,24 @@ def test_a_class_sees_the_player_alone(visit):
     page.locator(".teach[open] .sheet-table").get_by_role("button", name="1.9").click()
     wait_for(page, "lab.film().values['start.speed'] === 1.9 && lab.film().radius === 0.4")
     assert page.locator(".teach").is_hidden()
+
+
+def test_everyone_can_use_it(visit):
+    axe = os.environ.get("HOPHOOP_AXE", "")
+    if not axe:
+        pytest.skip("HOPHOOP_AXE does not name axe-core's axe.min.js (npm install axe-core)")
+    page = visit("#", color_scheme="dark")
+    opened = {
+        "sketch": "extras.visit.go(1)",
+        "circle": "extras.visit.go(3)",
+        "challenges and table": "(extras.visit.leave(), extras.challenges.open(), extras.table.open(true))",
+        "presentation": "extras.present.turn(true)",
+        "teachers": "(extras.present.turn(false), extras.teach.showModal())",
+    }
+    # evaluated, not put into the page: a policy that allows nothing foreign stays in force
+    page.evaluate(Path(axe).read_text(encoding="utf-8"))
+    for name, action in opened.items():
+        page.evaluate(f"async () => {{ const {{ extras }} = hophoopLab; await {action}; }}")
+        page.wait_for_timeout(300)
+        found = page.evaluate("async () => (await axe.run(document)).violations.map((one) => [one.id, one.nodes[0].html])")
+        assert found == [], name

@@ -42,7 +42,9 @@ def test_another_language_falls_back_to_english(visit):
 
 @pytest.mark.parametrize("code", LOCALES)
 def test_nothing_stays_in_english(visit, code):
-    page = visit(locale=LOCALES[code], reduced_motion="reduce")
+    page = visit(locale=LOCALES[code], reduced_motion="reduce", viewport={"width": 390, "height": 844})
+    # longer words still fit on a phone
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
     assert page.evaluate("document.documentElement.lang") == code
     wait_for(page, "!lab.surrounding && lab.theory.list.children.length > 4")
     page.evaluate(

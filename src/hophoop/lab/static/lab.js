@@ -1,10 +1,10 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 4004126eee9c5f74f9dad12c6d794912 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 214bc3954e9b55f3b0949f832f7251f9 */
 function ue(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var An=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ue(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ue(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ue(o).map(n=>Math.round(n+(255-n)*s).toString(
-16).padStart(2,"0")).join("")}`;return t}var Lt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function sr(){let o=[];
-for(let e=0;e<256;e++){let t=e/255*(Lt.length-1),s=Math.min(Math.floor(t),Lt.length-2),n=ue(Lt[s]),i=ue(Lt[s+1]);o.push(n.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
-return o}var We=sr(),Nt=We.map(o=>`rgb(${o.join(",")})`),or=["#123a8c","#8a6d00"],ie=(o,e)=>it(or[o],e);var zn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
+16).padStart(2,"0")).join("")}`;return t}var Nt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function sr(){let o=[];
+for(let e=0;e<256;e++){let t=e/255*(Nt.length-1),s=Math.min(Math.floor(t),Nt.length-2),n=ue(Nt[s]),i=ue(Nt[s+1]);o.push(n.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
+return o}var We=sr(),qt=We.map(o=>`rgb(${o.join(",")})`),or=["#123a8c","#8a6d00"],ie=(o,e)=>it(or[o],e);var zn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
 spins:"dreht durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {ang\
 le} durch","skids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {\
 angle}":"hüpft bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"glei\
@@ -127,53 +127,52 @@ r":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, 
 N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diag\
 ramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to \
 go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zo\
-oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","A violet, B green; \
-the dashes tell the quantities; numbers of {hoop}; {hands}":"A violett, B grün; die Strichelung zeigt die Größe; Zahlen von {hoop}; {hands}","{name} from {lo\
-w} to {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}\
-]":"{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem \
-Rand","height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindi\
-gkeit","speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","norm\
-al force":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"po\
-tenzielle Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rollin\
-g, slip and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb\
- einer Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontak\
-t ohne Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger \
-vergrößern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg z\
-oomt das Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte de\
-r Bewegungen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Ein\
-gabe übernimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole \
-map":"Ganze Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","\
-Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung i\
-n den Abspieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werde\
-n berechnet …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, thou\
-gh this motion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus belie\
-bigem Zustand, obwohl diese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Karten wird einma\
-lig übersetzt: {done} von {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)",
-"Motion (netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hi\
-er einen Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"D\
-er Link ist kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauer\
-t eine Weile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"\
-Dieser Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is the\
-re.":"Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rol\
-ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
-. Move a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hü\
-pft, landet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of t\
-ime":"Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →",
-"previous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"\
-Pos1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zo\
-om back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z\
- y  Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the r\
-im turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reif\
-en vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts r\
-ollt)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne\
- Kraft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces wit\
-hout number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Ein\
-zelne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene",
-"Tilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll o\
-r throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, o\
-r arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow \
-motion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf \
-dem ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
+oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} t\
+o {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"\
+{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand",
+"height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit",
+"speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal forc\
+e":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenziel\
+le Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip\
+ and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer \
+Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne \
+Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergröß\
+ern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das \
+Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegun\
+gen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe über\
+nimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganz\
+e Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to t\
+ake that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Absp\
+ieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechne\
+t …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this mo\
+tion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zust\
+and, obwohl diese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Karten wird einmalig überse\
+tzt: {done} von {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)","Motion (\
+netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hier einen \
+Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link i\
+st kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine We\
+ile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser\
+ Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"\
+Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on \
+a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move\
+ a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, l\
+andet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"\
+Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previ\
+ous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos\
+1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom \
+back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y \
+ Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim \
+turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen \
+vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts roll\
+t)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kr\
+aft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces withou\
+t number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzel\
+ne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","T\
+ilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or \
+throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or \
+arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow mo\
+tion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf de\
+m ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
 Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count}\
  rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderu\
 ng",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","\
@@ -430,20 +429,19 @@ n impactos, parte normal","Contact forces":"Fuerzas de contacto","force [N]":"fu
 so del rozamiento","Your choice":"A tu elección","What your diagram shows":"Qué muestra tu diagrama","Horizontal axis of the diagrams":"Eje horizontal de los \
 diagramas","over {quantity}":"en función de: {quantity}","Whole motion":"Todo el movimiento","slide to go there, two fingers zoom":"desliza para ir ahí; dos de\
 dos amplían","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"clic para ir ahí, arrastrar para ampliar; tr\
-as un clic, o con Ctrl, la rueda amplía; doble clic para todo","A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violeta, B ve\
-rde; los trazos indican la magnitud; números de {hoop}; {hands}","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagra\
-ma: {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place \
-of the centre":"posición del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed \
-of the centre":"velocidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip veloci\
-ty":"velocidad de deslizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"\
-uso del rozamiento","kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano \
-de θ y θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadu\
-ra, deslizamiento y vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: s\
-lip that meets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.",
-"Click to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click fo\
-r all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the ma\
-p shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"\
-Mapa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"\
+as un clic, o con Ctrl, la rueda amplía; doble clic para todo","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagrama\
+: {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place of\
+ the centre":"posición del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed of\
+ the centre":"velocidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip velocity":"\
+velocidad de deslizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"uso\
+ del rozamiento","kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano de \
+θ y θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadura,\
+ deslizamiento y vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: slip\
+ that meets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","C\
+lick to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for \
+all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the map \
+shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"M\
+apa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"\
 Reducir el mapa","Whole map":"Mapa entero","Click to take that motion into the player; two fingers zoom.":"Toca para llevar ese movimiento al reproductor; dos d\
 edos amplían.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic lleva ese\
  movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","computing {count} motions …":"calculando {\
@@ -732,37 +730,36 @@ e contact","force [N]":"force [N]","normal N":"normale N","friction F":"frotteme
 "What your diagram shows":"Ce que montre votre diagramme","Horizontal axis of the diagrams":"Axe horizontal des diagrammes","over {quantity}":"en fonction de : \
 {quantity}","Whole motion":"Tout le mouvement","slide to go there, two fingers zoom":"glissez pour y aller ; deux doigts agrandissent","click to go there, drag \
 to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"cliquez pour y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la molette\
- agrandit ; double-clic pour tout","A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A violet, B vert ; les tirets indiquent la g\
-randeur ; nombres de {hoop} ; {hands}","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.",
-"θ mod 360°":"θ mod 360°",Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du cen\
-tre","gap under the rim":"écart sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","spe\
-ed of rotation":"vitesse de rotation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"\
-vitesse angulaire","normal force":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie\
- cinétique","potential energy":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular \
-velocity with the regions of rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","a\
-ngle θ within a turn [°]":"angle θ dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"\
-Couleurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"\
-Touchez pour y aller ; deux doigts agrandissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller \
-; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce q\
-ue montre la carte","Map of motions":"Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des \
-mouvements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the\
- map":"Réduire la carte","Whole map":"Carte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le \
-lecteur ; deux doigts agrandissent.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all\
-.":"Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {co\
-unt} motions …":"calcul de {count} mouvements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec conta\
-ct rigide","of rolling starts, though this motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though \
-this motion starts rolling":"partant d’un état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} \
-functions":"compilation du noyau des cartes, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"\
-Scénario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture \
-(PNG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même \
-mouvement en Python","The link is copied.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a whi\
-le …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser canno\
-t record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passa\
-ge…","The film is there.":"Le film est là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a lo\
-ad on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechan\
-ics cannot decide. Move a slider and see.":"Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que \
-pousser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on th\
-e bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →",
+ agrandit ; double-clic pour tout","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.","θ m\
+od 360°":"θ mod 360°",Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du centre",
+"gap under the rim":"écart sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","speed of\
+ rotation":"vitesse de rotation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"vite\
+sse angulaire","normal force":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie cin\
+étique","potential energy":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular velo\
+city with the regions of rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","angle\
+ θ within a turn [°]":"angle θ dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Cou\
+leurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"Tou\
+chez pour y aller ; deux doigts agrandissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller ; a\
+près un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce que \
+montre la carte","Map of motions":"Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des mou\
+vements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the ma\
+p":"Réduire la carte","Whole map":"Carte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le lec\
+teur ; deux doigts agrandissent.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"\
+Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {count}\
+ motions …":"calcul de {count} mouvements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec contact r\
+igide","of rolling starts, though this motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though this\
+ motion starts rolling":"partant d’un état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} func\
+tions":"compilation du noyau des cartes, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"Sc\
+énario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture (P\
+NG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même mo\
+uvement en Python","The link is copied.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a while\
+ …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser cannot \
+record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passage\
+…","The film is there.":"Le film est là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a load\
+ on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanic\
+s cannot decide. Move a slider and see.":"Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que po\
+usser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on the \
+bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →",
 "previous, next event":"événement précédent, suivant","next flight, landing":"vol, retombée suivants","slower, faster":"plus lent, plus vite","Home End":"D\
 ébut Fin","start, end":"début, fin","traces, forces, rim speed, whole path":"trajectoires, forces, vitesse de la jante, trajet","in space":"en 3D","zoom, zoom\
  back":"agrandir, revenir","leave a field, a menu, a picture that the wheel zooms":"quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z":"\
@@ -1024,7 +1021,6 @@ per":"阻尼损耗","lost in impacts, normal part":"碰撞损耗，法向部分"
 iction F":"摩擦力 F","Use of friction":"摩擦利用率","Your choice":"自选","What your diagram shows":"自选图的纵轴","Horizontal axis of the diagra\
 ms":"图的横轴","over {quantity}":"横轴：{quantity}","Whole motion":"整个运动","slide to go there, two fingers zoom":"滑动以跳转，双指缩放",
 "click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"单击跳转，拖动放大；单击后或按住 Ctrl 时滚轮缩放；双击显示全部",
-"A violet, B green; the dashes tell the quantities; numbers of {hoop}; {hands}":"A 紫色，B 绿色；虚线样式区分各量；数值属于 {hoop}；{hands}",
 "{name} from {low} to {high}":"{name}：{low} 至 {high}","Diagram: {title} in {unit}.":"图：{title}，单位 {unit}。","θ mod 360°":"θ mod 360°",Esc:"Es\
 c","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"一圈内的角度","place of the centre":"圆心位置","gap under the rim":"圆环下的间隙",
 "height of the centre of gravity":"重心高度","speed of the centre":"圆心速度","speed of rotation":"转动线速度","speed away from the plane":"离开平面的速度",
@@ -1176,29 +1172,29 @@ ps} steps of integration and must need at most {most} in the lab.":"contact.stif
 "x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"\
 x 与 y 共 {count} 格，约 {turns} 圈，本实验室中不得超过 {most}；请减少格数、降低速度或缩短时长。","duration = {value} must be a\
 t most {most} s for a film from the lab.":"从本实验室制作影片时 duration = {value} 不得超过 {most} s。","A blue, B ochre; the dashes tell the qua\
-ntities; numbers of {hoop}; {hands}":"A 为蓝色，B 为赭色；线型表示物理量；数值属于 {hoop}；{hands}"};var Bs=new Map;function ae(o){try{return localStorage.getItem(o)??Bs.get(o)??null}catch{return Bs.get(o)??null}}function re(o,e){Bs.set(o,e);try{localStorage.setItem(
-o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Ks={de:zn,es:Rn,fr:Pn,zh:In},lr=new Set(["de","es","fr"]),qn="hophoop-language",jn=4e3,
-hr=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,qt=/\{(\w+)\}/g,me="en",Cn=[],at=new Map,rt=new Set,ht=new Set,jt=()=>me;
-function Us(o){me=o in lt?o:"en",at=new Map,rt=new Set,ht.clear(),Cn=Object.keys(Ks[me]??{}).filter(e=>e.includes("{")).map(dr).sort((e,t)=>Ln(t.key)-Ln(e.key))}
+ntities; numbers of {hoop}; {hands}":"A 为蓝色，B 为赭色；线型表示物理量；数值属于 {hoop}；{hands}"};var Hs=new Map;function ae(o){try{return localStorage.getItem(o)??Hs.get(o)??null}catch{return Hs.get(o)??null}}function re(o,e){Hs.set(o,e);try{localStorage.setItem(
+o,e)}catch{}}var lt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},Us={de:zn,es:Rn,fr:Pn,zh:In},lr=new Set(["de","es","fr"]),qn="hophoop-language",jn=4e3,
+hr=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,jt=/\{(\w+)\}/g,me="en",Cn=[],at=new Map,rt=new Set,ht=new Set,Ct=()=>me;
+function Gs(o){me=o in lt?o:"en",at=new Map,rt=new Set,ht.clear(),Cn=Object.keys(Us[me]??{}).filter(e=>e.includes("{")).map(dr).sort((e,t)=>Ln(t.key)-Ln(e.key))}
 function cr(){let o=ae(qn);return o&&o in lt?o:(globalThis.navigator?.languages??[]).map(s=>s.slice(0,2).toLowerCase()).find(s=>s in lt)??"en"}function On(o){re(
-qn,o)}var Ln=o=>o.replace(qt,"").length;function dr(o){let e=[...o.matchAll(qt)].map(([,s])=>s),t=o.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
-return{key:o,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var le=o=>lr.has(me)?o.replace(/(\d)\.(\d)/g,"$1,$2"):o;function x(o,e){let t=Ks[me];if(e)
+qn,o)}var Ln=o=>o.replace(jt,"").length;function dr(o){let e=[...o.matchAll(jt)].map(([,s])=>s),t=o.split(/\{\w+\}/).map(s=>s.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
+return{key:o,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var le=o=>lr.has(me)?o.replace(/(\d)\.(\d)/g,"$1,$2"):o;function x(o,e){let t=Us[me];if(e)
 return ee(Fn(t?.[o]??Nn(o),e));if(!t||!/\p{L}/u.test(o))return le(o);if(rt.has(o))return o;let s=at.get(o);if(s!==void 0)return s;let n=o.trim(),i=t[n]??ur(n,t)??
-Nn(n),a=o.replace(n,()=>i);return at.size>jn&&at.clear(),at.set(o,a),ee(a)}function ee(o){return rt.size>jn&&rt.clear(),rt.add(o),o}var Dn=(o,e)=>o.replace(qt,(t,s)=>String(
-e[s])),Fn=(o,e)=>o.replace(qt,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));function ur(o,e){for(let{key:t,pattern:s,names:n}of Cn){let i=o.match(s);
+Nn(n),a=o.replace(n,()=>i);return at.size>jn&&at.clear(),at.set(o,a),ee(a)}function ee(o){return rt.size>jn&&rt.clear(),rt.add(o),o}var Dn=(o,e)=>o.replace(jt,(t,s)=>String(
+e[s])),Fn=(o,e)=>o.replace(jt,(t,s)=>s.startsWith("word")?String(e[s]):x(String(e[s])));function ur(o,e){for(let{key:t,pattern:s,names:n}of Cn){let i=o.match(s);
 if(i)return Fn(e[t],Object.fromEntries(n.map((a,r)=>[a,i[r+1]])))}return mr(o)}function mr(o){if(o.includes(" → "))return o.split(" → ").map(e=>x(e)).join("\
- → ")}function Wn(o){if(!Ks[me])return o;let[,e,t]=o.match(/^(.*?)\.(?: (.*))?$/su)??["",o,""],{comma:s,stop:n}=me==="zh"?{comma:"，",stop:"。"}:{comma:", ",
+ → ")}function Wn(o){if(!Us[me])return o;let[,e,t]=o.match(/^(.*?)\.(?: (.*))?$/su)??["",o,""],{comma:s,stop:n}=me==="zh"?{comma:"，",stop:"。"}:{comma:", ",
 stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>x(r)).join(s);return ee(`${a[0]?.toLocaleUpperCase(me)??""}${a.slice(1)}${n}${t?`\
- ${x(t)}`:""}`)}function Nn(o){let e=/\p{L}{3,}/u.test(o)&&!hr.test(o);return me!=="en"&&e&&ht.size<200&&ht.add(o),le(o)}var $n=new WeakMap,Hs=new WeakMap;function Gs(o){
-let e=document.createTextNode(x(o));return $n.set(e,o),e}function ct(o,e,t){let s=Hs.get(o)??{};s[e]=t,Hs.set(o,s),o.setAttribute(e,x(t))}function Bn(o){let e=document.
-createTreeWalker(o,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=$n.get(t);s!==void 0&&(t.nodeValue=x(s));let n=Hs.
-get(t);for(let[i,a]of Object.entries(n??{}))t.setAttribute(i,x(a))}}Us(cr());var pr=new Set(["aria-label","title","placeholder","label"]);function d(o,e={},...t){let s=document.createElement(o),n=s;for(let[i,a]of Object.entries(e))a==null||
+ ${x(t)}`:""}`)}function Nn(o){let e=/\p{L}{3,}/u.test(o)&&!hr.test(o);return me!=="en"&&e&&ht.size<200&&ht.add(o),le(o)}var $n=new WeakMap,Ks=new WeakMap;function Vs(o){
+let e=document.createTextNode(x(o));return $n.set(e,o),e}function ct(o,e,t){let s=Ks.get(o)??{};s[e]=t,Ks.set(o,s),o.setAttribute(e,x(t))}function Bn(o){let e=document.
+createTreeWalker(o,NodeFilter.SHOW_ELEMENT|NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let s=$n.get(t);s!==void 0&&(t.nodeValue=x(s));let n=Ks.
+get(t);for(let[i,a]of Object.entries(n??{}))t.setAttribute(i,x(a))}}Gs(cr());var pr=new Set(["aria-label","title","placeholder","label"]);function d(o,e={},...t){let s=document.createElement(o),n=s;for(let[i,a]of Object.entries(e))a==null||
 a===!1||(i.startsWith("on")?s.addEventListener(i.slice(2),a):i==="class"?s.className=a:i in s&&i!=="list"&&typeof a!="string"?n[i]=a:pr.has(i)?ct(s,i,String(a)):
-s.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||s.append(i.nodeType?i:Gs(String(i)));return s}function M(o,e){e?o.replaceChildren(Gs(e)):o.
-replaceChildren()}var Ct=o=>o!==null&&o.getRootNode().activeElement===o,pe=o=>o.getContext("2d");function D(o){let e=o.getBoundingClientRect(),t=Math.min(globalThis.
+s.setAttribute(i,a===!0?"":a));for(let i of t.flat())i==null||i===!1||s.append(i.nodeType?i:Vs(String(i)));return s}function M(o,e){e?o.replaceChildren(Vs(e)):o.
+replaceChildren()}var Ot=o=>o!==null&&o.getRootNode().activeElement===o,pe=o=>o.getContext("2d");function D(o){let e=o.getBoundingClientRect(),t=Math.min(globalThis.
 devicePixelRatio||1,2.5),s=Math.max(Math.round(e.width*t),1),n=Math.max(Math.round(e.height*t),1);(o.width!==s||o.height!==n)&&(o.width=s,o.height=n);let i=pe(o);
 return i.setTransform(t,0,0,t,0,0),{context:i,width:s/t,height:n/t}}function fr(o){if(/^#[0-9a-f]{6}$/i.test(o))return o;let e=pe(d("canvas",{width:1,height:1}));
-e.fillStyle=o,e.fillRect(0,0,1,1);let[t,s,n]=e.getImageData(0,0,1,1).data;return`#${[t,s,n].map(i=>i.toString(16).padStart(2,"0")).join("")}`}function Vs(o){let e=getComputedStyle(
+e.fillStyle=o,e.fillRect(0,0,1,1);let[t,s,n]=e.getImageData(0,0,1,1).data;return`#${[t,s,n].map(i=>i.toString(16).padStart(2,"0")).join("")}`}function Js(o){let e=getComputedStyle(
 o),t=n=>e.getPropertyValue(n).trim(),s=n=>fr(t(n));return{ink:s("--ink"),soft:s("--soft"),line:s("--line"),paper:s("--paper"),panel:s("--panel"),ground:s("--gro\
 und"),font:t("--font"),dark:ot(s("--paper"))<.2}}function $e(o,e){let t=d("a",{href:URL.createObjectURL(o),download:e});document.body.append(t),t.click(),t.remove(),
 setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function he(o,e){let t=0;return()=>{clearTimeout(t),t=setTimeout(o,e)}}var y=(o,e,t)=>Math.min(Math.max(o,e),t);function _(o,e=4){if(o==null)return"–";if(typeof o!="number")return String(o);if(!Number.isFinite(o))return Number.isNaN(
@@ -1215,11 +1211,11 @@ t.toPrecision(3))}`),s&&n.push(`map=${[s.what,...s.x,...s.y].join(",")}`),n.join
 e.get("t")??Number.NaN);s>=0&&(t.time=s);let n=e.get("show");n!==null&&(t.options=Object.fromEntries(Kn.map(([w,b])=>[w,n.includes(b)])));let i=Number(e.get("zo\
 om")??Number.NaN);i>0&&(t.zoom=y(i,.05,60));let[a,r,l,h,c,u,m]=e.get("map")?.split(",")??[],p=[l,h,u,m].map(Number);return m!==void 0&&p.every(Number.isFinite)&&
 p[0]<p[1]&&p[2]<p[3]&&(t.map={what:a,x:[r,p[0],p[1]],y:[c,p[2],p[3]]}),t}var yr=()=>{let o=new URLSearchParams(location.hash.slice(1)).get("with");return[location.
-search.slice(1),...o===null?[]:[o]]},Ot=class{constructor(e){this.lab=e,this.number=0,this.soon=he(()=>this.write("same"),br),this.listen=()=>this.arrived(),addEventListener(
+search.slice(1),...o===null?[]:[o]]},Dt=class{constructor(e){this.lab=e,this.number=0,this.soon=he(()=>this.write("same"),br),this.listen=()=>this.arrived(),addEventListener(
 "popstate",this.listen)}close(){removeEventListener("popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length)return;let s=t.link();e==="step"?
 history.pushState({number:++this.number},"",s):history.replaceState({number:this.number},"",s)}travel(e){return new Promise(t=>{let s=()=>t();addEventListener("\
 popstate",s,{once:!0}),setTimeout(s,300),history.go(e)})}async arrived(){let e=history.state?.number??0,t=yr();JSON.stringify(t)===JSON.stringify(this.lab.motions.
-queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var dt=[.05,.1,.25,.5,1,2,4],Dt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=e:e!==this.number&&history.go(this.number-e)}};var dt=[.05,.1,.25,.5,1,2,4],Ft=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
 for(let e of this.listeners)e(this)}seek(e){this.time=y(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
 duration&&(this.time=0),this.changed()}faster(e){let t=dt.indexOf(this.speed);this.speed=dt[y(t+e,0,dt.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
@@ -1238,30 +1234,30 @@ input.value=this.shown,this.accept()}show(e){this.shown=le(e),this.typing||this.
 ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},_r={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
 dius","m"],at:["distance from centre","m"],length:["length","m"]},Tr=(o,e,t)=>({ring:{shape:o,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:o,mass:t,radius:.1*
 e,at:.8*e},point_mass:{shape:o,mass:t,at:e},rod:{shape:o,mass:t,length:.5*e,at:.5*e}})[o];function Jn(o){let e=o["hoop.radius"],t=o["hoop.mass"],s=Math.min(Math.
-max(o["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Ft(t*(1-s)),inner_radius:Ft(.98*e),outer_radius:e},{shape:"point_mass",mass:Ft(t*s),at:e}]}var Ft=o=>Number(
-o.toPrecision(6)),Wt=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=d("div",{class:"parts"}),this.element=d("div",{},this.list,d("select",
-{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Tr(s,this.radius,Ft(.2*this.mass))])}},d("option",{value:""},
+max(o["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Wt(t*(1-s)),inner_radius:Wt(.98*e),outer_radius:e},{shape:"point_mass",mass:Wt(t*s),at:e}]}var Wt=o=>Number(
+o.toPrecision(6)),$t=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=d("div",{class:"parts"}),this.element=d("div",{},this.list,d("select",
+{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Tr(s,this.radius,Wt(.2*this.mass))])}},d("option",{value:""},
 "+ add a part …"),Object.entries(Vn).map(([t,{label:s}])=>d("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let n=JSON.stringify(
 e);if(n===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:n,parts:e,radius:t,mass:s}),this.list.
 replaceChildren(...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:n}=Vn[e.shape];return d("fieldset",{class:"part"},d("legend",{},s,this.parts.length>1&&
 d("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),n.map(i=>this.field(
 e,t,i)))}field(e,t,s){let[n,i]=_r[s],a=new Be({label:n,unit:i},r=>this.send(this.parts.map((l,h)=>h===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),d("div",
-{},d("label",{},`${n} [${i}]`,a.input),a.error)}};var Js=Math.PI/180;function Sr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Js:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
-var Ys=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,n=l=>()=>{this.held=l};this.
+{},d("label",{},`${n} [${i}]`,a.input),a.error)}};var Ys=Math.PI/180;function Sr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Ys:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
+var Zs=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,n=l=>()=>{this.held=l};this.
 range=d("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:n(!0),onpointerup:n(!1),onpointercancel:n(!1),onblur:n(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
 n ${a}`:""}`;this.entry=new Be({label:i,unit:a,name:r,range:Sr(e)},l=>this.send(l,!0)),this.element=d("div",{class:"control",title:e.help},d("label",{for:s},d("\
 span",{},i),d("span",{class:"symbol"},e.symbol)),this.range,d("span",{class:"entry"},this.entry.input,d("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
-let s=this.info.degrees?e*Js:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",F(_(e,4),this.info.
-unit))}show(e,t=null){if(this.held)return;let s=e!=null,n=s?e:t;if(n==null){this.entry.show("");return}let i=n==="inf"?1/0:Number(n)/(this.info.degrees?Js:1);this.
+let s=this.info.degrees?e*Ys:e;this.onchange([[this.info.path,Number.isFinite(s)?s:"inf"]],t)}say(e){this.range.setAttribute("aria-valuetext",F(_(e,4),this.info.
+unit))}show(e,t=null){if(this.held)return;let s=e!=null,n=s?e:t;if(n==null){this.entry.show("");return}let i=n==="inf"?1/0:Number(n)/(this.info.degrees?Ys:1);this.
 entry.show(s?Number.isFinite(i)?String(Number(i.toPrecision(9))):"∞":""),this.entry.input.placeholder=s?"":x("auto {value}",{value:_(i,2)}),this.entry.input.title=
 s?F(String(i),this.info.unit):"";let a=y(this.info.logarithmic?Math.log10(i):i,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
 String(a)),this.say(i)}};function Mr(o,e){let t=d("select",{"data-path":o.path,onchange:()=>e([[o.path,t.value]],!0)},o.options.map(([n,i])=>d("option",{value:n},
-i)));return{element:d("label",{class:"choice",title:o.help},d("span",{},o.label),t),select:t,path:o.path}}var $t=class{way;kind;gravity;apart;derived;film;constructor(e,t){
-this.onchange=(s,n=!0)=>t(s,n),this.sliders=new Map;for(let s of Object.values(e.groups))for(let n of s)this.sliders.set(n.path,new Ys(n,this.onchange));this.choices=
-new Map(e.choices.map(s=>[s.path,Mr(s,this.onchange)])),this.parts=new Wt(this.onchange),this.gravities=e.gravities,this.element=d("div",{class:"controls"},this.
+i)));return{element:d("label",{class:"choice",title:o.help},d("span",{},o.label),t),select:t,path:o.path}}var Bt=class{way;kind;gravity;apart;derived;film;constructor(e,t){
+this.onchange=(s,n=!0)=>t(s,n),this.sliders=new Map;for(let s of Object.values(e.groups))for(let n of s)this.sliders.set(n.path,new Zs(n,this.onchange));this.choices=
+new Map(e.choices.map(s=>[s.path,Mr(s,this.onchange)])),this.parts=new $t(this.onchange),this.gravities=e.gravities,this.element=d("div",{class:"controls"},this.
 hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
 element}select(e,t,s){let n=d("select",{onchange:()=>s(n.value)},t.map(([i,a])=>d("option",{value:i},a)));return{select:n,element:d("label",{class:"choice"},d("\
 span",{},e),n)}}group(e,...t){let s=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return d("details",{class:"group",open:s},d("summary",{},
@@ -1288,58 +1284,58 @@ p.load_fraction":i==="load_fraction","hoop.eccentricity":i==="eccentricity","hoo
 "start.omega":!a,"contact.law":l,"contact.friction":l,"contact.stiffness":l,"contact.slip_speed":l,"contact.restitution":l};for(let[p,w]of Object.entries(u))this.
 at(p).hidden=!w;this.parts.element.hidden=i!=="parts",s.hoop.parts&&this.parts.show(s.hoop.parts,n["hoop.radius"],n["hoop.mass"]),this.derived.textContent=i==="\
 eccentricity"?"":`ε = ${_(n["hoop.eccentricity"],5)}, κ = ${_(n["hoop.inertia_ratio"],5)}`+(i==="parts"?`, m = ${_(n["hoop.mass"],5)} kg`:"");let m=s;for(let[
-p,{select:w}]of this.choices){if(t.has(p))continue;let[b,g]=p.split(".");m[b]?.[g]!==void 0&&(w.value=m[b][g])}}};var Zs=Math.PI/180;function Yn(o,e){let{start:t,plane:s,contact:n,hoop:i}=o.scenario;return n.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
+p,{select:w}]of this.choices){if(t.has(p))continue;let[b,g]=p.split(".");m[b]?.[g]!==void 0&&(w.value=m[b][g])}}};var Xs=Math.PI/180;function Yn(o,e){let{start:t,plane:s,contact:n,hoop:i}=o.scenario;return n.model!=="rigid"?"Rigid contact only.":o.slope!==0?"The plane must \
 be level.":Math.abs(o.gravity-9.81)>1e-9?"It must be on Earth.":(s.restitution??0)!==0?"Restitution must be 0.":o.radius!==1||i.parts?"The radius must stay 1 m,\
  without parts.":o.eccentricity>.9?"At most 90 % of the mass may be in the load.":"load_fraction"in i?"speed"in t?Math.abs(t.speed??3.1)>e+1e-9?e>5?"At most 10 \
 m/s.":"At most 3.1 m/s.":o.scenario.duration>6?"At most 6 s.":"":"It must start rolling.":"The hoop must be given by its load fraction."}var Zn=o=>o.events.filter(
 ({kind:e})=>e==="takeoff");function Er(o){return o.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var Xn=(o,e)=>Math.min(Math.round(100*o/e),100),Ar=1.596,
-zr=.37,Rr=.05,Xs=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
+zr=.37,Rr=.05,Qs=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
 ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:o=>{let e=Yn(o,3.1);if(e)return{points:0,text:e};let t=Math.max(
 0,...Er(o));return t?{points:Xn(t,Ar),text:"It rises by {height}.",values:{height:ye(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
 0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:o=>{let e=Zn(o)[0],t=o.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
 points:0,text:"It does not hop."};let s=o.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!s||s.height<Rr)return{points:0,text:"The first hop is too low."};let n=Math.
-abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Zs,i=Math.max(0,Math.round(100*(1-(n-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
-from the top.",values:{off:q(n*Zs)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
+abs(t.angle-2*Math.PI*Math.round(t.angle/(2*Math.PI)))/Xs,i=Math.max(0,Math.round(100*(1-(n-.5)/89.5)));return{points:Math.min(i,100),text:"It lands {off} away \
+from the top.",values:{off:q(n*Xs)}}}},{key:"clean",title:"Hop without skidding",text:"On level ground the hoop starts rolling with its load at the bottom, at n\
 o more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?",start:"start.angle=3.141592653589793&star\
 t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589793&start.speed=9.94",score:o=>{let e=Yn(o,10);if(e)return{points:0,text:e};if(Math.
-abs(Math.abs(o.scenario.start.angle??0)-Math.PI)>.5*Zs)return{points:0,text:"The load must start at the bottom."};if(o.values["plane.mu_kinetic"]>1.5||o.values["\
+abs(Math.abs(o.scenario.start.angle??0)-Math.PI)>.5*Xs)return{points:0,text:"The load must start at the bottom."};if(o.values["plane.mu_kinetic"]>1.5||o.values["\
 plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=Zn(o)[0];if(!t)return{points:0,text:"It does not hop."};let s=o.phases.filter(
 ({from:i})=>i<t.t);if(s.some(({mode:i})=>i==="K"))return{points:0,text:"It skids before it hops."};if(s[0]?.mode!=="R")return{points:0,text:"It must start rolli\
 ng."};let n=o.events.find(({kind:i,t:a})=>i==="apex"&&a>t.t);return n?{points:Xn(n.height,zr),text:"It rises by {height}.",values:{height:ye(n.height)}}:{points:0,
-text:"It does not hop."}}}],Qs=o=>o>=95?3:o>=75?2:o>=40?1:0;var Qn="hophoop-best-",Pr=o=>"★".repeat(Qs(o))+"☆".repeat(3-Qs(o)),Bt=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(Xs.map(t=>[t.key,d("button",
+text:"It does not hop."}}}],eo=o=>o>=95?3:o>=75?2:o>=40?1:0;var Qn="hophoop-best-",Pr=o=>"★".repeat(eo(o))+"☆".repeat(3-eo(o)),Ht=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(Qs.map(t=>[t.key,d("button",
 {type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=d("p",{}),this.meter=d("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
 100","aria-label":"Score"}),this.result=d("p",{class:"challenge-result",role:"status"}),this.kept=d("p",{class:"hint"}),this.element=d("section",{class:"challen\
 ges card","aria-label":"Challenges",hidden:!0},d("header",{},d("h2",{},"Challenges"),d("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
 onclick:()=>this.close()},"×")),d("div",{class:"tabs",role:"group","aria-label":"Which challenge"},[...this.tabs.values()]),this.text,this.meter,this.result,this.
 kept,d("div",{class:"buttons"},d("button",{type:"button",onclick:()=>this.goal&&this.load(this.goal.start)},"Begin again"),d("button",{type:"button",onclick:()=>this.
-goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Xs[0]),this.element.scrollIntoView({block:"nearest"}),
+goal&&this.load(this.goal.best)},"Show a best one")))}open(){this.element.hidden=!1,this.choose(this.goal??Qs[0]),this.element.scrollIntoView({block:"nearest"}),
 this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,this.element.hidden=!0}choose(e){this.goal=e;for(let[t,s]of this.tabs)s.setAttribute(
 "aria-pressed",String(t===e.key));M(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let s=await t.backend.call("film",{query:e});t.clock.play(
 !1),t.clock.time=0,t.motions.replace(s)}catch(s){t.notice.fail(s)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:s,text:n,values:i={}}=e.score(t.film());
 this.meter.value=s;let a=x("{stars} {points} points. {what}",{stars:Pr(s),points:s,what:x(n,i)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-ae(Qn+e.key)??0);s>r&&!t.stage.options.ahead&&re(Qn+e.key,String(s)),M(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var ei=.09,Ir=.03,eo=Math.PI/180,Ht=Math.PI/4,ti=2*Math.PI,ut=o=>o-ti*Math.round(o/ti);function Kt(o,e){let t=o.at(e),s=e===0;return{angle:ut(t.angle),height:Math.
+ae(Qn+e.key)??0);s>r&&!t.stage.options.ahead&&re(Qn+e.key,String(s)),M(this.kept,x("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:s)}))}};var ei=.09,Ir=.03,to=Math.PI/180,Kt=Math.PI/4,ti=2*Math.PI,ut=o=>o-ti*Math.round(o/ti);function Ut(o,e){let t=o.at(e),s=e===0;return{angle:ut(t.angle),height:Math.
 max(t.height,0),vx:s?t.vx:0,vy:s?t.vy:0,omega:s?t.omega:0,slope:o.slope}}var si=o=>2*Math.sqrt(Math.max(o.gravity,1)*o.radius),ve=o=>Number(o.toFixed(4))+0;function oi(o,e,t){
 if(o==="plane")return[["plane.slope",ve(e.slope)]];if(e.height>0)return[["start.angle",ve(e.angle)],["start.height",ve(e.height)],["start.vx",ve(e.vx)],["start.\
 vy",ve(e.vy)],["start.omega",ve(e.omega)]];let s=o==="load"?e.omega*t.radius:e.vx;return[["start.angle",ve(e.angle)],["start.speed",ve(s)]]}var mt=class{constructor(e,t,s,n,i){
-this.grip=e,this.film=t,this.view=n,this.before=Kt(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.center=[a.x,t.radius+a.height],this.foot=
+this.grip=e,this.film=t,this.view=n,this.before=Ut(t,s),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(s);this.center=[a.x,t.radius+a.height],this.foot=
 n.point(a.x,0),this.from=this.read(i),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,s]=this.view.unpoint(e.clientX,e.clientY),n=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],s-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:s,turn:n}}move(e,t){
-let s=this.read(e),{radius:n}=this.film;if(this.turned+=ut(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=y(this.before.slope+this.turned,-Ht,Ht);
-this.held.slope=Math.abs(i)<eo?0:i}else if(this.grip==="load")this.held.angle=ut(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
+let s=this.read(e),{radius:n}=this.film;if(this.turned+=ut(s.turn-this.from.turn-this.turned),this.grip==="plane"){let i=y(this.before.slope+this.turned,-Kt,Kt);
+this.held.slope=Math.abs(i)<to?0:i}else if(this.grip==="load")this.held.angle=ut(this.before.angle+this.turned);else{let i=this.before.height+s.away-this.from.away;
 this.held.height=i<Ir*n?0:i;let a=s.along-this.from.along;this.held.angle=ut(this.before.angle+(this.held.height>0?0:a/n)),this.moved=s.x-this.from.x}for(this.trail.
 push({t:t/1e3,along:s.along,away:s.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-ei;)this.trail.shift();return this.held}release(e){let{held:t,
 trail:s,film:n}=this,i=s.at(-1),a=s[0],r=i&&a?i.t-a.t:0,l=!i||r<.012||e/1e3-i.t>ei,h=si(n);return l||this.grip==="plane"||(this.grip==="load"?t.omega=y((i.turned-
 a.turned)/r,-h/n.radius,h/n.radius):(t.vx=y((i.along-a.along)/r,-h,h),t.vy=t.height>0?y((i.away-a.away)/r,-h,h):0)),t}};function ni(o,e,t,s,n){let i={ArrowLeft:-1,
-ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(o==="load"){let u=ut(s.angle+(i||a)*5*eo*r);return{...s,angle:u}}if(o===
-"plane"){let u=y(s.slope+(i||-a)*eo*r,-Ht,Ht);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=si(n),h=y(s.height+a*.05*r*n.radius,0,4*n.radius),c=y(s.vx+i*.1*r,-l,
+ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!i&&!a)return null;let r=t?.2:1;if(o==="load"){let u=ut(s.angle+(i||a)*5*to*r);return{...s,angle:u}}if(o===
+"plane"){let u=y(s.slope+(i||-a)*to*r,-Kt,Kt);return{...s,slope:Math.abs(u)<1e-9?0:u}}let l=si(n),h=y(s.height+a*.05*r*n.radius,0,4*n.radius),c=y(s.vx+i*.1*r,-l,
 l);return{...s,height:h<1e-9?0:h,vx:c}}function W(o,e,t,s=()=>{}){let n=new AbortController,{signal:i}=n,a=(l,h)=>o.addEventListener(l,c=>c.pointerId===e.pointerId&&h(c),{signal:i}),r=l=>h=>{n.abort(),
 s(h,l)};o.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function ii(o,e){let t=new Map,s=null,n=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};o.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),s=t.size===2?n():null)}),o.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
 (t.set(a.pointerId,a),t.size!==2||!s))return;let r=n();e(r.span/s.span,r),s=r});for(let a of["pointerup","pointercancel"])o.addEventListener(a,r=>{t.delete(r.pointerId),
-s=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return o.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var Lr=700,to=44,Nr=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Ut=class{static Pull=mt;pull=null;held=null;before=null;constructor(e){this.
+s=null});let i=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return o.addEventListener("touchmove",i,{passive:!1}),()=>t.size>1}var Lr=700,so=44,Nr=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],Gt=class{static Pull=mt;pull=null;held=null;before=null;constructor(e){this.
 lab=e,this.places=new Map(Nr.map(([i,a,r])=>[i,this.place(i,a,r)])),this.tip=d("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=d("div",
 {class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:s}=e.
 stage;t.grab=i=>this.take(i),s.addEventListener("pointermove",i=>this.hover(i)),s.addEventListener("pointerleave",()=>this.hover(null));let n=i=>this.pull&&i.cancelable&&
@@ -1347,10 +1343,10 @@ i.preventDefault();s.addEventListener("touchmove",n,{passive:!1}),this.settle=he
 slider",tabindex:"0","aria-label":t,"aria-valuenow":"0",title:s,onkeydown:n=>this.key(e,n),onblur:()=>this.held&&this.chosen(!1)})}view(){return this.lab.stage.
 flat.views[this.lab.motions.active]}draw(){let{lab:e}=this,t=this.view(),s=!!t&&!e.stage.options.three;if(this.element.hidden=!s,!s)return;this.element.classList.
 toggle("running",e.clock.playing);let{pose:n,film:i,scale:a}=t,r=i.radius,l=t.point(n.x,r+n.height),h=t.point(n.x+r*Math.sin(n.angle),r+n.height+r*Math.cos(n.angle)),
-c=this.onPlane(t),u=y(1.1*r*a,to,190),m=[["plane",c,to],["hoop",l,u],["load",h,to]];for(let[p,[w,b],g]of m){let f=this.places.get(p);f.style.transform=`translat\
+c=this.onPlane(t),u=y(1.1*r*a,so,190),m=[["plane",c,so],["hoop",l,u],["load",h,so]];for(let[p,[w,b],g]of m){let f=this.places.get(p);f.style.transform=`translat\
 e(${w-g/2}px, ${t.top+b-g/2}px)`,f.style.width=f.style.height=`${g}px`,f.hidden=w<0||b<0||w>t.width||b>t.height}e.clock.playing||this.tell(i)}onPlane(e){let t=e.
 point(e.pose.x,0),n=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+n,0)}tell(e){
-let t=this.pull?.held??this.held??Kt(e,this.lab.clock.time),s={load:q(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:ye(t.height),speed:_(t.vx,3)}),plane:q(
+let t=this.pull?.held??this.held??Ut(e,this.lab.clock.time),s={load:q(t.angle),hoop:x("gap {height}, speed {speed} m/s",{height:ye(t.height),speed:_(t.vx,3)}),plane:q(
 t.slope)},n={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},i={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
 r.getAttribute("aria-valuetext")!==s[a]&&(r.setAttribute("aria-valuetext",s[a]),r.setAttribute("aria-valuenow",String(Number(n[a].toPrecision(4)))),r.setAttribute(
 "aria-valuemin",String(i[a][0])),r.setAttribute("aria-valuemax",String(Number(i[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
@@ -1362,7 +1358,7 @@ h=f=>({clientX:f.clientX-l.left,clientY:f.clientY-l.top-r.top}),c=new mt(t,s.fil
 w(),m&&this.back())};return addEventListener("keydown",g,{capture:!0,signal:b.signal}),W(i,e,f=>{if(!p){if(n.pinched()){w(),m&&this.back();return}!m&&Math.hypot(
 f.clientX-e.clientX,f.clientY-e.clientY)<3||(m||(n.fixed=r.scale,this.hold(),this.begin()),m=!0,c.move(h(f),f.timeStamp),n.shift=[u[0]+c.moved,u[1]],this.change(
 t,c.held,!1),this.show(t,c.held))}},(f,k)=>{p||(w(),m&&(k?(this.change(t,c.release(f.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
-t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Kt(s.film(),s.clock.time);let n=ni(
+t.altKey)return;let{lab:s}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=Ut(s.film(),s.clock.time);let n=ni(
 e,t.key,t.shiftKey,this.held,s.film());if(!n)return;this.before===null&&(this.hold(),this.begin()),this.held=n,this.change(e==="load"?"hoop":e,n,!1),this.show(e,
 n),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
 ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,s){this.lab.motions.change(oi(e,t,this.lab.film()),s)}show(e,t){let s={load:`θ = ${q(t.angle)}`,
@@ -1379,13 +1375,13 @@ M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:
 5h1.6v3.2l2.2 2.2-1.1 1.1-2.7-2.7z",sound:"M2 6h3l4-3.5v12L5 11H2zM11 5.5a4 4 0 0 1 0 6zM11.5 2.5a6.6 6.6 0 0 1 0 12l-.6-1.6a5 5 0 0 0 0-8.8z",large:"M2 2h5v2H4\
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function $(o){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
-"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",qr[o]),t.append(s),t}var Gt=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+"icon");let s=document.createElementNS(e,"path");return s.setAttribute("d",qr[o]),t.append(s),t}var Vt=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let s=this.full;this.full=!1,s&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var ai=.22,ri=.03;function li(o,e){let t=o.at(e),s=o.mass*(o.gravity||9.81),n=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/s,i=n/(1+n),a=t.mode==="S"||t.mode===
 "K",r=Math.abs(t.slip)/Math.sqrt((o.gravity||9.81)*o.radius);return{tone:i,pitch:55*(1+Math.min(n,8))**.5,hiss:a?i*y(.15+r,0,1):0}}function hi(o,e,t){let s=Math.
 sqrt(2*(o.gravity||9.81)*o.radius);return o.events.filter(({kind:n,t:i,before:a})=>n==="impact"&&a&&i>e&&i<=t).map(({before:n})=>y(Math.abs(n.vy)/s,.02,1))}function jr(o){
-let e=o.createBuffer(1,o.sampleRate,o.sampleRate),t=e.getChannelData(0),s=1;for(let n=0;n<t.length;n++)s=s*16807%2147483647,t[n]=2*s/2147483647-1;return e}var Vt=class{static heard=li;static knocks=hi;context=null;on=!1;last=0;start(){
+let e=o.createBuffer(1,o.sampleRate,o.sampleRate),t=e.getChannelData(0),s=1;for(let n=0;n<t.length;n++)s=s*16807%2147483647,t[n]=2*s/2147483647-1;return e}var Jt=class{static heard=li;static knocks=hi;context=null;on=!1;last=0;start(){
 let e=new AudioContext,t=e.createOscillator();t.type="triangle";let s=e.createBufferSource();s.buffer=jr(e),s.loop=!0;let n=e.createBiquadFilter();n.type="bandp\
 ass",n.frequency.value=1800,n.Q.value=.6;let[i,a]=[e.createGain(),e.createGain()];i.gain.value=a.gain.value=0,t.connect(i).connect(e.destination),s.connect(n).connect(
 a).connect(e.destination),t.start(),s.start(),this.context=e,Object.assign(this,{tone:t,low:i,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
@@ -1394,9 +1390,9 @@ on||!this.context)return;if(!t.playing){this.set("low",0),this.set("high",0),thi
 this.set("high",.6*i),this.tone.frequency.setTargetAtTime(n,this.context.currentTime,ri),t.time>this.last)for(let a of hi(e,this.last,t.time))this.knock(a);this.
 last=t.time}knock(e){let t=this.context,s=t.currentTime,n=t.createGain();n.gain.setValueAtTime(2.2*ai*Math.sqrt(e),s),n.gain.exponentialRampToValueAtTime(1e-4,s+
 .18);let i=t.createOscillator();i.frequency.setValueAtTime(190,s),i.frequency.exponentialRampToValueAtTime(60,s+.15),i.connect(n).connect(t.destination),i.start(
-s),i.stop(s+.2)}close(){this.context?.close()}};var so=Math.PI/180,G=o=>e=>e.columns[o],pt=(o,e)=>t=>t.derived(o,s=>Float64Array.from(t.t,(n,i)=>e(s,i,t))),B={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
-t},angle:{name:"angle",symbol:"θ",unit:"°",values:pt("degrees",({angle:o},e)=>o[e]/so)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:pt(
-"within",({angle:o},e)=>{let t=s=>Math.floor(o[s]/so/360);return e>0&&t(e)!==t(e-1)?Number.NaN:o[e]/so-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
+s),i.stop(s+.2)}close(){this.context?.close()}};var oo=Math.PI/180,G=o=>e=>e.columns[o],pt=(o,e)=>t=>t.derived(o,s=>Float64Array.from(t.t,(n,i)=>e(s,i,t))),B={time:{name:"time",symbol:"t",unit:"s",values:o=>o.
+t},angle:{name:"angle",symbol:"θ",unit:"°",values:pt("degrees",({angle:o},e)=>o[e]/oo)},turns:{name:"angle within a turn",symbol:"θ mod 360°",unit:"°",values:pt(
+"within",({angle:o},e)=>{let t=s=>Math.floor(o[s]/oo/360);return e>0&&t(e)!==t(e-1)?Number.NaN:o[e]/oo-360*t(e)})},x:{name:"place of the centre",symbol:"x",unit:"\
 m",values:G("x")},height:{name:"gap under the rim",symbol:"y",unit:"m",values:G("height")},rise:{name:"height of the centre of gravity",symbol:"h_G",unit:"m",values:pt(
 "rise",({height:o,angle:e},t,s)=>s.radius*(1+s.eccentricity*Math.cos(e[t]))+o[t])},vx:{name:"speed of the centre",symbol:"v",unit:"m/s",values:G("vx")},spin:{name:"\
 speed of rotation",symbol:"R θ̇",unit:"m/s",values:pt("spin",({omega:o},e,t)=>o[e]*t.radius)},vy:{name:"speed away from the plane",symbol:"ẏ",unit:"m/s",values:G(
@@ -1406,10 +1402,10 @@ name:"use of friction",symbol:"|F|/μN",unit:"",values:G("utilization")},kinetic
 potential energy",symbol:"E_p",unit:"J",values:G("potential")},total:{name:"total energy",symbol:"E",unit:"J",values:pt("total",({kinetic:o,potential:e},t)=>o[t]+
 e[t])},friction_loss:{name:"lost to friction",symbol:"W_f",unit:"J",values:G("friction_loss")},normal_loss:{name:"lost in impacts, normal part",symbol:"W_i",unit:"\
 J",values:G("normal_loss")},rolling_resistance:{name:"lost to rolling resistance",symbol:"W_r",unit:"J",values:G("rolling_resistance")}},ci=({name:o,symbol:e})=>[
-o," ",e];var Cr=["time","angle","x","vx","spin","normal_force","friction_force"],Or=[1,.5,.2,.1,.05,.02,.01],oo=601;function di(o,e,t){let s=Math.min(Math.floor(o.duration/
-t+1e-9)+1,oo),n=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));n.push({time:a,mode:o.at(a).mode,values:e.map(r=>Dr(o,r,a))})}return n}function Dr(o,e,t){
+o," ",e];var Cr=["time","angle","x","vx","spin","normal_force","friction_force"],Or=[1,.5,.2,.1,.05,.02,.01],no=601;function di(o,e,t){let s=Math.min(Math.floor(o.duration/
+t+1e-9)+1,no),n=[];for(let i=0;i<s;i++){let a=Number((i*t).toPrecision(12));n.push({time:a,mode:o.at(a).mode,values:e.map(r=>Dr(o,r,a))})}return n}function Dr(o,e,t){
 if(e==="time")return t;let s=o.at(t);if(e in s&&e!=="angle")return s[e];let n=s.angle*180/Math.PI;if(e==="angle")return n;if(e==="turns")return n-360*Math.floor(
-n/360);let i=B[e].values(o),a=o.index(t),r=Math.min(a+1,o.length-1),l=o.t[r]>o.t[a]?(t-o.t[a])/(o.t[r]-o.t[a]):0;return i[a]+l*(i[r]-i[a])}var Jt=class{film;rows=[];now;constructor(e){
+n/360);let i=B[e].values(o),a=o.index(t),r=Math.min(a+1,o.length-1),l=o.t[r]>o.t[a]?(t-o.t[a])/(o.t[r]-o.t[a]):0;return i[a]+l*(i[r]-i[a])}var Yt=class{film;rows=[];now;constructor(e){
 this.lab=e,this.columns=[...Cr],this.step=d("select",{onchange:()=>this.fill()},Or.map(t=>d("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
 d("div",{class:"table-picks"},Object.entries(B).filter(([t])=>t!=="time").map(([t,{name:s}])=>this.pick(t,s))),this.caption=d("caption",{}),this.head=d("thead",
 {}),this.body=d("tbody",{}),this.element=d("section",{class:"table","aria-label":"Table of the motion",hidden:!0},d("header",{},d("h2",{},"Table"),d("label",{class:"\
@@ -1421,8 +1417,8 @@ this.element.hidden=!e,e&&(this.draw(this.lab.film()),this.element.scrollIntoVie
 element.hidden||(this.film=e,this.fill())}fill(){let{film:e,columns:t}=this,s=Number(this.step.value),n=this.lab.theme.colors.mode_names,i=t.map(h=>B[h]);this.head.
 replaceChildren(d("tr",{},i.map(({name:h,symbol:c,unit:u})=>d("th",{scope:"col",title:h},c,u&&d("small",{},` ${u}`))),d("th",{scope:"col"},"mode")));let a=di(e,
 t,s);this.rows=a.map(({time:h,mode:c,values:u})=>({time:h,row:d("tr",{onclick:()=>this.lab.clock.seek(h)},u.map((m,p)=>p===0?d("th",{scope:"row"},_(m,4)):d("td",
-{},_(m,4))),d("td",{class:"table-mode"},n[c]))})),this.body.replaceChildren(...this.rows.map(({row:h})=>h));let r=e.duration/s+1<=oo+1e-6,l=x("The first {count}\
- rows.",{count:oo});M(this.caption,r?e.summary:ee(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
+{},_(m,4))),d("td",{class:"table-mode"},n[c]))})),this.body.replaceChildren(...this.rows.map(({row:h})=>h));let r=e.duration/s+1<=no+1e-6,l=x("The first {count}\
+ rows.",{count:no});M(this.caption,r?e.summary:ee(`${e.summary} ${l}`)),this.cursor(this.lab.clock.time)}cursor(e){if(this.element.hidden||!this.rows.length)return;
 let t=Number(this.step.value),s=this.rows[Math.min(Math.round(e/t),this.rows.length-1)]?.row;s!==this.now&&(this.now?.classList.remove("now"),s?.classList.add("\
 now"),this.now=s)}save(){let{film:e,columns:t}=this,s=[...t.map(i=>`${B[i].name} [${B[i].unit||"1"}]`),"mode"],n=di(e,t,Number(this.step.value)).map(({mode:i,values:a})=>[
 ...a,i].join(","));$e(new Blob([[s.join(","),...n,""].join(`\r
@@ -1452,7 +1448,7 @@ table"},d("thead",{},d("tr",{},["v₀ [m/s]","phases","does it hop?","at which a
 {scope:"row"},s(`${ui}${Number(c)}`,c)),d("td",{}),d("td",{}),d("td",{})))))),h=d("dialog",{class:"teach","aria-label":"For teachers"},d("header",{},d("h2",{},"\
 For teachers"),d("button",{type:"button",onclick:()=>print()},"Print"),d("button",{type:"button",class:"close",onclick:()=>h.close()},"Close")),d("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",d("button",{type:"button",class:"link",onclick:()=>{h.close(),
-e()}},"Start the visit")),i&&d("p",{},i.map(([c,u])=>d("a",{class:"teach-page",href:new URL(c,new URL(n,document.baseURI)).href},u))),a,r,l);return h}var no="RSKHM",Kr=new Set(["x","angle","height"]),Ur=1/60,pi=8,Gr={x:"vx",angle:"omega",height:"vy"},ke=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+e()}},"Start the visit")),i&&d("p",{},i.map(([c,u])=>d("a",{class:"teach-page",href:new URL(c,new URL(n,document.baseURI)).href},u))),a,r,l);return h}var io="RSKHM",Kr=new Set(["x","angle","height"]),Ur=1/60,pi=8,Gr={x:"vx",angle:"omega",height:"vy"},ke=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
 this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.
 said=t.summary,this.story=t.story,this.shortened=t.shortened,this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=this.values["hoop.rad\
 ius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=this.scenario.plane.
@@ -1460,72 +1456,72 @@ gravity??9.81,this.phases=this.findPhases(),this.extent=this.findExtent(),this.c
 let s=y(e,0,this.duration),n=Math.min(s+t,this.duration);if(this.part&&s>=this.part.t[0]&&n<=this.part.t[this.part.length-1])return null;let i=Math.max(s-.25*pi,
 0);return[i,Math.min(i+pi+t,this.duration)]}refine(e){this.part=Object.assign(Object.create(this),{columns:e,t:e.t,length:e.t.length,cache:new Map,part:null})}holding(e){
 let{part:t}=this;return t&&e>=t.t[0]&&e<=t.t[t.length-1]?t:this}get summary(){return Wn(this.said)}findPhases(){let{mode:e}=this.columns,t=[];for(let s=0;s<this.
-length;s++){let n=t.at(-1);n&&n.mode===no[e[s]]?n.to=this.t[s]:t.push({mode:no[e[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;
+length;s++){let n=t.at(-1);n&&n.mode===io[e[s]]?n.to=this.t[s]:t.push({mode:io[e[s]],from:this.t[s],to:this.t[s]})}for(let s=0;s+1<t.length;s++)t[s].to=t[s+1].from;
 return t.filter(s=>s.to>s.from||t.length===1)}findExtent(){let{x:e,height:t,vx:s,vy:n,omega:i}=this.columns,a={left:1/0,right:-1/0,top:0,speed:0},r=[];for(let l=0;l<
 this.length;l++){Number.isFinite(e[l])&&(a.left=Math.min(a.left,e[l]),a.right=Math.max(a.right,e[l])),t[l]>a.top&&(a.top=t[l]);let h=Math.hypot(s[l],n[l])+this.
 radius*Math.abs(i[l]);Number.isFinite(h)&&r.push(h)}return r.sort((l,h)=>l-h),a.speed=r[Math.floor(.95*(r.length-1))]||1,a}index(e){let t=0,s=this.length;for(;s-
 t>1;){let n=t+s>>1;this.t[n]<=e?t=n:s=n}return t}pieces(){let{part:e}=this;if(!e)return[{film:this,from:0,to:this.length}];let[t,s]=[e.t[0],e.t[e.length-1]],n=this.
 index(t);for(;n>0&&this.t[n]>=t;)n--;let i=this.t[n]>=t?0:n+1;return[{film:this,from:0,to:i},{film:e,from:0,to:e.length},{film:this,from:this.index(s)+1,to:this.
 length}]}at(e){let t=y(e,0,this.duration),s=this.holding(t);if(s!==this)return s.at(t);let n=this.index(t),i=Math.min(n+1,this.length-1),a=this.t[i]-this.t[n],r=a>
-0?(t-this.t[n])/a:0,l={t,mode:no[this.columns.mode[n]]};for(let[h,c]of Object.entries(this.columns)){if(h==="t"||h==="mode")continue;let u=c[n],m=c[i];if(r===0||
+0?(t-this.t[n])/a:0,l={t,mode:io[this.columns.mode[n]]};for(let[h,c]of Object.entries(this.columns)){if(h==="t"||h==="mode")continue;let u=c[n],m=c[i];if(r===0||
 !Number.isFinite(m))l[h]=u;else if(Kr.has(h)){let p=this.columns[Gr[h]];l[h]=Vr(u,m,p[n]*a,p[i]*a,r)}else l[h]=u+(m-u)*r}return l}derived(e,t){let s=this.cache.
 get(e)??t(this.columns);return this.cache.set(e,s),s}};function Vr(o,e,t,s,n){if(!Number.isFinite(t)||!Number.isFinite(s))return o+(e-o)*n;let i=1-n;return i*i*
-(1+2*n)*o+n*n*(3-2*n)*e+n*i*(i*t-n*s)}var ro=o=>o-360*Math.floor(o/360);function Jr(o,e){let t=Math.abs(ro(o-e+180)-180);return Math.round(100*y(1-(t-1)/89,0,1))}function Yr(o,e){let t=Math.max(...e)-
+(1+2*n)*o+n*n*(3-2*n)*e+n*i*(i*t-n*s)}var lo=o=>o-360*Math.floor(o/360);function Jr(o,e){let t=Math.abs(lo(o-e+180)-180);return Math.round(100*y(1-(t-1)/89,0,1))}function Yr(o,e){let t=Math.max(...e)-
 Math.min(...e,0),s=e.reduce((n,i,a)=>n+Math.abs(i-o[a]),0)/e.length;return Math.round(100*y(1-2*s/(t||1),0,1))}var Zr=0;function wt(o,e,t=!1){let s=`hh-guess-${++Zr}`,
 n="",i=o.map(([a,r])=>{let l=d("input",{type:"radio",name:s,value:a,onchange:()=>{n=a,e()}});return{key:a,radio:l,row:d("label",{class:"guess-choice"},l,d("span",
 {},r))}});return{element:d("div",{class:"guess",role:"radiogroup","aria-label":"Your guess"},i.map(({row:a})=>a)),made:()=>n!=="",judge:a=>{for(let{key:r,radio:l,
 row:h}of i){l.disabled=!0;let c=t||r===a;c&&h.append(d("b",{class:"guess-right"},"✓")),h.classList.toggle("right",c)}return t||n===a?100:0}}}var fe=168,gt=58,
-io=(o,e=gt)=>{let t=o*Math.PI/180;return[fe/2+e*Math.sin(t),fe/2-e*Math.cos(t)]};function lo(o,e){let t=0,s=!1,n=null,i=d("canvas",{class:"dial-canvas"}),a=d("d\
+ao=(o,e=gt)=>{let t=o*Math.PI/180;return[fe/2+e*Math.sin(t),fe/2-e*Math.cos(t)]};function ho(o,e){let t=0,s=!1,n=null,i=d("canvas",{class:"dial-canvas"}),a=d("d\
 iv",{class:"guess dial",role:"slider",tabindex:"0","aria-label":o,"aria-valuemin":"0","aria-valuemax":"360","aria-valuenow":"0"},i),r=()=>{let{context:c}=D(i),u=getComputedStyle(
 a),m=u.getPropertyValue("--ink").trim(),p=u.getPropertyValue("--soft").trim(),w=u.getPropertyValue("--accent").trim();c.clearRect(0,0,fe,fe),c.strokeStyle=p,c.fillStyle=
 p,c.lineWidth=1.5,c.beginPath(),c.moveTo(8,fe/2+gt),c.lineTo(fe-8,fe/2+gt),c.stroke(),c.lineWidth=4,c.beginPath(),c.arc(fe/2,fe/2,gt,0,2*Math.PI),c.stroke(),c.font=
-"11px system-ui, sans-serif",c.textAlign="center";for(let g of[0,90,180,270]){let[f,k]=io(g,gt-17);c.fillText(`${g}°`,f,k+4)}let b=(g,f,k)=>{c.fillStyle=f,c.beginPath(),
-c.arc(...io(g),k,0,2*Math.PI),c.fill()};n!==null&&(c.strokeStyle=m,c.lineWidth=2,c.beginPath(),c.arc(...io(n),12,0,2*Math.PI),c.stroke(),b(n,m,7)),b(t,s?w:p,9)},
-l=c=>{n===null&&(t=ro(c),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},h=c=>{let u=i.
+"11px system-ui, sans-serif",c.textAlign="center";for(let g of[0,90,180,270]){let[f,k]=ao(g,gt-17);c.fillText(`${g}°`,f,k+4)}let b=(g,f,k)=>{c.fillStyle=f,c.beginPath(),
+c.arc(...ao(g),k,0,2*Math.PI),c.fill()};n!==null&&(c.strokeStyle=m,c.lineWidth=2,c.beginPath(),c.arc(...ao(n),12,0,2*Math.PI),c.stroke(),b(n,m,7)),b(t,s?w:p,9)},
+l=c=>{n===null&&(t=lo(c),s=!0,a.setAttribute("aria-valuenow",String(Math.round(t))),a.setAttribute("aria-valuetext",`${Math.round(t)}°`),r(),e())},h=c=>{let u=i.
 getBoundingClientRect(),[m,p]=[c.clientX-u.left-u.width/2,c.clientY-u.top-u.height/2];l(Math.atan2(m,-p)*180/Math.PI)};return a.addEventListener("pointerdown",c=>{
 c.preventDefault(),a.focus({preventScroll:!0}),h(c),W(a,c,h)}),a.addEventListener("keydown",c=>{let u={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[c.key];u!==void 0&&(c.preventDefault(),c.stopPropagation(),l(t+(c.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:c=>(n=
-ro(c),r(),Jr(t,n))}}var ft=9,[ce,Yt,Ee,ao]=[34,12,12,26];function fi({label:o,unit:e,most:t},s){let n=Array(ft).fill(t/4),i=!1,a=null,r=d("canvas",{class:"sketc\
+lo(c),r(),Jr(t,n))}}var ft=9,[ce,Zt,Ee,ro]=[34,12,12,26];function fi({label:o,unit:e,most:t},s){let n=Array(ft).fill(t/4),i=!1,a=null,r=d("canvas",{class:"sketc\
 h-canvas"}),l=n.map((f,k)=>d("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${o} with the load at ${45*k}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:T=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[T.key];E&&(T.preventDefault(),T.stopPropagation(),
 w(k,n[k]+E*t/(T.shiftKey?100:20)))}})),h=d("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),c=()=>r.getBoundingClientRect(),
-u=f=>ce+f/(ft-1)*(c().width-ce-Yt),m=f=>Ee+(1-f/t)*(c().height-Ee-ao),p=()=>{let{context:f,width:k,height:T}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
+u=f=>ce+f/(ft-1)*(c().width-ce-Zt),m=f=>Ee+(1-f/t)*(c().height-Ee-ro),p=()=>{let{context:f,width:k,height:T}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
 z).trim();f.clearRect(0,0,k,T),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
-f.fillText(`${45*z}°`,u(z),T-8),f.strokeRect(u(z),Ee,0,T-Ee-ao);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),ce-6,m(z)+4),f.strokeRect(ce,m(z),
-k-ce-Yt,0);f.textAlign="left",f.fillText(e,ce+4,Ee+10);let I=(z,Q,$s)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash($s),f.beginPath(),z.forEach((It,Mn)=>{let En=ce+
-Mn/(z.length-1)*(k-ce-Yt);Mn?f.lineTo(En,m(y(It,0,t))):f.moveTo(En,m(y(It,0,t)))}),f.stroke(),f.setLineDash([])};I(n,N("--accent"),[6,4]),a&&I(a,N("--ink"),[]),
+f.fillText(`${45*z}°`,u(z),T-8),f.strokeRect(u(z),Ee,0,T-Ee-ro);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),ce-6,m(z)+4),f.strokeRect(ce,m(z),
+k-ce-Zt,0);f.textAlign="left",f.fillText(e,ce+4,Ee+10);let I=(z,Q,Bs)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash(Bs),f.beginPath(),z.forEach((Lt,Mn)=>{let En=ce+
+Mn/(z.length-1)*(k-ce-Zt);Mn?f.lineTo(En,m(y(Lt,0,t))):f.moveTo(En,m(y(Lt,0,t)))}),f.stroke(),f.setLineDash([])};I(n,N("--accent"),[6,4]),a&&I(a,N("--ink"),[]),
 l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},w=(f,k)=>{a||(n[f]=y(k,0,t),i=!0,l[f].setAttribute("aria-valuenow",n[f].toPrecision(
-3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=c(),T=y((f.clientX-k.left-ce)/(k.width-ce-Yt),0,1),E=Math.round(
-T*(ft-1)),N=t*(1-(f.clientY-k.top-Ee)/(k.height-Ee-ao)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
+3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=c(),T=y((f.clientX-k.left-ce)/(k.width-ce-Zt),0,1),E=Math.round(
+T*(ft-1)),N=t*(1-(f.clientY-k.top-Ee)/(k.height-Ee-ro)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
 "pointerdown",f=>{f.preventDefault(),b=null,g(f),W(h,f,g)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
-p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Xt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Zt=o=>q(o-Xt*Math.floor(o/Xt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
-t;r++){let l=o.columns.angle[0]+Xt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),c=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
+p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Qt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Xt=o=>q(o-Qt*Math.floor(o/Qt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
+t;r++){let l=o.columns.angle[0]+Qt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),c=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
 c*(n[h]-n[a]))}return i}var Qr=(o,e)=>o.t[o.columns.angle.findIndex(t=>t>=e)]??o.duration,el={R:"roll",S:"spin",K:"skid",H:"bounce"},Ae=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
 ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:o=>wt(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],o),until:([o])=>{
 let[e,t]=[V(o,"skim"),V(o,"impact")];return e?e.t+.7*((t?.t??o.duration)-e.t):o.duration},answer:([o])=>{let e=V(o,"skim")??V(o,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:Zt(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:Xt(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
 Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:o=>fi({label:"Speed of the centre",unit:"m/s",most:10},
-o),until:([o])=>Qr(o,Xt),answer:([o])=>{let e=Xr(o,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:_(Math.max(
+o),until:([o])=>Qr(o,Qt),answer:([o])=>{let e=Xr(o,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:_(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
-guess:o=>lo("Angle of the load where it begins to slip",o),until:([o])=>(V(o,"slip_start")?.t??0)+.02,answer:([o])=>{let e=V(o,"slip_start"),t=o.at(e.t).normal_force/
-(o.mass*o.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:Zt(e.
+guess:o=>ho("Angle of the load where it begins to slip",o),until:([o])=>(V(o,"slip_start")?.t??0)+.02,answer:([o])=>{let e=V(o,"slip_start"),t=o.at(e.t).normal_force/
+(o.mass*o.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:Xt(e.
 angle),share:`${_(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
-aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:o=>lo("Angle of the load\
+aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:o=>ho("Angle of the load\
  where it takes off",o),until:([o])=>(V(o,"takeoff")?.t??0)+.12,answer:([o])=>{let e=V(o,"takeoff"),t=o.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It t\
-akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:Zt(e.angle),slip:_(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the plan\
+akes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:Xt(e.angle),slip:_(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the plan\
 e while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the \
 top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it d\
 o just after it has landed?",queries:[""],guess:o=>wt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turns \
 too fast."],["bounce","It bounces."]],o),until:([o])=>(V(o,"impact")?.t??o.duration)+.15,answer:([o])=>{let[e,t]=[V(o,"takeoff"),V(o,"impact")],s=o.events.find(
 n=>n.kind==="apex");return{truth:el[o.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.",
-values:{time:_((t?.t??0)-(e?.t??0),3),height:_(100*(s?.height??0),3),angle:Zt(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
+values:{time:_((t?.t??0)-(e?.t??0),3),height:_(100*(s?.height??0),3),angle:Xt(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong as its\
  push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",title:"\
 More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highest?",queries:[
 "plane.mu=0.05","plane.mu=0.2",""],guess:o=>wt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],o),until:o=>.3+Math.max(0,...o.map(e=>V(e,"impact")?.t??0)),
@@ -1539,7 +1535,7 @@ de at once."],["both","Both agree with the laws."]],o),until:o=>Math.min(.8,...o
 "both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws have two an\
 swers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"Your tur\
 n",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from\
- the motion itself.",question:"",queries:[""]}];var gi="hophoop-visit",Qt=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
+ the motion itself.",question:"",queries:[""]}];var gi="hophoop-visit",es=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
 t,this.body=d("div",{class:"visit-body"}),this.said=d("div",{class:"visit-answer",role:"status"}),this.element=d("section",{class:"visit card","aria-label":"Gui\
 ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){ae(gi)||(this.element.hidden=!1,M(this.said,""),this.
 body.replaceChildren(d("div",{class:"buttons offer"},d("p",{},d("b",{},"New here?")," ","Eight short questions: guess, then play."),d("button",{type:"button",class:"\
@@ -1563,8 +1559,8 @@ null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;
 let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:s,text:n,values:i={}}=e.answer(this.films),a=t.judge(s);this.points.set(e.key,a),this.said.replaceChildren(
 d("p",{},d("b",{},`${a} of 100 points.`)," ",Dn(n,i)),d("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
 {block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,s)=>t+s,0);this.said.replaceChildren(d("p",{},`You have ${e} of ${100*this.points.size} poi\
-nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var es=class{words={t:x,untranslated:ht};constructor(e){this.lab=e,this.grips=new Ut(e),this.sound=new Vt,this.present=new Gt(e),this.challenges=new Bt(e),this.
-visit=new Qt(e,()=>this.challenges.open()),this.table=new Jt(e),this.teach=mi(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){
+nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ts=class{words={t:x,untranslated:ht};constructor(e){this.lab=e,this.grips=new Gt(e),this.sound=new Jt,this.present=new Vt(e),this.challenges=new Ht(e),this.
+visit=new es(e,()=>this.challenges.open()),this.table=new Yt(e),this.teach=mi(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),this.spoken()}layOut(){
 let{lab:e}=this,t=e.stage.element.parentElement,s=e.root.querySelector(".side");s?s.prepend(this.visit.element,this.challenges.element):t.before(this.visit.element,
 this.challenges.element),t.after(this.table.element),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.
 querySelector(".right")?.prepend(this.menu(),this.languages()),e.hosted&&!location.search&&!location.hash&&this.visit.offer()}tools(){let{clock:e}=this.lab,t=(s,n,i)=>d(
@@ -1577,11 +1573,11 @@ ia-pressed",String(this.present.on))}menu(){let e=(s,n)=>d("button",{type:"butto
 button"},"Learn"),d("div",{class:"menu-body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("Table of the motion",()=>this.
 table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener("pointerdown",s=>{
 t.contains(s.target)||(t.open=!1)}),t.addEventListener("keydown",s=>{s.key!=="Escape"||!t.open||(s.stopPropagation(),t.open=!1,t.querySelector("summary")?.focus())}),
-t}languages(){let e=d("select",{class:"language","aria-label":"Language",onchange:()=>{On(e.value),Us(e.value),this.spoken(),Bn(this.lab.root),this.lab.show()}},
-Object.entries(lt).map(([t,s])=>d("option",{value:t,lang:t},document.createTextNode(s))));return e.value=jt(),e}spoken(){this.lab.root.lang=jt(),this.lab.hosted&&
-(document.documentElement.lang=jt())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
+t}languages(){let e=d("select",{class:"language","aria-label":"Language",onchange:()=>{On(e.value),Gs(e.value),this.spoken(),Bn(this.lab.root),this.lab.show()}},
+Object.entries(lt).map(([t,s])=>d("option",{value:t,lang:t},document.createTextNode(s))));return e.value=Ct(),e}spoken(){this.lab.root.lang=Ct(),this.lab.hosted&&
+(document.documentElement.lang=Ct())}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),this.table.cursor(e.clock.time),this.visit.frame(),
 this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.
-close()}};var bt=(o,e,t)=>d("button",{type:"button",title:e,"aria-label":e,onclick:t},o),ts=class{constructor(e,t,s){let n=new Map;for(let a of e)n.set(a.group,[...n.get(
+close()}};var bt=(o,e,t)=>d("button",{type:"button",title:e,"aria-label":e,onclick:t},o),ss=class{constructor(e,t,s){let n=new Map;for(let a of e)n.set(a.group,[...n.get(
 a.group)??[],a]);this.fresh=!1,this.presets=d("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
 value);this.fresh=a!==void 0,a&&s.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},d("option",{value:""},"Motions to start from …"),[...n].
 map(([a,r])=>d("optgroup",{label:a},r.map(({key:l,title:h})=>d("option",{value:l},h))))),this.undo=bt($("undo"),"Undo (z)",s.undo),this.redo=bt($("redo"),"Redo \
@@ -1594,18 +1590,18 @@ that the wheel zooms"],["z y  Ctrl Z","undo, redo"],["d","dark, light"],["p","Py
 ns too fast for the way it goes (slip −, for a hoop that rolls ahead)"],["K","skid","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)"],["H","\
 flight","the hop: from take-off to landing"],["M","skim","a massless rim that touches without force"]],ol=[["▲ ▼","take-off, landing"],["•","highest point"],
 ["↺","turns back"],["◆ ◇","Painlevé’s paradox: no solution, several"],["✖","jam"],["✚","Kane: energy out of nothing"],["≋","bounces without numbe\
-r end"],["◗ ■","skimming begins, rest"]],ho=(o,e,t=()=>!1)=>d("table",{},d("caption",{},o),e.map(([s,...n])=>d("tr",{},d("th",{scope:"row"},t(s),s),n.map(i=>d(
+r end"],["◗ ■","skimming begins, rest"]],co=(o,e,t=()=>!1)=>d("table",{},d("caption",{},o),e.map(([s,...n])=>d("tr",{},d("th",{scope:"row"},t(s),s),n.map(i=>d(
 "td",{},i)))));function wi(o,e,t){let s=d("dialog",{class:"help","aria-label":"Keys and help"},d("h2",{},"The hoop"),d("p",{},"A ring with a load on its rim rol\
 ls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide\
-. Move a slider and see."),ho("Modes",sl,n=>d("i",{class:"dot",style:`background:${e.modes[n]}`})),ho("Marks on the bar of time",ol),ho("Keys",tl),t,d("p",{class:"\
-hint"},`hophoop ${o}`),d("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var ss=class{constructor(e){this.tabs=["A","B"].map((t,s)=>d("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=d("div",{class:"\
+. Move a slider and see."),co("Modes",sl,n=>d("i",{class:"dot",style:`background:${e.modes[n]}`})),co("Marks on the bar of time",ol),co("Keys",tl),t,d("p",{class:"\
+hint"},`hophoop ${o}`),d("button",{type:"button",class:"close",onclick:()=>s.close()},"Close"));return s}var os=class{constructor(e){this.tabs=["A","B"].map((t,s)=>d("button",{type:"button","aria-pressed":"false",onclick:()=>e(s)},`Hoop ${t}`)),this.bar=d("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=d("p",{class:"preset-text"}),this.element=d("div",{class:"lanes"},
 this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[s,n]of this.tabs.entries())n.setAttribute("aria-pressed",String(s===t))}};var bi="hophoop-single-keys",nl=(o,e)=>({" ":()=>o.clock.play(),ArrowLeft:()=>e?o.transport.jump(-1):o.transport.nudge(-1),ArrowRight:()=>e?o.transport.jump(1):
 o.transport.nudge(1),Home:()=>o.clock.seek(0),End:()=>o.clock.seek(o.clock.duration),h:()=>o.transport.jump(1,"takeoff"),l:()=>o.transport.jump(1,"impact"),"[":()=>o.
 clock.faster(-1),"]":()=>o.clock.faster(1),t:()=>o.toggle("traces"),f:()=>o.toggle("forces"),c:()=>o.toggle("speed"),w:()=>o.toggle("whole"),3:()=>o.toggle("thr\
 ee"),"+":()=>o.stage.zoom(1.25),"=":()=>o.stage.zoom(1.25),"-":()=>o.stage.zoom(.8),0:()=>o.stage.zoom(0),z:()=>o.travel(-1),y:()=>o.travel(1),d:()=>o.theme.toggle(),
 p:()=>o.share.code(),"?":()=>o.help.showModal()});function il(o,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.preventDefault(),o.travel(t==="y"||
-e.shiftKey?1:-1))}function al(o){let e=o.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var os=class{constructor(e){this.on=!e||ae(bi)!=="of\
+e.shiftKey?1:-1))}function al(o){let e=o.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ns=class{constructor(e){this.on=!e||ae(bi)!=="of\
 f";let t=d("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&re(bi,this.on?"on":"off")}});this.element=d("label",{class:"check"},t,"Si\
 ngle keys (letters, digits, signs) do what the table says")}};function rl(o,e){let t=e.target;if(o.root.querySelector("dialog[open]"))return;if(e.key==="Escape"){
 al(o);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){il(o,e);return}if(e.altKey||t.matches?.("selec\
@@ -1614,19 +1610,19 @@ pe=checkbox]")||!o.singleKeys.on&&e.key!==" "&&e.key.length===1)return;let n=nl(
 o.root,s=n=>{rl(o,n),e||n.stopPropagation()};return t.addEventListener("keydown",s),()=>t.removeEventListener("keydown",s)}var ll={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function He(o){let e=o instanceof DataView||ArrayBuffer.isView(o)?o:new DataView(o),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let s=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),n=JSON.parse(new TextDecoder().decode(t.subarray(
 4,4+s))),i={};for(let{name:a,type:r,shape:l,place:h}of n.arrays){let c=l.reduce((u,m)=>u*m,1);i[a]=new ll[r](t.buffer,t.byteOffset+4+s+h,c)}return{header:n,arrays:i}}var yt=class extends Error{},hl=500,cl=4,dl="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function vi(o,e,t){
-for(;;)try{return await o()}catch(s){if(!(s instanceof yt))throw s;e(s.message),await new Promise(n=>setTimeout(n,hl)),t.throwIfAborted()}}var ns=class{constructor(e){
+for(;;)try{return await o()}catch(s){if(!(s instanceof yt))throw s;e(s.message),await new Promise(n=>setTimeout(n,hl)),t.throwIfAborted()}}var is=class{constructor(e){
 this.base=e,this.shares=!0}async call(e,t,s){let n={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:s},i=await this.answered(
 new URL(`lab/${e}`,this.base),n);if(i.status===202)throw new yt((await i.json()).detail);return He(await i.arrayBuffer())}async answered(e,t){for(let s=cl;;s--){
 let n=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(dl)});if(n.ok)return n;let i=Number(n.headers.get("Retry-After"));if(n.status!==503||!(i>
 0)||s<=1){let a=await n.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${n.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(i,10))),
 t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
-"",this.base)}${t}`}},ul=2e4,ml=3e5,is=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
+"",this.base)}${t}`}},ul=2e4,ml=3e5,as=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
 slice(2),this.listen=(t,s)=>this.answered(t,s),e.on("msg:custom",this.listen)}answered(e,t){let s=e?.view===this.view&&this.waiting.get(e.number);s&&(clearTimeout(
 s.timer),this.waiting.delete(e.number),e.compiling?s.reject(new yt(e.compiling)):e.error?s.reject(new Error(e.error)):s.resolve(He(t[0])))}call(e,t,s){let n=++this.
 number;return new Promise((i,a)=>{let r=setTimeout(()=>{this.waiting.delete(n),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
 "file"?ml:ul);this.waiting.set(n,{resolve:i,reject:a,timer:r}),s?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(n),a(new DOMException("super\
 seded","AbortError"))}),this.model.send({view:this.view,number:n,call:e,body:t})})}async file(e,t){let{arrays:s}=await this.call("file",{query:t,name:e});return new Blob(
-[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[ki,pl]=[62,92],fl=12,ze=10,gl=36,xi=Math.PI/180,de=["x","y"],as=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
+[s.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[ki,pl]=[62,92],fl=12,ze=10,gl=36,xi=Math.PI/180,de=["x","y"],rs=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
 y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ki}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
 for(let e of de)this.windows[e]=this.whole(e)}choose(e,t){let s=e==="x"?"y":"x";this.paths[s]===t&&(this.paths[s]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[s,n]=this.windows[e];return{path:this.paths[e],from:s,to:n,cells:t}}bounds(e){let{range:t,allowed:s}=this.info(e),n=2*(t[1]-t[0]);return[Math.max(s[0],t[0]-
@@ -1646,16 +1642,16 @@ deep(n),m=u?Number((.5*(r+l)).toPrecision(12)):0,p=u?te(r-m,l-m,h).map(g=>g+m):t
 fillText(f,this.x(g/a),ze+this.box.height+14)):(e.textAlign="right",e.textBaseline="middle",e.fillText(f,this.left-5,this.y(g/a)),e.textBaseline="alphabetic")}let w=u?
 ` − ${String(m).replace("-","−")}`:"",b=`${x(i.label)}${w}${i.unit?` [${i.unit}]`:""}`;e.save(),e.textAlign="center",n==="x"?e.translate(this.left+.5*this.box.
 width,t-5):(e.translate(12,ze+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(b,0,0),e.restore()}}};function Re([o,e],[t,s]){let n=Math.min(e-o,s-t);return o<
-t?[t,t+n]:e>s?[s-n,s]:[o,e]}function co(o,e,t,s,n){for(let[i,a]of[[n,4],[s,1.8]])o.strokeStyle=i,o.lineWidth=a,o.beginPath(),o.arc(e,t,7,0,2*Math.PI),o.moveTo(e-
+t?[t,t+n]:e>s?[s-n,s]:[o,e]}function uo(o,e,t,s,n){for(let[i,a]of[[n,4],[s,1.8]])o.strokeStyle=i,o.lineWidth=a,o.beginPath(),o.arc(e,t,7,0,2*Math.PI),o.moveTo(e-
 13,t),o.lineTo(e-4,t),o.moveTo(e+4,t),o.lineTo(e+13,t),o.moveTo(e,t-13),o.lineTo(e,t-4),o.moveTo(e,t+4),o.lineTo(e,t+13),o.stroke()}var Ke=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,wl=.0018,_i=200,
-[bl,yl]=[1/.6,1/1.7];function Z(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ct(s()))&&(i.preventDefault(),
+[bl,yl]=[1/.6,1/1.7];function Z(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ot(s()))&&(i.preventDefault(),
 e(Math.exp(-Math.min(Math.max(i.deltaY,-_i),_i)*wl),i))},{passive:!1}),o.addEventListener("dblclick",t),n&&o.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
-"=")e(bl);else if(i.key==="-")e(yl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),ii(o,e)}var Ti={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Si=48;function Mi(o){let{body:e}=o,t=!1,s=Z(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?uo(
+"=")e(bl);else if(i.key==="-")e(yl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),ii(o,e)}var Ti={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Si=48;function Mi(o){let{body:e}=o,t=!1,s=Z(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?mo(
 o,i):o.pointed??void 0),home:()=>o.home(),keys:!0});e.addEventListener("pointerdown",n=>kl(o,n,s,i=>t=i)),e.addEventListener("pointermove",n=>{o.axes.box&&!t&&n.
-pointerType!=="touch"&&vl(o,n)}),e.addEventListener("pointerleave",()=>o.tip.hidden=!0),e.addEventListener("keydown",n=>xl(o,n))}function uo(o,e){let t=o.body.getBoundingClientRect();
-return o.axes.place(e.clientX-t.left,e.clientY-t.top)}function vl(o,e){o.tip.textContent=o.said(uo(o,e)),o.tip.hidden=!1;let t=o.body.getBoundingClientRect();o.
+pointerType!=="touch"&&vl(o,n)}),e.addEventListener("pointerleave",()=>o.tip.hidden=!0),e.addEventListener("keydown",n=>xl(o,n))}function mo(o,e){let t=o.body.getBoundingClientRect();
+return o.axes.place(e.clientX-t.left,e.clientY-t.top)}function vl(o,e){o.tip.textContent=o.said(mo(o,e)),o.tip.hidden=!1;let t=o.body.getBoundingClientRect();o.
 tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,o.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function kl(o,e,t,s){e.preventDefault(),
-o.body.focus({preventScroll:!0});let n=[e.clientX,e.clientY],i={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=uo(o,e);let a=!1,r=t(),l=h=>{if(r||=t(),
+o.body.focus({preventScroll:!0});let n=[e.clientX,e.clientY],i={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=mo(o,e);let a=!1,r=t(),l=h=>{if(r||=t(),
 r)return;let[c,u]=[h.clientX-n[0],h.clientY-n[1]];Math.hypot(c,u)<5&&!a||(a=!0,s(!0),o.tip.hidden=!0,o.axes.drag(i,c,u),o.redraw(),o.soon())};W(o.body,e,l,(h,c)=>{
 c&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function xl(o,e){let t=o.pointed??o.here()??o.axes.middle();if(o.pointed=t,Ti[e.key]){let[s,n]=Ti[e.key],{x:i,y:a}=o.
 axes.windows;o.pointed={x:y(t.x+s*(i[1]-i[0])/Si,i[0],i[1]),y:y(t.y+n*(a[1]-a[0])/Si,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(e.
@@ -1673,8 +1669,8 @@ i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??
 0,10).map(([r])=>{let{color:l,text:h}=n[r];return d("span",{},d("i",{style:`background:${l}`,"aria-hidden":"true"}),h)}),a.length>10?d("span",{},`and ${a.length-
 10} more`):""]}function Ii(o,e){for(let{header:t,values:s}of[...o].reverse()){let{x:n,y:i,classes:a}=t,r=Math.floor((e.x-n.from)/(n.to-n.from)*n.cells),l=Math.floor(
 (e.y-i.from)/(i.to-i.from)*i.cells);if(r<0||l<0||r>=n.cells||l>=i.cells)continue;let h=s[l*n.cells+r];if(a)return x(a[h]?.text??"not allowed");let[c,u]=Ai(t);return Number.
-isFinite(h)?F(_(h*c,4),u):x("none")}return"…"}var Li=[[24,16],[72,48],[216,144]],rs=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:s,say:n,changed:i}){this.backend=
-e,this.onmotion=s,this.say=n,this.changed=i;let a=t.controls.map_axes;this.axes=new as(a),this.what="sequence",this.layers=[],this.canvas=d("canvas",{class:"plo\
+isFinite(h)?F(_(h*c,4),u):x("none")}return"…"}var Li=[[24,16],[72,48],[216,144]],ls=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:s,say:n,changed:i}){this.backend=
+e,this.onmotion=s,this.say=n,this.changed=i;let a=t.controls.map_axes;this.axes=new rs(a),this.what="sequence",this.layers=[],this.canvas=d("canvas",{class:"plo\
 t-canvas"}),this.tip=d("div",{class:"tip",hidden:!0}),this.body=d("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
 ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=d("div",{class:"map-keys"}),this.state=d("span",{class:"hint"});
 let r=l=>{let h=d("select",{"data-axis":l,onchange:()=>this.setAxis(l,h.value)},a.map(({path:c,label:u})=>d("option",{value:c},u)));return h};this.selects={x:r(
@@ -1697,16 +1693,16 @@ changes:s,...r,what:this.what},h=await vi(()=>this.backend.call("map",l,e),p=>{M
 ...Pi(c));let u=Ei(t,Object.values(this.axes.paths)),m=x(s.length?"{count} motions, with rigid contact":"{count} motions",{count:i*a});M(this.state,u?`${m}; ${x(
 u)}`:m),this.redraw()}this.level=Li.length}catch(i){let{name:a,message:r}=i;if(a==="AbortError")return;M(this.state,r)}this.computing=!1}redraw(){if(!this.film)
 return;let{look:e}=this,{context:t,width:s,height:n}=D(this.canvas);this.axes.fit(s,n),t.clearRect(0,0,s,n),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
-let{axes:i}=this;for(let r of this.layers){let[l,h]=r.x.map(m=>i.x(m)),[c,u]=r.y.map(m=>i.y(m));t.drawImage(r.picture,l,u,h-l,c-u)}let a=this.here();a&&co(t,i.x(
-a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Ct(this.body)&&co(t,i.x(this.pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,n,e)}here(){let e=s=>{
+let{axes:i}=this;for(let r of this.layers){let[l,h]=r.x.map(m=>i.x(m)),[c,u]=r.y.map(m=>i.y(m));t.drawImage(r.picture,l,u,h-l,c-u)}let a=this.here();a&&uo(t,i.x(
+a.x),i.y(a.y),e.ink,e.paper),this.pointed&&Ot(this.body)&&uo(t,i.x(this.pointed.x),i.y(this.pointed.y),"#D55E00",e.paper),t.restore(),i.draw(t,n,e)}here(){let e=s=>{
 let[n,i]=s.split(".");return this.film.values[s]??this.film.scenario[n]?.[i]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
 y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${Ii(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
-this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var ls=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",s=performance.now()){let n=this.now;if(this.now=e,n===
-null||mo(n,e))return"same";let i=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],i?"again":(this.past.push(
+this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var hs=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",s=performance.now()){let n=this.now;if(this.now=e,n===
+null||po(n,e))return"same";let i=t!==""&&t===this.what&&s-this.when<1e3&&this.past.length>0;return this.what=t,this.when=s,this.future=[],i?"again":(this.past.push(
 n),this.past.length>500&&this.past.shift(),"step")}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,s]=e<0?[this.past,this.future]:[this.future,
-this.past],n=t.pop();!n||!this.now||(s.push(this.now),this.now=n,this.what="")}arrive(e){if(!(this.now&&mo(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:
-this.future,n=s.length-s.findLastIndex(i=>mo(i,e));if(!(n>s.length)){for(let i=0;i<n;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
-mo=(o,e)=>JSON.stringify(o)===JSON.stringify(e);var hs=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new ls,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+this.past],n=t.pop();!n||!this.now||(s.push(this.now),this.now=n,this.what="")}arrive(e){if(!(this.now&&po(this.now,e))){for(let t of[-1,1]){let s=t<0?this.past:
+this.future,n=s.length-s.findLastIndex(i=>po(i,e));if(!(n>s.length)){for(let i=0;i<n;i++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
+po=(o,e)=>JSON.stringify(o)===JSON.stringify(e);var cs=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new hs,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
 1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new ke(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let s=this.lanes[this.active];s.since??=performance.now(),s.pending=[...(s.pending??[]).filter(([
@@ -1721,21 +1717,21 @@ travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e)
 shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.
 lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
 this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let s=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
-Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var Al=6e3,cs=class{constructor(){this.message=d("p",{class:"message",role:"alert",hidden:!0}),this.toast=d("div",{class:"toast",role:"status",hidden:!0}),this.
+Boolean).join("&");return this.backend.link(this.film(0).query,s&&`#${s}`)}};var Al=6e3,ds=class{constructor(){this.message=d("p",{class:"message",role:"alert",hidden:!0}),this.toast=d("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(e){M(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:s}=this.
 message.getBoundingClientRect();return this.message.isConnected&&s>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),M(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Al)}};var X=52,po=10,H=8,zl=30,fo={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},Ue=class{films;active;look;box;range;heights;picked;named;values;constructor({
+ole",t?"presentation":"status"),M(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},Al)}};var X=52,fo=10,H=8,zl=30,go={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]},Ue=class{films;active;look;box;range;heights;picked;named;values;constructor({
 key:e,title:t,unit:s,curves:n,limits:i,symmetric:a=!1},r){this.key=e,this.title=t,this.unit=s,this.curves=n,this.limits=i,this.symmetric=a,this.shared=r,this.canvas=
 d("canvas",{class:"plot-canvas"}),this.over=d("canvas",{class:"plot-canvas plot-over"}),this.keys=d("div",{class:"plot-keys"}),this.body=d("div",{class:"plot-bo\
 dy",tabindex:"0",role:"img","aria-label":t},this.canvas,this.over),this.element=d("section",{class:"plot","data-plot":e},d("header",{},d("h3",{},t),this.keys),this.
 body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=Z(this.body,{zoom:(l,h)=>this.films&&this.zoomAbout(h?this.valueAt(h):this.middle(),
 1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return B[this.shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,
 Math.max(...this.films.map(s=>s.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let s of this.films)for(let n of this.abscissa(s))n<e&&(e=n),n>t&&(t=n);return t>e?[e,t]:
-[e-1,t+1]}draw(e,t,s,n){this.films=e,this.active=t,this.look=s;let{context:i,width:a,height:r}=D(this.canvas);this.box={width:a-X-po,height:r-H-zl},i.clearRect(
+[e-1,t+1]}draw(e,t,s,n){this.films=e,this.active=t,this.look=s;let{context:i,width:a,height:r}=D(this.canvas);this.box={width:a-X-fo,height:r-H-zl},i.clearRect(
 0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((h,c)=>this.shades(h,c).map((u,m)=>({...u,film:h,lane:c,number:m})));this.heights=this.limits??
 this.findHeights(l),this.shared.axis==="time"&&this.bands(i,e[t],n),this.grid(i,s,a,r),i.save(),i.beginPath(),i.rect(X,H,this.box.width,this.box.height),i.clip();
 for(let h of l)this.curve(i,h);if(e.length>1)for(let h of l)h.number===0&&this.letter(i,h);i.restore(),this.legend(this.shades(e[t],t),s.dark),this.describe(l)}shades(e,t){
-let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.color&&it(i.color,s)}));let n=Object.keys(fo);return this.curves(e).map(
+let{dark:s}=this.look;if(this.films.length<2)return this.curves(e).map(i=>({...i,color:i.color&&it(i.color,s)}));let n=Object.keys(go);return this.curves(e).map(
 (i,a)=>({...i,color:ie(t,s),dash:n[a%n.length]}))}x(e){return X+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return H+(1-(e-this.heights[0])/
 (this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{film:c,values:u}of e){let m=this.abscissa(c);for(let p=0;p<u.length;p++)m[p]>=
 this.range[0]&&m[p]<=this.range[1]&&Number.isFinite(u[p])&&t.push(u[p])}if(!t.length)return[0,1];let s=Float64Array.from(t).sort(),[n,i]=[s[0],s[s.length-1]],[a,
@@ -1744,17 +1740,17 @@ symmetric&&([n,i]=[-Math.max(-n,i),Math.max(-n,i)]);let h=.06*(i-n)||1;return[n<
 box.width),a=y(this.x(n.to),X,X+this.box.width);a<=i||(e.fillStyle=nt(s.modes[n.mode],.14),e.fillRect(i,H,a-i,this.box.height))}}grid(e,t,s,n){e.font=`11px ${t.
 font}`,e.strokeStyle=t.line,e.fillStyle=t.soft,e.lineWidth=1;let i=Math.max(this.box.height/28,4);for(;te(this.heights[0],this.heights[1],i).length<3&&i<12;)i+=
 1;let a=U(this.heights[1]-this.heights[0],i);e.textAlign="right",e.textBaseline="middle";for(let m of te(this.heights[0],this.heights[1],i)){let p=Math.round(this.
-y(m))+.5;e.globalAlpha=Math.abs(m)<1e-9*a?1:.55,e.beginPath(),e.moveTo(X,p),e.lineTo(s-po,p),e.stroke(),e.globalAlpha=1,e.fillText(Y(m,a),X-6,p)}let r=this.box.
+y(m))+.5;e.globalAlpha=Math.abs(m)<1e-9*a?1:.55,e.beginPath(),e.moveTo(X,p),e.lineTo(s-fo,p),e.stroke(),e.globalAlpha=1,e.fillText(Y(m,a),X-6,p)}let r=this.box.
 width/70,l=U(this.range[1]-this.range[0],r);e.textAlign="center",e.textBaseline="alphabetic";let{name:h,unit:c}=B[this.shared.axis],u=c?`${x(h)} [${c}]`:x(h);for(let m of te(
 this.range[0],this.range[1],r)){let p=this.x(m);e.beginPath(),e.moveTo(p,H+this.box.height),e.lineTo(p,H+this.box.height+4),e.stroke(),e.fillText(Y(m,l),p,H+this.
-box.height+15)}e.textAlign="right",e.fillText(u,s-po,n-3),e.save(),e.translate(11,H+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(x(this.
-unit),0,0),e.restore()}curve(e,{film:t,color:s,dash:n,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(fo[n??"solid"]),e.beginPath();let a=!1;
+box.height+15)}e.textAlign="right",e.fillText(u,s-fo,n-3),e.save(),e.translate(11,H+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="center",e.fillText(x(this.
+unit),0,0),e.restore()}curve(e,{film:t,color:s,dash:n,number:i}){e.strokeStyle=s??this.look.ink,e.lineWidth=1.8,e.setLineDash(go[n??"solid"]),e.beginPath();let a=!1;
 for(let r of t.pieces()){let l=this.abscissa(r.film),{values:h}=this.curves(r.film)[i];for(let c=r.from;c<r.to;c++){if(!Number.isFinite(h[c])||!Number.isFinite(
 l[c])){a=!1;continue}let u=this.x(l[c]),m=y(this.y(h[c]),-1e4,1e4);a?e.lineTo(u,m):e.moveTo(u,m),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{film:t,lane:s,values:n,
 color:i}){let a=this.abscissa(t),r=this.range[0]+(s?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(u=>u>=r);if(l<0||!Number.isFinite(n[l]))return;let[h,c]=[
 this.x(a[l]),y(this.y(n[l])-8,H+10,H+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=this.look.panel,e.
 strokeText("AB"[s],h,c),e.fillStyle=i??this.look.ink,e.fillText("AB"[s],h,c)}legend(e,t){let s=e.map(n=>n.name+n.color+n.dash).join()+t;this.named!==s&&(this.named=
-s,this.values=e.map(()=>d("span",{class:"value"})),this.keys.replaceChildren(...e.map((n,i)=>d("span",{class:"plot-key"},go(n.color,n.dash),n.name," ",this.values[i]))))}describe(e){
+s,this.values=e.map(()=>d("span",{class:"value"})),this.keys.replaceChildren(...e.map((n,i)=>d("span",{class:"plot-key"},wo(n.color,n.dash),n.name," ",this.values[i]))))}describe(e){
 let t=e.slice(0,6).map(({name:n,values:i,lane:a})=>{let[r,l]=[1/0,-1/0];for(let u of i)u<r&&(r=u),u>l&&(l=u);let h=this.films.length>1?`${"AB"[a]}: `:"",c={name:x(
 n),low:_(r,3),high:_(l,3)};return l>=r?`${h}${x("{name} from {low} to {high}",c)}`:""}),s=x("Diagram: {title} in {unit}.",{title:x(this.title),unit:x(this.unit)});
 this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,width:s,height:n}=D(this.over);if(t.clearRect(
@@ -1770,9 +1766,9 @@ body,e,a,(r,l)=>{let h=this.valueAt(r),{picked:c}=this;this.picked=null,c&&l?thi
 e.pointerType==="mouse"?n:h)})}seek(e){if(this.shared.axis==="time")return this.onseek(e);let t=this.films[this.active],s=this.abscissa(t),n=0;for(let i=0;i<s.length;i++)
 Math.abs(s[i]-e)<Math.abs(s[n]-e)&&(n=i);return this.onseek(t.t[n])}middle(){return .5*(this.range[0]+this.range[1])}zoomAbout(e,t){let s=this.fullRange(),n=Math.
 max(e-(e-this.range[0])*t,s[0]),i=Math.min(e+(this.range[1]-e)*t,s[1]);this.zoomTo(n<=s[0]&&i>=s[1]?null:[n,i])}zoomTo(e){this.shared.range=e&&e[1]-e[0]>1e-9?e:
-null,this.shared.changed()}};function go(o,e="solid"){let t=d("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=o??"var(--ink)",t.style.borderTopStyle=
-{solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,n=fo[e].map((i,a)=>(s+=i,`${a%2?"transparent":o??"var(--\
-ink)"} ${s-i}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${n.join(", ")})`}return t}var xe=52,Ni=10,j=8,Rl=30,Pl="RSKHM?",ds=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
+null,this.shared.changed()}};function wo(o,e="solid"){let t=d("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=o??"var(--ink)",t.style.borderTopStyle=
+{solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let s=0,n=go[e].map((i,a)=>(s+=i,`${a%2?"transparent":o??"var(--\
+ink)"} ${s-i}px ${s}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${n.join(", ")})`}return t}var xe=52,Ni=10,j=8,Rl=30,Pl="RSKHM?",us=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,s){this.backend=
 e,this.clock=t,this.colors=s,this.canvas=d("canvas",{class:"plot-canvas"}),this.over=d("canvas",{class:"plot-canvas plot-over"}),this.keys=d("div",{class:"plot-\
 keys"}),this.body=d("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
 ght"},this.canvas,this.over),this.element=d("section",{class:"phase"},d("header",{},d("h3",{},"Plane of θ and θ̇"),this.keys),this.body,d("p",{class:"hint"},
@@ -1799,7 +1795,7 @@ t,s);for(let r=0;r<s;r++)for(let l=0;l<t;l++){let h=Pl[e[r*t+l]],c=ue(n[h]??"#6E
 pictures){let[l,h,c,u]=r,m=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(c)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.
 drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==
 t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>d("span",{class:"plot\
--key"},go(e.modes[r]),l)))}this.cursor(this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",
+-key"},wo(e.modes[r]),l)))}this.cursor(this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",
 .28),e.lineWidth=1;for(let n=0;n<s;n++){if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),
 e.rect(a,j,r-a,this.box.height),e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?j+this.box.height:j),e.
 lineTo(a+h+this.box.height,l>0?j:j+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,
@@ -1817,9 +1813,9 @@ height&&(t.beginPath(),t.arc(c,u,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.mo
 dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],c+8,
 u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,
 omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let c=0;c<i.length;c++){let u=a[c]-Math.floor(a[c]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[c])-n);m<h.distance&&
-(h={distance:m,t:i.t[c]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var wo=o=>Object.entries(B).map(([e,t])=>d("option",{value:e},o(t)));function qi(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+(h={distance:m,t:i.t[c]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var bo=o=>Object.entries(B).map(([e,t])=>d("option",{value:e},o(t)));function qi(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
 B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=d("select",{"aria-label":"What your diagram shows",onchange:()=>{
-e=n.value,s(),o.changed()}},wo(ci));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function Il(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
+e=n.value,s(),o.changed()}},bo(ci));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function Il(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
 s",unit:"energy [J]",curves:e=>[{name:"kinetic",color:o.kinetic,values:e.columns.kinetic},{name:"potential",color:o.potential,values:e.columns.potential},{name:"\
 total",values:e.derived("total",({t,kinetic:s,potential:n})=>Float64Array.from(t,(i,a)=>s[a]+n[a])),dash:"dash"},{name:"lost to friction",color:o.friction_loss,
@@ -1827,17 +1823,17 @@ values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:o.normal_force,values:e.columns.normal_force},{name:"friction F",color:o.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:o.
-friction_force,values:e.columns.utilization}]}]}var us=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
+friction_force,values:e.columns.utilization}]}]}var ms=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
 redraw()},this.plots=[...Il(t).map(n=>new Ue(n,this.shared)),qi(this.shared)];for(let n of this.plots)n.onseek=i=>e.seek(i);this.seen=new Map(this.plots.map(n=>[
 n.element,!0]));let s=new IntersectionObserver(n=>{for(let{target:i,isIntersecting:a}of n)this.seen.set(i,a);this.redraw()},{rootMargin:"400px"});for(let n of this.
 plots)s.observe(n.element);this.axis=d("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
-null,this.redraw()}},wo(({name:n})=>`over ${n}`)),this.back=d("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
+null,this.redraw()}},bo(({name:n})=>`over ${n}`)),this.back=d("button",{type:"button",hidden:!0,onclick:()=>this.plots[0].zoomTo(null)},"Whole motion"),this.hint=
 d("span",{class:"hint"}),this.element=d("div",{class:"plots"},d("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(n=>n.element))}draw(e,t,s){
 this.films=e,this.active=t,this.look=s;let n=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${Ke("")}`,
 i=e.length>1;M(this.hint,i?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${n}`:n),this.redraw()}redraw(){if(this.films?.length){this.
 back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.
 plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Ll=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],ms=class{constructor(e){this.lab=e,this.menu=d("details",{class:"menu"},d("summary",{class:"button"},"Keep"),d("div",{class:"menu-body"},e.backend.shares&&
+)"]],ps=class{constructor(e){this.lab=e,this.menu=d("details",{class:"menu"},d("summary",{class:"button"},"Keep"),d("div",{class:"menu-body"},e.backend.shares&&
 this.item("Copy the link",()=>this.copyLink()),Ll.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,s])=>this.item(s,()=>this.download(t))),this.item("Pic\
 ture (PNG)",()=>this.picture()),this.item("Record a film here (WebM)",()=>this.record()),this.item("Show me the Python",()=>this.code()))),this.dialog=d("dialog",
 {class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerdown",t=>{this.menu.contains(t.target)||(this.menu.open=!1)})}item(e,t){
@@ -1860,14 +1856,14 @@ tton",{type:"button"},"Copy");i.onclick=async()=>{await navigator.clipboard?.wri
 "pre",{tabindex:"0"},d("code",{},document.createTextNode(n))))}this.dialog.replaceChildren(...t,d("button",{type:"button",class:"close",onclick:()=>this.dialog.
 close()},"Close")),this.dialog.showModal()}};function ji(o,e){let t=d("div",{class:"edge","aria-hidden":"true"}),s=new IntersectionObserver(([n])=>{let i=!n.isIntersecting&&n.boundingClientRect.top<0;if(i===
 o.classList.contains("stuck"))return;let a=o.offsetHeight;o.style.marginBottom="",o.classList.toggle("stuck",i),i&&(o.style.marginBottom=`${a-o.offsetHeight}px`),
-document.documentElement.style.scrollPaddingTop=i?`${o.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var Ci=120,ps=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
+document.documentElement.style.scrollPaddingTop=i?`${o.offsetHeight}px`:"",e()});return s.observe(t),{edge:t,close:()=>s.disconnect()}}var Ci=120,fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,e.addEventListener(
 "pointerdown",s=>this.drag(s)),this.pinched=Z(e,{zoom:s=>this.zoomBy(s),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}zoomBy(e){this.zoom=y(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;let t=[e.clientX,e.clientY],s=this.shift;W(this.canvas,e,n=>{
 this.pinched()||(this.shift=[s[0]+n.clientX-t[0],s[1]+n.clientY-t[1]],this.onview())})}draw(e,t,s,n,i){let{context:a,width:r,height:l}=D(this.canvas);if(a.clearRect(
 0,0,r,l),r<40||l<40)return;let h=l/e.length,c={top:Math.max(...e.map(u=>u.extent.top)),radius:Math.max(...e.map(u=>u.radius)),speed:Math.max(...e.map(u=>u.extent.
-speed))};e.forEach((u,m)=>{a.save(),a.beginPath(),a.rect(0,m*h,r,h),a.clip(),a.translate(0,m*h);let p=new bo(a,r,h,u,t,s,n,i,this.zoom,this.shift,c);p.top=m*h,p.
+speed))};e.forEach((u,m)=>{a.save(),a.beginPath(),a.rect(0,m*h,r,h),a.clip(),a.translate(0,m*h);let p=new yo(a,r,h,u,t,s,n,i,this.zoom,this.shift,c);p.top=m*h,p.
 scale=this.fixed??p.scale,p.draw(),this.views[m]=p,e.length>1&&(p.mark("AB"[m],ie(m,n.dark)),a.fillStyle=ie(m,n.dark),a.font=`700 17px ${n.font}`,a.textAlign="l\
-eft",a.fillText("AB"[m],12,h-12)),a.restore(),m>0&&(a.fillStyle=n.line,a.fillRect(0,m*h-.5,r,1))})}},bo=class{top=0;constructor(e,t,s,n,i,a,r,l,h,c,u){this.context=
+eft",a.fillText("AB"[m],12,h-12)),a.restore(),m>0&&(a.fillStyle=n.line,a.fillRect(0,m*h-.5,r,1))})}},yo=class{top=0;constructor(e,t,s,n,i,a,r,l,h,c,u){this.context=
 e,this.width=t,this.height=s,this.film=n,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=n.at(i);let m=n.radius,{left:p,right:w}=n.extent,{top:b}=u;
 this.cosine=Math.cos(n.slope),this.sine=Math.sin(n.slope);let g=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/g,.36*t/u.radius);if(a.whole){let k=(w-p)*this.
 cosine+2.6*m,T=(w-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/T,f)*h,this.focus=[.5*(p+w),0],this.place=[.5*t+c[0],(n.slope?.62:.8)*s+c[1]]}else
@@ -1889,7 +1885,7 @@ s.arc(r,l,Math.max(n.radius*a-y(.07*n.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(
 e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:n,colors:i,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),h=r-.5*l/a,c=[t.x,r+t.height],u=(g,f=h)=>this.point(c[0]+
 f*Math.sin(g),c[1]+f*Math.cos(g));if(s.lineCap="butt",n.dark&&(s.strokeStyle=n.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(c[0],c[1]),h*a,0,2*Math.PI),
 s.stroke()),this.options.speed){let g=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Ci;for(let k=0;k<Ci;k++){let T=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
-cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=Nt[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
+cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=qt[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
 stroke()}}else s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(c[0],c[1]),h*a,0,2*Math.PI),s.stroke();s.strokeStyle=n.soft,s.lineWidth=
 1,s.beginPath(),s.moveTo(...this.point(c[0],c[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(g,f,k,T)=>{s.beginPath(),s.arc(...g,f,0,2*Math.PI),s.fillStyle=k,s.
 fill(),s.lineWidth=1.5,s.strokeStyle=T,s.stroke()};m(this.point(c[0],c[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,c):m(u(t.angle),y(.1*r*
@@ -1907,12 +1903,12 @@ I,l.beginPath(),l.moveTo(...p),l.lineTo(w[0]-g*k,w[1]-f*k),l.stroke();if(l.begin
 k+f*k*.5,w[1]-f*k-g*k*.5),l.fill(),m){let[N,I]=[p[0]+.55*g*b,p[1]+.55*f*b];l.strokeStyle=h.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(N+g*(z-
 3)-f*7,I+f*(z-3)+g*7),l.lineTo(N+g*(z+3)+f*7,I+f*(z+3)-g*7);l.stroke()}l.font=`600 12px ${h.font}`;let T=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
 ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*T-32*this.sine,p[1]+32*this.cosine]:[w[0]+12,y(w[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
-c-T-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function vo(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Oi(o,e,t,s){
-let n=1/Math.tan(o/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function Di(o,e){let t=Pe(ko(o,e)),s=Pe(fs([0,1,0],t)),
-n=fs(t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-yo(s,o),-yo(n,o),-yo(t,o),1])}var ko=(o,e)=>[o[0]-e[0],o[1]-e[1],o[2]-e[2]],
-yo=(o,e)=>o[0]*e[0]+o[1]*e[1]+o[2]*e[2],fs=(o,e)=>[o[1]*e[2]-o[2]*e[1],o[2]*e[0]-o[0]*e[2],o[0]*e[1]-o[1]*e[0]];function Pe(o){let e=Math.hypot(...o)||1;return[
-o[0]/e,o[1]/e,o[2]/e]}function gs(o,e,t,s){let n=Pe(e),i=Pe(fs(n,Math.abs(n[2])>.9?[1,0,0]:[0,0,1])),a=fs(i,n);return new Float32Array([...i.map(r=>r*s),0,...n.
-map(r=>r*t),0,...a.map(r=>r*s),0,...o,1])}function xo(o){let[e,t]=[Math.cos(o),Math.sin(o)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function se(o){let e=Number.parseInt(o.slice(1,7),
+c-T-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function ko(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Oi(o,e,t,s){
+let n=1/Math.tan(o/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function Di(o,e){let t=Pe(xo(o,e)),s=Pe(gs([0,1,0],t)),
+n=gs(t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-vo(s,o),-vo(n,o),-vo(t,o),1])}var xo=(o,e)=>[o[0]-e[0],o[1]-e[1],o[2]-e[2]],
+vo=(o,e)=>o[0]*e[0]+o[1]*e[1]+o[2]*e[2],gs=(o,e)=>[o[1]*e[2]-o[2]*e[1],o[2]*e[0]-o[0]*e[2],o[0]*e[1]-o[1]*e[0]];function Pe(o){let e=Math.hypot(...o)||1;return[
+o[0]/e,o[1]/e,o[2]/e]}function ws(o,e,t,s){let n=Pe(e),i=Pe(gs(n,Math.abs(n[2])>.9?[1,0,0]:[0,0,1])),a=gs(i,n);return new Float32Array([...i.map(r=>r*s),0,...n.
+map(r=>r*t),0,...a.map(r=>r*s),0,...o,1])}function _o(o){let[e,t]=[Math.cos(o),Math.sin(o)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function se(o){let e=Number.parseInt(o.slice(1,7),
 16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function Ge(o,e,t){let s=o.createProgram(),n=[[o.VERTEX_SHADER,e],[o.FRAGMENT_SHADER,t]];for(let[a,r]of n){let l=o.createShader(a);if(o.shaderSource(l,r),o.compileShader(
 l),!o.getShaderParameter(l,o.COMPILE_STATUS))throw new Error(String(o.getShaderInfoLog(l)));o.attachShader(s,l)}if(o.linkProgram(s),!o.getProgramParameter(s,o.LINK_STATUS))
 throw new Error(String(o.getProgramInfoLog(s)));let i={program:s,uniforms:{},attributes:{}};for(let a=0;a<o.getProgramParameter(s,o.ACTIVE_UNIFORMS);a++){let{name:r}=o.
@@ -1921,11 +1917,11 @@ i.attributes[r]=o.getAttribLocation(s,r)}return i}function Ie(o,e,t,s){let n=o.c
 e),o.STATIC_DRAW);let i=s?o.createBuffer():null;s&&(o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,i),o.bufferData(o.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),o.STATIC_DRAW));
 let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:n,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function Ve(o,e,t){o.bindBuffer(o.ARRAY_BUFFER,
 t.vertices);let s=0;for(let[n,i]of Object.entries(t.parts)){let a=e.attributes[n];a!==void 0&&(o.enableVertexAttribArray(a),o.vertexAttribPointer(a,i,o.FLOAT,!1,
-t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function _o(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
+t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function To(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
 n,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Fi(o,e=120,t=14){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++)s.push(2*Math.PI*n/e,2*Math.PI*i/t);return Ie(
-o,s,{bend:2},_o(e,t))}function Wi(o,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*n/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ie(o,s,{position:3,normal:3},_o(e,t))}function To(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
-Math.PI*n/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Ie(o,s,{position:3,normal:3},_o(t,1))}var Ki=`
+o,s,{bend:2},To(e,t))}function Wi(o,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*n/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ie(o,s,{position:3,normal:3},To(e,t))}function So(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
+Math.PI*n/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Ie(o,s,{position:3,normal:3},To(t,1))}var Ki=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
@@ -1980,24 +1976,24 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],ws=class{constructor(e,t,s,n,{keep:i=!1}={}){let a=e.getContext(
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],bs=class{constructor(e,t,s,n,{keep:i=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
 e,this.sun=Pe(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Ge(a,$i[0],$i[1]),this.body=Ge(a,Bi[0],Bi[1]),this.line=Ge(a,Hi[0],Hi[1]),this.torus=Fi(
-a),this.sphere=Wi(a),this.cylinder=To(a,1),this.cone=To(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
+a),this.sphere=Wi(a),this.cylinder=So(a,1),this.cone=So(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
 l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
-a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=xo(0),
+a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=_o(0),
 this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:n,angle:i,near:a,far:r}){let{gl:l,canvas:h}=this;l.viewport(0,0,h.width,h.height),l.clearColor(
-e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let c=Oi(i,h.width/h.height,a,r);this.view=vo(vo(c,
-Di(t,s)),xo(n)),this.eye=Pe(ko(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let n={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
+e[0],e[1],e[2],1),l.clear(l.COLOR_BUFFER_BIT|l.DEPTH_BUFFER_BIT|l.STENCIL_BUFFER_BIT),l.enable(l.DEPTH_TEST);let c=Oi(i,h.width/h.height,a,r);this.view=ko(ko(c,
+Di(t,s)),_o(n)),this.eye=Pe(xo(t,s))}use(e,t){let{gl:s}=this;s.useProgram(e.program);let n={view:this.view,sun:this.sun,eye:this.eye,slant:this.slant,...t};for(let[
 i,a]of Object.entries(n)){let r=e.uniforms[i];r!==void 0&&(typeof a=="number"?s.uniform1f(r,a):a.length===16?s.uniformMatrix4fv(r,!1,a):s[`uniform${a.length}fv`](
 r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
 t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
 t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,s,{shadow:n=!1,lit:i=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:s,shadow:n?
-this.dark:0,lit:Number(i)}),Ve(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,n){this.solid(this.sphere,gs(e,[0,1,0],t,t),s,{shadow:n})}ring({
+this.dark:0,lit:Number(i)}),Ve(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,s,n){this.solid(this.sphere,ws(e,[0,1,0],t,t),s,{shadow:n})}ring({
 center:e,radius:t,tube:s,broad:n,angle:i,velocity:a,omega:r,plain:l=null},h){let{gl:c}=this;this.use(this.rim,{center:e,size:[t,s,n,i],motion:[...a,r],most:this.
 fastest,shadow:h?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),Ve(c,this.rim,this.torus),c.drawElements(c.TRIANGLES,this.torus.count,c.UNSIGNED_SHORT,0)}rod(e,t,s,n,i,a=!1){
-this.solid(this.cylinder,gs(e,t,s,n),i,{shadow:a})}arrow(e,t,s,n,i){if(!(s>.02*n))return;let a=Math.min(.18*n,s),r=e.map((l,h)=>l+t[h]*(s-a));s>a&&this.rod(e,t,
-s-a,.029*n,i),this.solid(this.cone,gs(r,t,a,Math.min(.075*n,.6*a)),i)}trace(e,t,s){let n=[];for(let i=0;i<e;i++){let a=t(i),r=t(Math.min(i+1,e-1));if(Math.hypot(
+this.solid(this.cylinder,ws(e,t,s,n),i,{shadow:a})}arrow(e,t,s,n,i){if(!(s>.02*n))return;let a=Math.min(.18*n,s),r=e.map((l,h)=>l+t[h]*(s-a));s>a&&this.rod(e,t,
+s-a,.029*n,i),this.solid(this.cone,ws(r,t,a,Math.min(.075*n,.6*a)),i)}trace(e,t,s){let n=[];for(let i=0;i<e;i++){let a=t(i),r=t(Math.min(i+1,e-1));if(Math.hypot(
 r[0]-a[0],r[1]-a[1])<1e-9&&i>0){let l=t(i-1);r=a.map((h,c)=>2*h-l[c])}for(let l of[-1,1])n.push(...a,0,...r,0,...s(i),l)}return Ie(this.gl,n,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:s,distance:n=0,shift:i,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:s,distance:n,
 shift:i,depth:a}),Ve(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,s]){let n=this.view,[i,a,r]=[0,1,3].map(l=>n[l]*e+n[4+l]*t+n[8+l]*s+n[12+
@@ -2009,7 +2005,7 @@ l]);return r>0?[(.5+.5*i/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new ws(e,We,Nl,ql,{keep:!0}),this.floor=Ge(this.space.gl,Ji[0],Ji[1]),this.corners=Ie(this.
+   }`],ys=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new bs(e,We,Nl,ql,{keep:!0}),this.floor=Ge(this.space.gl,Ji[0],Ji[1]),this.corners=Ie(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Vi},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
 "pointerdown",s=>this.drag(s)),this.pinched=Z(e,{zoom:s=>this.zoomBy(s),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=y(
 this.turned.distance/e,1.6,60):this.turned={...Vi},this.onview()}drag(e){let t={...this.turned,x:e.clientX,y:e.clientY};W(this.canvas,e,s=>{this.pinched()||(this.
@@ -2032,21 +2028,21 @@ space.arrow(r,[0,1,0],l(t.normal_force),i,se(n.normal_force)),this.space.arrow(r
 get(e);if(n?.dark===t.dark)return n;let i=e.radius,{x:a,height:r,angle:l,mode:h}=e.columns,c=(b,g)=>this.space.trace(e.length,f=>[a[f]+b*Math.sin(l[f]),i+r[f]+b*
 Math.cos(l[f])],g),[u,m,p]=[se(s.gravity_center),se(s.airborne),se(t.ink)],w={dark:t.dark,load:c(i,()=>p),center:c(e.eccentricity*i,b=>h[b]===3?m:u)};return this.
 lines.set(e,w),w}drawTraces(e,t,s,n,i,a){let{load:r,center:l}=this.linesOf(e,n,i),h=Math.min(e.index(t.t)+2,e.length),c={shift:this.focus,depth:s};this.space.drawTrace(
-r,h,{width:a,...c}),this.space.drawTrace(l,h,{width:1.6*a,...c})}};var jl=["hoop","mode","time","angle","v","R θ̇","gap"],ys=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=d("canvas",{class:"stage-canvas"}),this.space=d("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new ps(this.plane,t),this.deep=
+r,h,{width:a,...c}),this.space.drawTrace(l,h,{width:1.6*a,...c})}};var jl=["hoop","mode","time","angle","v","R θ̇","gap"],vs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1},this.plane=d("canvas",{class:"stage-canvas"}),this.space=d("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new fs(this.plane,t),this.deep=
 null,this.outputs=jl.map(n=>({name:d("dt",{},n),value:d("dd",{})})),this.outputs[1].value.className="mode",this.fastest=d("span",{}),this.legend=d("div",{class:"\
-legend","aria-hidden":"true"},d("i",{style:`background: linear-gradient(90deg, ${Nt.filter((n,i)=>i%15===0).join(",")})`}),d("span",{},"0"),d("span",{},"rim spe\
+legend","aria-hidden":"true"},d("i",{style:`background: linear-gradient(90deg, ${qt.filter((n,i)=>i%15===0).join(",")})`}),d("span",{},"0"),d("span",{},"rim spe\
 ed"),this.fastest);let s=(n,i)=>d("span",{},d("i",{class:"dot",style:`background:${n}`}),i);this.order=d("span",{hidden:!0},"A in front, B behind"),this.element=
 d("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,d("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
 ({name:n,value:i})=>[n,i])),this.legend,d("div",{class:"stage-keys","aria-hidden":"true"},s("var(--ink)","load"),s(e.gravity_center,"centre of gravity"),s(e.airborne,
 "the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,s,{look:n,inks:i}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${_(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new bs(this.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${_(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new ys(this.
 space,this.onview),this.deep.draw(e,s.time,a,n,i,s.playing)):this.flat.draw(e,s.time,a,n,i),this.read(e,t,s.time)}read(e,t,s){let n=e[t],i=n.at(s),a=[e.length>1?
 "AB"[t]:"",x(this.colors.mode_names[i.mode]),le(`${i.t.toFixed(3)} s`),q(i.angle),F(_(i.vx,3),"m/s"),F(_(i.omega*n.radius,3),"m/s"),i.height>0?ye(i.height):"0"];
 for(let[h,c]of a.entries()){let{value:u}=this.outputs[h];u.textContent!==c&&(u.textContent=c)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.
 style.setProperty("--mode",this.colors.modes[i.mode])}describe(e){let t=e.map(s=>s.summary).join(" ");this.element.setAttribute("aria-label",`${x("The hoop.")} ${t}`)}turn(e){
 let t=()=>{this.plane.hidden=this.options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(s){throw this.options.
-three=!1,t(),s}}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var vs=class{film;items;current;constructor(e){this.clock=e,this.summary=d("p",{class:"summary"}),this.list=d("ol",{class:"story-list"}),this.heading=d("h2",{},
+three=!1,t(),s}}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var ks=class{film;items;current;constructor(e){this.clock=e,this.summary=d("p",{class:"summary"}),this.list=d("ol",{class:"story-list"}),this.heading=d("h2",{},
 "What happens"),this.live=d("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=d("section",{class:"story","aria-label":"The motion in words"},
 this.heading,this.summary,this.list,this.live)}draw(e,t,s){this.film=e[t],M(this.heading,e.length>1?`What happens to hoop ${"AB"[t]}`:"What happens"),this.summary.
 replaceChildren(...e.flatMap((n,i)=>[e.length>1?d("b",{},`${"AB"[i]}: `):"",n.summary,n.status==="event_limit"||n.shortened?" (not all events are shown)":"",i+1<
@@ -2055,23 +2051,23 @@ und:${s.modes[n.mode]}`,"aria-hidden":"true"}),d("span",{class:"when"},`${_(n.t,
 -1,this.cursor(this.clock.time)}say(e){M(this.live,e)}announce(e){this.say(ee(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,s=-1;for(let i=0;i<
 t.length&&t[i].t<=e+1e-9;i++)s=i;if(s===this.current)return;this.items[this.current]?.classList.remove("now"),this.items[s]?.classList.add("now"),this.items[this.
 current]?.removeAttribute("aria-current"),this.items[s]?.setAttribute("aria-current","step"),this.current=s;let n=this.items[s];if(n){let i=n.offsetTop-this.list.
-offsetTop;(i<this.list.scrollTop||i+n.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}},ks=class{constructor(){
+offsetTop;(i<this.list.scrollTop||i+n.offsetHeight>this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=i-.4*this.list.clientHeight)}}},xs=class{constructor(){
 this.list=d("dl",{}),this.heading=d("h2",{},"What theory says"),this.element=d("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){M(this.heading,t?
-`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:n})=>[d("dt",{},s),d("dd",{},n)]))}};var Yi="hophoop-theme",Cl=["gravity_center","airborne","normal_force","friction_force"],xs=class{constructor(e,t,s,n){this.root=e,this.colors=t,this.hosted=s,this.
+`What theory says of hoop ${t}`:"What theory says"),this.list.replaceChildren(...e.flatMap(({label:s,text:n})=>[d("dt",{},s),d("dd",{},n)]))}};var Yi="hophoop-theme",Cl=["gravity_center","airborne","normal_force","friction_force"],_s=class{constructor(e,t,s,n){this.root=e,this.colors=t,this.hosted=s,this.
 changed=n,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
-this.mark(),this.look=Vs(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ae(Yi):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
-"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Vs(this.root),this.inks={...this.colors};for(let e of Cl)
+this.mark(),this.look=Js(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ae(Yi):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
+"light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Js(this.root),this.inks={...this.colors};for(let e of Cl)
 this.inks[e]=it(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&re(Yi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var _s={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
+k",this.hosted&&re(Yi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ts={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
 energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Zi=o=>o.kind==="takeoff"||o.to==="H"&&o.from!=="H"&&o.kind!=="impact";var vt={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},Ts=Object.keys(vt);function Xi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ts.indexOf(i.kind)-Ts.indexOf(a.kind)||i.x-a.x),n=[];
-for(let{kind:i,x:a}of s){let r=Ts.indexOf(i)<Ts.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
+↺",apex:"•"},Ss=Object.keys(vt);function Xi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ss.indexOf(i.kind)-Ss.indexOf(a.kind)||i.x-a.x),n=[];
+for(let{kind:i,x:a}of s){let r=Ss.indexOf(i)<Ss.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
 x+e))<e-1e-9)?l[0].mark!==vt[i]&&n.push({mark:vt[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:n.push({mark:vt[i],x:a,rare:r,hidden:0})}return n.sort((i,a)=>i.
 x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Qi(o,e,t){let s=[],n=new Map,i=-1,a=(l,h,c)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-h)<1e-6?u.
 wide+=c:s.push({mode:l,from:h,wide:c})},r=()=>{n.size&&a([...n].reduce((l,h)=>h[1]>l[1]?h:l)[0],i,1),n=new Map};for(let{mode:l,from:h,to:c}of o){let[u,m]=[Math.
 max(e(h),0),Math.min(e(c),t)];if(m>u)for(let p=u;p<m-1e-9;){if((Math.floor(p+1e-9)!==i||!n.size)&&(r(),i=Math.floor(p+1e-9),m-p>=1&&Math.abs(p-i)<1e-6)){let b=Math.
-floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let w=Math.min(m,i+1);n.set(l,(n.get(l)??0)+w-p),p=w}}return r(),s}var Ss=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=d("canvas",{class:"timeline-canvas"}),this.tip=d("div",{class:"tip",hidden:!0}),
+floor(m-p+1e-9);a(l,i,b),p=i+b;continue}let w=Math.min(m,i+1);n.set(l,(n.get(l)??0)+w-p),p=w}}return r(),s}var Ms=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=d("canvas",{class:"timeline-canvas"}),this.tip=d("div",{class:"tip",hidden:!0}),
 this.element=d("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
 erleave",()=>this.tip.hidden=!0),this.pinched=Z(this.element,{zoom:(t,s)=>this.zoom(1/t,s?this.timeAt(s):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
@@ -2080,7 +2076,7 @@ a=Math.max((n-s)*e,i),r=(t-s)/(n-s);this.window=a<this.clock.duration?Re([t-r*a,
 return;let[e,t]=this.ends(),{time:s,duration:n}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=Re(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,n])}timeAt(e){let t=this.
 canvas.getBoundingClientRect(),[s,n]=this.ends();return s+y((e.clientX-t.left)/t.width,0,1)*(n-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
 let t=this.clock.playing;this.clock.playing=!1;let s=n=>!this.pinched()&&this.clock.seek(this.timeAt(n));s(e),W(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(_s[s.kind]??s.kind)} · ${_(s.t,5)} s · ${_(s.angle*180/Math.PI,4)}°`:`${_(t,4)} s`;this.tip.textContent=n,this.
+let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(Ts[s.kind]??s.kind)} · ${_(s.t,5)} s · ${_(s.angle*180/Math.PI,4)}°`:`${_(t,4)} s`;this.tip.textContent=n,this.
 tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,n]=this.ends(),i=t*(n-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let h=Math.abs(l.t-e);h<=i&&
 (!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=g=>(g-r)/(l-r)*
@@ -2096,7 +2092,7 @@ font}`,!(a<13||e.measureText(t).width+8>n)&&(e.fillStyle=An(r),e.textAlign="cent
 etic")}marks(e,t,s,n,i,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:h})=>({kind:l,x:s(
 h)})).filter(({x:l})=>l>=-1&&l<=i+1);if(e.fillStyle=a.panel,r.length<i/6)for(let{x:l}of r)e.fillRect(l-.5,n,1,5);e.fillStyle=a.ink;for(let{mark:l,x:h}of Xi(r))e.
 fillText(l,y(h,6,i-6),n-4)}};var Ol=1/60,Dl=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Fl={three:"In space"},_e=(o,e,t)=>d(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},o),ea=(o,e)=>d("span",{},d("span",{"aria-hidden":"true"},`${o} `),e),Ms=class{titled="";constructor(e,t,s,n,i){
+"button",{type:"button",title:e,"aria-label":e,onclick:t},o),ea=(o,e)=>d("span",{},d("span",{"aria-hidden":"true"},`${o} `),e),Es=class{titled="";constructor(e,t,s,n,i){
 this.clock=e,this.films=t,this.say=n,this.tell=i,this.playButton=_e($("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=d("\
 select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},dt.map(a=>d("option",{value:String(a)},`${a}×`))),this.speeds.value=
 "1",this.switches=new Map(Dl.map(([a,r,l])=>{let h=`${a==="three"?Fl.three:r} (${l})`;return[a,d("button",{type:"button",class:"switch",title:h,onclick:()=>s(a)},
@@ -2109,56 +2105,56 @@ n&&(this.titled=n,s.replaceChildren($(t.playing?"pause":"play")),ct(s,"title",n)
 t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Ol*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
 flatMap((c,u)=>c.events.map(m=>({event:m,lane:u}))).filter(({event:c})=>!t||(t==="impact"?c.kind===t:Zi(c))).sort((c,u)=>c.event.t-u.event.t),n=this.clock.time,
 i=e>0?s.find(({event:c})=>c.t>n+1e-9):s.findLast(({event:c})=>c.t<n-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
-tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",h=x(_s[a.kind]??a.kind);this.
+tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",h=x(Ts[a.kind]??a.kind);this.
 tell(ee(`${l}${x("{what} at {angle}, {time} s",{what:h,angle:q(a.angle),time:_(a.t,4)})}`))}};var Je=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
-colors:r}=s;this.known=s.presets,this.address=n?new Ot(this):null,this.clock=new Dt,this.motions=new hs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
-story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new cs,this.theme=new xs(
-e,r,n,()=>this.show()),this.stage=new ys(r,()=>{this.request(),this.address?.soon()}),this.transport=new Ms(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Ss(this.clock),this.story=new vs(this.clock),this.theory=new ks,this.plots=new us(this.clock,r),this.phase=
-new ds(t,this.clock,r),this.map=new rs(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
-controls=new $t(s.controls,(l,h)=>this.motions.change(l,h)),this.share=new ms(this),this.singleKeys=new os(n),this.help=wi(s.version,r,this.singleKeys.element),
-this.hoops=new ss(l=>this.motions.choose(l)),this.header=new ts(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
-compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(i),this.extras=new es(this),this.requested=!1,this.
+colors:r}=s;this.known=s.presets,this.address=n?new Dt(this):null,this.clock=new Ft,this.motions=new cs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
+story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new ds,this.theme=new _s(
+e,r,n,()=>this.show()),this.stage=new vs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Es(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Ms(this.clock),this.story=new ks(this.clock),this.theory=new xs,this.plots=new ms(this.clock,r),this.phase=
+new us(t,this.clock,r),this.map=new ls(t,s,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new Bt(s.controls,(l,h)=>this.motions.change(l,h)),this.share=new ps(this),this.singleKeys=new ns(n),this.help=wi(s.version,r,this.singleKeys.element),
+this.hoops=new os(l=>this.motions.choose(l)),this.header=new ss(s.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.layOut(i),this.extras=new ts(this),this.requested=!1,this.
 surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=he(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=this.frame.
 bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=yi(this,n),this.sizes=new ResizeObserver(()=>this.show())}prepareRoot(){
 this.root.classList.add("hophoop"),!this.hosted&&(this.root.classList.add("embedded"),this.root.dataset.lmSuppressShortcuts="true",this.root.dataset.pSuppressShortcuts=
 "true")}layOut(e){let{root:t,notice:s}=this,n=c=>!e||e.includes(c),i=d("aside",{class:"side","aria-label":"Parameters"},this.hoops.element,s.message,this.controls.
 element),a=d("div",{class:"player"},this.stage.element,this.timeline.element,this.transport.element);this.sticky=this.hosted?ji(a,()=>this.request()):null;let r=d(
-"a",{class:"skip button",href:"#hh-player"},"Skip to the player");r.onclick=c=>{c.preventDefault(),this.timeline.element.focus()};let l=d("div",{class:"middle"},
-this.sticky?.edge,a,d("div",{class:"words"},this.story.element,n("theory")&&this.theory.element),n("map")&&this.map.element),h=d("div",{class:"why"},n("plots")&&
-this.plots.element,n("plots")&&this.phase.element);t.replaceChildren(d("div",{class:"page"},this.hosted&&r,this.header.element,d("div",{class:"columns"},n("cont\
-rols")&&i,l,h)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!n("controls"))}async open(e,t={}){await this.motions.load(e),this.clock.duration=
-Math.max(...this.films().map(s=>s.duration)),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),this.sizes.observe(this.stage.element),this.root.
-dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.theme.close(),this.address?.close(),this.sticky?.
-close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.motions.films()}changed(e=null){this.notice.
-clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),this.showPreset()}noted(e){this.header.show(
-this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(){let{clock:e,stage:t,map:s}=this;return this.motions.
-link(Un({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:n}){if(t){let{three:i,...a}=t;Object.assign(this.stage.
-options,a),i&&this.toggle("three")}s&&(this.stage.flat.zoom=s),n&&this.map.restore(n),e&&this.clock.seek(e)}showPreset(){let{query:e}=this.film(),t=this.known.find(
-s=>s.query===e);this.header.presets.value=t?.key??"",M(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.backend.call("film",{query:e.
-query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){return this.motions.
-travel(e)}show(e=null){let{motions:t,clock:s}=this,n=this.films();if(!n.length)return;let i=n.length>1;this.theme.read(),s.duration=Math.max(...n.map(a=>a.duration)),
-s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(n.length,t.active),this.drawStage(),this.controls.
-show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(performance.now()-e),0)),this.
-surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=!1;let e=this.films(),
-{active:t}=this.motions,{look:s,colors:n}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,n),this.drawTime(),this.map.mark(this.film(),
-s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.theme)}drawTime(){let{
-time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(e),this.story.cursor(
-e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=!1,this.motions.
-lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),this.extras.frame(),
-this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.asked=new AbortController;
-let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.name()),await this.phase.fetch(
-e,t)}catch(s){let{name:n,message:i}=s;n!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;if(e!=="three")t[e]=!t[e];else
-try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var So=class extends Error{},Mo=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
+"a",{class:"skip button",href:"#hh-player"},"Skip to the player");this.hosted&&(this.timeline.element.id="hh-player"),r.onclick=c=>{c.preventDefault(),this.timeline.
+element.focus()};let l=d("div",{class:"middle"},this.sticky?.edge,a,d("div",{class:"words"},this.story.element,n("theory")&&this.theory.element),n("map")&&this.
+map.element),h=d("div",{class:"why"},n("plots")&&this.plots.element,n("plots")&&this.phase.element);t.replaceChildren(d("div",{class:"page"},this.hosted&&r,this.
+header.element,d("div",{class:"columns"},n("controls")&&i,l,h)),s.toast,this.share.dialog,this.help),t.classList.toggle("no-controls",!n("controls"))}async open(e,t={}){
+await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(s=>s.duration)),this.restore(t),this.begin()}begin(){this.show(),this.motions.note(),
+this.sizes.observe(this.stage.element),this.root.dataset.ready="true"}close(){this.clock.playing=!1,this.asked?.abort(),this.extras.close(),this.map.close(),this.
+theme.close(),this.address?.close(),this.sticky?.close(),this.sizes.disconnect(),this.deaf()}film(e=this.motions.active){return this.motions.film(e)}films(){return this.
+motions.films()}changed(e=null){this.notice.clear(),this.show(e)}failed(e,t=[]){this.controls.refuse(t,e.message)||(this.notice.fail(e),this.controls.restore()),
+this.showPreset()}noted(e){this.header.show(this.motions.history,this.motions.lanes.length>1),this.address?.write(e),this.onmotion(this.film().query)}link(){let{
+clock:e,stage:t,map:s}=this;return this.motions.link(Un({time:e.time,options:t.options,zoom:t.flat.zoom,map:s.shown()}))}restore({time:e,options:t,zoom:s,map:n}){
+if(t){let{three:i,...a}=t;Object.assign(this.stage.options,a),i&&this.toggle("three")}s&&(this.stage.flat.zoom=s),n&&this.map.restore(n),e&&this.clock.seek(e)}showPreset(){
+let{query:e}=this.film(),t=this.known.find(s=>s.query===e);this.header.presets.value=t?.key??"",M(this.hoops.text,t?.text??"")}async take(e){this.taken=e;try{let t=await this.
+backend.call("film",{query:e.query});if(this.taken!==e)return;this.clock.time=0,this.motions.replace(t),this.story.announce(this.films())}catch(t){this.failed(t)}}travel(e){
+return this.motions.travel(e)}show(e=null){let{motions:t,clock:s}=this,n=this.films();if(!n.length)return;let i=n.length>1;this.theme.read(),s.duration=Math.max(
+...n.map(a=>a.duration)),s.time=Math.min(s.time,s.duration),this.root.classList.toggle("two",i),this.header.show(t.history,i),this.hoops.show(n.length,t.active),
+this.drawStage(),this.controls.show(this.film(),this.motions.waiting()),this.showPreset(),e!==null&&requestAnimationFrame(()=>setTimeout(()=>this.latencies.push(
+performance.now()-e),0)),this.surrounding||(this.surrounding=!0,requestAnimationFrame(()=>setTimeout(()=>this.showSurroundings(),0)))}showSurroundings(){this.surrounding=
+!1;let e=this.films(),{active:t}=this.motions,{look:s,colors:n}=this.theme;this.plots.draw(e,t,s),this.phase.draw(e,t,s),this.story.draw(e,t,n),this.drawTime(),
+this.map.mark(this.film(),s),this.stage.describe(e),this.extras.changed(),this.later()}drawStage(){this.stage.draw(this.films(),this.motions.active,this.clock,this.
+theme)}drawTime(){let{time:e}=this.clock;this.surrounding||(this.timeline.draw(this.films(),this.theme.look,this.theme.colors),this.plots.cursor(e),this.phase.cursor(
+e),this.story.cursor(e),this.transport.show(this.stage.options))}request(){this.requested||(this.requested=!0,requestAnimationFrame(this.frame))}frame(e){this.requested=
+!1,this.motions.lanes.length&&(this.clock.tick(e),this.motions.refine(this.clock.time,this.clock.playing?2*this.clock.speed:0),this.drawStage(),this.drawTime(),
+this.extras.frame(),this.afterFrame?.(),this.frames+=1,this.clock.playing&&this.request())}async fetchTheory(){let{scenario:e}=this.film();this.asked?.abort(),this.
+asked=new AbortController;let{signal:t}=this.asked;try{let s=await this.backend.call("theory",{scenario:e},t);this.theory.draw(s.header.thresholds,this.motions.
+name()),await this.phase.fetch(e,t)}catch(s){let{name:n,message:i}=s;n!=="AbortError"&&this.theory.draw([{label:"–",text:i}])}}toggle(e){let{options:t}=this.stage;
+if(e!=="three")t[e]=!t[e];else try{this.stage.turn(()=>this.drawStage())}catch(s){this.notice.say(s.message)}this.transport.show(t),this.address?.soon(),this.request()}};var Mo=class extends Error{},Eo=class{constructor(e,t){this.start=e,this.compiled=t,this.number=0,this.waiting=null,this.worker=this.begun()}begun(){let e=this.
 start();return e.onmessage=({data:t})=>{if(t.number!==this.number||!this.waiting)return;let{resolve:s,reject:n}=this.waiting;this.waiting=null,t.error?n(new Error(
 t.error)):s(t.answer)},e.onerror=t=>this.fail(new Error(t.message||"The kernel could not be started.")),e.postMessage({compiled:this.compiled}),e}fail(e){this.waiting?.
 reject(e),this.waiting=null}stop(e){this.worker.terminate(),this.worker=this.begun(),this.fail(e)}ask(e,t,s){this.number++;let n=new Promise((i,a)=>{this.waiting=
 {resolve:i,reject:a}});return this.worker.postMessage({number:this.number,call:e,values:t},s),n}},kt=class{constructor(e,t,s,n){this.start=e,this.compiled=t,this.
 size=s,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.idle.pop();return e?Promise.resolve(e):this.hired<this.size?(this.hired++,Promise.
-resolve(new Mo(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,n=[]){
-s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new So(`This takes longer than ${this.
+resolve(new Eo(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,n=[]){
+s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Mo(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),s?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"6a3d7043856754545b5468ccb5e9d281",module:"56c516c525c24606",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"d62b7d8bcb255bc79b526d86abdaf559",module:"89eefe303fd48404",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
@@ -2178,32 +2174,32 @@ ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","r
 k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
 "no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
 "slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
-rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ye=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Xp=Ye(v.cell),ge=Ye(v.heads),K=Ye(v.events),Eo=Ye(v.samples),ta=Ye(v.numbers),Ao=Ye(v.words),$l={newton:0,poisson:1,
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var Ye=o=>Object.fromEntries(o.map((e,t)=>[e,t])),Qp=Ye(v.cell),ge=Ye(v.heads),K=Ye(v.events),Ao=Ye(v.samples),ta=Ye(v.numbers),zo=Ye(v.words),$l={newton:0,poisson:1,
 stronge:2};function Ze(o){let e=new Float64Array(v.cell.length),t={...Object.fromEntries(Object.entries(o).filter(([,s])=>typeof s=="number")),law:$l[o.impact_law],
-strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return v.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function zo(o){let e=t=>t??Number.NaN;return Float64Array.
-of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var Es=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
+strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};return v.cell.forEach((s,n)=>{e[n]=t[s]??0}),e}function Ro(o){let e=t=>t??Number.NaN;return Float64Array.
+of(v.laws.indexOf(o.law),v.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),e(o.rtol))}var As=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
-n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Bl=150,Hl=240,Kl=6e3,[sf,sa,oa]=[0,1,2],Ul={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
+n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var Bl=150,Hl=240,Kl=6e3,[of,sa,oa]=[0,1,2],Ul={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
-al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Ro(o,e,t){let{rows:s,count:n,duration:i}=e,[a,r]=(t??[0,i]).map(g=>Math.
+al","damping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function Po(o,e,t){let{rows:s,count:n,duration:i}=e,[a,r]=(t??[0,i]).map(g=>Math.
 min(Math.max(g,0),i)),l=Math.min(Math.max(Math.ceil((r-a)*Bl),Hl),Kl),h=v.events.length,c=new Set;for(let g=0;g<=l&&i>0;g++)c.add(g===l?r:a+g*((r-a)/l));let u=new Set;
 for(let g=0;g<n;g++){let f=Math.min(s[g*h+K.t],i);f>=a&&f<=r&&u.add(f)}for(let g of u)c.add(g);let m=Float64Array.from(c).sort(),p=Float64Array.from(u).filter(g=>g>
 0).sort(),w=o.states(e,m,!1),b=o.states(e,p,!0);return Gl(m,w,p,b)}function Gl(o,e,t,s){let n=o.length+t.length,i=v.samples.length,a=new Float64Array(n),r=new Float64Array(
 n*i),l=0,h=0;for(let u=0;u<o.length;u++)h<t.length&&t[h]<=o[u]&&(a[l]=t[h],r.set(s.subarray(h*i,(h+1)*i),l*i),l++,h++),a[l]=o[u],r.set(e.subarray(u*i,(u+1)*i),l*
-i),l++;let c={t:a};for(let[u,m]of Object.entries(Ul)){let p=new Float64Array(n);for(let w of m)for(let b=0;b<n;b++)p[b]+=r[b*i+Eo[w]];c[u]=p}return c.mode=Vl(r,
+i),l++;let c={t:a};for(let[u,m]of Object.entries(Ul)){let p=new Float64Array(n);for(let w of m)for(let b=0;b<n;b++)p[b]+=r[b*i+Ao[w]];c[u]=p}return c.mode=Vl(r,
 n,c.omega),c}function Vl(o,e,t){let s=v.samples.length,n=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.
-sign(t[a])||i;let r=o[a*s+Eo.mode],l=r===sa?-1:r===oa?1:0;n[a]=l===0?r:l*i<0?sa:oa}return n}function na(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Jl(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
+sign(t[a])||i;let r=o[a*s+Ao.mode],l=r===sa?-1:r===oa?1:0;n[a]=l===0?r:l*i<0?sa:oa}return n}function na(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let i=Jl(o.subarray(n*v.keys,(n+1)*v.keys));if(i===""){s[n]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[n]=a}return{values:s,sequences:[...t.keys()]}}function Jl(o){let e="";for(let t of o){let s=t;for(let n=0;n<v.letters_a_key&&
-s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===v.more?"+":v.letters[i-1])}}return e}var Yl=256,Zl=2048,Xl=4096,Ql=2e5,eh=v.statuses.indexOf("buffer"),th=new Set(["turn","apex","kane_gain","rest"]),Po=o=>Number.isFinite(o)?o:null,As=class{constructor(e){
-this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Es(this.exports),this.mostEvents=Yl,this.mostSegments=Zl,this.mostRows=
+s;n++){let i=Number(s&7n);s>>=3n,i&&(e+=i===v.more?"+":v.letters[i-1])}}return e}var Yl=256,Zl=2048,Xl=4096,Ql=2e5,eh=v.statuses.indexOf("buffer"),th=new Set(["turn","apex","kane_gain","rest"]),Io=o=>Number.isFinite(o)?o:null,zs=class{constructor(e){
+this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new As(this.exports),this.mostEvents=Yl,this.mostSegments=Zl,this.mostRows=
 Xl}call(e,...t){let s=this.exports[e](...t);if(s)throw new Error(`The kernel ended ${e} with ${s}.`)}compute(e){let{memory:t}=this,s=v.events.length;for(;;){let n=t.
 room("table",8*s*this.mostEvents),i=t.room("heads",8*v.heads.length);e.contact?this.computeCompliant(e,e.contact,n,i):this.computeRigid(e,n,i);let a=t.floats(i,
 v.heads.length).slice(),r=a[ge.events];if(a[ge.status]===eh)this.makeRoom(e,a[ge.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
 let l=t.floats(n,r*s).slice();return{given:e,head:a,rows:l,count:r,duration:a[ge.duration],segments:a[ge.segments]}}}}computeRigid(e,t,s){let{memory:n}=this,i=n.
 put("cell",Ze(e)),a=n.room("events",v.event_bytes*this.mostEvents),r=n.room("segments",v.segment_bytes*this.mostSegments);this.call("motion",i,a,this.mostEvents,
-r,this.mostSegments,t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",Ze(e)),r=i.put("contact",zo(t)),l=i.room("events",v.event_bytes*this.mostEvents),
+r,this.mostSegments,t,s)}computeCompliant(e,t,s,n){let{memory:i}=this,a=i.put("cell",Ze(e)),r=i.put("contact",Ro(t)),l=i.room("events",v.event_bytes*this.mostEvents),
 h=i.room("rows",v.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Ql,h,this.mostRows,s,n)}makeRoom(e,t){e.contact?this.
-mostRows=t:this.mostSegments*=4}motion(e){return ia(this.compute(e))}film(e){let t=this.compute(e);return{motion:ia(t),columns:Ro(this,t)}}columns(e,t){return Ro(
+mostRows=t:this.mostSegments*=4}motion(e){return ia(this.compute(e))}film(e){let t=this.compute(e);return{motion:ia(t),columns:Po(this,t)}}columns(e,t){return Po(
 this,this.compute(e),t)}samples(e,t){let s=this.states(this.compute(e),t,!1),n=v.samples.length;return Object.fromEntries(v.samples.map((i,a)=>[i,Float64Array.from(
 t,(r,l)=>s[l*n+a])]))}states(e,t,s){let{memory:n}=this,i=t.length*v.samples.length,a=n.put("times",t),r=n.room("states",8*Math.max(i,1)),l=n.room("cell",8),h=[e.
 segments,a,t.length,Number(s),r];return e.given.contact?this.call("compliant_samples",l,n.room("contact",8),n.room("rows",8),...h):this.call("samples",l,n.room(
@@ -2216,35 +2212,36 @@ i],a,r){let{memory:l}=this,h=l.put("cell",Ze(e)),c=l.room("modes",a*r),u=l.room(
 return{modes:new Uint8Array(m,c,a*r).slice(),paradox:Float32Array.from(new Int8Array(m,u,a))}}map({count:e,rows:t},s,n){let{memory:i}=this,a=i.put("cells",t),r=i.
 room("numbers",8*e*v.numbers.length),l=i.room("words",4*e*v.words.length),h=i.room("keys",8*e*v.keys),{angle:c,stop:u,timed:m}=v.spans[n],p=v.wanted[s];this.call(
 "map_cells",a,e,c??Number.NaN,u,m,p,r,l,h);let{buffer:w}=this.exports.memory;if(s==="sequence")return na(new BigUint64Array(w,h,e*v.keys),e);let b=new Float64Array(
-e);if(s in Ao){let g=new Int32Array(w,l,e*v.words.length);for(let f=0;f<e;f++)b[f]=g[f*v.words.length+Ao[s]]}else{let g=i.floats(r,e*v.numbers.length);for(let f=0;f<
+e);if(s in zo){let g=new Int32Array(w,l,e*v.words.length);for(let f=0;f<e;f++)b[f]=g[f*v.words.length+zo[s]]}else{let g=i.floats(r,e*v.numbers.length);for(let f=0;f<
 e;f++)b[f]=g[f*v.numbers.length+ta[s]]}return{values:b}}ideal(e){let t=this.memory.room("answers",8*v.thresholds.length);return this.call("ideal_hoop",e,t),this.
-memory.floats(t,1)[0]}combine(e,t){let{memory:s}=this,n=s.put("parts",t.flatMap(sh)),i=s.room("answers",8*v.thresholds.length),a=s.room("reaches",8*t.length);this.
-call("hoop_of_parts",e,n,t.length,i,a);let[r,l,h]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:h,reaches:[...s.floats(a,t.length)]}}compliance(e){let{
-memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let s=t.put("cell",Ze(e)),n=t.put("contact",zo(e.contact)),i=t.room("answers",8*v.thresholds.
-length);this.call("compliance",s,n,i);let a=t.floats(i,v.chosen.length),r=l=>a[v.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tang\
-ential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),steps:r("steps"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function sh(o){
-let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=v.shapes.indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,
-o.mass,o.radius,0,o.at]:o.shape==="rod"?[t,o.mass,o.length,0,o.at]:[t,o.mass,0,0,o.at]}var oh=["friction","impact_normal","impact_tangential","rolling_resistanc\
-e"],nh=["kinetic","potential",...oh,"residual"],aa=["x","height","angle","vx","vy","omega"];function ia({given:o,head:e,rows:t,count:s,duration:n}){let i=v.events.
-length,a=Array.from({length:s},(h,c)=>ih(t.subarray(c*i,(c+1)*i))),r=a[s-1],l=Object.fromEntries([...nh,...o.contact?["spring","damping"]:[]].map(h=>[h,e[ge[h]]]));
-return{status:v.statuses[e[ge.status]],sequence:ah(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(aa.map(h=>[h,r[h]]))},energy:l,doubt:Po(e[ge.
-doubt_from])}}function ih(o){let e=v.kinds[o[K.kind]],t=o[K.from_mode],s={t:o[K.t],kind:e,from:t<0?null:v.letters[t],to:v.letters[o[K.to_mode]]};for(let n of aa)
-s[n]=Po(o[K[n]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,Po(o[K[`before_${n}`]])])),s.impulse={normal:o[K.impulse_normal],tangential:o[K.
-impulse_tangential]},o[K.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[K.gain]),o[K.stable]>=0&&(s.stable=o[K.stable]===1),s}function ah(o){let e=o.
-filter(s=>!th.has(s.kind));return e.slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var ra=1e4,Io=256;function la(o){let e=URL.createObjectURL(new Blob([o],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var xt=class o{constructor(e,t){
-this.mechanics=new As(e),this.motions=new kt(t,e,2,ra);let s=navigator.hardwareConcurrency||2;this.maps=new kt(t,e,Math.max(1,Math.min(s-1,8)),ra)}static async load(e){
+memory.floats(t,1)[0]}resistance(e,t){let s=this.memory.room("answers",8*v.thresholds.length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){
+let{memory:s}=this,n=s.put("parts",t.flatMap(sh)),i=s.room("answers",8*v.thresholds.length),a=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,n,t.length,
+i,a);let[r,l,h]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:h,reaches:[...s.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
+"The contact is rigid.");let s=t.put("cell",Ze(e)),n=t.put("contact",Ro(e.contact)),i=t.room("answers",8*v.thresholds.length);this.call("compliance",s,n,i);let a=t.
+floats(i,v.chosen.length),r=l=>a[v.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
+depth:r("depth"),steps:r("steps"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function sh(o){let e=o.shape==="rod"?`${o.direction}_\
+rod`:o.shape,t=v.shapes.indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,o.mass,o.radius,0,o.at]:o.shape==="rod"?
+[t,o.mass,o.length,0,o.at]:[t,o.mass,0,0,o.at]}var oh=["friction","impact_normal","impact_tangential","rolling_resistance"],nh=["kinetic","potential",...oh,"res\
+idual"],aa=["x","height","angle","vx","vy","omega"];function ia({given:o,head:e,rows:t,count:s,duration:n}){let i=v.events.length,a=Array.from({length:s},(h,c)=>ih(
+t.subarray(c*i,(c+1)*i))),r=a[s-1],l=Object.fromEntries([...nh,...o.contact?["spring","damping"]:[]].map(h=>[h,e[ge[h]]]));return{status:v.statuses[e[ge.status]],
+sequence:ah(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(aa.map(h=>[h,r[h]]))},energy:l,doubt:Io(e[ge.doubt_from])}}function ih(o){let e=v.
+kinds[o[K.kind]],t=o[K.from_mode],s={t:o[K.t],kind:e,from:t<0?null:v.letters[t],to:v.letters[o[K.to_mode]]};for(let n of aa)s[n]=Io(o[K[n]]);return s.before=Object.
+fromEntries(["vx","vy","omega"].map(n=>[n,Io(o[K[`before_${n}`]])])),s.impulse={normal:o[K.impulse_normal],tangential:o[K.impulse_tangential]},o[K.collision]===
+0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[K.gain]),o[K.stable]>=0&&(s.stable=o[K.stable]===1),s}function ah(o){let e=o.filter(s=>!th.has(s.kind));return e.
+slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var ra=1e4,Lo=256;function la(o){let e=URL.createObjectURL(new Blob([o],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var xt=class o{constructor(e,t){
+this.mechanics=new zs(e),this.motions=new kt(t,e,2,ra);let s=navigator.hardwareConcurrency||2;this.maps=new kt(t,e,Math.max(1,Math.min(s-1,8)),ra)}static async load(e){
 let t=new URL(`hophoop.wasm?${v.module}`,e),s=await fetch(t);if(!s.ok)throw new Error(`The kernel is not there: ${t.pathname} gives ${s.status}.`);let i=await(s.
 headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(s):WebAssembly.compile(await s.arrayBuffer())),a=new URL(`kernel.js?${v.module}`,e);
 return a.origin===globalThis.location?.origin?new o(i,()=>new Worker(a,{type:"module"})):new o(i,la(await(await fetch(a)).text()))}static async unpack(e,t){let s=new Blob(
 [e]).stream().pipeThrough(new DecompressionStream("gzip")),n=await WebAssembly.compile(await new Response(s).arrayBuffer());return new o(n,la(t))}motion(e,t){return this.
 motions.ask("motion",[e],t)}film(e,t){return this.motions.ask("film",[e],t)}columns(e,t,s){return this.motions.ask("columns",[e,s],t)}samples(e,t,s){return this.
 motions.ask("samples",[e,t],s)}thresholds(e,t){return this.motions.ask("thresholds",[e],t)}regions(e,t,s,n,i){return this.motions.ask("regions",[e,t,s,n],i)}async map({
-count:e,rows:t},s,n,i){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],h=async u=>{let m=Math.min(Io,e-u),p=new Float64Array(a*m);for(let g=0;g<
+count:e,rows:t},s,n,i){let a=v.cell.length,r=new Float64Array(e).fill(Number.NaN),l=[],h=async u=>{let m=Math.min(Lo,e-u),p=new Float64Array(a*m);for(let g=0;g<
 a;g++)p.set(t.subarray(g*e+u,g*e+u+m),g*m);let w=await this.maps.ask("map",[{count:m,rows:p},s,n],i,[p.buffer]),b=w.sequences?.map(g=>(l.includes(g)||l.push(g),
-l.indexOf(g)));for(let g=0;g<m;g++)r[u+g]=b?b[w.values[g]]??Number.NaN:w.values[g]},c=Array.from({length:Math.ceil(e/Io)},(u,m)=>m*Io);return await Promise.all(
-c.map(h)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close()}};function Lo(o,e){let[t,s,n]=[0,0,0];for(let i=0;i<o.length;i++)for(let a=0;a<e.length;a++){let r=0;for(;i+r<o.length&&a+r<e.length&&o[i+r]===e[a+r];)r++;r>t&&([
-t,s,n]=[r,i,a])}return t?t+Lo(o.slice(0,s),e.slice(0,n))+Lo(o.slice(s+t),e.slice(n+t)):0}function ha(o,e){let t=[...o],s,n=0;for(let i of e){let a=[...i],r=a.length+
-t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*Lo(a,t)/r;l>=.6&&(l>n||l===n&&s!==void 0&&i>s)&&([s,n]=[i,l])}return s}var ca={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+l.indexOf(g)));for(let g=0;g<m;g++)r[u+g]=b?b[w.values[g]]??Number.NaN:w.values[g]},c=Array.from({length:Math.ceil(e/Lo)},(u,m)=>m*Lo);return await Promise.all(
+c.map(h)),s==="sequence"?{values:r,sequences:l}:{values:r}}close(){this.motions.close(),this.maps.close()}};function No(o,e){let[t,s,n]=[0,0,0];for(let i=0;i<o.length;i++)for(let a=0;a<e.length;a++){let r=0;for(;i+r<o.length&&a+r<e.length&&o[i+r]===e[a+r];)r++;r>t&&([
+t,s,n]=[r,i,a])}return t?t+No(o.slice(0,s),e.slice(0,n))+No(o.slice(s+t),e.slice(n+t)):0}function ha(o,e){let t=[...o],s,n=0;for(let i of e){let a=[...i],r=a.length+
+t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*No(a,t)/r;l>=.6&&(l>n||l===n&&s!==void 0&&i>s)&&([s,n]=[i,l])}return s}var ca={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
 of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
 unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
 {path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
@@ -2408,222 +2405,224 @@ oad at {where}",uphill:"Slips, hops",no_threshold:"no threshold uphill (β < 0):
 classes:{codes:{hop:{no:"#D9D9D9",yes:"#D55E00"},painleve:{no:"#D9D9D9",yes:"#000000"},ending:{duration:"#6E6E6E",revolutions:"#0072B2",reversal:"#009E73",takeoff:"\
 #D55E00",rest:"#56B4E9",jam:"#000000",undetermined:"#F0E442",event_limit:"#CC79A7"},status:{completed:"#0072B2",at_rest:"#56B4E9",jammed:"#000000",undetermined:"\
 #F0E442",event_limit:"#CC79A7"},first_event:{slip_start:"#E69F00",takeoff:"#D55E00",stick:"#0072B2",turn:"#009E73",end:"#56B4E9",impact:"#F0E442",slip_reversal:"\
-#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},hops:"#D55E00",rolls:"#0072B2",
-other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height",
-"angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{
-label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{
-label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{
-label:"greatest friction utilization",span:"first_revolution",unit:"1",words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{
-label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{
-label:"how it ends",span:"duration",unit:"",words:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"du\
-ration = {duration:g} must be at most {most:g} s in the lab; the library itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have a\
-t most {most} in the lab.",too_many_turns:"duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in\
- the lab; the library itself has no such limit.",too_many_cells:"x.cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.pa\
-th are both {path!r} and must differ.",two_axes:"{one} and {other} cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compl\
-iant' must be 'rigid' for a map.",not_a_pair:"changes holds {change}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,
-cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"\
-J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass",
-"hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.he\
-ight","start.vx","start.vy","start.omega"]};var S=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
-"-":"",[t,s]=Math.abs(o).toExponential().split("e"),n=t.replace(".",""),i=Number(s);return i<-4||i>=16?`${e}${t}e${No(i)}`:e+(i<0?`0.${"0".repeat(-i-1)}${n}`:ma(
-n,i+1))}function ma(o,e){let t=o.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var No=o=>`${o<0?"-":"+"}${String(Math.abs(o)).padStart(2,"0")}`;function pa(o,e){
+#CC79A7",rest:"#D9D9D9",jam:"#000000"}},families:{SR:"#009E73",SS:"#F0E442",SK:"#E69F00",KR:"#CC79A7",KS:"#8C6BB1",KK:"#F2B5D4"},massless:{rolls:"#F0E442","roll\
+s, slips":"#E69F00","":"#009E73",slips:"#CC79A7"},hops:"#D55E00",rolls:"#0072B2",other:"#6E6E6E"},map:{cell:["radius","mass","eccentricity","inertia_ratio","gra\
+vity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_events","ideal","rolling_resistance",
+"allowed"],laws:{newton:0,poisson:1,stronge:2},events:2e3,quantities:{sequence:{label:"what happens in the first turn",span:"first_revolution",unit:"",words:[]},
+hop_height:{label:"height of the first hop",span:"takeoff",unit:"m",words:[]},takeoff_angle:{label:"angle of take-off",span:"takeoff",unit:"rad",words:[]},flight_time:{
+label:"duration of the first hop",span:"takeoff",unit:"s",words:[]},greatest_utilization:{label:"greatest friction utilization",span:"first_revolution",unit:"1",
+words:[]},energy_lost:{label:"energy lost",span:"duration",unit:"J",words:[]},end_angle:{label:"angle at the end",span:"duration",unit:"rad",words:[]},painleve:{
+label:"Painlevé’s paradox or jam met",span:"duration",unit:"",words:["no","yes"]},ending:{label:"how it ends",span:"duration",unit:"",words:["duration","revo\
+lutions","reversal","takeoff","rest","jam","undetermined","event_limit"]}}},lab:{too_long:"duration = {duration:g} must be at most {most:g} s in the lab; the li\
+brary itself has no such limit.",too_many_parts:"hoop.parts has {parts} parts and must have at most {most} in the lab.",too_many_turns:"duration = {duration:g} \
+s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab; the library itself has no such limit.",too_many_cells:"x.\
+cells times y.cells = {cells} must be at most {most} in the lab.",equal_axes:"x.path and y.path are both {path!r} and must differ.",two_axes:"{one} and {other} \
+cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.model = 'compliant' must be 'rigid' for a map.",not_a_pair:"changes holds {change\
+}, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"\
+m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",
+impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ra\
+tio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var S=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
+"-":"",[t,s]=Math.abs(o).toExponential().split("e"),n=t.replace(".",""),i=Number(s);return i<-4||i>=16?`${e}${t}e${qo(i)}`:e+(i<0?`0.${"0".repeat(-i-1)}${n}`:ma(
+n,i+1))}function ma(o,e){let t=o.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var qo=o=>`${o<0?"-":"+"}${String(Math.abs(o)).padStart(2,"0")}`;function pa(o,e){
 let[t,s]=o.toExponential(e-1).split("e"),n=t.replace(".",""),i=o.toExponential(100).split("e")[0].replace(".","");return i[e]==="5"&&/^0*$/.test(i.slice(e+1))&&
-Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function qo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
-0||Object.is(o,-0)?"-":"";function qe(o,e=6){if(!Number.isFinite(o))return qo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
-"")||"0";if(n<-4||n>=e)return`${t}${i[0]}${i.length>1?`.${i.slice(1)}`:""}e${No(n)}`;if(n<0)return`${t}0.${"0".repeat(-n-1)}${i}`;let[a,r]=ma(s,n+1).split("."),
-l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function lh(o,e){if(!Number.isFinite(o))return qo(o);let[t,s]=o===0?["0".repeat(e+1),0]:pa(Math.abs(o),e+1),
-n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${No(s)}`}function jo(o,e){if(!Number.isFinite(o))return qo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
+Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function jo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
+0||Object.is(o,-0)?"-":"";function qe(o,e=6){if(!Number.isFinite(o))return jo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
+"")||"0";if(n<-4||n>=e)return`${t}${i[0]}${i.length>1?`.${i.slice(1)}`:""}e${qo(n)}`;if(n<0)return`${t}0.${"0".repeat(-n-1)}${i}`;let[a,r]=ma(s,n+1).split("."),
+l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function lh(o,e){if(!Number.isFinite(o))return jo(o);let[t,s]=o===0?["0".repeat(e+1),0]:pa(Math.abs(o),e+1),
+n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${qo(s)}`}function Co(o,e){if(!Number.isFinite(o))return jo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
 t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),n=t.toFixed(100),i=n.slice(n.indexOf(".")+1+e),a=n.slice(0,n.indexOf(".")+(e?1+e:0));return/^50*$/.test(i)&&Number(
 a.at(-1))%2===0?Tt(o)+a:Tt(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Le?r.text:n?
-oe(r):a==="g"?qe(r,i===""?6:Number(i)||1):a==="e"?lh(r,Number(i)):a==="f"?jo(r,Number(i)):String(r)})}function oe(o,e=!0){return o==null?"None":o===!0?"True":o===
+oe(r):a==="g"?qe(r,i===""?6:Number(i)||1):a==="e"?lh(r,Number(i)):a==="f"?Co(r,Number(i)):String(r)})}function oe(o,e=!0){return o==null?"None":o===!0?"True":o===
 !1?"False":typeof o=="number"?e?Ne(o):fa(o):typeof o=="string"?da(o):Array.isArray(o)?`[${o.map(s=>oe(s,e)).join(", ")}]`:`{${Object.entries(o).map(([s,n])=>`${da(
 s)}: ${oe(n,e)}`).join(", ")}}`}function fa(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Ne(o)}function St(o){return typeof o=="number"?fa(o):
-typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${zs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(St).join(", ")}]`:o&&typeof o=="obj\
-ect"?`{${Object.entries(o).map(([e,t])=>`${St(e)}: ${St(t)}`).join(", ")}}`:String(o)}var zs=(o,e)=>o.toString(16).padStart(e,"0"),hh=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${Rs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(St).join(", ")}]`:o&&typeof o=="obj\
+ect"?`{${Object.entries(o).map(([e,t])=>`${St(e)}: ${St(t)}`).join(", ")}}`:String(o)}var Rs=(o,e)=>o.toString(16).padStart(e,"0"),hh=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
 ga=o=>o===" "||!hh.test(o);function wa(o){if(o===`
-`)return"\\n";if(o==="\r")return"\\r";if(o==="	")return"\\t";let e=o.codePointAt(0);return e<256?`\\x${zs(e,2)}`:e<65536?`\\u${zs(e,4)}`:`\\U${zs(e,8)}`}function da(o){
+`)return"\\n";if(o==="\r")return"\\r";if(o==="	")return"\\t";let e=o.codePointAt(0);return e<256?`\\x${Rs(e,2)}`:e<65536?`\\u${Rs(e,4)}`:`\\U${Rs(e,8)}`}function da(o){
 let e=o.includes("'")&&!o.includes('"')?'"':"'",t=[...o].map(s=>s===e||s==="\\"?`\\${s}`:ga(s)?s:wa(s));return e+t.join("")+e}var ba=o=>[...o].map(e=>ga(e)?e:wa(
-e)).join("");function Rs(o){let e=[...o];return e.length<=60?o:`${e.slice(0,57).join("")}...`}var ua="[\\s\\x1c-\\x1f\\x85]*",ch=new RegExp(`^${ua}([+-]?)(?:(in\
+e)).join("");function Ps(o){let e=[...o];return e.length<=60?o:`${e.slice(0,57).join("")}...`}var ua="[\\s\\x1c-\\x1f\\x85]*",ch=new RegExp(`^${ua}([+-]?)(?:(in\
 f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${ua}$`,"i");function ya(o){let e=ch.exec(o);if(!e||o.includes(
 "\uFEFF"))return;let[,t,s,n]=e,i=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(n.replaceAll("_",""));return t==="-"?-i:i}var{texts:va,scenario:ka}=S,A=class extends Error{constructor(e){super(ba(e)),this.name="InputError"}},Te=class extends A{},R=(o,e={})=>P(va[o],e),ne=o=>o!==null&&
 typeof o=="object"&&!Array.isArray(o);function Se(o=()=>!1,e=""){return{said:[],above:e,float:o}}function C(o,e,t,s,n){let i=typeof t=="bigint"?String(t):oe(t,o.
-float(e)),a=o.above+e||va.whole_scenario;o.said.push(R("finding",{path:a,shown:Rs(i),allowed:R(s,n)}))}function Co(o,e,t,s){let{fields:n,place:i}=ka.models[o];if(!ne(
-e))return C(s,t,e,"table"),null;for(let l of Object.keys(e))if(!Object.hasOwn(n,l))return s.said.push(Oo(i,l,Object.keys(n))),null;let a=s.said.length,r={};for(let[
-l,h]of Object.entries(n))h.kind!=="section"&&(Object.hasOwn(e,l)?r[l]=Do(h,e[l],`${t}.${l}`,s):h.required?s.said.push(R("missing",{path:`${s.above}${t}.${l}`})):
-r[l]=_t(h.default));return s.said.length===a?{values:r,given:new Set(Object.keys(e))}:null}function Oo(o,e,t){let s=ha(e,t),n=s?R("did_you_mean",{close:s}):R("k\
-nown_are",{known:t.join(", ")});return R("unknown_key",{path:`${o}${Rs(e)}`,hint:n})}function Do(o,e,t,s){if(e===null&&o.nullable)return null;if(o.kind==="parts")
+float(e)),a=o.above+e||va.whole_scenario;o.said.push(R("finding",{path:a,shown:Ps(i),allowed:R(s,n)}))}function Oo(o,e,t,s){let{fields:n,place:i}=ka.models[o];if(!ne(
+e))return C(s,t,e,"table"),null;for(let l of Object.keys(e))if(!Object.hasOwn(n,l))return s.said.push(Do(i,l,Object.keys(n))),null;let a=s.said.length,r={};for(let[
+l,h]of Object.entries(n))h.kind!=="section"&&(Object.hasOwn(e,l)?r[l]=Fo(h,e[l],`${t}.${l}`,s):h.required?s.said.push(R("missing",{path:`${s.above}${t}.${l}`})):
+r[l]=_t(h.default));return s.said.length===a?{values:r,given:new Set(Object.keys(e))}:null}function Do(o,e,t){let s=ha(e,t),n=s?R("did_you_mean",{close:s}):R("k\
+nown_are",{known:t.join(", ")});return R("unknown_key",{path:`${o}${Ps(e)}`,hint:n})}function Fo(o,e,t,s){if(e===null&&o.nullable)return null;if(o.kind==="parts")
 return uh(e,t,s);if(o.kind==="word")return o.options.includes(e)||C(s,t,e,"literal_error",o),e;let n=o.kind==="friction",i=n&&e==="inf"?1/0:e;if(typeof i!="numb\
 er")return C(s,t,e,"number");if(n&&!(i>=0))return C(s,t,e,"friction");if(o.kind==="whole"&&!Number.isInteger(i))return C(s,t,e,"whole");if(!n&&!Number.isFinite(
 i))return C(s,t,e,"finite_number");for(let[a,r]of o.limits??[])if(!dh(a,i,r))return C(s,t,o.kind==="whole"?BigInt(i):e,a,{limit:r});return o.range&&!Xe(o.range,
 i)?C(s,t,e,"range",o.range):i+0}function dh(o,e,t){return o==="greater_than"?e>t:o==="greater_than_equal"?e>=t:o==="less_than"?e<t:e<=t}var Xe=({least:o,most:e,
 also:t=[]},s)=>o<=s&&s<=e||t.some(n=>_t(n)===s);function uh(o,e,t){return Array.isArray(o)?o.map((s,n)=>mh(s,`${e}.${n}`,t)):C(t,e,o,"list")}function mh(o,e,t){
-let s=Fo(o,"shape",ka.parts,e,t),n=s&&Co(s,o,e,t);if(!n)return null;let{inner_radius:i,outer_radius:a}=n.values;return i>a&&t.said.push(R("ring_radii",{inner:i,
-outer:a})),n.values}function Fo(o,e,t,s,n,i){if(!ne(o))return C(n,s,o,"table"),null;let a=Object.hasOwn(o,e)?o[e]:i;if(a===void 0||a===null&&i)return n.said.push(
+let s=Wo(o,"shape",ka.parts,e,t),n=s&&Oo(s,o,e,t);if(!n)return null;let{inner_radius:i,outer_radius:a}=n.values;return i>a&&t.said.push(R("ring_radii",{inner:i,
+outer:a})),n.values}function Wo(o,e,t,s,n,i){if(!ne(o))return C(n,s,o,"table"),null;let a=Object.hasOwn(o,e)?o[e]:i;if(a===void 0||a===null&&i)return n.said.push(
 R("missing",{path:`${n.above}${s}.${e}`})),null;if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:oe(a,n.float(`${s}.${e}`)),l=Object.
-keys(t).map(m=>`'${m}'`),h=`${l.slice(0,-1).join(", ")} or ${l.at(-1)}`,c=R("literal_error",{expected:h}),u={path:`${n.above}${s}.${e}`,shown:Rs(oe(r)),allowed:c};
+keys(t).map(m=>`'${m}'`),h=`${l.slice(0,-1).join(", ")} or ${l.at(-1)}`,c=R("literal_error",{expected:h}),u={path:`${n.above}${s}.${e}`,shown:Ps(oe(r)),allowed:c};
 return n.said.push(R("finding",u)),null}function Mt(o){let e=o.length-1;return e?R(e===1?"other_problem":"other_problems",{first:o[0].replace(/\.$/,""),count:e}):
-o[0]}var{codes:ph,families:fh,hops:gh,rolls:wh,other:bh}=S.classes,{sequence:yh}=S.words,xa="sequence";function vh(o){let e=-1;for(let t of o){e^=t.charCodeAt(0);for(let s=0;s<
-8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function _a(o,e){if(e!==xa)return ph[e]?.[o]??bh;let t=[...o].find(u=>"SKM".includes(u))??"R",s=o.endsWith("H")?gh:
-fh[t+o.slice(-1)]??wh,n=[1,3,5].map(u=>Number.parseInt(s.slice(u,u+2),16)/255),i=(n[0]+n[1]+n[2])/3,a=Math.min(o.length-1,9)/9,r=vh(o)%1e3/1e3,l=.62-.62*Math.min(
-2*a,1),h=Math.max(2*a-1,0)*.5;return`#${n.map(u=>{let m=(1-.2*r)*u+.2*r*i,p=Math.min(Math.max((m+(1-m)*l)*(1-h),0),1);return Math.round(255*p).toString(16).padStart(
-2,"0")}).join("")}`}function Ta(o,e){return e!==xa?o.replaceAll("_"," "):[...o].map(t=>yh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:c,rolling_resistance:u,mu_static:m,
-mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Qe(s,i),{max_events:Q,model:$s,...It}=n;return{radius:i,mass:a,
+o[0]}var{codes:ph,families:fh,massless:gh,hops:wh,rolls:bh,other:yh}=S.classes,{sequence:vh}=S.words,xa="sequence";function kh(o){let e=-1;for(let t of o){e^=t.charCodeAt(
+0);for(let s=0;s<8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function _a(o,e){if(e!==xa)return ph[e]?.[o]??yh;let t=[...o].find(p=>"SK".includes(p))??"R",s=[o.
+startsWith("R")&&"rolls",/[SK]/.test(o)&&"slips"].filter(Boolean).join(", "),n=o.endsWith("H")?wh:fh[t+o.slice(-1)]??bh,i=o.includes("M")?gh[s]:n,a=[1,3,5].map(
+p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(o.length-1,9)/9,h=kh(o)%1e3/1e3,c=.62-.62*Math.min(2*l,1),u=Math.max(2*l-1,0)*.5;return`\
+#${a.map(p=>{let w=(1-.2*h)*p+.2*h*r,b=Math.min(Math.max((w+(1-w)*c)*(1-u),0),1);return Math.round(255*b).toString(16).padStart(2,"0")}).join("")}`}function Ta(o,e){
+return e!==xa?o.replaceAll("_"," "):[...o].map(t=>vh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:c,rolling_resistance:u,mu_static:m,
+mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Qe(s,i),{max_events:Q,model:Bs,...Lt}=n;return{radius:i,mass:a,
 eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:c,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:w,impact_law:b,painleve:g,
-x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:$s==="rigid"?null:It}}function Qe({x:o,height:e,angle:t,speed:s,
-vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var Sa=S.scenario.ends,Wo=o=>Object.hasOwn(Sa,o)?Sa[o]:[];function Bo(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
-let[t]=Bo(e),s=Wo(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ma=new Set(S.scenario.paths);function Ho(o){
-if(!(Ma.has(o)||/^hoop\.parts\.\d+\.\w+$/.test(o)))throw new A(R("no_parameter",{path:o,known:[...Ma].join(", ")}))}function Ea(o){let[e,t]=Bo(o);return(e==="st\
-art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Ko=o=>e=>!o.some(t=>e===t||e.startsWith(t.endsWith(".")?t:`${t}.`));function Uo(o,e,t,s){let n=[
+x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:Bs==="rigid"?null:Lt}}function Qe({x:o,height:e,angle:t,speed:s,
+vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var Sa=S.scenario.ends,$o=o=>Object.hasOwn(Sa,o)?Sa[o]:[];function Ho(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
+let[t]=Ho(e),s=$o(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ma=new Set(S.scenario.paths);function Ko(o){
+if(!(Ma.has(o)||/^hoop\.parts\.\d+\.\w+$/.test(o)))throw new A(R("no_parameter",{path:o,known:[...Ma].join(", ")}))}function Ea(o){let[e,t]=Ho(o);return(e==="st\
+art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Uo=o=>e=>!o.some(t=>e===t||e.startsWith(t.endsWith(".")?t:`${t}.`));function Go(o,e,t,s){let n=[
 ...t.keys()],i=Et(n);if(i){let[l,h]=i,[c,u]=i.map(m=>new Le(oe(t.get(m),!1)));throw new A(R("two_ways",{one:l,other:h,one_value:c,other_value:u}))}let a=new Set,
-r=Ko(n);for(let l of n.sort((h,c)=>Ea(h)-Ea(c))){let h=structuredClone(t.get(l)),[c,u]=Bo(l);if(u==="")$o(e,c,h);else if(l==="contact.model")e.contact={model:h};else{
-Object.hasOwn(e,c)||$o(e,c,{});let m=e[c];if(!ne(m))throw new A(R("no_section_parts",{path:l,section:c}));if(!a.has(c)&&Wo(l).some(p=>Object.hasOwn(m,p))){a.add(
-c);let p=kh(o,l,()=>s(e.hoop,r));for(let[w,b]of Object.entries(p))t.has(`${c}.${w}`)||(m[w]=b)}for(let p of Wo(l))delete m[p];xh(m,u.split("."),h,l)}}return e}function $o(o,e,t){
-Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function kh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
+r=Uo(n);for(let l of n.sort((h,c)=>Ea(h)-Ea(c))){let h=structuredClone(t.get(l)),[c,u]=Ho(l);if(u==="")Bo(e,c,h);else if(l==="contact.model")e.contact={model:h};else{
+Object.hasOwn(e,c)||Bo(e,c,{});let m=e[c];if(!ne(m))throw new A(R("no_section_parts",{path:l,section:c}));if(!a.has(c)&&$o(l).some(p=>Object.hasOwn(m,p))){a.add(
+c);let p=xh(o,l,()=>s(e.hoop,r));for(let[w,b]of Object.entries(p))t.has(`${c}.${w}`)||(m[w]=b)}for(let p of $o(l))delete m[p];_h(m,u.split("."),h,l)}}return e}function Bo(o,e,t){
+Object.defineProperty(o,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function xh({hoop:o,plane:e,start:t},s,n){let{mass:i,eccentricity:a,inertia_ratio:r}=o;
 if(s==="hoop.eccentricity"||s==="hoop.inertia_ratio")return{mass:i,eccentricity:a,inertia_ratio:r};if(s==="hoop.load_fraction")return{mass:i};if(s==="plane.mu_s\
 tatic"||s==="plane.mu_kinetic"){let l=h=>h===1/0?"inf":h;return{mu_static:l(e.mu_static),mu_kinetic:l(e.mu_kinetic)}}if(s.startsWith("start.")&&s!=="start.speed"){
-let{height:l,vx:h,vy:c,omega:u}=Qe(t,n().radius);return{height:l,vx:h,vy:c,omega:u}}return{}}function xh(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
+let{height:l,vx:h,vy:c,omega:u}=Qe(t,n().radius);return{height:l,vx:h,vy:c,omega:u}}return{}}function _h(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
 step:l})),r=l=>Array.isArray(n)&&/^\d+$/.test(l)&&Number(l)<n.length;for(let l of e)if(r(l))n=n[Number(l)];else if(ne(n)&&Object.hasOwn(n,l))n=n[l];else throw a(
-l);if(ne(n))$o(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var _h=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>_h)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
+l);if(ne(n))Bo(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var Th=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>Th)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),h=t;for(let c of r)if(h.has(c)||h.set(c,new Map),h=h.get(c),!(h instanceof
 Map))throw new A(R("beside_a_value",{path:i,above:i.slice(0,i.lastIndexOf("."))}));if(h.has(l))throw new A(R("given_twice",{path:i}));h.set(l,ya(a)??a)}let s=t.
-get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",Th(n)),Go(t)}function Th(o){let e=Array.from({length:o.size},(s,n)=>String(
-n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_order",{name:s}));return e.map(s=>o.get(s))}function Go(o){return Array.isArray(
-o)?o.map(Go):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Go(t)])):o}function za(o){return Ra(o,"").map(([e,t])=>`${e}=${Sh(e,t)}`).join("&")}function Ra(o,e){
-return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>Ra(s,e?`${e}.${t}`:t))}function Sh(o,e){return Ps(o,e).replace("e+","e").replace(
-/\.0$/,"")}function Ps(o,e){return typeof e=="string"?e:Mh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Mh=new Set(Object.values(S.scenario.models).flatMap(
-({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=S,Eh=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],Ah=["height","vx","vy","omega"],je=class extends Error{};function L(o,e){
-throw new je(R(o,e))}function Is(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Vo({values:o,given:e},t){let s={...o},n=Eh.filter(
-c=>e.has(c)&&o[c]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Is("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,zh(s.radius,s.parts,
-t))):s.load_fraction!==null||!n.length?(Is("hoop","load_fraction",n),s.load_fraction??=et.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
+get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",Sh(n)),Vo(t)}function Sh(o){let e=Array.from({length:o.size},(s,n)=>String(
+n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_order",{name:s}));return e.map(s=>o.get(s))}function Vo(o){return Array.isArray(
+o)?o.map(Vo):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Vo(t)])):o}function za(o){return Ra(o,"").map(([e,t])=>`${e}=${Mh(e,t)}`).join("&")}function Ra(o,e){
+return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>Ra(s,e?`${e}.${t}`:t))}function Mh(o,e){return Is(o,e).replace("e+","e").replace(
+/\.0$/,"")}function Is(o,e){return typeof e=="string"?e:Eh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Eh=new Set(Object.values(S.scenario.models).flatMap(
+({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=S,Ah=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],zh=["height","vx","vy","omega"],je=class extends Error{};function L(o,e){
+throw new je(R(o,e))}function Ls(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Jo({values:o,given:e},t){let s={...o},n=Ah.filter(
+c=>e.has(c)&&o[c]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Ls("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,Rh(s.radius,s.parts,
+t))):s.load_fraction!==null||!n.length?(Ls("hoop","load_fraction",n),s.load_fraction??=et.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
 s.inertia_ratio=t.ideal(s.load_fraction)):n.length===1&&L("half_a_hoop",{missing:n[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:n[0]});let{mass:i,inertia_ratio:a,
 load_fraction:r,eccentricity:l}=s,h=et.ranges;if(Xe(h["hoop.mass"],i)||L("hoop_mass",{mass:i,words:h["hoop.mass"].words}),!Xe(h["hoop.inertia_ratio"],a)){let{words:c}=h["\
 hoop.inertia_ratio"];L(s.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:c})}return a===0&&l!==1&&L("massless_eccentricity",{eccentricity:l}),
-s}function zh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+et.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
-radius:o}),n}function Ia({values:o,given:e}){let t={...o};t.apart=Pa.some(r=>e.has(r)),t.mu!==null?(Is("plane","mu",Pa.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
+s}function Rh(o,e,t){let{reaches:s,...n}=t.combine(o,e),i=s.findIndex(a=>a>o*(1+et.touch));return i>=0&&L("beyond_the_rim",{index:i,shape:e[i].shape,reach:s[i],
+radius:o}),n}function Ia({values:o,given:e}){let t={...o};t.apart=Pa.some(r=>e.has(r)),t.mu!==null?(Ls("plane","mu",Pa.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:s,mu_kinetic:n,slope:i}=t;n>s&&L("kinetic_above_static",{mu_kinetic:n,mu_static:s}),Math.abs(
 i)<.5*Math.PI||L("vertical",{slope:i});let a=et.ranges["plane.slope"];return Xe(a,i)||L("slope",{slope:i,words:a.words}),t}function La({values:o,given:e}){let t={
-...o};return t.speed!==null?(Is("start","speed",Ah.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function Na({values:o}){let e=o;
+...o};return t.speed!==null?(Ls("start","speed",zh.filter(s=>e.has(s))),t.vx=t.speed,t.omega=null):t.omega===null&&L("no_omega"),t}function Na({values:o}){let e=o;
 return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&L("together",{section:"contact",other:"restitution",way:"damping"}),e}function qa(o,e,t){let{
 hoop:s,plane:n,contact:i}=o,a=s.inertia_ratio===0,r=i.model==="compliant";a&&n.slope!==0&&L("massless_slope",{slope:n.slope});let l=n.rolling_resistance;l!==0&&
 a&&L("massless_resistance",{given:l});let h=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);h!==void 0&&!(l<h)&&L("resistance",{given:l,most:h}),a&&
-r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Rh(i,e.compliance(t(o)))}function Rh(o,e){for(let[n,{of:i,...a}]of Object.
+r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Ph(i,e.compliance(t(o)))}function Ph(o,e){for(let[n,{of:i,...a}]of Object.
 entries(et.relative)){let r=o[n];if(r===null)continue;let l=e[n];Xe(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
-s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=S,Ph={rigid:"Rigid",compliant:"Compliant"};function Jo(o,e,t=Se()){let s=Yo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Yo(o,e,t){let{
+s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=S,Ih={rigid:"Rigid",compliant:"Compliant"};function Yo(o,e,t=Se()){let s=Zo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Zo(o,e,t){let{
 fields:s,place:n}=we.models.Scenario;if(!ne(o))return C(t,"",o,"table"),null;let i=Object.keys(o).find(r=>!Object.hasOwn(s,r));if(i!==void 0)return t.said.push(
-Oo(n,i,Object.keys(s))),null;let a=Object.fromEntries(Object.keys(s).map(r=>{let l=Object.hasOwn(o,r)?o[r]:we.default[r];return[r,Ca(r,l,e,t)]}));return t.said.
-length?null:Oa(t,()=>Zo(a,e))}function Ca(o,e,t,s){if(o==="hoop")return At("Hoop",e,o,s,i=>Vo(i,t));if(o==="plane")return At("Plane",e,o,s,Ia);if(o==="start")return At(
-"Start",e,o,s,La);if(o!=="contact")return Do(we.models.Scenario.fields[o],e,o,s);let n=Fo(e,"model",Ph,o,s,"rigid");return n&&At(n,e,o,s,Na)}function Zo(o,e){return qa(
-o,e,J),o}function At(o,e,t,s,n){let i=Co(o,e,t,s);return i&&Oa(s,()=>n(i))}function Oa(o,e){try{return e()}catch(t){if(!(t instanceof je))throw t;return o.said.
-push(t.message),null}}function Xo(o,e){return Jo(Aa(o),e,Se(()=>!0))}function Ls(o,e,t){let s=Uo(o,be(o),e,(n,i)=>Da(n,t,i));return Jo(s,t,Se(Ko([...e.keys()])))}
-function Ns(o,e,t){let s=Se();try{let n=Uo(o,be(o),e,(r,l)=>Da(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ca(r,n[r],t,s)]);return s.
-said.length?null:Object.fromEntries(a)}catch(n){if(n instanceof A)return null;throw n}}function Da(o,e,t){let s=Se(t),n=At("Hoop",o,"hoop",s,i=>Vo(i,e));if(!n)throw new A(
-Mt(s.said));return n}var Ih=o=>o===1/0?"inf":o,zt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Ih(o[t])])),Qo=o=>Object.keys(we.models[o].fields);
-function be({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Lh(e),plane:Nh(t),start:qh(s),contact:zt(n,Qo(n.model==="rigid"?"Rigid":"Compl\
-iant"))}}function Lh(o){if(o.parts){let t=o.parts.map(s=>zt(s,Qo(we.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return zt(o,["radius","mass",...e])}function Nh(o){let e=o.apart?["mu"]:["mu_static","mu_kinetic"];return o.rolling_resistance===
-0&&e.push("rolling_resistance"),zt(o,Qo("Plane").filter(t=>!e.includes(t)))}function qh(o){return zt(o,o.speed===null?["x","height","angle","vx","vy","omega"]:[
-"x","angle","speed"])}function en(o,e){let{Hoop:t,Start:s}=we.models;if(o==="hoop"){let{radius:n,mass:i,eccentricity:a}=t.fields;return{radius:n.default,mass:i.
+Do(n,i,Object.keys(s))),null;let a=Object.fromEntries(Object.keys(s).map(r=>{let l=Object.hasOwn(o,r)?o[r]:we.default[r];return[r,Ca(r,l,e,t)]}));return t.said.
+length?null:Oa(t,()=>Xo(a,e))}function Ca(o,e,t,s){if(o==="hoop")return At("Hoop",e,o,s,i=>Jo(i,t));if(o==="plane")return At("Plane",e,o,s,Ia);if(o==="start")return At(
+"Start",e,o,s,La);if(o!=="contact")return Fo(we.models.Scenario.fields[o],e,o,s);let n=Wo(e,"model",Ih,o,s,"rigid");return n&&At(n,e,o,s,Na)}function Xo(o,e){return qa(
+o,e,J),o}function At(o,e,t,s,n){let i=Oo(o,e,t,s);return i&&Oa(s,()=>n(i))}function Oa(o,e){try{return e()}catch(t){if(!(t instanceof je))throw t;return o.said.
+push(t.message),null}}function Qo(o,e){return Yo(Aa(o),e,Se(()=>!0))}function Ns(o,e,t){let s=Go(o,be(o),e,(n,i)=>Da(n,t,i));return Yo(s,t,Se(Uo([...e.keys()])))}
+function qs(o,e,t){let s=Se();try{let n=Go(o,be(o),e,(r,l)=>Da(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ca(r,n[r],t,s)]);return s.
+said.length?null:Object.fromEntries(a)}catch(n){if(n instanceof A)return null;throw n}}function Da(o,e,t){let s=Se(t),n=At("Hoop",o,"hoop",s,i=>Jo(i,e));if(!n)throw new A(
+Mt(s.said));return n}var Lh=o=>o===1/0?"inf":o,zt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Lh(o[t])])),en=o=>Object.keys(we.models[o].fields);
+function be({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Nh(e),plane:qh(t),start:jh(s),contact:zt(n,en(n.model==="rigid"?"Rigid":"Compl\
+iant"))}}function Nh(o){if(o.parts){let t=o.parts.map(s=>zt(s,en(we.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return zt(o,["radius","mass",...e])}function qh(o){let e=o.apart?["mu"]:["mu_static","mu_kinetic"];return o.rolling_resistance===
+0&&e.push("rolling_resistance"),zt(o,en("Plane").filter(t=>!e.includes(t)))}function jh(o){return zt(o,o.speed===null?["x","height","angle","vx","vy","omega"]:[
+"x","angle","speed"])}function tn(o,e){let{Hoop:t,Start:s}=we.models;if(o==="hoop"){let{radius:n,mass:i,eccentricity:a}=t.fields;return{radius:n.default,mass:i.
 default,load_fraction:a.default}}return o==="plane"?we.default.plane:o==="start"?{...ja(s),speed:void 0}:ja(we.models[e==="compliant"?"Compliant":"Rigid"])}var ja=({
-fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function tn(o){let e={};for(let[t,s]of Object.entries(be(o))){let n=we.default[t];
-if(Rt(s,n))continue;if(!ne(s)){e[t]=s;continue}let i=en(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="model"||!Rt(i[r],l));e[t]=a.length?Object.fromEntries(
+fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function Pt(o){let e={};for(let[t,s]of Object.entries(be(o))){let n=we.default[t];
+if(Rt(s,n))continue;if(!ne(s)){e[t]=s;continue}let i=tn(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="model"||!Rt(i[r],l));e[t]=a.length?Object.fromEntries(
 a):s}return za(e)}function Rt(o,e){if(o===e)return!0;if(o===null||e===null||typeof o!="object"||typeof e!="object")return!1;let t=Object.keys(o);return t.length===
-Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:jh,limits:tt}=S,Me=(o,e={})=>P(jh[o],e);function qs({scenario:o,query:e=null,changes:t=[]},s){let n=Se(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
-table"):o!==void 0&&(i=Yo(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&C(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!Ch(r)).
-map(Oh)):C(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Xo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Ls(
-i,a,s),a=new Map),a.set(r,l);return a.size?Ls(i,a,s):i}var Ch=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Oh=o=>Me("not_a_pair",{change:new Le(St(o).
+Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:Ch,limits:tt}=S,Me=(o,e={})=>P(Ch[o],e);function js({scenario:o,query:e=null,changes:t=[]},s){let n=Se(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
+table"):o!==void 0&&(i=Zo(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&C(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!Oh(r)).
+map(Dh)):C(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Qo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Ns(
+i,a,s),a=new Map),a.set(r,l);return a.size?Ns(i,a,s):i}var Oh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Dh=o=>Me("not_a_pair",{change:new Le(St(o).
 slice(0,60))});function Ce(o){let{duration:e,hoop:t,contact:s}=o;if(e>tt.duration)throw new Te(Me("too_long",{duration:e,most:tt.duration}));let n=t.parts?.length??
-0;if(n>tt.parts)throw new Te(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Dh=8,{cell:sn,laws:Fh,events:Wh,quantities:js}=S.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ho(
-e.path),Ho(t.path),e.path===t.path)throw new A(Me("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new Te(Me("too_many_cells",{cells:s,
+0;if(n>tt.parts)throw new Te(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Fh=8,{cell:sn,laws:Wh,events:$h,quantities:Cs}=S.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ko(
+e.path),Ko(t.path),e.path===t.path)throw new A(Me("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new Te(Me("too_many_cells",{cells:s,
 most:S.limits.cells}));if(o.contact.model!=="rigid")throw new A(Me("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Me("two_axes",{one:n[0],other:n[1]}));
-let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,Wh)}}}async function nn(o,{x:e,y:t},s,n){let i=Fa(e),a=Fa(t),r=$h(o,e.path,
-t.path)?Bh(o,{x:e,y:t},[i,a],s):(m,p)=>{let w=new Map([[t.path,a[p]],[e.path,i[m]]]);return Ns(o,w,s)},l=i.length*a.length,h=new Float64Array(sn.length*l),c={...o},
-u=performance.now();for(let m=0;m<a.length;m++){performance.now()-u>Dh&&(await new Promise(p=>setTimeout(p)),n?.throwIfAborted(),u=performance.now());for(let p=0;p<
-i.length;p++){let w=r(p,m),b=w&&Kh(Object.assign(c,w),s);if(!b)continue;let g=m*i.length+p;for(let f=0;f<sn.length;f++)h[f*l+g]=Hh[f](b)}}return{count:l,rows:h}}
-function $h({start:o},e,t){let s=[e,t].map(i=>i.split(".")[0]);if(s[0]===s[1])return!1;let n=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.
-includes("hoop")&&n&&o.speed!==null)}function Bh(o,{x:e,y:t},[s,n],i){let a=s.map(l=>Ns(o,new Map([[e.path,l]]),i)),r=n.map(l=>Ns(o,new Map([[t.path,l]]),i));return(l,h)=>a[l]&&
-r[h]&&{...a[l],...r[h]}}var Hh=sn.map(o=>o==="law"?({impact_law:e})=>Fh[e]:o==="strike"?({painleve:e})=>+(e==="impact"):o==="allowed"?()=>1:e=>Number(e[o]));function Kh(o,e){
-try{return J(Zo(o,e))}catch(t){if(!(t instanceof je))throw t;return null}}function an(o){if(Object.hasOwn(js,o))return js[o].span;throw new A(`what = ${o} must \
-be one of ${Object.keys(js).join(", ")}.`)}function rn({x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=js[t],{values:r,names:l}=Uh(s,i===""?a:null),h=i===""?l.map(
-c=>({name:c,text:Ta(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Uh({values:o,sequences:e},t){
+let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,$h)}}}async function nn(o,{x:e,y:t},s,n){let i=Fa(e),a=Fa(t),r=Bh(o,e.path,
+t.path)?Hh(o,{x:e,y:t},[i,a],s):(m,p)=>{let w=new Map([[t.path,a[p]],[e.path,i[m]]]);return qs(o,w,s)},l=i.length*a.length,h=new Float64Array(sn.length*l),c={...o},
+u=performance.now();for(let m=0;m<a.length;m++){performance.now()-u>Fh&&(await new Promise(p=>setTimeout(p)),n?.throwIfAborted(),u=performance.now());for(let p=0;p<
+i.length;p++){let w=r(p,m),b=w&&Uh(Object.assign(c,w),s);if(!b)continue;let g=m*i.length+p;for(let f=0;f<sn.length;f++)h[f*l+g]=Kh[f](b)}}return{count:l,rows:h}}
+function Bh({start:o},e,t){let s=[e,t].map(i=>i.split(".")[0]);if(s[0]===s[1])return!1;let n=[e,t].some(i=>i.startsWith("start.")&&i!=="start.speed");return!(s.
+includes("hoop")&&n&&o.speed!==null)}function Hh(o,{x:e,y:t},[s,n],i){let a=s.map(l=>qs(o,new Map([[e.path,l]]),i)),r=n.map(l=>qs(o,new Map([[t.path,l]]),i));return(l,h)=>a[l]&&
+r[h]&&{...a[l],...r[h]}}var Kh=sn.map(o=>o==="law"?({impact_law:e})=>Wh[e]:o==="strike"?({painleve:e})=>+(e==="impact"):o==="allowed"?()=>1:e=>Number(e[o]));function Uh(o,e){
+try{return J(Xo(o,e))}catch(t){if(!(t instanceof je))throw t;return null}}function an(o){if(Object.hasOwn(Cs,o))return Cs[o].span;throw new A(`what = ${o} must \
+be one of ${Object.keys(Cs).join(", ")}.`)}function rn({x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=Cs[t],{values:r,names:l}=Gh(s,i===""?a:null),h=i===""?l.map(
+c=>({name:c,text:Ta(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Gh({values:o,sequences:e},t){
 if(!t)return{values:o,names:[]};let s=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,n=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(o,a=>a>=
-0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Os}=S,Gh=30;function Wa(o,e){for(let t of Os.sections[o]??["Scenario"]){let s=Os.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):Ps(o,e)}function $a(o,e,t){let s=`${o} = ${Ba(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Gh)} # ${t}`}function Ds(o){
+0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Ds}=S,Vh=30;function Wa(o,e){for(let t of Ds.sections[o]??["Scenario"]){let s=Ds.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):Is(o,e)}function $a(o,e,t){let s=`${o} = ${Ba(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Vh)} # ${t}`}function Fs(o){
 let{duration:e,...t}=be(o),s=[$a("duration",e,Wa("","duration"))];for(let[n,i]of Object.entries(t)){s.push("",`[${n}]`);for(let[a,r]of Object.entries(i))if(!Array.
 isArray(r))s.push($a(a,r,Wa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h=Object.entries(l).map(([c,u])=>`${c} = ${Ba(c,u)}`);s.push(`  { ${h.join(", ")}\
  },`)}s.push("]")}}return`${s.join(`
 `)}
-`}var Vh={hoop:"Hoop",plane:"Plane",start:"Start"},Jh=["load_fraction","mu"];function ln(o){let e=be(o),t=Rt(e.contact,Os.default.contact)?"":`    contact=${Cs(
+`}var Jh={hoop:"Hoop",plane:"Plane",start:"Start"},Yh=["load_fraction","mu"];function ln(o){let e=be(o),t=Rt(e.contact,Ds.default.contact)?"":`    contact=${Os(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
 `,`motion = hh.simulate(
-`,`    ${Cs("hoop",e.hoop)},
-`,`    ${Cs("plane",e.plane)},
-`,`    ${Cs("start",e.start)},
+`,`    ${Os("hoop",e.hoop)},
+`,`    ${Os("plane",e.plane)},
+`,`    ${Os("start",e.start)},
 `,`    duration=${hn("duration",e.duration)},
 `,t,`)
 `,`print(motion.sequence, motion.status)
 `,`for event in motion.events:
 `,`    print(f"{event.t:12.6f} s  {event.kind:16}  {event.angle:10.6f} rad")
-`].join("")}function Cs(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":Vh[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:en(
-o,t.model),a=Object.entries(t).filter(([r,l])=>Jh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${hn(r,l)}`);return e&&a.push(`parts=[${e.map(Yh).join(", ")}]`),`hh\
-.${n}(${a.join(", ")})`}function Yh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${hn(s,n)}`);return`hh.${Os.parts[o]}(${t.join(", ")})`}function hn(o,e){
-return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Ps(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Zh,statuses:Xh,story:Oe,summary:st}=S.words,Qh=["turn","apex","end"],ec=400,[,cn,Ha,tc,sc]=dn,oc="⁰¹²³⁴⁵⁶⁷⁸⁹";
+`].join("")}function Os(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":Jh[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:tn(
+o,t.model),a=Object.entries(t).filter(([r,l])=>Yh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${hn(r,l)}`);return e&&a.push(`parts=[${e.map(Zh).join(", ")}]`),`hh\
+.${n}(${a.join(", ")})`}function Zh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${hn(s,n)}`);return`hh.${Ds.parts[o]}(${t.join(", ")})`}function hn(o,e){
+return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Is(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Xh,statuses:Qh,story:Oe,summary:st}=S.words,ec=["turn","apex","end"],tc=400,[,cn,Ha,sc,oc]=dn,nc="⁰¹²³⁴⁵⁶⁷⁸⁹";
 function Ua(o,e){let{omega:t,to:s}=o[e];return t===0&&(s==="S"||s==="K")&&e+1<o.length}var mn=o=>[...o.keys()].filter(e=>Ua(o,e)),pn=(o,e)=>.5*(o[e].t+o[e+1].t);
-function fn(o,e=ec){let t=[],s=0,n=Va(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?ic(o,i,a):P(Oe.more_bounces,
-{count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:Ka[dn.indexOf(Fs(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Oe.left_out,
+function fn(o,e=tc){let t=[],s=0,n=Va(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?ac(o,i,a):P(Oe.more_bounces,
+{count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:Ka[dn.indexOf(Ws(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Oe.left_out,
 {count:s})}),t}var Ga=o=>o.kind==="impact"&&o.to==="H"&&o.collision!==!1;function Va(o,e=3,t=6){let s=new Map,n=[];for(let i=0;i<=o.length;i++){let a=o[i];if(a&&
 (Ga(a)||n.length&&a.kind==="apex")){n.push(i);continue}let r=n.filter(l=>o[l].kind==="impact");if(r.length>=t){for(let l of n.slice(n.indexOf(r[e])))s.set(l,0);
 s.set(r[e],r.length-e)}n=[]}return s}function gn(o,e=6){let t=[],s=0,n=Va(o.events,1);for(let[l,h]of o.events.entries()){let c=n.get(l);if(c!==void 0){c&&t.push(
-P(st.more_bounces,{count:c}));continue}if(h.kind==="start"||!t.length){t.push(un[Fs(o,l)]);continue}let u=nc(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Fe(
-h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Xh[o.
-status]};return P(st.sentence,r).trim()}function nc(o,e,t){return t.collision===!1?st.without_collision:Ga(t)?st.bounces:["slip_start","slip_reversal"].includes(
-t.kind)||Ja(t)?un[Fs(o,e)]:Qh.includes(t.kind)?"":Zh[t.kind]}function ic(o,e,t){let s=Fs(o,e),n={where:Fe(t.angle),verb:un[s],kind:t.kind.replaceAll("_"," ")},i=ac(
-o.events,e,s,n);return P(Oe[i]??Oe.other,n)}function ac(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=De(n.vx),s.started=P(t===tc?Oe.started_flight:
-t===sc?Oe.started_skim:Oe.started,s)),i==="slip_start"&&t===cn?"slip_start_spin":i==="takeoff"?rc(o,e,s):i==="impact"?(s.speed=De(n.before.vy===null?null:Math.abs(
+P(st.more_bounces,{count:c}));continue}if(h.kind==="start"||!t.length){t.push(un[Ws(o,l)]);continue}let u=ic(o,l,h);u&&(s++,s<=e&&t.push(P(st.change,{phrase:u,where:Fe(
+h.angle)})))}let i=s>e?P(st.more_changes,{count:s-e}):"",a=t.join(", ").replaceAll(", and "," and ")+i,r={phrases:a.slice(0,1).toUpperCase()+a.slice(1),ending:Qh[o.
+status]};return P(st.sentence,r).trim()}function ic(o,e,t){return t.collision===!1?st.without_collision:Ga(t)?st.bounces:["slip_start","slip_reversal"].includes(
+t.kind)||Ja(t)?un[Ws(o,e)]:ec.includes(t.kind)?"":Xh[t.kind]}function ac(o,e,t){let s=Ws(o,e),n={where:Fe(t.angle),verb:un[s],kind:t.kind.replaceAll("_"," ")},i=rc(
+o.events,e,s,n);return P(Oe[i]??Oe.other,n)}function rc(o,e,t,s){let n=o[e],{kind:i}=n;return i==="start"&&(s.speed=De(n.vx),s.started=P(t===sc?Oe.started_flight:
+t===oc?Oe.started_skim:Oe.started,s)),i==="slip_start"&&t===cn?"slip_start_spin":i==="takeoff"?lc(o,e,s):i==="impact"?(s.speed=De(n.before.vy===null?null:Math.abs(
 n.before.vy)),n.collision===!1?"impact_without_collision":n.to==="H"?"impact_bounce":i):i==="turn"&&Ja(n)?"turn_in_slip":(i==="apex"&&(s.gap=Ya(n.height)),i==="\
-kane_gain"&&(s.gain=De(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function rc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
+kane_gain"&&(s.gain=De(n.gain)),i==="rest"&&n.stable===!1?"rest_unstable":i)}function lc(o,e,t){let{t:s}=o[e],n=0;for(let i=e;i<o.length;i++)if(n=Math.max(n,o[i].
 height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t;a++)n=Math.max(n,o[a].height);if(!n)break;return t.top=Ya(n),t.time=De(o[i].t-s),
-"takeoff_and_landing"}return"takeoff"}function Fs(o,e){let t=o.events[e];return lc(t.to,Ua(o.events,e)?o.omega(e):t.omega)}function lc(o,e){return o==="S"?e>0?cn:
-Ha:o==="K"?e<0?cn:Ha:dn[Ka.indexOf(o)]}var Ja=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Fe=o=>`${jo(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ya(o){
+"takeoff_and_landing"}return"takeoff"}function Ws(o,e){let t=o.events[e];return hc(t.to,Ua(o.events,e)?o.omega(e):t.omega)}function hc(o,e){return o==="S"?e>0?cn:
+Ha:o==="K"?e<0?cn:Ha:dn[Ka.indexOf(o)]}var Ja=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Fe=o=>`${Co(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ya(o){
 return o>=.995?`${De(o)} m`:o>=.00995?`${De(o*100)} cm`:`${De(o*1e3)} mm`}function De(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=qe(o,3).split("e"),s=t===
-void 0?"":`·10${hc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var hc=o=>[...String(o)].map(e=>e==="-"?"⁻":oc[Number(e)]).join("");var Za=2e3,cc=o=>o===1/0?"inf":o;function Ws(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:be(
-o),status:e,sequence:t,events:s,final:n,energy:i}}function wn(o,e,t,s){let n={events:e.events,status:e.status,omega:t};return{...Ws(o,e),events:e.events.slice(0,
-Za),query:tn(o),duration:e.duration,values:dc(o),automatic:uc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:S.words.statuses[e.status],
-shortened:e.events.length>Za}}function dc(o){let{speed:e}=o.start,t={...o,start:{...Qe(o.start,o.hoop.radius),speed:e}},s=n=>{let[i,a]=n.split(".");return cc(t[i][a])};
-return Object.fromEntries(S.shown.map(n=>[n,s(n)]))}function uc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
-J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:mc,variables:bn}=S.table,{letters:pc}=S.words,yn=(o,e)=>JSON.stringify(Ws(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*mc)+1,2),S.limits.
+void 0?"":`·10${cc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var cc=o=>[...String(o)].map(e=>e==="-"?"⁻":nc[Number(e)]).join("");var Za=2e3,dc=o=>o===1/0?"inf":o;function $s(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:be(
+o),status:e,sequence:t,events:s,final:n,energy:i}}function wn(o,e,t,s){let n={events:e.events,status:e.status,omega:t};return{...$s(o,e),events:e.events.slice(0,
+Za),query:Pt(o),duration:e.duration,values:uc(o),automatic:mc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:S.words.statuses[e.status],
+shortened:e.events.length>Za}}function uc(o){let{speed:e}=o.start,t={...o,start:{...Qe(o.start,o.hoop.radius),speed:e}},s=n=>{let[i,a]=n.split(".");return dc(t[i][a])};
+return Object.fromEntries(S.shown.map(n=>[n,s(n)]))}function mc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
+J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:pc,variables:bn}=S.table,{letters:fc}=S.words,yn=(o,e)=>JSON.stringify($s(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*pc)+1,2),S.limits.
 samples),t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function kn(o,e){let t=Object.keys(bn),s=t.map(l=>bn[l]==="1"?l:`${l} [${bn[l]}]`),
-{kinetic:n,potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let c=t.map(u=>u==="mode"?pc[a.
+{kinetic:n,potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let c=t.map(u=>u==="mode"?fc[a.
 mode[l]]:Ne(a[u][l]));r.push([Ne(h),...c].join(","))}return`${r.join(`\r
 `)}\r
 `}var{theory:O}=S.words;function _n({hoop:o,plane:e},t){let s=[],n=(r,l,h,c)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:c(l)})},
-i=()=>n("painleve",t.painleve_friction,"1",r=>gc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
+i=()=>n("painleve",t.painleve_friction,"1",r=>wc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
 O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:Fe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:c,
 any_speed:u}=O;n("first_slip",t.first_slip_speed,"m/s",m=>xn(m,r,c)),n("first_hop",t.first_hop_speed,"m/s",m=>xn(m,l,c)),n("immediate_hop",t.immediate_hop_speed,
-"m/s",m=>xn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>fc(r,e)),i();
+"m/s",m=>xn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>gc(r,e)),i();
 let a=t.jam_angles.map(Fe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
-O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:qe(o,4)}):O.no_speed}function fc(o,{
-mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:qe(o,3)}):O.no_friction}function gc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var bc=360,yc=240,vc=[0,2*Math.PI,-12,12],Tn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},kc=["mot\
-ion.nc","motion.mp4","motion.gif"],Pt=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
-s!==null,this.files=[...Object.keys(Tn),...n?kc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=qs(t,this.mechanics);
+O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:qe(o,4)}):O.no_speed}function gc(o,{
+mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:qe(o,3)}):O.no_friction}function wc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var yc=360,vc=240,kc=[0,2*Math.PI,-12,12],Tn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},xc=["mot\
+ion.nc","motion.mp4","motion.gif"],It=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
+s!==null,this.files=[...Object.keys(Tn),...n?xc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=js(t,this.mechanics);
 if(e==="film")return this.film(n,s);if(e==="samples"){let i=J(Ce(n));return{header:{window:t.window},arrays:await this.kernel.columns(i,s,t.window)}}if(e==="cod\
-e")return{header:{python:ln(n),toml:Ds(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:_n(n,i)},arrays:{}}}
-if(e==="regions"){let i=t.window??vc,a=J(n),r=await this.kernel.regions(a,i,bc,yc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
+e")return{header:{python:ln(n),toml:Fs(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:_n(n,i)},arrays:{}}}
+if(e==="regions"){let i=t.window??kc,a=J(n),r=await this.kernel.regions(a,i,yc,vc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
 `call = '${e}' is not one that the page answers.`)}async film(e,t){let s=J(Ce(e)),{motion:n,columns:i}=this.kernel.film?await this.kernel.film(s,t):{motion:await this.
-kernel.motion(s,t),columns:await this.kernel.columns(s,t)},a=await this.turning(s,n,t);return{header:wn(e,n,a,this.mechanics),arrays:i}}async turning(e,{events:t},s){
-let n=mn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>pn(t,r)),{omega:a}=await this.kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,
-y:s,what:n="sequence"},i){let a=an(n),r=on(e,{x:t,y:s,what:n}),l=await nn(r,{x:t,y:s},this.mechanics,i);return rn({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){
-if(!(e in Tn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Tn[e]})}async fileText(e,t){
-let s=qs({query:t},this.mechanics);if(e==="motion.toml")return Ds(s);let n=Ce(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return yn(n,a);let r=vn(
-a.duration);return kn(r,await this.kernel.samples(i,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Sn(o,e,t){let s=e&&new ns(e);try{let n=await xt.load(o);return new Pt(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
-navigator.serviceWorker?.register(o).catch(()=>{})}async function Qa(o){let e=new is(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new Pt(
-t,t.mechanics,{server:e})}catch{return e}}var xc=new URL("./",import.meta.url);async function _c(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s,n;try{s=await Sn(xc,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
+kernel.motion(s,t),columns:await this.kernel.columns(s,t)};if(n.doubt&&this.server)return this.server.call("film",{query:Pt(e)},t);let a=await this.turning(s,n,
+t);return{header:wn(e,n,a,this.mechanics),arrays:i}}async turning(e,{events:t},s){let n=mn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>pn(t,r)),{omega:a}=await this.
+kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,y:s,what:n="sequence"},i){let a=an(n),r=on(e,{x:t,y:s,what:n}),l=await nn(r,{x:t,y:s},this.mechanics,
+i);return rn({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){if(!(e in Tn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs\
+ Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Tn[e]})}async fileText(e,t){let s=js({query:t},this.mechanics);if(e==="motion.toml")
+return Fs(s);let n=Ce(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return yn(n,a);let r=vn(a.duration);return kn(r,await this.kernel.samples(i,r))}link(e,t){
+return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Sn(o,e,t){let s=e&&new is(e);try{let n=await xt.load(o);return new It(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
+navigator.serviceWorker?.register(o).catch(()=>{})}async function Qa(o){let e=new as(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new It(
+t,t.mechanics,{server:e})}catch{return e}}var _c=new URL("./",import.meta.url);async function Tc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,n;try{s=await Sn(_c,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
 o,s,n,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Gn(location.hash);try{await i.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Jg(o,e,t,s){let n=await Sn(
-e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Je(o,n,i,{panels:s});return await a.open([t]),a}async function Tc({model:o,el:e}){let t=document.
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Yg(o,e,t,s){let n=await Sn(
+e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Je(o,n,i,{panels:s});return await a.open([t]),a}async function Sc({model:o,el:e}){let t=document.
 createElement("div");e.append(t);let s=await Qa(o),n=new Je(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
 n.motions.set([He(o.get("film"))]),n.begin();let i=()=>n.motions.replace(He(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
-n.close()}}var er=document.getElementById("hophoop-lab");er&&_c(er);var Yg={render:Tc};export{Yg as default,Jg as mount};
+n.close()}}var er=document.getElementById("hophoop-lab");er&&Tc(er);var Zg={render:Sc};export{Zg as default,Yg as mount};
