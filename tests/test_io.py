@@ -281,6 +281,7 @@ def test_a_write_that_fails_leaves_the_old_file(motion, tmp_path, name, monkeypa
     shorter = hh.simulate(motion.scenario.replace("duration", 0.5))
     with pytest.raises(OSError, match="No space left"):
         shorter.save(tmp_path / name)
+    monkeypatch.undo()
     assert os.listdir(tmp_path) == [name]
     assert_same_bits(motion, hh.load(tmp_path / name))
     shorter.save(tmp_path / name)
@@ -327,6 +328,7 @@ def test_bibtex_comes_back_as_it_was(motion, tmp_path, monkeypatch):
     monkeypatch.setattr(cite, "_path", lambda: tmp_path / "references.bib")
     cite._library.cache_clear()
     read = cite.references()
+    monkeypatch.undo()
     cite._library.cache_clear()
     assert [(work.key, work.fields) for work in read.values()] == [(work.key, work.fields) for work in cite.cite(motion)]
 

@@ -395,10 +395,19 @@ def test_a_long_compliant_motion_shows_how_far_it_is(monkeypatch, terminal, soon
 
     from rich.console import Console
 
+    from hophoop import simulation
     from hophoop.cli import _work
 
     monkeypatch.setattr(_work, "SOON", soon)
     monkeypatch.setattr(_work, "LOOKS", 0.01)
+    computed = simulation.simulate_watched
+
+    def slowly(*given):
+        motion = computed(*given)
+        time.sleep(0.2)  # compiled, it would be there before anybody looks
+        return motion
+
+    monkeypatch.setattr(simulation, "simulate_watched", slowly)
     screen = Console(file=io.StringIO(), force_terminal=terminal, width=80)
     scenario = hh.Scenario(contact=hh.Compliant(), duration=0.5)
     motion = _work.with_progress(scenario, screen)

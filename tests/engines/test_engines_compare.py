@@ -351,7 +351,12 @@ def test_a_record_can_be_filmed():
 
 def test_words_of_a_narrow_view_stay_in_it():
     drawn = []
-    canvas = SimpleNamespace(unit=1.0, disc=lambda *_: None, text=lambda x, y, words, *_, **__: drawn.append(words))
+    canvas = SimpleNamespace(
+        unit=1.0,
+        disc=lambda *_: None,
+        text=lambda x, y, words, *_, **__: drawn.append(words),
+        text_width=lambda words, size, *_: 0.6 * size * len(words),
+    )
     poses = poses_of(hh.simulate(HOP.scenario), [0.5])
     for room, count in ((1000.0, 4), (288.0, 2)):
         drawn.clear()

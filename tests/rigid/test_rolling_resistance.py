@@ -50,12 +50,17 @@ def program(case: Case, f: float) -> hh.Trajectory:
     return hh.simulate(scenario)
 
 
+PASSED_OVER = ("start", "apex", "end", "painleve_inconsistent")  # what the integrator does not note
+
+
 @pytest.mark.parametrize(("case", "f", "sequence"), CASES, ids=[case.name for case, *_ in CASES])
 def test_agrees_with_an_integrator_in_time(case: Case, f: float, sequence: str | None) -> None:
     exact = resistance.solve(case, f)
     motion = program(case, f)
     size = sizes(case)
-    ours = [event for event in motion.events if event.kind not in ("start", "apex", "end", "painleve_inconsistent")]
+    ours = [event for event in motion.events if event.kind not in PASSED_OVER]
+    if len(ours) > 1 and ours[-1].kind == "rest" and ours[-1].t == ours[-2].t:
+        ours.pop()  # where slip stops for good the integrator notes one event, the program that it sticks and that it rests
     if exact.status == "at_rest":
         assert motion.status == "at_rest"
     assert len(ours) == len(exact.events)

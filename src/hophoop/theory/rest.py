@@ -130,9 +130,9 @@ def rest_ranges(hoop: Hoop, plane: Plane) -> tuple[RestRange, ...]:
     --------
     >>> import hophoop as hh
     >>> for rest in hh.theory.rest_ranges(hh.Hoop.ideal(0.75), hh.Plane(rolling_resistance=0.3)):
-    ...     print(round(rest.low, 6), round(rest.high, 6))
-    2.730076 3.553109
-    5.871668 6.694703
+    ...     print(round(rest.low, 5), round(rest.high, 5))
+    2.73008 3.55311
+    5.87167 6.6947
     """
     if plane.gravity == 0.0:
         raise InputError("plane.gravity = 0 must be above 0: nothing presses the hoop on the plane.")
