@@ -117,7 +117,7 @@ def file_problems(motion: hh.Trajectory) -> list[str]:
         return [] if digest(hh.load(path)) == digest(motion) else ["a loaded motion has other bits"]
 
 
-def outcome(keys: dict[str, Any], with_file: bool = False) -> Outcome:
+def outcome(keys: dict[str, Any], with_file: bool = False, patience: float = PATIENCE) -> Outcome:
     """Compute the motion of a scenario file's keys, and check it.
 
     Anything that is raised is a problem, but for a ValueError where the scenario is refused.
@@ -142,6 +142,6 @@ def outcome(keys: dict[str, Any], with_file: bool = False) -> Outcome:
             off = abs(motion.ledger.residual) / motion.ledger.range if motion.ledger.range else 0.0
         except Exception as error:
             return Outcome("raised", (f"{type(error).__name__}: {error}"[:200],), math.inf, time.process_time() - began)
-    if seconds > PATIENCE:
+    if seconds > patience:
         found.append(f"{seconds:.0f} s of the processor")
     return Outcome(motion.status, tuple(found), off, seconds)
