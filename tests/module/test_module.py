@@ -177,3 +177,9 @@ def test_maps_are_the_same(host: Host) -> None:
     assert np.allclose(height, theirs["hop_height"].values, rtol=1e-9, atol=1e-12, equal_nan=True)
     hop = words[:, TOLD["words"].index("hop")].reshape(grid[0].shape)
     assert np.array_equal(hop, theirs["hop"].values)
+
+
+def test_it_names_no_machine() -> None:
+    content = (HERE / MODULE).read_bytes()
+    assert b"site-packages" not in content
+    assert b"/home/" not in content

@@ -11,6 +11,7 @@ import os
 import re
 import subprocess
 import sys
+import sysconfig
 import tempfile
 from collections.abc import Iterable, Mapping
 from importlib.metadata import version
@@ -111,6 +112,24 @@ def linked(code: bytes, names: Iterable[str], target: Path) -> None:
         )  # fmt: skip
 
 
+def anonymous(content: bytes) -> bytes:
+    """The module without the folder of this machine's packages, which Numba writes into places of errors.
+
+    Parameters
+    ----------
+    content : bytes
+
+    Returns
+    -------
+    content : bytes
+        Of the same length.
+    """
+    for place in {Path(sysconfig.get_path(name)) for name in ("purelib", "platlib")} | {HERE.parents[1]}:
+        own = str(place).encode()
+        content = content.replace(own, b"-" * len(own))
+    return content
+
+
 def build(folder: Path = HERE) -> None:
     """Build the module, and the file that tells how to call it.
 
@@ -123,7 +142,7 @@ def build(folder: Path = HERE) -> None:
     with tempfile.TemporaryDirectory() as fresh:
         file = Path(fresh) / MODULE
         linked(retargeted(joined(code), code), code, file)
-        content = file.read_bytes()
+        content = anonymous(file.read_bytes())
     told = {"sources": sources(), "module": hashlib.sha256(content).hexdigest()[:16], "built_with": tools(), **layout()}
     with replacing(folder / MODULE) as fresh_file:
         fresh_file.write_bytes(content)
