@@ -412,7 +412,6 @@ interface Compliance {
   tangential_stiffness: number; // over m g/R [1]
   slip_speed: number; // over √(g R) [1]
   depth: number; // how far the rim sinks at the speeds of the start [R]
-  steps: number; // how many the integration takes, roughly (limits._steps)
   automatic: { stiffness: number; slip_speed: number }; // in SI units, as film._automatic
 }
 

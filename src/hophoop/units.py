@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.records.times import kernel_times
 from hophoop.scenario import Scenario
 from hophoop.scenario.scenario import time_unit
 
@@ -53,14 +54,9 @@ class Units:
         times : ndarray
             At most the end of the motion [√(R/g)].
         """
-        # the time of an event, there and back between the units, can be off by its rounding: on its other side
-        begins = segments["t"]
-        result: NDArray[np.float64] = np.minimum(times / self.time, segments["t_end"][-1])
-        place = np.searchsorted(begins, result)
-        for index in (place - 1, place):
-            begin = begins[np.clip(index, 0, begins.size - 1)]
-            result = np.where(begin * self.time == times, begin, result)
-        return result
+        found: NDArray[np.float64] = np.empty(times.shape)
+        kernel_times(np.ascontiguousarray(segments["t"]), float(segments["t_end"][-1]), times, self.time, found)
+        return found
 
     def of(self, name: str) -> float:
         """Unit of a quantity by its name.

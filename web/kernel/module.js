@@ -300,7 +300,6 @@ export class HoopModule {
       tangential_stiffness: value("tangential_stiffness"),
       slip_speed: value("slip_speed"),
       depth: value("depth"),
-      steps: value("steps"),
       automatic: { stiffness: value("stiffness_si"), slip_speed: value("slip_speed_si") },
     };
   }

@@ -280,3 +280,8 @@ def inline_jit(function: Function) -> Function:
     Handing body, panel and scratch on is some sixty words a call, which costs a quarter of a motion's time.
     """
     return _kernel(function, nrt=False, forceinline=True)
+
+
+def interpreted(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """A kernel with all that it calls in plain Python: for what Python calls once a motion, which is not worth compiling."""
+    return cast(Kernel, kernel).interpreted

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
-from hophoop._jit import jit
+from hophoop._jit import interpreted, jit
 from hophoop.compliant.records import OM, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.physics.body import Body
 from hophoop.physics.compliant import (
     BRISTLE,
     KELVIN_VOIGT,
     LINEAR,
+    STIFFNESS,
     TANH,
     Compliance,
     FrictionLaw,
@@ -27,7 +27,6 @@ from hophoop.physics.resistance import forces_rolling, motion_slipping, stiffnes
 from hophoop.scenario import Compliant, Scenario
 from hophoop.scenario.scenario import time_unit, to_body
 
-STIFFNESS = 1e6  # m g / R
 SLIP_SPEED, LEAST_SLIP_SPEED = 1e-3, 1e-9  # √(g R)
 RTOL = 1e-9
 ROUNDING = 1e-13  # of f_n, beside gravity and θ̇²
@@ -100,9 +99,7 @@ def to_compliance(scenario: Scenario) -> tuple[Body, Compliance, float, float]:
         math.nan if value is None else value
         for value in (contact.stiffness, contact.damping, contact.restitution, contact.slip_speed, contact.tangential_stiffness)
     ]
-    made: Any = compliance_of
-    # interpreted, since it is called once a motion
-    compliance = made.interpreted(body, hoop.radius, second, hoop.mass, law, friction, *given)
+    compliance: Compliance = interpreted(compliance_of)(body, hoop.radius, second, hoop.mass, law, friction, *given)
     rtol = RTOL if contact.rtol is None else contact.rtol
     return body, compliance, scenario.duration / second, rtol
 
@@ -132,8 +129,7 @@ def to_start(scenario: Scenario, body: Body, comp: Compliance) -> tuple[np.ndarr
     start[VT] = given.slip / speed
     start[VN] = given.vy / speed
     start[OM] = given.omega * second
-    loaded: Any = load_contact
-    touching: bool = loaded.interpreted(body, comp, start)
+    touching: bool = interpreted(load_contact)(body, comp, start)
     return start, touching
 
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._jit import interpreted
 from hophoop.maps.axes import ordered, scenario_at
 from hophoop.maps.kernel import (
     ALLOWED,
@@ -35,6 +36,7 @@ from hophoop.maps.kernel import (
     X,
 )
 from hophoop.physics.body import ImpactLaw
+from hophoop.physics.mass import ideal_inertia
 from hophoop.physics.resistance import most_resistance
 from hophoop.scenario import Scenario
 from hophoop.scenario.models import Rigid
@@ -95,7 +97,7 @@ def make_cells(base: Scenario, values: Mapping[str, Array], count: int) -> NDArr
                 cells[IDEAL] = 0.0
         elif path == "hoop.load_fraction":
             cells[ECCENTRICITY] = array
-            cells[INERTIA_RATIO] = (1.0 - array) * (1.0 + array)
+            cells[INERTIA_RATIO] = interpreted(ideal_inertia)(array)
             cells[IDEAL] = 1.0
         elif path == "plane.mu":
             cells[MU_STATIC] = array

@@ -23,32 +23,13 @@ from hophoop.theory.kernels.painleve import regions as paradox_sides
 from hophoop.theory.kernels.phase_plane import lift_off
 from hophoop.theory.kernels.phase_plane import modes as following_modes
 from hophoop.theory.kernels.rolling import contact_losses, needed_frictions
+from hophoop.theory.kernels.rows import row_of
 
 greatest_resistance = jit(most_resistance)
 
 ROWS, NUMBER_COUNT, WORD_COUNT, ANSWERS = len(CELL), len(NUMBERS), len(WORDS), len(THRESHOLDS)
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
-BODY_WIDTH, PART_WIDTH = 12, len(PART)
-
-
-@jit
-def row_of(body):
-    """The row of numbers that theory's kernels take a body as."""
-    rows = np.empty((1, BODY_WIDTH))
-    row = rows[0]
-    row[0] = body.eps
-    row[1] = body.kap
-    row[2] = body.mu_s
-    row[3] = body.mu_k
-    row[4] = body.gn
-    row[5] = body.gt
-    row[6] = body.rest
-    row[7] = body.law
-    row[8] = 1.0 if body.strike else 0.0
-    row[9] = body.slope
-    row[10] = 1.0 if body.ideal else 0.0
-    row[11] = body.resist
-    return rows
+PART_WIDTH = len(PART)
 
 
 @jit

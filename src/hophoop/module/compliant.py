@@ -27,9 +27,9 @@ from hophoop.module.motions import (
     write_state,
 )
 from hophoop.physics.body import Status
-from hophoop.physics.compliant import sinking, step_count
+from hophoop.physics.compliant import sinking
 from hophoop.records.layout import SEGMENT
-from hophoop.records.times import kernel_time_of
+from hophoop.records.times import kernel_times
 
 CONTACT, HEAD_COUNT, EVENT_WIDTH, CHOSEN_COUNT = len(COMPLIANT), len(HEADS), len(EVENT_COLUMNS), len(CHOSEN)
 RAW_WIDTH = len(sampling.COLUMNS)
@@ -75,9 +75,8 @@ def compliance(given, contact, out):
     row[1] = comp.k_t
     row[2] = comp.v_s
     row[3] = sinking(comp.k, body.gn > 0.0, start[Y], speed)
-    row[4] = step_count(cells[DURATION, 0], scales.time, asked[2], cells[MASS, 0])
-    row[5] = comp.k * cells[MASS, 0] / scales.time**2
-    row[6] = comp.v_s * scales.length / scales.time
+    row[4] = comp.k * cells[MASS, 0] / scales.time**2
+    row[5] = comp.v_s * scales.length / scales.time
 
 
 @jit
@@ -136,8 +135,7 @@ def compliant_samples(given, contact, rows, count, times, n, left, out):
     body = body_of(cells, 0)
     comp = contact_of(cells, carray(contact, (CONTACT,)), body, scales)
     asked = np.empty(n)
-    for k in range(n):
-        asked[k] = kernel_time_of(kept[:, 0], kept[count - 1, 1], when[k], scales.time)
+    kernel_times(kept[:, 0], kept[count - 1, 1], when, scales.time, asked)
     raw = np.empty((n, RAW_WIDTH))
     sample(body, comp, kept, asked, left != 0, raw)
     for k in range(n):

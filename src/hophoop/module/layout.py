@@ -38,8 +38,8 @@ SAMPLE_COLUMNS = (
 COMPLIANT = (
     "law", "friction_law", "stiffness", "damping", "restitution", "slip_speed", "tangential_stiffness", "rtol",
 )  # fmt: skip
-# What it makes of them: numbers over those of the hoop, how deep the rim sinks [R], steps; and two of them in SI units.
-CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "steps", "stiffness_si", "slip_speed_si")
+# What it makes of them: numbers over those of the hoop, how deep the rim sinks [R]; and two of them in SI units.
+CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "stiffness_si", "slip_speed_si")
 
 # What theory says about a hoop; nan where it says nothing. Angles are from the outward normal, in rad.
 THRESHOLDS = (

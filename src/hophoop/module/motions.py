@@ -15,7 +15,7 @@ from hophoop.physics.energy import kinetic_energy, potential_energy
 from hophoop.physics.friction import utilization
 from hophoop.records.layout import EVENT
 from hophoop.records.scratch import new_scratch
-from hophoop.records.times import kernel_time
+from hophoop.records.times import kernel_times
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
 from hophoop.rigid.sampling import sample
@@ -165,8 +165,7 @@ def samples(given, segments, count, times, n, left, out):
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
     asked = np.empty(n)
-    for k in range(n):
-        asked[k] = kernel_time(pieces, when[k], scales.time)
+    kernel_times(pieces["t"], pieces[count - 1]["t_end"], when, scales.time, asked)
     raw = np.empty((n, RAW_WIDTH))
     sample(body, pieces, asked, left != 0, raw)
     for k in range(n):

@@ -12,7 +12,7 @@ HERE = Path(__file__).parent
 MODULE, LAYOUT = "hophoop.wasm", "layout.json"
 # What decides the module's bytes: rooms, and files of other rooms.
 ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "module")
-FILES = ("maps/kernel.py",)
+FILES = ("maps/friction_use.py", "maps/kernel.py")
 
 
 @cache

@@ -59,6 +59,8 @@ class Compliance(NamedTuple):
     om_s: float = 1e-6  # θ̇ at which rolling resistance comes to its full size
 
 
+STIFFNESS = 1e6  # m g / R, where none is given
+
 # The part of friction that is above the kinetic one falls off over so many slip speeds in the tanh law.
 STRIBECK = 3.0
 # Slip is called roll below so many slip speeds, where tanh gives 99.93 % of the friction, the linear law all.
@@ -302,12 +304,3 @@ def sinking(k, falls, height, speed):
     """How far the rim sinks into the plane, roughly, when it comes down from a height with a speed (kernel units)."""
     fall = math.sqrt(2.0 * height) if falls else 0.0
     return (speed + fall) / math.sqrt(k) + 1.0 / k
-
-
-@jit
-def step_count(duration, second, stiffness, mass):
-    """How many steps the integration takes, roughly: some for each oscillation; a small slip speed costs none."""
-    rate = 10.0 / second
-    if not math.isnan(stiffness):
-        rate += math.sqrt(stiffness / mass)
-    return 10.0 * duration * rate

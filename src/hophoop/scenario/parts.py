@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, Literal
 
+import numpy as np
 from pydantic import Discriminator, model_validator
 
+from hophoop._jit import interpreted
+from hophoop.physics import mass
 from hophoop.scenario.base import Frozen, NonNegative, Number, Positive, plain_init, quantity, refuse
 from hophoop.scenario.ranges import inside, schema_of
 from hophoop.scenario.texts import say
@@ -15,11 +17,34 @@ from hophoop.scenario.texts import say
 PartMass = Annotated[Positive, inside("hoop.parts.mass", "kg"), schema_of("hoop.parts.mass")]
 Length = Annotated[Positive, inside("hoop.parts.length", "m"), schema_of("hoop.parts.length")]
 
+Row = tuple[int, float, float, float, float]
+
 # A part that just touches the rim, its place rounded, still lies within it.
 TOUCH = 1e-12
 
 
-class Ring(Frozen):
+class _Body:
+    """What all parts have."""
+
+    @property
+    def row(self) -> Row:
+        """What it is as `physics.mass` takes it."""
+        raise NotImplementedError
+
+    @property
+    def inertia(self) -> float:
+        """Moment of inertia about its own centre [kg m²]."""
+        shape, weight, first, second, _ = self.row
+        return float(interpreted(mass.part_inertia)(shape, weight, first, second))
+
+    @property
+    def reach(self) -> float:
+        """Distance of its farthest point from C [m]."""
+        shape, _, first, second, at = self.row
+        return float(interpreted(mass.part_reach)(shape, first, second, at))
+
+
+class Ring(Frozen, _Body):
     """A flat ring about the rim's centre C; thin if both radii are equal.
 
     Parameters
@@ -58,17 +83,12 @@ class Ring(Frozen):
         return 0.0
 
     @property
-    def inertia(self) -> float:
-        """Moment of inertia about its own centre [kg m²]."""
-        return 0.5 * self.mass * (self.inner_radius**2 + self.outer_radius**2)
-
-    @property
-    def reach(self) -> float:
-        """Distance of its farthest point from C [m]."""
-        return self.outer_radius
+    def row(self) -> Row:
+        """What it is as `physics.mass` takes it."""
+        return mass.RING, self.mass, self.inner_radius, self.outer_radius, 0.0
 
 
-class Disk(Frozen):
+class Disk(Frozen, _Body):
     """A uniform disk, such as a cylindrical load seen from its end.
 
     Parameters
@@ -98,17 +118,12 @@ class Disk(Frozen):
         super().__init__(mass=mass, radius=radius, at=at, **shape)
 
     @property
-    def inertia(self) -> float:
-        """Moment of inertia about its own centre [kg m²]."""
-        return 0.5 * self.mass * self.radius**2
-
-    @property
-    def reach(self) -> float:
-        """Distance of its farthest point from C [m]."""
-        return abs(self.at) + self.radius
+    def row(self) -> Row:
+        """What it is as `physics.mass` takes it."""
+        return mass.DISK, self.mass, self.radius, 0.0, self.at
 
 
-class PointMass(Frozen):
+class PointMass(Frozen, _Body):
     """A small load.
 
     Parameters
@@ -135,17 +150,12 @@ class PointMass(Frozen):
         super().__init__(mass=mass, at=at, **shape)
 
     @property
-    def inertia(self) -> float:
-        """Moment of inertia about itself: 0 [kg m²]."""
-        return 0.0
-
-    @property
-    def reach(self) -> float:
-        """Distance from C [m]."""
-        return abs(self.at)
+    def row(self) -> Row:
+        """What it is as `physics.mass` takes it."""
+        return mass.POINT_MASS, self.mass, 0.0, 0.0, self.at
 
 
-class Rod(Frozen):
+class Rod(Frozen, _Body):
     """A thin uniform rod in the plane of motion; an axial one counts as a `PointMass`.
 
     Parameters
@@ -185,15 +195,10 @@ class Rod(Frozen):
         super().__init__(mass=mass, length=length, at=at, direction=direction, **shape)
 
     @property
-    def inertia(self) -> float:
-        """Moment of inertia about its own middle [kg m²]."""
-        return self.mass * self.length**2 / 12.0
-
-    @property
-    def reach(self) -> float:
-        """Distance of its farthest point from C [m]."""
-        half = 0.5 * self.length
-        return abs(self.at) + half if self.direction == "radial" else math.hypot(self.at, half)
+    def row(self) -> Row:
+        """What it is as `physics.mass` takes it."""
+        kind = mass.RADIAL_ROD if self.direction == "radial" else mass.TANGENTIAL_ROD
+        return kind, self.mass, self.length, 0.0, self.at
 
 
 Part = Annotated[Ring | Disk | PointMass | Rod, Discriminator("shape")]
@@ -227,10 +232,5 @@ def combine(radius: float, parts: Sequence[Ring | Disk | PointMass | Rod]) -> tu
     for index, part in enumerate(parts):
         if part.reach > radius * (1.0 + TOUCH):
             raise refuse(say("beyond_the_rim", index=index, shape=part.shape, reach=part.reach, radius=radius))
-    mass = math.fsum(part.mass for part in parts)
-    # Measured from the first part, so that parts all in one place give exactly that place and no inertia.
-    first = parts[0].at / radius
-    offset = math.fsum(part.mass * (part.at / radius - first) for part in parts) / mass
-    centre = first + offset
-    inertia = math.fsum(part.inertia / radius**2 + part.mass * (part.at / radius - centre) ** 2 for part in parts)
-    return mass, min(abs(centre), 1.0), inertia / mass
+    whole, eccentricity, inertia_ratio = interpreted(mass.combined)(radius, np.array([part.row for part in parts]))
+    return float(whole), float(eccentricity), float(inertia_ratio)

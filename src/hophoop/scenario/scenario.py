@@ -11,7 +11,9 @@ from typing import Annotated, Any
 from pydantic import Field, ValidationError, model_validator
 
 from hophoop._files import replacing
+from hophoop._jit import interpreted
 from hophoop.physics.body import Body, ImpactLaw
+from hophoop.physics.compliant import STIFFNESS, sinking
 from hophoop.physics.resistance import most_resistance
 from hophoop.scenario.base import Frozen, InputError, Positive, quantity, refuse
 from hophoop.scenario.formats import query_text, read_file, read_query, read_standard_input, read_text, toml_text
@@ -311,11 +313,10 @@ def _check_compliance(scenario: Scenario, contact: Compliant) -> None:
         if value is not None and not allowed.holds(value / unit):
             ratio = value / unit
             raise refuse(say("relative_contact", name=name, value=value, relative=ratio, unit=what, words=allowed.words()))
-    k = 1e6 if contact.stiffness is None else contact.stiffness * second**2 / hoop.mass
+    k = STIFFNESS if contact.stiffness is None else contact.stiffness * second**2 / hoop.mass
     given = start.state(hoop)
-    fall = math.sqrt(2.0 * given.height / hoop.radius) if plane.gravity > 0.0 else 0.0
-    speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius + fall
-    depth = speed / math.sqrt(k) + 1.0 / k
+    speed = (abs(given.vx) + abs(given.vy) + abs(given.omega) * hoop.radius) * second / hoop.radius
+    depth = interpreted(sinking)(k, plane.gravity > 0.0, given.height / hoop.radius, speed)
     if depth > MOST_DEPTH:
         raise refuse(say("too_soft", stiffness=contact.stiffness, depth=depth, most=MOST_DEPTH))
 

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources c298d0a4cc0fdbad021bfdaa1de1744d */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 4bdceff20cfbc62041eaa780043f701e */
 function ue(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var An=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ue(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ue(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ue(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -2154,7 +2154,7 @@ size=s,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.id
 resolve(new Eo(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,n=[]){
 s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Mo(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),s?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"72e72e5aa934b66c019fcb7ce5587d12",module:"37887952927e21e1",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"c764d91a586504d7889fea3086d65fea",module:"e1410dddcd6f2b22",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
@@ -2162,11 +2162,11 @@ events","ideal","rolling_resistance","allowed"],heads:["status","events","segmen
 "collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","friction_force","normal_force","friction","impact_norm\
 al","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],compliant:["law","friction_law","stiffness","damping","rest\
 itution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh","linear","bristle"],chosen:["stiffness","tangen\
-tial_stiffness","slip_speed","depth","steps","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_fric\
-tion","needed_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","m\
-assless_loss_by_friction"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","t\
-akeoff_time","takeoff_angle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","\
-hop","painleve"],keys:4,letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{
+tial_stiffness","slip_speed","depth","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","n\
+eeded_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_\
+loss_by_friction"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_t\
+ime","takeoff_angle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","pa\
+inleve"],keys:4,letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{
 angle:6.283185307179586,stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,
 status:0,ending:0,first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,
 takeoff_time:1,takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undet\
@@ -2219,16 +2219,16 @@ let{memory:s}=this,n=s.put("parts",t.flatMap(sh)),i=s.room("answers",8*v.thresho
 i,a);let[r,l,h]=s.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:h,reaches:[...s.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
 "The contact is rigid.");let s=t.put("cell",Ze(e)),n=t.put("contact",Ro(e.contact)),i=t.room("answers",8*v.thresholds.length);this.call("compliance",s,n,i);let a=t.
 floats(i,v.chosen.length),r=l=>a[v.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
-depth:r("depth"),steps:r("steps"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function sh(o){let e=o.shape==="rod"?`${o.direction}_\
-rod`:o.shape,t=v.shapes.indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,o.mass,o.radius,0,o.at]:o.shape==="rod"?
-[t,o.mass,o.length,0,o.at]:[t,o.mass,0,0,o.at]}var oh=["friction","impact_normal","impact_tangential","rolling_resistance"],nh=["kinetic","potential",...oh,"res\
-idual"],aa=["x","height","angle","vx","vy","omega"];function ia({given:o,head:e,rows:t,count:s,duration:n}){let i=v.events.length,a=Array.from({length:s},(h,c)=>ih(
-t.subarray(c*i,(c+1)*i))),r=a[s-1],l=Object.fromEntries([...nh,...o.contact?["spring","damping"]:[]].map(h=>[h,e[ge[h]]]));return{status:v.statuses[e[ge.status]],
-sequence:ah(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(aa.map(h=>[h,r[h]]))},energy:l,doubt:Io(e[ge.doubt_from])}}function ih(o){let e=v.
-kinds[o[K.kind]],t=o[K.from_mode],s={t:o[K.t],kind:e,from:t<0?null:v.letters[t],to:v.letters[o[K.to_mode]]};for(let n of aa)s[n]=Io(o[K[n]]);return s.before=Object.
-fromEntries(["vx","vy","omega"].map(n=>[n,Io(o[K[`before_${n}`]])])),s.impulse={normal:o[K.impulse_normal],tangential:o[K.impulse_tangential]},o[K.collision]===
-0&&(s.collision=!1),e==="kane_gain"&&(s.gain=o[K.gain]),o[K.stable]>=0&&(s.stable=o[K.stable]===1),s}function ah(o){let e=o.filter(s=>!th.has(s.kind));return e.
-slice(0,-1).map((s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var ra=1e4,Lo=256;function la(o){let e=URL.createObjectURL(new Blob([o],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var xt=class o{constructor(e,t){
+depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function sh(o){let e=o.shape==="rod"?`${o.direction}_rod`:o.shape,t=v.
+shapes.indexOf(e);return o.shape==="ring"?[t,o.mass,o.inner_radius,o.outer_radius,0]:o.shape==="disk"?[t,o.mass,o.radius,0,o.at]:o.shape==="rod"?[t,o.mass,o.length,
+0,o.at]:[t,o.mass,0,0,o.at]}var oh=["friction","impact_normal","impact_tangential","rolling_resistance"],nh=["kinetic","potential",...oh,"residual"],aa=["x","he\
+ight","angle","vx","vy","omega"];function ia({given:o,head:e,rows:t,count:s,duration:n}){let i=v.events.length,a=Array.from({length:s},(h,c)=>ih(t.subarray(c*i,
+(c+1)*i))),r=a[s-1],l=Object.fromEntries([...nh,...o.contact?["spring","damping"]:[]].map(h=>[h,e[ge[h]]]));return{status:v.statuses[e[ge.status]],sequence:ah(a),
+duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(aa.map(h=>[h,r[h]]))},energy:l,doubt:Io(e[ge.doubt_from])}}function ih(o){let e=v.kinds[o[K.kind]],
+t=o[K.from_mode],s={t:o[K.t],kind:e,from:t<0?null:v.letters[t],to:v.letters[o[K.to_mode]]};for(let n of aa)s[n]=Io(o[K[n]]);return s.before=Object.fromEntries([
+"vx","vy","omega"].map(n=>[n,Io(o[K[`before_${n}`]])])),s.impulse={normal:o[K.impulse_normal],tangential:o[K.impulse_tangential]},o[K.collision]===0&&(s.collision=
+!1),e==="kane_gain"&&(s.gain=o[K.gain]),o[K.stable]>=0&&(s.stable=o[K.stable]===1),s}function ah(o){let e=o.filter(s=>!th.has(s.kind));return e.slice(0,-1).map(
+(s,n)=>e[n+1].t>s.t?s.to:"").join("")||(o.at(-1)?.to??"")}var ra=1e4,Lo=256;function la(o){let e=URL.createObjectURL(new Blob([o],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var xt=class o{constructor(e,t){
 this.mechanics=new zs(e),this.motions=new kt(t,e,2,ra);let s=navigator.hardwareConcurrency||2;this.maps=new kt(t,e,Math.max(1,Math.min(s-1,8)),ra)}static async load(e){
 let t=new URL(`hophoop.wasm?${v.module}`,e),s=await fetch(t);if(!s.ok)throw new Error(`The kernel is not there: ${t.pathname} gives ${s.status}.`);let i=await(s.
 headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(s):WebAssembly.compile(await s.arrayBuffer())),a=new URL(`kernel.js?${v.module}`,e);
