@@ -55,27 +55,39 @@ def start(workers: int) -> tuple[subprocess.Popen[bytes], str]:
     raise SystemExit("the server does not answer")
 
 
-def resident(group: int) -> float:
-    """Memory of the server's processes in MB; nan where /proc does not tell."""
-    total = 0
+def family(root: int) -> list[Path]:
+    """Folders in /proc of a process and of all that it has started, also in sessions of their own; none without /proc."""
+    parents: dict[int, int] = {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:
-            if os.getpgid(int(folder.name)) == group:
-                pages = int((folder / "statm").read_text().split()[1])
-                total += pages * os.sysconf("SC_PAGE_SIZE")
+            parents[int(folder.name)] = int((folder / "stat").read_text().rpartition(")")[2].split()[1])
+        except (OSError, ValueError):
+            continue
+    found = {root} & parents.keys()
+    while more := {child for child, parent in parents.items() if parent in found} - found:
+        found |= more
+    return [Path("/proc") / str(one) for one in found]
+
+
+def resident(root: int) -> float:
+    """Memory of the server's processes in MB; nan where /proc does not tell."""
+    total = 0
+    for folder in family(root):
+        try:
+            pages = int((folder / "statm").read_text().split()[1])
+            total += pages * os.sysconf("SC_PAGE_SIZE")
         except (OSError, ValueError):
             continue
     return total / 1e6 if total else float("nan")
 
 
-def processor_seconds(group: int) -> float:
+def processor_seconds(root: int) -> float:
     """Processor time of the server's processes so far [s]; it too grows where other work shares cores and caches."""
     total = 0
-    for folder in Path("/proc").glob("[0-9]*"):
+    for folder in family(root):
         try:
-            if os.getpgid(int(folder.name)) == group:
-                fields = (folder / "stat").read_text().rpartition(")")[2].split()
-                total += int(fields[11]) + int(fields[12])
+            fields = (folder / "stat").read_text().rpartition(")")[2].split()
+            total += int(fields[11]) + int(fields[12])
         except (OSError, ValueError):
             continue
     return total / os.sysconf("SC_CLK_TCK") if total else float("nan")
