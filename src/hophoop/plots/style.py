@@ -39,6 +39,10 @@ def check_against(against: str) -> None:
         raise ValueError(f"against = {against!r} must be 'time' or 'angle'.")
 
 
+# Inches that a legend's entry takes: its line with the space beside it, and a letter of its name.
+HANDLE, LETTER = 0.7, 0.066
+
+
 def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
     """Labels, a light grid, no frame where there is no scale, a legend outside of the curves' way."""
     ax.set_xlabel(across)
@@ -47,15 +51,24 @@ def finish(ax: Axes, across: str, up: str, legend: bool = True) -> None:
     ax.set_axisbelow(True)
     for side in ("top", "right"):
         ax.spines[side].set_visible(False)
-    handles, _ = ax.get_legend_handles_labels()
+    handles, names = ax.get_legend_handles_labels()
     if not legend or not handles:
         return
-    # below the axes, where no curve is
+    # below the axes, where no curve is, and no wider than they are: beside them may stand others
     columns = len(handles) if len(handles) <= 3 else math.ceil(len(handles) / 2)
+    columns = min(columns, max(1, int(_width(ax) / (HANDLE + LETTER * max(len(name) for name in names)))))
     ax.legend(
         frameon=False, fontsize=9, loc="upper center", bbox_to_anchor=(0.5, -0.155), ncol=columns,
         handlelength=3.2,
     )  # fmt: skip
+
+
+def _width(ax: Axes) -> float:
+    """Width of axes in a grid of a figure [inch]."""
+    figure = ax.figure
+    place = ax.get_subplotspec()
+    share = 1.0 if place is None else (place.colspan.stop - place.colspan.start) / place.get_gridspec().ncols
+    return float(figure.bbox.width / figure.dpi) * share
 
 
 def _scaled(ax: Axes, label: str) -> str:
