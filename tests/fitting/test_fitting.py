@@ -508,13 +508,3 @@ def test_data_that_do_not_suffice(hop):
         hh.plan(hop.scenario, rate=2.0)
     with pytest.raises(ValueError, match="sigma = 0"):
         hh.plan(hop.scenario, sigma=0.0)
-
-
-def test_rolling_resistance_can_be_freed():
-    plane = hh.Plane(mu=0.5, rolling_resistance=0.02)
-    motion = hopping(plane=plane, start=hh.Start.rolling(1.2), duration=0.8)
-    known = {"mu_kinetic": 0.5, "mu_excess": 0.0, "restitution": 0.0, "gamma": 0.6}
-    fit = hh.fit(filmed(motion, rate=60.0), free=["rolling_resistance"], fixed=known)
-    assert fit.good
-    assert abs(fit.values["rolling_resistance"] - 0.02) < 5.0 * fit.error("rolling_resistance")
-    assert 0.0 < fit.error("rolling_resistance") < 5e-3
