@@ -39,7 +39,7 @@ MOTIONS = {
 
 @pytest.mark.parametrize("name", MOTIONS)
 def test_slopes_are_those_of_finer_differences(name):
-    """The motion has no derivatives with the couple: the fit takes differences, these are of the fourth order with other steps."""
+    """There are no derivatives with the couple: the fit takes differences, and these are finer, of the fourth order."""
     motion, seen = MOTIONS[name]
     track, plane = filmed(motion), motion.scenario.plane
     problem = problem_of(track, "ideal", "rolling", plane, (None, None))
