@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit, lean_jit
 from hophoop.numerics.collocation import NODES, ORDER, antiderivative
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
@@ -80,6 +80,16 @@ def rows_are_known(work):
     return work.shape[1] == ORDER
 
 
+@apart_jit
+def fill_narrow(way, half, sines, versines, stretch):
+    """`fill_geometry` of panels narrower than the tables go."""
+    for i in range(ORDER):
+        offset = half * (1.0 + NODES[i])
+        sines[i] = way * offset
+        versines[i] = 0.5 * offset * offset
+        stretch[i] = half
+
+
 @inline_jit
 def fill_geometry(panel, work):
     """Rows A and B: sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes; STRETCH: abs(dθ/dξ)."""
@@ -88,13 +98,8 @@ def fill_geometry(panel, work):
     stretch = work[STRETCH]
     if panel.kind == LINEAR:
         way = panel.way
-        half = 0.5 * panel.extent
         if panel.level >= LEVELS:
-            for i in range(ORDER):
-                offset = half * (1.0 + NODES[i])
-                sines[i] = way * offset
-                versines[i] = 0.5 * offset * offset
-                stretch[i] = half
+            fill_narrow(way, 0.5 * panel.extent, sines, versines, stretch)
             return
         # one loop a row: each becomes a single move of memory, and what reads the row next need not wait for its parts
         table = SINES[1 if way > 0.0 else 0, panel.level]

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources e387d511b1e6ee31a037596fb948183b */
-var r={sources:"5139e4ff048b11e3ab68788b68328435",module:"940044b1ba527d6e",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources a4a04cb53d42ad6c5268ce5260e759d2 */
+var r={sources:"9a23307b5da1d9470c2f05fb8f832046",module:"d0555ac24f977b01",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
