@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 4bdceff20cfbc62041eaa780043f701e */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources d99d762bf6c37c212c7005ae16c2ecad */
 function ue(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var An=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ue(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ue(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ue(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -1232,21 +1232,21 @@ s):this.onvalue(t)}refuse(e){this.input.setAttribute("aria-invalid","true"),this
 hidden=!1}accept(){this.input.removeAttribute("aria-invalid"),this.input.removeAttribute("aria-describedby"),this.error.hidden=!0}restore(){this.typing=!1,this.
 input.value=this.shown,this.accept()}show(e){this.shown=le(e),this.typing||this.restore()}};var Vn={ring:{label:"Ring",keys:["mass","inner_radius","outer_radius"]},disk:{label:"Disk",keys:["mass","radius","at"]},point_mass:{label:"Point mass",keys:["ma\
 ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},_r={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
-dius","m"],at:["distance from centre","m"],length:["length","m"]},Tr=(o,e,t)=>({ring:{shape:o,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:o,mass:t,radius:.1*
+dius","m"],at:["distance from centre","m"],length:["length","m"]},Sr=(o,e,t)=>({ring:{shape:o,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:o,mass:t,radius:.1*
 e,at:.8*e},point_mass:{shape:o,mass:t,at:e},rod:{shape:o,mass:t,length:.5*e,at:.5*e}})[o];function Jn(o){let e=o["hoop.radius"],t=o["hoop.mass"],s=Math.min(Math.
 max(o["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Wt(t*(1-s)),inner_radius:Wt(.98*e),outer_radius:e},{shape:"point_mass",mass:Wt(t*s),at:e}]}var Wt=o=>Number(
 o.toPrecision(6)),$t=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=d("div",{class:"parts"}),this.element=d("div",{},this.list,d("select",
-{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Tr(s,this.radius,Wt(.2*this.mass))])}},d("option",{value:""},
+{"aria-label":"Add a part",onchange:t=>{let s=t.target.value;t.target.value="",s&&this.send([...this.parts,Sr(s,this.radius,Wt(.2*this.mass))])}},d("option",{value:""},
 "+ add a part …"),Object.entries(Vn).map(([t,{label:s}])=>d("option",{value:t},s))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,s){let n=JSON.stringify(
 e);if(n===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:n,parts:e,radius:t,mass:s}),this.list.
 replaceChildren(...e.map((i,a)=>this.row(i,a)))}row(e,t){let{label:s,keys:n}=Vn[e.shape];return d("fieldset",{class:"part"},d("legend",{},s,this.parts.length>1&&
 d("button",{type:"button",class:"quiet","aria-label":`Remove part ${t+1}, ${s}`,onclick:()=>this.send(this.parts.filter((i,a)=>a!==t))},"×")),n.map(i=>this.field(
 e,t,i)))}field(e,t,s){let[n,i]=_r[s],a=new Be({label:n,unit:i},r=>this.send(this.parts.map((l,h)=>h===t?{...l,[s]:r}:l)));return a.show(String(e[s]??0)),d("div",
-{},d("label",{},`${n} [${i}]`,a.input),a.error)}};var Ys=Math.PI/180;function Sr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Ys:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
+{},d("label",{},`${n} [${i}]`,a.input),a.error)}};var Ys=Math.PI/180;function Tr({allowed:o,degrees:e}){if(!o)return;let t=e?1/Ys:1;return{least:o.least*t,most:o.most*t,also:o.also.map(s=>s==="inf"?1/0:Number(s))}}
 var Zs=class{constructor(e,t){this.info=e,this.onchange=t,this.held=!1;let s=`hh-${e.path}-${Math.random().toString(36).slice(2,7)}`,n=l=>()=>{this.held=l};this.
 range=d("input",{type:"range",id:s,class:"slider",min:String(this.low()),max:String(this.high()),step:e.logarithmic?"0.01":String(e.step),"data-path":e.path,oninput:()=>this.
 slid(!1),onchange:()=>this.slid(!0),onpointerdown:n(!0),onpointerup:n(!1),onpointercancel:n(!1),onblur:n(!1)});let{label:i,unit:a}=e,r=`${i}, exact value${a?` i\
-n ${a}`:""}`;this.entry=new Be({label:i,unit:a,name:r,range:Sr(e)},l=>this.send(l,!0)),this.element=d("div",{class:"control",title:e.help},d("label",{for:s},d("\
+n ${a}`:""}`;this.entry=new Be({label:i,unit:a,name:r,range:Tr(e)},l=>this.send(l,!0)),this.element=d("div",{class:"control",title:e.help},d("label",{for:s},d("\
 span",{},i),d("span",{class:"symbol"},e.symbol)),this.range,d("span",{class:"entry"},this.entry.input,d("span",{class:"unit"},a)),this.entry.error)}low(){return this.
 info.logarithmic?Math.log10(this.info.least):this.info.least}high(){return this.info.logarithmic?Math.log10(this.info.most):this.info.most}slid(e){let t=Number(
 this.range.value),s=this.info.logarithmic?Number((10**t).toPrecision(3)):t;this.entry.typing=!1,this.entry.show(String(s)),this.say(s),this.send(s,e)}send(e,t){
@@ -1483,18 +1483,18 @@ c.preventDefault(),a.focus({preventScroll:!0}),h(c),W(a,c,h)}),a.addEventListene
 PageUp:45}[c.key];u!==void 0&&(c.preventDefault(),c.stopPropagation(),l(t+(c.shiftKey?u/5:u)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>s,judge:c=>(n=
 lo(c),r(),Jr(t,n))}}var ft=9,[ce,Zt,Ee,ro]=[34,12,12,26];function fi({label:o,unit:e,most:t},s){let n=Array(ft).fill(t/4),i=!1,a=null,r=d("canvas",{class:"sketc\
 h-canvas"}),l=n.map((f,k)=>d("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${o} with the load at ${45*k}°`,"aria-orientation":"vertical",
-"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:T=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[T.key];E&&(T.preventDefault(),T.stopPropagation(),
-w(k,n[k]+E*t/(T.shiftKey?100:20)))}})),h=d("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),c=()=>r.getBoundingClientRect(),
-u=f=>ce+f/(ft-1)*(c().width-ce-Zt),m=f=>Ee+(1-f/t)*(c().height-Ee-ro),p=()=>{let{context:f,width:k,height:T}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
-z).trim();f.clearRect(0,0,k,T),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
-f.fillText(`${45*z}°`,u(z),T-8),f.strokeRect(u(z),Ee,0,T-Ee-ro);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),ce-6,m(z)+4),f.strokeRect(ce,m(z),
+"aria-valuemin":"0","aria-valuemax":String(t),onkeydown:S=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[S.key];E&&(S.preventDefault(),S.stopPropagation(),
+w(k,n[k]+E*t/(S.shiftKey?100:20)))}})),h=d("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),c=()=>r.getBoundingClientRect(),
+u=f=>ce+f/(ft-1)*(c().width-ce-Zt),m=f=>Ee+(1-f/t)*(c().height-Ee-ro),p=()=>{let{context:f,width:k,height:S}=D(r),E=getComputedStyle(h),N=z=>E.getPropertyValue(
+z).trim();f.clearRect(0,0,k,S),f.strokeStyle=N("--line"),f.fillStyle=N("--soft"),f.font="11px system-ui, sans-serif";for(let z=0;z<ft;z+=2)f.textAlign="center",
+f.fillText(`${45*z}°`,u(z),S-8),f.strokeRect(u(z),Ee,0,S-Ee-ro);for(let z of[0,t/2,t])f.textAlign="right",f.fillText(String(z),ce-6,m(z)+4),f.strokeRect(ce,m(z),
 k-ce-Zt,0);f.textAlign="left",f.fillText(e,ce+4,Ee+10);let I=(z,Q,Bs)=>{f.strokeStyle=Q,f.lineWidth=2.5,f.setLineDash(Bs),f.beginPath(),z.forEach((Lt,Mn)=>{let En=ce+
 Mn/(z.length-1)*(k-ce-Zt);Mn?f.lineTo(En,m(y(Lt,0,t))):f.moveTo(En,m(y(Lt,0,t)))}),f.stroke(),f.setLineDash([])};I(n,N("--accent"),[6,4]),a&&I(a,N("--ink"),[]),
 l.forEach((z,Q)=>{z.style.transform=`translate(${u(Q)}px, ${m(n[Q])}px)`})},w=(f,k)=>{a||(n[f]=y(k,0,t),i=!0,l[f].setAttribute("aria-valuenow",n[f].toPrecision(
-3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=c(),T=y((f.clientX-k.left-ce)/(k.width-ce-Zt),0,1),E=Math.round(
-T*(ft-1)),N=t*(1-(f.clientY-k.top-Ee)/(k.height-Ee-ro)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
+3)),l[f].setAttribute("aria-valuetext",`${n[f].toPrecision(2)} ${e}`),p(),s())},b=null,g=f=>{let k=c(),S=y((f.clientX-k.left-ce)/(k.width-ce-Zt),0,1),E=Math.round(
+S*(ft-1)),N=t*(1-(f.clientY-k.top-Ee)/(k.height-Ee-ro)),I=b??E,z=n[I];for(let Q=Math.min(I,E);Q<=Math.max(I,E);Q++)w(Q,I===E?N:z+(N-z)*(Q-I)/(E-I));b=E};h.addEventListener(
 "pointerdown",f=>{f.preventDefault(),b=null,g(f),W(h,f,g)});for(let[f,k]of l.entries())k.setAttribute("aria-valuenow",n[f].toPrecision(3));return requestAnimationFrame(
-p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((T,E)=>f[Math.round(E*k)]))}}}var Qt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Xt=o=>q(o-Qt*Math.floor(o/Qt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
+p),{element:h,redraw:p,made:()=>i,judge:f=>{a=f,p();let k=(f.length-1)/(ft-1);return Yr(n,n.map((S,E)=>f[Math.round(E*k)]))}}}var Qt=2*Math.PI,V=(o,e)=>o.events.find(t=>t.kind===e),Xt=o=>q(o-Qt*Math.floor(o/Qt));function Xr(o,e,t=72){let{angle:s}=o.columns,n=o.columns[e],i=[],a=0;for(let r=0;r<=
 t;r++){let l=o.columns.angle[0]+Qt*r/t;for(;a+1<o.length&&s[a+1]<l;)a+=1;let h=Math.min(a+1,o.length-1),c=s[h]>s[a]?Math.min((l-s[a])/(s[h]-s[a]),1):0;i.push(n[a]+
 c*(n[h]-n[a]))}return i}var Qr=(o,e)=>o.t[o.columns.angle.findIndex(t=>t>=e)]??o.duration,el={R:"roll",S:"spin",K:"skid",H:"bounce"},Ae=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
@@ -1646,23 +1646,23 @@ t?[t,t+n]:e>s?[s-n,s]:[o,e]}function uo(o,e,t,s,n){for(let[i,a]of[[n,4],[s,1.8]]
 13,t),o.lineTo(e-4,t),o.moveTo(e+4,t),o.lineTo(e+13,t),o.moveTo(e,t-13),o.lineTo(e,t-4),o.moveTo(e,t+4),o.lineTo(e,t+13),o.stroke()}var Ke=o=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${o&&`; ${o}`}; double-click for all`,wl=.0018,_i=200,
 [bl,yl]=[1/.6,1/1.7];function Z(o,{zoom:e,home:t,chosen:s=()=>o,keys:n=!1}){return o.addEventListener("wheel",i=>{(i.ctrlKey||i.metaKey||Ot(s()))&&(i.preventDefault(),
 e(Math.exp(-Math.min(Math.max(i.deltaY,-_i),_i)*wl),i))},{passive:!1}),o.addEventListener("dblclick",t),n&&o.addEventListener("keydown",i=>{if(i.key==="+"||i.key===
-"=")e(bl);else if(i.key==="-")e(yl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),ii(o,e)}var Ti={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Si=48;function Mi(o){let{body:e}=o,t=!1,s=Z(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?mo(
+"=")e(bl);else if(i.key==="-")e(yl);else if(i.key==="0")t();else if(i.key==="Escape")o.blur();else return;i.preventDefault(),i.stopPropagation()}),ii(o,e)}var Si={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},Ti=48;function Mi(o){let{body:e}=o,t=!1,s=Z(e,{zoom:(n,i)=>o.axes.box&&o.zoom(1/n,i?mo(
 o,i):o.pointed??void 0),home:()=>o.home(),keys:!0});e.addEventListener("pointerdown",n=>kl(o,n,s,i=>t=i)),e.addEventListener("pointermove",n=>{o.axes.box&&!t&&n.
 pointerType!=="touch"&&vl(o,n)}),e.addEventListener("pointerleave",()=>o.tip.hidden=!0),e.addEventListener("keydown",n=>xl(o,n))}function mo(o,e){let t=o.body.getBoundingClientRect();
 return o.axes.place(e.clientX-t.left,e.clientY-t.top)}function vl(o,e){o.tip.textContent=o.said(mo(o,e)),o.tip.hidden=!1;let t=o.body.getBoundingClientRect();o.
 tip.style.left=`${y(e.clientX-t.left,150,Math.max(t.width-150,150))}px`,o.tip.style.bottom=`${t.bottom-e.clientY+16}px`}function kl(o,e,t,s){e.preventDefault(),
 o.body.focus({preventScroll:!0});let n=[e.clientX,e.clientY],i={x:[...o.axes.windows.x],y:[...o.axes.windows.y]};o.pointed=mo(o,e);let a=!1,r=t(),l=h=>{if(r||=t(),
 r)return;let[c,u]=[h.clientX-n[0],h.clientY-n[1]];Math.hypot(c,u)<5&&!a||(a=!0,s(!0),o.tip.hidden=!0,o.axes.drag(i,c,u),o.redraw(),o.soon())};W(o.body,e,l,(h,c)=>{
-c&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function xl(o,e){let t=o.pointed??o.here()??o.axes.middle();if(o.pointed=t,Ti[e.key]){let[s,n]=Ti[e.key],{x:i,y:a}=o.
-axes.windows;o.pointed={x:y(t.x+s*(i[1]-i[0])/Si,i[0],i[1]),y:y(t.y+n*(a[1]-a[0])/Si,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(e.
+c&&!a&&!r&&o.pointed&&o.take(o.pointed),s(!1)})}function xl(o,e){let t=o.pointed??o.here()??o.axes.middle();if(o.pointed=t,Si[e.key]){let[s,n]=Si[e.key],{x:i,y:a}=o.
+axes.windows;o.pointed={x:y(t.x+s*(i[1]-i[0])/Ti,i[0],i[1]),y:y(t.y+n*(a[1]-a[0])/Ti,a[0],a[1])},o.state.textContent=o.said(o.pointed),o.say(o.said(o.pointed))}else if(e.
 key==="Enter")o.take(t);else return;e.preventDefault(),e.stopPropagation(),o.redraw()}var _l=["start.height","start.vx","start.vy","start.omega"];function Ei(o,e){let t="speed"in o.start;return!t&&e.includes("start.speed")?"of rolling starts, tho\
-ugh this motion starts otherwise":t&&e.some(s=>_l.includes(s))?"of starts in any state, though this motion starts rolling":""}var Tl=Math.PI/180,Sl=12,Ml=["hop_height","flight_time","energy_lost","greatest_utilization"];function Ai(o){return o.unit==="rad"?[1/Tl,"°"]:[1,o.unit==="1"?"":
+ugh this motion starts otherwise":t&&e.some(s=>_l.includes(s))?"of starts in any state, though this motion starts rolling":""}var Sl=Math.PI/180,Tl=12,Ml=["hop_height","flight_time","energy_lost","greatest_utilization"];function Ai(o){return o.unit==="rad"?[1/Sl,"°"]:[1,o.unit==="1"?"":
 o.unit]}function El({classes:o,what:e},t){let[s,n]=[1/0,-1/0];if(o)return[s,n];for(let i of t)i<s&&(s=i),i>n&&(n=i);return[Ml.includes(e)?Math.min(s,0):s,n]}function zi(o){
 let{values:e}=o.arrays,t=o.header,{x:s,y:n,classes:i}=t,a=new ImageData(s.cells,n.cells),[r,l]=El(t,e),h=i?.map(({color:u})=>ue(u));for(let u=0;u<n.cells;u++)for(let m=0;m<
 s.cells;m++){let p=e[u*s.cells+m],w=4*((n.cells-1-u)*s.cells+m);if(!Number.isFinite(p))continue;let b=h&&(m+1<s.cells&&e[u*s.cells+m+1]!==p||u+1<n.cells&&e[(u+1)*
 s.cells+m]!==p),g=h?h[p].map(f=>b?.72*f:f):We[y(Math.round(255*(p-r)/(l-r||1)),0,255)];a.data.set([...g,255],w)}let c=d("canvas",{width:s.cells,height:n.cells});
 return pe(c).putImageData(a,0,0),{picture:c,header:t,values:e,x:[s.from,s.to],y:[n.from,n.to],low:r,high:l}}function Ri(o,e){let t=(n,i)=>n[0]>=i[0]-1e-300&&n[1]<=
-i[1]+1e-300;return[...o.filter(n=>!(t(n.x,e.x)&&t(n.y,e.y))),e].slice(-Sl)}function Pi({header:o,low:e,high:t,values:s}){let{classes:n}=o;if(!n){let r=d("canvas",
+i[1]+1e-300;return[...o.filter(n=>!(t(n.x,e.x)&&t(n.y,e.y))),e].slice(-Tl)}function Pi({header:o,low:e,high:t,values:s}){let{classes:n}=o;if(!n){let r=d("canvas",
 {width:120,height:10,style:"width:120px;height:10px"}),l=pe(r);for(let u=0;u<120;u++)l.fillStyle=`rgb(${We[Math.floor(255*u/119)].join(",")})`,l.fillRect(u,0,1,
 10);let[h,c]=Ai(o);return[d("span",{},o.label,": ",t>=e?_(e*h,3):"none"," "),r,d("span",{},t>=e?F(_(t*h,3),c):""),s.some(u=>!Number.isFinite(u))?d("span",{},d("\
 i",{class:"blank"}),"none"):""]}let i=new Map;for(let r of s)i.set(r,(i.get(r)??0)+1);let a=[...i].filter(([r])=>r>=0).sort((r,l)=>l[1]-r[1]);return[...a.slice(
@@ -1757,8 +1757,8 @@ this.body.setAttribute("aria-label",`${s} ${t.filter(Boolean).join("; ")}.`)}cur
 0,0,s,n),this.films.forEach((i,a)=>{let r=i.holding(e),l=r.at(e),h=r.index(l.t),c=Math.min(h+1,r.length-1),u=r.t[c]>r.t[h]?(l.t-r.t[h])/(r.t[c]-r.t[h]):0,m=this.
 abscissa(r),p=this.x(m[h]+u*(m[c]-m[h])),w=p>=X-1&&p<=X+this.box.width+1;w&&(t.strokeStyle=this.look.soft,t.lineWidth=1,t.beginPath(),t.moveTo(p,H),t.lineTo(p,H+
 this.box.height),t.stroke()),this.shades(r,a).forEach((b,g)=>{let f=b.values[c],k=Number.isFinite(f)?b.values[h]+u*(f-b.values[h]):b.values[h];a===this.active&&
-this.values?.[g]&&(this.values[g].textContent=_(k,3));let T=this.y(k);!w||!(T>=H-1&&T<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
-arc(p,T,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=nt("#0072B2",.2),t.fillRect(Math.min(i,a),H,Math.abs(a-i),this.box.height)}}valueAt(e){
+this.values?.[g]&&(this.values[g].textContent=_(k,3));let S=this.y(k);!w||!(S>=H-1&&S<=H+this.box.height+1)||(t.fillStyle=b.color??this.look.ink,t.beginPath(),t.
+arc(p,S,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[i,a]=this.picked;t.fillStyle=nt("#0072B2",.2),t.fillRect(Math.min(i,a),H,Math.abs(a-i),this.box.height)}}valueAt(e){
 let t=this.body.getBoundingClientRect(),s=y((e.clientX-t.left-X)/this.box.width,0,1);return this.range[0]+s*(this.range[1]-this.range[0])}press(e){if(!this.films)
 return;let t=this.body.getBoundingClientRect(),s=e.clientX-t.left,n=this.valueAt(e),i=this.pinched(),a=r=>{if(i||=this.pinched(),i)return;let l=r.clientX-t.left;
 this.picked=e.pointerType==="mouse"&&Math.abs(l-s)>5?[s,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),this.cursor(this.shared.clock.time)};W(this.
@@ -1773,47 +1773,48 @@ e,this.clock=t,this.colors=s,this.canvas=d("canvas",{class:"plot-canvas"}),this.
 keys"}),this.body=d("div",{class:"plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and fli\
 ght"},this.canvas,this.over),this.element=d("section",{class:"phase"},d("header",{},d("h3",{},"Plane of θ and θ̇"),this.keys),this.body,d("p",{class:"hint"},
 "Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox."," ",`Click to go there; ${Ke("")}.`)),this.body.addEventListener(
-"pointerdown",n=>this.seek(n)),this.pinched=Z(this.body,{zoom:(n,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/n),home:()=>this.zoomTo(null),keys:!0}),
+"pointerdown",n=>this.seek(n)),this.pinched=Z(this.body,{zoom:(n,i)=>this.box&&this.zoomAbout(i?this.point(i):this.middle(),1/n),home:()=>this.home(),keys:!0}),
 this.range=[0,2*Math.PI],this.asked="",this.soon=he(()=>this.sharpen(),140)}async fetch(e,t){let s=this.reach(),n=JSON.stringify([e.hoop,e.plane,s]);if(n!==this.
-asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=n,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(!(!this.
-pictures||!this.window)){this.sharpening?.abort(),this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,
-...this.window],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{header:n,
-arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return{window:n.window,paradox:i.paradox,picture:this.paint(i.modes,i.paradox.length)}}reach(){
-return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
-e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}zoomTo(e){this.range=e??[0,2*Math.PI],this.window=null,
-this.pictures?.splice(1),this.redraw()}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-xe)/this.box.width,n=1-(e.clientY-t.top-j)/this.box.
-height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+n*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),.5*(this.
-bottom()+this.top())]}zoomAbout([e,t],s){let n=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.PI),a=this.reach(),r=Math.max(t-(t-this.
-bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=i-n<2*Math.PI-1e-9||l-r<2*a-1e-9?[r,l]:null,this.redraw(),this.soon()}bottom(){return this.
-window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,s){this.films=
-e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=e.some(n=>n.columns.omega.some(i=>i<
--.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return xe+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return j+
-(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,t){let s=e.length/t,{modes:n}=this.colors,i=d("canvas",{width:t,height:s}),a=new ImageData(
-t,s);for(let r=0;r<s;r++)for(let l=0;l<t;l++){let h=Pl[e[r*t+l]],c=ue(n[h]??"#6E6E6E"),u=4*((s-1-r)*t+l);a.data.set([...c,255],u)}return pe(i).putImageData(a,0,
-0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box={width:n-xe-Ni,height:i-j-Rl},s.clearRect(
-0,0,n,i),s.save(),s.beginPath(),s.rect(xe,j,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.
-pictures){let[l,h,c,u]=r,m=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(c)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],m[1],m[2],m[3]),s.globalAlpha=.35,s.
-drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),this.axes(s,n,i),this.keyed!==
-t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(([r,l])=>d("span",{class:"plot\
--key"},wo(e.modes[r]),l)))}this.cursor(this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.look.dark?"#ffffff":"#000000",
-.28),e.lineWidth=1;for(let n=0;n<s;n++){if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(i*2*Math.PI/s);e.save(),e.beginPath(),
-e.rect(a,j,r-a,this.box.height),e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.moveTo(a+h,l>0?j+this.box.height:j),e.
-lineTo(a+h+this.box.height,l>0?j:j+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,r=2*Math.PI;e.lineWidth=s?1.2:1.8,
-e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?ie(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<t.length;h++){if(!Number.isFinite(
-i[h])){l=null;continue}let c=Math.floor(n[h]/r),u=n[h]-c*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(c!==l.lap){let m=c>l.lap?r:0;e.lineTo(this.x(m),
-this.y(i[h])),e.moveTo(this.x(r-m),this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:c,mode:a[h]}}e.stroke(),e.setLineDash(
-[])}axes(e,t,s){let{look:n}=this;e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(xe+.5,j+.5,this.box.width-1,this.box.
-height-1),e.textAlign="center";let i=this.range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/r-1e-9);h*r<=a+1e-9;h++){
-let c=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(c,j+this.box.height),e.lineTo(c,j+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),c,j+this.box.height+15)}
-e.textAlign="right",e.fillText(x("angle θ within a turn [°]"),t-Ni,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of te(this.bottom(),this.
-top(),5))e.fillText(Y(h,U(l,5)),xe-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,j+.5*this.box.height),e.rotate(-Math.PI/2),e.textAlign="cent\
-er",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(0,0,s,n),this.
-films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-Math.floor(r.angle/l)*l,c=this.x(h),u=this.y(r.omega);c>=xe&&c<=xe+this.box.width&&u>=j&&u<=j+this.box.
-height&&(t.beginPath(),t.arc(c,u,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?ie(a,this.look.
-dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],c+8,
-u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],{angle:a,
-omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let c=0;c<i.length;c++){let u=a[c]-Math.floor(a[c]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[c])-n);m<h.distance&&
-(h={distance:m,t:i.t[c]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var bo=o=>Object.entries(B).map(([e,t])=>d("option",{value:e},o(t)));function qi(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
+asked){let i=await this.painted(e,[0,2*Math.PI,-s,s],t);this.asked=n,this.pictures=[i],this.redraw()}this.window&&await this.sharpen()}async sharpen(){if(this.sharpening?.
+abort(),!(!this.pictures||this.isWhole())){this.sharpening=new AbortController;try{let e=await this.painted(this.films[this.active].scenario,[...this.range,this.
+bottom(),this.top()],this.sharpening.signal);this.pictures=[this.pictures[0],e],this.redraw()}catch(e){if(e.name!=="AbortError")throw e}}}async painted(e,t,s){let{
+header:n,arrays:i}=await this.backend.call("regions",{scenario:e,window:t},s);return s?.throwIfAborted(),{window:n.window,paradox:i.paradox,picture:this.paint(i.
+modes,i.paradox.length)}}reach(){return this.reached}findReach(){let e=0;for(let s of this.films??[]){let n=Float64Array.from(s.columns.omega,Math.abs).filter(Number.
+isFinite).sort();e=Math.max(e,n[Math.floor(.99*(n.length-1))]??0)}let t=U(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*
+Math.PI],this.window=null,this.wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=
+2*this.reach()-1e-9)}wholeAgain(){this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),s=(e.clientX-t.left-xe)/this.
+box.width,n=1-(e.clientY-t.top-j)/this.box.height;return[this.range[0]+s*(this.range[1]-this.range[0]),this.bottom()+n*(this.top()-this.bottom())]}middle(){return[
+.5*(this.range[0]+this.range[1]),.5*(this.bottom()+this.top())]}zoomAbout([e,t],s){let n=Math.max(e-(e-this.range[0])*s,0),i=Math.min(e+(this.range[1]-e)*s,2*Math.
+PI),a=this.reach(),r=Math.max(t-(t-this.bottom())*s,-a),l=Math.min(t+(this.top()-t)*s,a);this.range=[n,i],this.window=[r,l],this.isWhole()?this.wholeAgain():this.
+soon(),this.redraw()}bottom(){return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():
+.12*this.reach()}draw(e,t,s){this.films=e,this.active=t,this.look=s,this.reached=this.findReach(),this.forwards=e.some(n=>n.columns.omega.some(i=>i>.3)),this.backwards=
+e.some(n=>n.columns.omega.some(i=>i<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return xe+(e-this.range[0])/(this.range[1]-this.
+range[0])*this.box.width}y(e){return j+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}paint(e,t){let s=e.length/t,{modes:n}=this.colors,i=d("c\
+anvas",{width:t,height:s}),a=new ImageData(t,s);for(let r=0;r<s;r++)for(let l=0;l<t;l++){let h=Pl[e[r*t+l]],c=ue(n[h]??"#6E6E6E"),u=4*((s-1-r)*t+l);a.data.set([
+...c,255],u)}return pe(i).putImageData(a,0,0),i}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:s,width:n,height:i}=D(this.canvas);if(this.box=
+{width:n-xe-Ni,height:i-j-Rl},s.clearRect(0,0,n,i),s.save(),s.beginPath(),s.rect(xe,j,this.box.width,this.box.height),s.clip(),this.pictures){s.imageSmoothingEnabled=
+!1;for(let{picture:a,window:r}of this.pictures){let[l,h,c,u]=r,m=[this.x(l),this.y(u),this.x(h)-this.x(l),this.y(c)-this.y(u)];s.fillStyle=t.panel,s.fillRect(m[0],
+m[1],m[2],m[3]),s.globalAlpha=.35,s.drawImage(a,m[0],m[1],m[2],m[3]),s.globalAlpha=1}this.hatch(s)}for(let[a,r]of this.films.entries())this.way(s,r,a);if(s.restore(),
+this.axes(s,n,i),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(r));this.keys.replaceChildren(...a.map(
+([r,l])=>d("span",{class:"plot-key"},wo(e.modes[r]),l)))}this.cursor(this.clock.time)}hatch(e){let{paradox:t}=this.pictures[0],s=t.length;e.strokeStyle=nt(this.
+look.dark?"#ffffff":"#000000",.28),e.lineWidth=1;for(let n=0;n<s;n++){if(!t[n])continue;let i=n;for(;i<s&&t[i]===t[n];)i++;let a=this.x(n*2*Math.PI/s),r=this.x(
+i*2*Math.PI/s);e.save(),e.beginPath(),e.rect(a,j,r-a,this.box.height),e.clip(),e.beginPath();let l=t[n];for(let h=-this.box.height;h<r-a+this.box.height;h+=7)e.
+moveTo(a+h,l>0?j+this.box.height:j),e.lineTo(a+h+this.box.height,l>0?j:j+this.box.height);e.stroke(),e.restore(),n=i}}way(e,t,s){let{angle:n,omega:i,mode:a}=t.columns,
+r=2*Math.PI;e.lineWidth=s?1.2:1.8,e.setLineDash(s?[4,3]:[]),e.strokeStyle=this.films.length>1?ie(s,this.look.dark):this.look.ink,e.beginPath();let l=null;for(let h=0;h<
+t.length;h++){if(!Number.isFinite(i[h])){l=null;continue}let c=Math.floor(n[h]/r),u=n[h]-c*r;if(l===null)e.moveTo(this.x(u),this.y(i[h]));else if(c!==l.lap){let m=c>
+l.lap?r:0;e.lineTo(this.x(m),this.y(i[h])),e.moveTo(this.x(r-m),this.y(i[h])),e.lineTo(this.x(u),this.y(i[h]))}else e.lineTo(this.x(u),this.y(i[h]));l={lap:c,mode:a[h]}}
+e.stroke(),e.setLineDash([])}axes(e,t,s){let{look:n}=this;e.font=`11px ${n.font}`,e.strokeStyle=n.soft,e.fillStyle=n.soft,e.lineWidth=1,e.strokeRect(xe+.5,j+.5,
+this.box.width-1,this.box.height-1),e.textAlign="center";let i=this.range[0]*180/Math.PI,a=this.range[1]*180/Math.PI,r=a-i>200?45:U(a-i,6);for(let h=Math.ceil(i/
+r-1e-9);h*r<=a+1e-9;h++){let c=this.x(h*r*Math.PI/180);e.beginPath(),e.moveTo(c,j+this.box.height),e.lineTo(c,j+this.box.height+4),e.stroke(),e.fillText(Y(h*r,r),
+c,j+this.box.height+15)}e.textAlign="right",e.fillText(x("angle θ within a turn [°]"),t-Ni,s-3),e.textBaseline="middle";let l=this.top()-this.bottom();for(let h of te(
+this.bottom(),this.top(),5))e.fillText(Y(h,U(l,5)),xe-6,this.y(h));e.textBaseline="alphabetic",e.save(),e.translate(11,j+.5*this.box.height),e.rotate(-Math.PI/2),
+e.textAlign="center",e.fillText("θ̇ [rad/s]",0,0),e.restore()}cursor(e){if(!this.films||!this.box)return;let{context:t,width:s,height:n}=D(this.over);t.clearRect(
+0,0,s,n),this.films.forEach((i,a)=>{let r=i.at(e),l=2*Math.PI,h=r.angle-Math.floor(r.angle/l)*l,c=this.x(h),u=this.y(r.omega);c>=xe&&c<=xe+this.box.width&&u>=j&&
+u<=j+this.box.height&&(t.beginPath(),t.arc(c,u,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>
+1?ie(a,this.look.dark):this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText(
+"AB"[a],c+8,u-6)))})}seek(e){let t=this.body.getBoundingClientRect(),[s,n]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let i=this.films[this.active],
+{angle:a,omega:r}=i.columns,l=2*Math.PI,h={distance:1/0,t:0};for(let c=0;c<i.length;c++){let u=a[c]-Math.floor(a[c]/l)*l,m=Math.hypot(this.x(u)-s,this.y(r[c])-n);
+m<h.distance&&(h={distance:m,t:i.t[c]})}h.distance<40&&this.clock.seek(y(h.t,0,i.duration))}};var bo=o=>Object.entries(B).map(([e,t])=>d("option",{value:e},o(t)));function qi(o){let e="height",t=new Ue({key:"own",title:"Your choice",unit:"",curves:i=>[{name:x(
 B[e].name),values:B[e].values(i)}]},o),s=()=>{let{symbol:i,unit:a}=B[e];t.unit=a?`${i} [${a}]`:i},n=d("select",{"aria-label":"What your diagram shows",onchange:()=>{
 e=n.value,s(),o.changed()}},bo(ci));return n.value=e,s(),t.element.querySelector("h3")?.after(n),t}function Il(o){return[{key:"velocities",title:"Velocities",unit:"velocity [m/s]",curves:e=>[{name:"v (centre)",color:o.center_speed,values:e.columns.vx},{name:"\
 R θ̇",color:o.rotation_speed,dash:"dash",values:e.derived("spin",({omega:t})=>Float64Array.from(t,s=>s*e.radius))}]},{key:"energies",title:"Energies and losse\
@@ -1866,7 +1867,7 @@ scale=this.fixed??p.scale,p.draw(),this.views[m]=p,e.length>1&&(p.mark("AB"[m],i
 eft",a.fillText("AB"[m],12,h-12)),a.restore(),m>0&&(a.fillStyle=n.line,a.fillRect(0,m*h-.5,r,1))})}},yo=class{top=0;constructor(e,t,s,n,i,a,r,l,h,c,u){this.context=
 e,this.width=t,this.height=s,this.film=n,this.options=a,this.look=r,this.colors=l,this.common=u,this.pose=n.at(i);let m=n.radius,{left:p,right:w}=n.extent,{top:b}=u;
 this.cosine=Math.cos(n.slope),this.sine=Math.sin(n.slope);let g=2*u.radius+Math.min(b,6*u.radius),f=Math.min(.66*s/g,.36*t/u.radius);if(a.whole){let k=(w-p)*this.
-cosine+2.6*m,T=(w-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/T,f)*h,this.focus=[.5*(p+w),0],this.place=[.5*t+c[0],(n.slope?.62:.8)*s+c[1]]}else
+cosine+2.6*m,S=(w-p)*Math.abs(this.sine)+2.6*m+b;this.scale=Math.min(t/k,.86*s/S,f)*h,this.focus=[.5*(p+w),0],this.place=[.5*t+c[0],(n.slope?.62:.8)*s+c[1]]}else
 this.scale=f*h,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=[(t<520?.6:.46)*t+c[0],.82*s+c[1]]}point(e,t){let s=e-this.focus[0],n=t-this.
 focus[1];return[this.place[0]+this.scale*(s*this.cosine+n*this.sine),this.place[1]-this.scale*(n*this.cosine-s*this.sine)]}unpoint(e,t){let s=(e-this.place[0])/
 this.scale,n=-(t-this.place[1])/this.scale;return[this.focus[0]+s*this.cosine-n*this.sine,this.focus[1]+s*this.sine+n*this.cosine]}draw(){this.ground(),(this.options.
@@ -1877,18 +1878,18 @@ e.beginPath(),e.moveTo(a,r),e.lineTo(l,h),e.stroke();let u=U(s/this.scale,s/90);
 ceil((this.focus[0]-i)/u),p=Math.min(Math.floor((this.focus[0]+i)/u),m+400);for(let w=m;w<=p;w++){let[b,g]=this.point(w*u,0);b<-40||b>s+40||(e.beginPath(),e.moveTo(
 b,g),e.lineTo(b-6*this.sine,g+6*this.cosine),e.stroke(),e.fillText(`${Y(w*u,u)} m`,b-18*this.sine,g+8+10*this.cosine))}}traces(){let{film:e,context:t,look:s,colors:n}=this,
 i=e.radius,a=this.options.ahead?e.duration:this.pose.t,r=(l,h,c,u)=>{t.strokeStyle=h,t.lineWidth=c,t.lineJoin="round",t.beginPath();let m=!1,p=(w,b,g)=>{let[f,k]=this.
-point(w+l*Math.sin(g),i+b+l*Math.cos(g));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let w of e.pieces()){let{x:b,height:g,angle:f,mode:k}=w.film.columns;for(let T=w.
-from;T<w.to&&w.film.t[T]<=a;T++)u===void 0||k[T]===3===u?p(b[T],g[T],f[T]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
+point(w+l*Math.sin(g),i+b+l*Math.cos(g));m?t.lineTo(f,k):t.moveTo(f,k),m=!0};for(let w of e.pieces()){let{x:b,height:g,angle:f,mode:k}=w.film.columns;for(let S=w.
+from;S<w.to&&w.film.t[S]<=a;S++)u===void 0||k[S]===3===u?p(b[S],g[S],f[S]):m=!1}!this.options.ahead&&(u===void 0||this.pose.mode==="H"===u)&&p(this.pose.x,this.
 pose.height,this.pose.angle),t.stroke()};t.globalAlpha=this.options.ahead?.45:1,r(i,s.ink,1.3),r(e.eccentricity*i,n.gravity_center,1.8,!1),r(e.eccentricity*i,n.
 airborne,2.4,!0),t.globalAlpha=1}mark(e,t){let{context:s,film:n,pose:i,scale:a}=this,[r,l]=this.point(i.x,n.radius+i.height);s.strokeStyle=t,s.lineWidth=3,s.beginPath(),
 s.arc(r,l,Math.max(n.radius*a-y(.07*n.radius*a,2,14)-3,2),0,2*Math.PI),s.stroke(),s.fillStyle=t,s.font=`700 17px ${this.look.font}`,s.textAlign="center",s.fillText(
 e,r-14,l+20)}hoop(){let{film:e,pose:t,context:s,look:n,colors:i,scale:a}=this,r=e.radius,l=y(.07*r*a,2,14),h=r-.5*l/a,c=[t.x,r+t.height],u=(g,f=h)=>this.point(c[0]+
 f*Math.sin(g),c[1]+f*Math.cos(g));if(s.lineCap="butt",n.dark&&(s.strokeStyle=n.soft,s.lineWidth=l+2,s.beginPath(),s.arc(...this.point(c[0],c[1]),h*a,0,2*Math.PI),
-s.stroke()),this.options.speed){let g=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Ci;for(let k=0;k<Ci;k++){let T=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
-cos(T+.5*f),t.vy-r*t.omega*Math.sin(T+.5*f));s.strokeStyle=qt[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(T-.04*f)),s.lineTo(...u(T+1.04*f)),s.
+s.stroke()),this.options.speed){let g=this.common.speed;s.lineWidth=l;let f=2*Math.PI/Ci;for(let k=0;k<Ci;k++){let S=t.angle+k*f,E=Math.hypot(t.vx+r*t.omega*Math.
+cos(S+.5*f),t.vy-r*t.omega*Math.sin(S+.5*f));s.strokeStyle=qt[y(Math.round(255*E/g)||0,0,255)],s.beginPath(),s.moveTo(...u(S-.04*f)),s.lineTo(...u(S+1.04*f)),s.
 stroke()}}else s.strokeStyle=i.modes[t.mode],s.lineWidth=l,s.beginPath(),s.arc(...this.point(c[0],c[1]),h*a,0,2*Math.PI),s.stroke();s.strokeStyle=n.soft,s.lineWidth=
-1,s.beginPath(),s.moveTo(...this.point(c[0],c[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(g,f,k,T)=>{s.beginPath(),s.arc(...g,f,0,2*Math.PI),s.fillStyle=k,s.
-fill(),s.lineWidth=1.5,s.strokeStyle=T,s.stroke()};m(this.point(c[0],c[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,c):m(u(t.angle),y(.1*r*
+1,s.beginPath(),s.moveTo(...this.point(c[0],c[1])),s.lineTo(...u(t.angle)),s.stroke();let m=(g,f,k,S)=>{s.beginPath(),s.arc(...g,f,0,2*Math.PI),s.fillStyle=k,s.
+fill(),s.lineWidth=1.5,s.strokeStyle=S,s.stroke()};m(this.point(c[0],c[1]),2.5,n.soft,n.soft);let p=e.scenario.hoop.parts;p?this.parts(p,c):m(u(t.angle),y(.1*r*
 a,4,16),n.ink,n.paper);let w=e.eccentricity*r,b=this.point(c[0]+w*Math.sin(t.angle),c[1]+w*Math.cos(t.angle));m(b,y(.05*r*a,3.5,7),t.mode==="H"?i.airborne:i.gravity_center,
 n.paper)}parts(e,t){let{film:s,pose:n,context:i,look:a,scale:r}=this,h=e.reduce((c,u)=>c+u.mass*(u.at??0),0)<0?-1:1;i.strokeStyle=a.ink;for(let c of e){let u=h*
 (c.at??0),m=this.point(t[0]+u*Math.sin(n.angle),t[1]+u*Math.cos(n.angle));if(i.fillStyle=a.ink,i.lineWidth=1,i.beginPath(),c.shape==="ring")i.globalAlpha=.22,i.
@@ -1901,9 +1902,9 @@ look:h,width:c}=this,u=2.2*this.film.radius,m=Math.abs(s)>u||Math.abs(n)>u;[s,n]
 w[0]-p[0],w[1]-p[1]);if(b<2)return;let g=(w[0]-p[0])/b,f=(w[1]-p[1])/b,k=Math.min(11,b);for(let[N,I]of[[h.paper,6],[i,3]])l.strokeStyle=N,l.fillStyle=N,l.lineWidth=
 I,l.beginPath(),l.moveTo(...p),l.lineTo(w[0]-g*k,w[1]-f*k),l.stroke();if(l.beginPath(),l.moveTo(...w),l.lineTo(w[0]-g*k-f*k*.5,w[1]-f*k+g*k*.5),l.lineTo(w[0]-g*
 k+f*k*.5,w[1]-f*k-g*k*.5),l.fill(),m){let[N,I]=[p[0]+.55*g*b,p[1]+.55*f*b];l.strokeStyle=h.paper,l.lineWidth=2,l.beginPath();for(let z of[-3,3])l.moveTo(N+g*(z-
-3)-f*7,I+f*(z-3)+g*7),l.lineTo(N+g*(z+3)+f*7,I+f*(z+3)-g*7);l.stroke()}l.font=`600 12px ${h.font}`;let T=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
-ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*T-32*this.sine,p[1]+32*this.cosine]:[w[0]+12,y(w[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
-c-T-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function ko(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Oi(o,e,t,s){
+3)-f*7,I+f*(z-3)+g*7),l.lineTo(N+g*(z+3)+f*7,I+f*(z+3)-g*7);l.stroke()}l.font=`600 12px ${h.font}`;let S=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?h.
+ground:h.paper,l.textAlign="left";let E=r?[p[0]-.5*S-32*this.sine,p[1]+32*this.cosine]:[w[0]+12,y(w[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=y(E[0],4,
+c-S-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};function ko(o,e){let t=new Float32Array(16);for(let s=0;s<4;s++)for(let n=0;n<4;n++){let i=0;for(let a=0;a<4;a++)i+=o[4*a+n]*e[4*s+a];t[4*s+n]=i}return t}function Oi(o,e,t,s){
 let n=1/Math.tan(o/2),i=1/(t-s);return new Float32Array([n/e,0,0,0,0,n,0,0,0,0,(s+t)*i,-1,0,0,2*s*t*i,0])}function Di(o,e){let t=Pe(xo(o,e)),s=Pe(gs([0,1,0],t)),
 n=gs(t,s);return new Float32Array([s[0],n[0],t[0],0,s[1],n[1],t[1],0,s[2],n[2],t[2],0,-vo(s,o),-vo(n,o),-vo(t,o),1])}var xo=(o,e)=>[o[0]-e[0],o[1]-e[1],o[2]-e[2]],
 vo=(o,e)=>o[0]*e[0]+o[1]*e[1]+o[2]*e[2],gs=(o,e)=>[o[1]*e[2]-o[2]*e[1],o[2]*e[0]-o[0]*e[2],o[0]*e[1]-o[1]*e[0]];function Pe(o){let e=Math.hypot(...o)||1;return[
@@ -1917,11 +1918,11 @@ i.attributes[r]=o.getAttribLocation(s,r)}return i}function Ie(o,e,t,s){let n=o.c
 e),o.STATIC_DRAW);let i=s?o.createBuffer():null;s&&(o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,i),o.bufferData(o.ELEMENT_ARRAY_BUFFER,new Uint16Array(s),o.STATIC_DRAW));
 let a=4*Object.values(t).reduce((r,l)=>r+l,0);return{vertices:n,elements:i,parts:t,stride:a,count:s?s.length:4*e.length/a}}function Ve(o,e,t){o.bindBuffer(o.ARRAY_BUFFER,
 t.vertices);let s=0;for(let[n,i]of Object.entries(t.parts)){let a=e.attributes[n];a!==void 0&&(o.enableVertexAttribArray(a),o.vertexAttribPointer(a,i,o.FLOAT,!1,
-t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function To(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
+t.stride,s)),s+=4*i}t.elements&&o.bindBuffer(o.ELEMENT_ARRAY_BUFFER,t.elements)}function So(o,e){let t=[];for(let s=0;s<o;s++)for(let n=0;n<e;n++){let i=s*(e+1)+
 n,a=i+e+1;t.push(i,a,i+1,a,a+1,i+1)}return t}function Fi(o,e=120,t=14){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++)s.push(2*Math.PI*n/e,2*Math.PI*i/t);return Ie(
-o,s,{bend:2},To(e,t))}function Wi(o,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*n/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
-a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ie(o,s,{position:3,normal:3},To(e,t))}function So(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
-Math.PI*n/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Ie(o,s,{position:3,normal:3},To(t,1))}var Ki=`
+o,s,{bend:2},So(e,t))}function Wi(o,e=28,t=18){let s=[];for(let n=0;n<=e;n++)for(let i=0;i<=t;i++){let[a,r]=[2*Math.PI*n/e,Math.PI*i/t],l=[Math.sin(r)*Math.cos(
+a),Math.cos(r),Math.sin(r)*Math.sin(a)];s.push(...l,...l)}return Ie(o,s,{position:3,normal:3},So(e,t))}function To(o,e,t=20){let s=[];for(let n=0;n<=t;n++){let i=2*
+Math.PI*n/t,a=[Math.cos(i),1-e,Math.sin(i)];s.push(Math.cos(i),0,Math.sin(i),...a,e*Math.cos(i),1,e*Math.sin(i),...a)}return Ie(o,s,{position:3,normal:3},So(t,1))}var Ki=`
   uniform vec3 sun, eye;
   vec3 shaded(vec3 color, vec3 normal) {
     vec3 n = normalize(normal);
@@ -1979,7 +1980,7 @@ float side;
    }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],bs=class{constructor(e,t,s,n,{keep:i=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:i});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
 e,this.sun=Pe(s),this.dark=n,this.slant=[s[0]/s[1],1,s[2]/s[1]],this.rim=Ge(a,$i[0],$i[1]),this.body=Ge(a,Bi[0],Bi[1]),this.line=Ge(a,Hi[0],Hi[1]),this.torus=Fi(
-a),this.sphere=Wi(a),this.cylinder=So(a,1),this.cone=So(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
+a),this.sphere=Wi(a),this.cylinder=To(a,1),this.cone=To(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
 l=>[...l,255]));a.pixelStorei(a.UNPACK_ALIGNMENT,1),a.texImage2D(a.TEXTURE_2D,0,a.RGBA,t.length,1,0,a.RGBA,a.UNSIGNED_BYTE,r);for(let l of[a.TEXTURE_WRAP_S,a.TEXTURE_WRAP_T])
 a.texParameteri(a.TEXTURE_2D,l,a.CLAMP_TO_EDGE);for(let l of[a.TEXTURE_MIN_FILTER,a.TEXTURE_MAG_FILTER])a.texParameteri(a.TEXTURE_2D,l,a.LINEAR);this.view=_o(0),
 this.eye=[0,0,1],this.fastest=1}begin({background:e,eye:t,target:s,slope:n,angle:i,near:a,far:r}){let{gl:l,canvas:h}=this;l.viewport(0,0,h.width,h.height),l.clearColor(
@@ -2058,11 +2059,11 @@ changed=n,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)")
 this.mark(),this.look=Js(e),this.inks={...t},this.read()}mark(){let e=this.hosted?ae(Yi):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
 "light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=Js(this.root),this.inks={...this.colors};for(let e of Cl)
 this.inks[e]=it(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&re(Yi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ts={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
+k",this.hosted&&re(Yi,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ss={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
 energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Zi=o=>o.kind==="takeoff"||o.to==="H"&&o.from!=="H"&&o.kind!=="impact";var vt={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},Ss=Object.keys(vt);function Xi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ss.indexOf(i.kind)-Ss.indexOf(a.kind)||i.x-a.x),n=[];
-for(let{kind:i,x:a}of s){let r=Ss.indexOf(i)<Ss.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
+↺",apex:"•"},Ts=Object.keys(vt);function Xi(o,e=11){let s=[...o.filter(({kind:i})=>i in vt)].sort((i,a)=>Ts.indexOf(i.kind)-Ts.indexOf(a.kind)||i.x-a.x),n=[];
+for(let{kind:i,x:a}of s){let r=Ts.indexOf(i)<Ts.indexOf("takeoff"),l=n.filter(h=>Math.abs(h.x-a)<e);l.length?l.length===1&&l[0].rare&&!n.some(h=>Math.abs(h.x-(l[0].
 x+e))<e-1e-9)?l[0].mark!==vt[i]&&n.push({mark:vt[i],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:n.push({mark:vt[i],x:a,rare:r,hidden:0})}return n.sort((i,a)=>i.
 x-a.x).map(({mark:i,x:a})=>({mark:i,x:a}))}function Qi(o,e,t){let s=[],n=new Map,i=-1,a=(l,h,c)=>{let u=s.at(-1);u&&u.mode===l&&Math.abs(u.from+u.wide-h)<1e-6?u.
 wide+=c:s.push({mode:l,from:h,wide:c})},r=()=>{n.size&&a([...n].reduce((l,h)=>h[1]>l[1]?h:l)[0],i,1),n=new Map};for(let{mode:l,from:h,to:c}of o){let[u,m]=[Math.
@@ -2076,12 +2077,12 @@ a=Math.max((n-s)*e,i),r=(t-s)/(n-s);this.window=a<this.clock.duration?Re([t-r*a,
 return;let[e,t]=this.ends(),{time:s,duration:n}=this.clock;if(s>=e&&s<=t)return;let i=t-e;this.window=Re(s>t?[s-.1*i,s+.9*i]:[s-.5*i,s+.5*i],[0,n])}timeAt(e){let t=this.
 canvas.getBoundingClientRect(),[s,n]=this.ends();return s+y((e.clientX-t.left)/t.width,0,1)*(n-s)}scrub(e){e.preventDefault(),this.element.focus({preventScroll:!0});
 let t=this.clock.playing;this.clock.playing=!1;let s=n=>!this.pinched()&&this.clock.seek(this.timeAt(n));s(e),W(this.element,e,s,()=>t&&this.clock.play(!0))}hover(e){
-let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(Ts[s.kind]??s.kind)} · ${_(s.t,5)} s · ${_(s.angle*180/Math.PI,4)}°`:`${_(t,4)} s`;this.tip.textContent=n,this.
+let t=this.timeAt(e),s=this.nearest(t,8),n=s?`${x(Ss[s.kind]??s.kind)} · ${_(s.t,5)} s · ${_(s.angle*180/Math.PI,4)}°`:`${_(t,4)} s`;this.tip.textContent=n,this.
 tip.hidden=!1;let i=this.canvas.getBoundingClientRect();this.tip.style.left=`${y(e.clientX-i.left,70,i.width-70)}px`}nearest(e,t){let[s,n]=this.ends(),i=t*(n-s)/
 (this.canvas.getBoundingClientRect().width||1),a=null;for(let r of this.films??[])for(let l of r.events){if(l.kind==="end")continue;let h=Math.abs(l.t-e);h<=i&&
 (!a||h<Math.abs(a.t-e))&&(a=l)}return a}draw(e,t,s){this.films=e;let{context:n,width:i,height:a}=D(this.canvas);this.keep();let[r,l]=this.ends(),h=g=>(g-r)/(l-r)*
-i;n.clearRect(0,0,i,a);let c=15,u=(a-15)/e.length-c;e.forEach((g,f)=>{let k=c+f*(c+u);for(let{mode:T,from:E,wide:N}of Qi(g.phases,h,i)){let I=s.modes[T];n.fillStyle=
-I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[T]),E,N,k,u-2,I,t)}g.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(g.duration),0),k,i,u-2)),this.marks(
+i;n.clearRect(0,0,i,a);let c=15,u=(a-15)/e.length-c;e.forEach((g,f)=>{let k=c+f*(c+u);for(let{mode:S,from:E,wide:N}of Qi(g.phases,h,i)){let I=s.modes[S];n.fillStyle=
+I,n.fillRect(E,k,N,u-2),this.named(n,x(s.mode_names[S]),E,N,k,u-2,I,t)}g.duration<l&&(n.fillStyle=t.line,n.fillRect(Math.max(h(g.duration),0),k,i,u-2)),this.marks(
 n,g,h,k,i,t),e.length>1&&(n.fillStyle=ie(f,t.dark),n.font=`700 12px ${t.font}`,n.textAlign="right",n.fillText("AB"[f],i-1,k-4))});let m=U(l-r,i/60);n.fillStyle=
 t.soft,n.font=`10.5px ${t.font}`;let p=te(r,l,i/60);for(let g of p){let f=h(g);n.textAlign=f<14?"left":f>i-14?"right":"center",n.fillText(Y(g,m)+(g===p[0]?" s":
 ""),f,a-3)}let w=y(h(this.clock.time),6,i-6),b=y(h(this.clock.time),1,i-1);n.fillStyle=t.ink,n.fillRect(b-1,c-4,2,a-c-9),n.beginPath(),n.moveTo(w-6,c-10),n.lineTo(
@@ -2105,7 +2106,7 @@ n&&(this.titled=n,s.replaceChildren($(t.playing?"pause":"play")),ct(s,"title",n)
 t.speed))}nudge(e){this.clock.playing=!1,this.clock.seek(this.clock.time+e*Ol*Math.min(this.clock.speed,1))}jump(e,t=null){this.clock.playing=!1;let s=this.films().
 flatMap((c,u)=>c.events.map(m=>({event:m,lane:u}))).filter(({event:c})=>!t||(t==="impact"?c.kind===t:Zi(c))).sort((c,u)=>c.event.t-u.event.t),n=this.clock.time,
 i=e>0?s.find(({event:c})=>c.t>n+1e-9):s.findLast(({event:c})=>c.t<n-1e-9);if(!i&&t&&(i=s[0]),!i){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
-tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",h=x(Ts[a.kind]??a.kind);this.
+tion has no landing.");return}this.clock.seek(i.event.t);let{event:a,lane:r}=i,l=this.films().length>1?`${x(`Hoop ${"AB"[r]}`)}: `:"",h=x(Ss[a.kind]??a.kind);this.
 tell(ee(`${l}${x("{what} at {angle}, {time} s",{what:h,angle:q(a.angle),time:_(a.t,4)})}`))}};var Je=class{constructor(e,t,s,{hosted:n=!1,panels:i=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=n,this.onmotion=a,this.prepareRoot();let{
 colors:r}=s;this.known=s.presets,this.address=n?new Dt(this):null,this.clock=new Ft,this.motions=new cs(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
 story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,h)=>this.failed(l,h)}),this.notice=new ds,this.theme=new _s(
@@ -2421,29 +2422,29 @@ cannot both be axes: they say the same thing in two ways.",rigid_maps:"contact.m
 }, which is not a pair of path and value."},limits:{duration:600,events:2e4,parts:64,samples:20001,cells:65536},table:{rate:200,variables:{mode:"1",x:"m",height:"\
 m",angle:"rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",
 impact_tangential:"J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ra\
-tio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var S=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
+tio","plane.mu","plane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=ca,_t=o=>o==="inf"?1/0:o;var Le=class{constructor(e){this.text=e}};function Ne(o){if(Number.isNaN(o))return"nan";if(!Number.isFinite(o))return o>0?"inf":"-inf";let e=o<0||Object.is(o,-0)?
 "-":"",[t,s]=Math.abs(o).toExponential().split("e"),n=t.replace(".",""),i=Number(s);return i<-4||i>=16?`${e}${t}e${qo(i)}`:e+(i<0?`0.${"0".repeat(-i-1)}${n}`:ma(
 n,i+1))}function ma(o,e){let t=o.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var qo=o=>`${o<0?"-":"+"}${String(Math.abs(o)).padStart(2,"0")}`;function pa(o,e){
 let[t,s]=o.toExponential(e-1).split("e"),n=t.replace(".",""),i=o.toExponential(100).split("e")[0].replace(".","");return i[e]==="5"&&/^0*$/.test(i.slice(e+1))&&
-Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function jo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var Tt=o=>o<
-0||Object.is(o,-0)?"-":"";function qe(o,e=6){if(!Number.isFinite(o))return jo(o);let t=Tt(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
+Number(i[e-1])%2===0?[i.slice(0,e),Number(o.toExponential(100).split("e")[1])]:[n,Number(s)]}function jo(o){return Number.isNaN(o)?"nan":o>0?"inf":"-inf"}var St=o=>o<
+0||Object.is(o,-0)?"-":"";function qe(o,e=6){if(!Number.isFinite(o))return jo(o);let t=St(o);if(o===0)return`${t}0`;let[s,n]=pa(Math.abs(o),e),i=s.replace(/0+$/,
 "")||"0";if(n<-4||n>=e)return`${t}${i[0]}${i.length>1?`.${i.slice(1)}`:""}e${qo(n)}`;if(n<0)return`${t}0.${"0".repeat(-n-1)}${i}`;let[a,r]=ma(s,n+1).split("."),
 l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function lh(o,e){if(!Number.isFinite(o))return jo(o);let[t,s]=o===0?["0".repeat(e+1),0]:pa(Math.abs(o),e+1),
-n=t.slice(1);return`${Tt(o)}${t[0]}${n&&`.${n}`}e${qo(s)}`}function Co(o,e){if(!Number.isFinite(o))return jo(o);let t=Math.abs(o);if(t>=1e21)return`${Tt(o)}${BigInt(
+n=t.slice(1);return`${St(o)}${t[0]}${n&&`.${n}`}e${qo(s)}`}function Co(o,e){if(!Number.isFinite(o))return jo(o);let t=Math.abs(o);if(t>=1e21)return`${St(o)}${BigInt(
 t)}${e?`.${"0".repeat(e)}`:""}`;let s=t.toFixed(e),n=t.toFixed(100),i=n.slice(n.indexOf(".")+1+e),a=n.slice(0,n.indexOf(".")+(e?1+e:0));return/^50*$/.test(i)&&Number(
-a.at(-1))%2===0?Tt(o)+a:Tt(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Le?r.text:n?
+a.at(-1))%2===0?St(o)+a:St(o)+s}function P(o,e){return o.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,s,n,i,a)=>{let r=e[s];return r instanceof Le?r.text:n?
 oe(r):a==="g"?qe(r,i===""?6:Number(i)||1):a==="e"?lh(r,Number(i)):a==="f"?Co(r,Number(i)):String(r)})}function oe(o,e=!0){return o==null?"None":o===!0?"True":o===
 !1?"False":typeof o=="number"?e?Ne(o):fa(o):typeof o=="string"?da(o):Array.isArray(o)?`[${o.map(s=>oe(s,e)).join(", ")}]`:`{${Object.entries(o).map(([s,n])=>`${da(
-s)}: ${oe(n,e)}`).join(", ")}}`}function fa(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Ne(o)}function St(o){return typeof o=="number"?fa(o):
-typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${Rs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(St).join(", ")}]`:o&&typeof o=="obj\
-ect"?`{${Object.entries(o).map(([e,t])=>`${St(e)}: ${St(t)}`).join(", ")}}`:String(o)}var Rs=(o,e)=>o.toString(16).padStart(e,"0"),hh=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+s)}: ${oe(n,e)}`).join(", ")}}`}function fa(o){let e=Object.is(o,-0)?"0":String(o);return/^-?\d+$/.test(e)?e:Ne(o)}function Tt(o){return typeof o=="number"?fa(o):
+typeof o=="string"?JSON.stringify(o).replace(/[\u007f-\uffff]/g,e=>`\\u${Rs(e.charCodeAt(0),4)}`):Array.isArray(o)?`[${o.map(Tt).join(", ")}]`:o&&typeof o=="obj\
+ect"?`{${Object.entries(o).map(([e,t])=>`${Tt(e)}: ${Tt(t)}`).join(", ")}}`:String(o)}var Rs=(o,e)=>o.toString(16).padStart(e,"0"),hh=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
 ga=o=>o===" "||!hh.test(o);function wa(o){if(o===`
 `)return"\\n";if(o==="\r")return"\\r";if(o==="	")return"\\t";let e=o.codePointAt(0);return e<256?`\\x${Rs(e,2)}`:e<65536?`\\u${Rs(e,4)}`:`\\U${Rs(e,8)}`}function da(o){
 let e=o.includes("'")&&!o.includes('"')?'"':"'",t=[...o].map(s=>s===e||s==="\\"?`\\${s}`:ga(s)?s:wa(s));return e+t.join("")+e}var ba=o=>[...o].map(e=>ga(e)?e:wa(
 e)).join("");function Ps(o){let e=[...o];return e.length<=60?o:`${e.slice(0,57).join("")}...`}var ua="[\\s\\x1c-\\x1f\\x85]*",ch=new RegExp(`^${ua}([+-]?)(?:(in\
 f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${ua}$`,"i");function ya(o){let e=ch.exec(o);if(!e||o.includes(
-"\uFEFF"))return;let[,t,s,n]=e,i=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(n.replaceAll("_",""));return t==="-"?-i:i}var{texts:va,scenario:ka}=S,A=class extends Error{constructor(e){super(ba(e)),this.name="InputError"}},Te=class extends A{},R=(o,e={})=>P(va[o],e),ne=o=>o!==null&&
-typeof o=="object"&&!Array.isArray(o);function Se(o=()=>!1,e=""){return{said:[],above:e,float:o}}function C(o,e,t,s,n){let i=typeof t=="bigint"?String(t):oe(t,o.
+"\uFEFF"))return;let[,t,s,n]=e,i=s?s[0].toLowerCase()==="n"?Number.NaN:1/0:Number(n.replaceAll("_",""));return t==="-"?-i:i}var{texts:va,scenario:ka}=T,A=class extends Error{constructor(e){super(ba(e)),this.name="InputError"}},Se=class extends A{},R=(o,e={})=>P(va[o],e),ne=o=>o!==null&&
+typeof o=="object"&&!Array.isArray(o);function Te(o=()=>!1,e=""){return{said:[],above:e,float:o}}function C(o,e,t,s,n){let i=typeof t=="bigint"?String(t):oe(t,o.
 float(e)),a=o.above+e||va.whole_scenario;o.said.push(R("finding",{path:a,shown:Ps(i),allowed:R(s,n)}))}function Oo(o,e,t,s){let{fields:n,place:i}=ka.models[o];if(!ne(
 e))return C(s,t,e,"table"),null;for(let l of Object.keys(e))if(!Object.hasOwn(n,l))return s.said.push(Do(i,l,Object.keys(n))),null;let a=s.said.length,r={};for(let[
 l,h]of Object.entries(n))h.kind!=="section"&&(Object.hasOwn(e,l)?r[l]=Fo(h,e[l],`${t}.${l}`,s):h.required?s.said.push(R("missing",{path:`${s.above}${t}.${l}`})):
@@ -2459,17 +2460,17 @@ outer:a})),n.values}function Wo(o,e,t,s,n,i){if(!ne(o))return C(n,s,o,"table"),n
 R("missing",{path:`${n.above}${s}.${e}`})),null;if(typeof a=="string"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:oe(a,n.float(`${s}.${e}`)),l=Object.
 keys(t).map(m=>`'${m}'`),h=`${l.slice(0,-1).join(", ")} or ${l.at(-1)}`,c=R("literal_error",{expected:h}),u={path:`${n.above}${s}.${e}`,shown:Ps(oe(r)),allowed:c};
 return n.said.push(R("finding",u)),null}function Mt(o){let e=o.length-1;return e?R(e===1?"other_problem":"other_problems",{first:o[0].replace(/\.$/,""),count:e}):
-o[0]}var{codes:ph,families:fh,massless:gh,hops:wh,rolls:bh,other:yh}=S.classes,{sequence:vh}=S.words,xa="sequence";function kh(o){let e=-1;for(let t of o){e^=t.charCodeAt(
+o[0]}var{codes:ph,families:fh,massless:gh,hops:wh,rolls:bh,other:yh}=T.classes,{sequence:vh}=T.words,xa="sequence";function kh(o){let e=-1;for(let t of o){e^=t.charCodeAt(
 0);for(let s=0;s<8;s++)e=e>>>1^(e&1?3988292384:0)}return~e>>>0}function _a(o,e){if(e!==xa)return ph[e]?.[o]??yh;let t=[...o].find(p=>"SK".includes(p))??"R",s=[o.
 startsWith("R")&&"rolls",/[SK]/.test(o)&&"slips"].filter(Boolean).join(", "),n=o.endsWith("H")?wh:fh[t+o.slice(-1)]??bh,i=o.includes("M")?gh[s]:n,a=[1,3,5].map(
 p=>Number.parseInt(i.slice(p,p+2),16)/255),r=(a[0]+a[1]+a[2])/3,l=Math.min(o.length-1,9)/9,h=kh(o)%1e3/1e3,c=.62-.62*Math.min(2*l,1),u=Math.max(2*l-1,0)*.5;return`\
-#${a.map(p=>{let w=(1-.2*h)*p+.2*h*r,b=Math.min(Math.max((w+(1-w)*c)*(1-u),0),1);return Math.round(255*b).toString(16).padStart(2,"0")}).join("")}`}function Ta(o,e){
+#${a.map(p=>{let w=(1-.2*h)*p+.2*h*r,b=Math.min(Math.max((w+(1-w)*c)*(1-u),0),1);return Math.round(255*b).toString(16).padStart(2,"0")}).join("")}`}function Sa(o,e){
 return e!==xa?o.replaceAll("_"," "):[...o].map(t=>vh[t]).join(" → ")}function J({duration:o,hoop:e,plane:t,start:s,contact:n}){let{radius:i,mass:a,eccentricity:r,inertia_ratio:l}=e,{gravity:h,slope:c,rolling_resistance:u,mu_static:m,
-mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z}=Qe(s,i),{max_events:Q,model:Bs,...Lt}=n;return{radius:i,mass:a,
+mu_kinetic:p,restitution:w,impact_law:b,painleve:g}=t,{x:f,height:k,angle:S,vx:E,vy:N,omega:I,slip:z}=Qe(s,i),{max_events:Q,model:Bs,...Lt}=n;return{radius:i,mass:a,
 eccentricity:r,inertia_ratio:l,ideal:e.load_fraction!==null,gravity:h,slope:c,rolling_resistance:u,mu_static:m,mu_kinetic:p,restitution:w,impact_law:b,painleve:g,
-x:f,height:k,angle:T,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:Bs==="rigid"?null:Lt}}function Qe({x:o,height:e,angle:t,speed:s,
-vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var Sa=S.scenario.ends,$o=o=>Object.hasOwn(Sa,o)?Sa[o]:[];function Ho(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
-let[t]=Ho(e),s=$o(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ma=new Set(S.scenario.paths);function Ko(o){
+x:f,height:k,angle:S,vx:E,vy:N,omega:I,slip:z,rolling:s.speed!==null,duration:o,max_events:Q,contact:Bs==="rigid"?null:Lt}}function Qe({x:o,height:e,angle:t,speed:s,
+vx:n,vy:i,omega:a},r){let l=s===null?Number(a):s/r;return{x:o,height:e,angle:t,vx:n,vy:i,omega:l,slip:s===null?n-r*l:0}}var Ta=T.scenario.ends,$o=o=>Object.hasOwn(Ta,o)?Ta[o]:[];function Ho(o){let e=o.indexOf(".");return e<0?[o,""]:[o.slice(0,e),o.slice(e+1)]}function Et(o){for(let e of o){
+let[t]=Ho(e),s=$o(e).map(n=>`${t}.${n}`);for(let n of o)if(s.some(i=>n===i||n.startsWith(`${i}.`)))return[e,n]}return null}var Ma=new Set(T.scenario.paths);function Ko(o){
 if(!(Ma.has(o)||/^hoop\.parts\.\d+\.\w+$/.test(o)))throw new A(R("no_parameter",{path:o,known:[...Ma].join(", ")}))}function Ea(o){let[e,t]=Ho(o);return(e==="st\
 art"?10:0)+(t===""?0:o==="contact.model"||o==="hoop.parts"?1:2)}var Uo=o=>e=>!o.some(t=>e===t||e.startsWith(t.endsWith(".")?t:`${t}.`));function Go(o,e,t,s){let n=[
 ...t.keys()],i=Et(n);if(i){let[l,h]=i,[c,u]=i.map(m=>new Le(oe(t.get(m),!1)));throw new A(R("two_ways",{one:l,other:h,one_value:c,other_value:u}))}let a=new Set,
@@ -2481,15 +2482,15 @@ if(s==="hoop.eccentricity"||s==="hoop.inertia_ratio")return{mass:i,eccentricity:
 tatic"||s==="plane.mu_kinetic"){let l=h=>h===1/0?"inf":h;return{mu_static:l(e.mu_static),mu_kinetic:l(e.mu_kinetic)}}if(s.startsWith("start.")&&s!=="start.speed"){
 let{height:l,vx:h,vy:c,omega:u}=Qe(t,n().radius);return{height:l,vx:h,vy:c,omega:u}}return{}}function _h(o,e,t,s){let n=o,i=e.pop(),a=l=>new A(R("not_there",{path:s,
 step:l})),r=l=>Array.isArray(n)&&/^\d+$/.test(l)&&Number(l)<n.length;for(let l of e)if(r(l))n=n[Number(l)];else if(ne(n)&&Object.hasOwn(n,l))n=n[l];else throw a(
-l);if(ne(n))Bo(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var Th=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>Th)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
+l);if(ne(n))Bo(n,i,t);else if(r(i))n[Number(i)]=t;else throw a(i)}var Sh=1e3;function Aa(o){let e=o.startsWith("?")?o.slice(1):o;if(e&&e.split("&").length>Sh)throw new A(R("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[i,a]of new URLSearchParams(`&${e}`)){let r=i.split("."),l=r.pop(),h=t;for(let c of r)if(h.has(c)||h.set(c,new Map),h=h.get(c),!(h instanceof
 Map))throw new A(R("beside_a_value",{path:i,above:i.slice(0,i.lastIndexOf("."))}));if(h.has(l))throw new A(R("given_twice",{path:i}));h.set(l,ya(a)??a)}let s=t.
-get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",Sh(n)),Vo(t)}function Sh(o){let e=Array.from({length:o.size},(s,n)=>String(
+get("hoop"),n=s instanceof Map&&s.get("parts");return n instanceof Map&&s.set("parts",Th(n)),Vo(t)}function Th(o){let e=Array.from({length:o.size},(s,n)=>String(
 n)),t=new Set(e);for(let s of o.keys())if(!t.has(s))throw new A(R("parts_out_of_order",{name:s}));return e.map(s=>o.get(s))}function Vo(o){return Array.isArray(
 o)?o.map(Vo):o instanceof Map?Object.fromEntries([...o].map(([e,t])=>[e,Vo(t)])):o}function za(o){return Ra(o,"").map(([e,t])=>`${e}=${Mh(e,t)}`).join("&")}function Ra(o,e){
 return o===null||typeof o!="object"?[[e,o]]:Object.entries(o).flatMap(([t,s])=>Ra(s,e?`${e}.${t}`:t))}function Mh(o,e){return Is(o,e).replace("e+","e").replace(
-/\.0$/,"")}function Is(o,e){return typeof e=="string"?e:Eh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Eh=new Set(Object.values(S.scenario.models).flatMap(
-({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=S,Ah=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],zh=["height","vx","vy","omega"],je=class extends Error{};function L(o,e){
+/\.0$/,"")}function Is(o,e){return typeof e=="string"?e:Eh.has(o.slice(o.lastIndexOf(".")+1))?String(e):Ne(e)}var Eh=new Set(Object.values(T.scenario.models).flatMap(
+({fields:o})=>Object.keys(o).filter(e=>o[e].kind==="whole")));var{scenario:et}=T,Ah=["load_fraction","eccentricity","inertia_ratio"],Pa=["mu_static","mu_kinetic"],zh=["height","vx","vy","omega"],je=class extends Error{};function L(o,e){
 throw new je(R(o,e))}function Ls(o,e,t){let s=t.find(n=>n!==e);s&&L("together",{section:o,other:s,way:e})}function Jo({values:o,given:e},t){let s={...o},n=Ah.filter(
 c=>e.has(c)&&o[c]!==null);s.parts!==null?(s.parts.length||L("no_parts"),Ls("hoop","parts",[...n,...e.has("mass")?["mass"]:[]]),Object.assign(s,Rh(s.radius,s.parts,
 t))):s.load_fraction!==null||!n.length?(Ls("hoop","load_fraction",n),s.load_fraction??=et.models.Hoop.fields.eccentricity.default,s.eccentricity=s.load_fraction,
@@ -2506,15 +2507,15 @@ hoop:s,plane:n,contact:i}=o,a=s.inertia_ratio===0,r=i.model==="compliant";a&&n.s
 a&&L("massless_resistance",{given:l});let h=l===0?void 0:e.resistance?.(s.eccentricity,s.inertia_ratio);h!==void 0&&!(l<h)&&L("resistance",{given:l,most:h}),a&&
 r&&L("massless_compliant"),r&&n.mu_static===1/0&&L("compliant_friction"),r&&e.compliance&&Ph(i,e.compliance(t(o)))}function Ph(o,e){for(let[n,{of:i,...a}]of Object.
 entries(et.relative)){let r=o[n];if(r===null)continue;let l=e[n];Xe(a,l)||L("relative_contact",{name:n,value:r,relative:l,unit:i,words:a.words})}let{depth:t}=e,
-s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=S,Ih={rigid:"Rigid",compliant:"Compliant"};function Yo(o,e,t=Se()){let s=Zo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Zo(o,e,t){let{
+s=_t(et.most_depth);t>s&&L("too_soft",{stiffness:o.stiffness,depth:t,most:s})}var{scenario:we}=T,Ih={rigid:"Rigid",compliant:"Compliant"};function Yo(o,e,t=Te()){let s=Zo(o,e,t);if(!s)throw new A(Mt(t.said));return s}function Zo(o,e,t){let{
 fields:s,place:n}=we.models.Scenario;if(!ne(o))return C(t,"",o,"table"),null;let i=Object.keys(o).find(r=>!Object.hasOwn(s,r));if(i!==void 0)return t.said.push(
 Do(n,i,Object.keys(s))),null;let a=Object.fromEntries(Object.keys(s).map(r=>{let l=Object.hasOwn(o,r)?o[r]:we.default[r];return[r,Ca(r,l,e,t)]}));return t.said.
 length?null:Oa(t,()=>Xo(a,e))}function Ca(o,e,t,s){if(o==="hoop")return At("Hoop",e,o,s,i=>Jo(i,t));if(o==="plane")return At("Plane",e,o,s,Ia);if(o==="start")return At(
 "Start",e,o,s,La);if(o!=="contact")return Fo(we.models.Scenario.fields[o],e,o,s);let n=Wo(e,"model",Ih,o,s,"rigid");return n&&At(n,e,o,s,Na)}function Xo(o,e){return qa(
 o,e,J),o}function At(o,e,t,s,n){let i=Oo(o,e,t,s);return i&&Oa(s,()=>n(i))}function Oa(o,e){try{return e()}catch(t){if(!(t instanceof je))throw t;return o.said.
-push(t.message),null}}function Qo(o,e){return Yo(Aa(o),e,Se(()=>!0))}function Ns(o,e,t){let s=Go(o,be(o),e,(n,i)=>Da(n,t,i));return Yo(s,t,Se(Uo([...e.keys()])))}
-function qs(o,e,t){let s=Se();try{let n=Go(o,be(o),e,(r,l)=>Da(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ca(r,n[r],t,s)]);return s.
-said.length?null:Object.fromEntries(a)}catch(n){if(n instanceof A)return null;throw n}}function Da(o,e,t){let s=Se(t),n=At("Hoop",o,"hoop",s,i=>Jo(i,e));if(!n)throw new A(
+push(t.message),null}}function Qo(o,e){return Yo(Aa(o),e,Te(()=>!0))}function Ns(o,e,t){let s=Go(o,be(o),e,(n,i)=>Da(n,t,i));return Yo(s,t,Te(Uo([...e.keys()])))}
+function qs(o,e,t){let s=Te();try{let n=Go(o,be(o),e,(r,l)=>Da(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,Ca(r,n[r],t,s)]);return s.
+said.length?null:Object.fromEntries(a)}catch(n){if(n instanceof A)return null;throw n}}function Da(o,e,t){let s=Te(t),n=At("Hoop",o,"hoop",s,i=>Jo(i,e));if(!n)throw new A(
 Mt(s.said));return n}var Lh=o=>o===1/0?"inf":o,zt=(o,e)=>Object.fromEntries(e.filter(t=>o[t]!==null).map(t=>[t,Lh(o[t])])),en=o=>Object.keys(we.models[o].fields);
 function be({duration:o,hoop:e,plane:t,start:s,contact:n}){return{duration:o,hoop:Nh(e),plane:qh(t),start:jh(s),contact:zt(n,en(n.model==="rigid"?"Rigid":"Compl\
 iant"))}}function Nh(o){if(o.parts){let t=o.parts.map(s=>zt(s,en(we.parts[s.shape])));return{radius:o.radius,parts:t}}let e=o.load_fraction===null?["eccentricit\
@@ -2525,14 +2526,14 @@ default,load_fraction:a.default}}return o==="plane"?we.default.plane:o==="start"
 fields:o})=>Object.fromEntries(Object.entries(o).map(([e,t])=>[e,t.default??void 0]));function Pt(o){let e={};for(let[t,s]of Object.entries(be(o))){let n=we.default[t];
 if(Rt(s,n))continue;if(!ne(s)){e[t]=s;continue}let i=tn(t,s.model),a=Object.entries(s).filter(([r,l])=>r==="model"||!Rt(i[r],l));e[t]=a.length?Object.fromEntries(
 a):s}return za(e)}function Rt(o,e){if(o===e)return!0;if(o===null||e===null||typeof o!="object"||typeof e!="object")return!1;let t=Object.keys(o);return t.length===
-Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:Ch,limits:tt}=S,Me=(o,e={})=>P(Ch[o],e);function js({scenario:o,query:e=null,changes:t=[]},s){let n=Se(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
+Object.keys(e).length&&t.every(s=>Rt(o[s],e[s]))}var{lab:Ch,limits:tt}=T,Me=(o,e={})=>P(Ch[o],e);function js({scenario:o,query:e=null,changes:t=[]},s){let n=Te(),i=null;if(o!==void 0&&!ne(o)?C(n,"scenario",o,"\
 table"):o!==void 0&&(i=Zo(o,s,{...n,above:"scenario."})),e!==null&&typeof e!="string"&&C(n,"query",e,"word"),Array.isArray(t)?n.said.push(...t.filter(r=>!Oh(r)).
 map(Dh)):C(n,"changes",t,"list"),n.said.length)throw new A(Mt(n.said));(e!==null||!i)&&(i=Qo(e??"",s));let a=new Map;for(let[r,l]of t)Et([...a.keys(),r])&&(i=Ns(
-i,a,s),a=new Map),a.set(r,l);return a.size?Ns(i,a,s):i}var Oh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Dh=o=>Me("not_a_pair",{change:new Le(St(o).
-slice(0,60))});function Ce(o){let{duration:e,hoop:t,contact:s}=o;if(e>tt.duration)throw new Te(Me("too_long",{duration:e,most:tt.duration}));let n=t.parts?.length??
-0;if(n>tt.parts)throw new Te(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Fh=8,{cell:sn,laws:Wh,events:$h,quantities:Cs}=S.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ko(
-e.path),Ko(t.path),e.path===t.path)throw new A(Me("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>S.limits.cells)throw new Te(Me("too_many_cells",{cells:s,
-most:S.limits.cells}));if(o.contact.model!=="rigid")throw new A(Me("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Me("two_axes",{one:n[0],other:n[1]}));
+i,a,s),a=new Map),a.set(r,l);return a.size?Ns(i,a,s):i}var Oh=o=>Array.isArray(o)&&o.length===2&&typeof o[0]=="string",Dh=o=>Me("not_a_pair",{change:new Le(Tt(o).
+slice(0,60))});function Ce(o){let{duration:e,hoop:t,contact:s}=o;if(e>tt.duration)throw new Se(Me("too_long",{duration:e,most:tt.duration}));let n=t.parts?.length??
+0;if(n>tt.parts)throw new Se(Me("too_many_parts",{parts:n,most:tt.parts}));return s.max_events<=tt.events?o:{...o,contact:{...s,max_events:tt.events}}}var Fh=8,{cell:sn,laws:Wh,events:$h,quantities:Cs}=T.map,Fa=({from:o,to:e,cells:t})=>Array.from({length:t},(s,n)=>o+(n+.5)*((e-o)/t));function on(o,{x:e,y:t}){if(Ko(
+e.path),Ko(t.path),e.path===t.path)throw new A(Me("equal_axes",{path:e.path}));let s=e.cells*t.cells;if(s>T.limits.cells)throw new Se(Me("too_many_cells",{cells:s,
+most:T.limits.cells}));if(o.contact.model!=="rigid")throw new A(Me("rigid_maps"));let n=Et([t.path,e.path]);if(n)throw new A(Me("two_axes",{one:n[0],other:n[1]}));
 let{contact:i,...a}=Ce(o);return{...a,contact:{...i,max_events:Math.min(i.max_events,$h)}}}async function nn(o,{x:e,y:t},s,n){let i=Fa(e),a=Fa(t),r=Bh(o,e.path,
 t.path)?Hh(o,{x:e,y:t},[i,a],s):(m,p)=>{let w=new Map([[t.path,a[p]],[e.path,i[m]]]);return qs(o,w,s)},l=i.length*a.length,h=new Float64Array(sn.length*l),c={...o},
 u=performance.now();for(let m=0;m<a.length;m++){performance.now()-u>Fh&&(await new Promise(p=>setTimeout(p)),n?.throwIfAborted(),u=performance.now());for(let p=0;p<
@@ -2542,9 +2543,9 @@ includes("hoop")&&n&&o.speed!==null)}function Hh(o,{x:e,y:t},[s,n],i){let a=s.ma
 r[h]&&{...a[l],...r[h]}}var Kh=sn.map(o=>o==="law"?({impact_law:e})=>Wh[e]:o==="strike"?({painleve:e})=>+(e==="impact"):o==="allowed"?()=>1:e=>Number(e[o]));function Uh(o,e){
 try{return J(Xo(o,e))}catch(t){if(!(t instanceof je))throw t;return null}}function an(o){if(Object.hasOwn(Cs,o))return Cs[o].span;throw new A(`what = ${o} must \
 be one of ${Object.keys(Cs).join(", ")}.`)}function rn({x:o,y:e,what:t},s){let{label:n,unit:i,words:a}=Cs[t],{values:r,names:l}=Gh(s,i===""?a:null),h=i===""?l.map(
-c=>({name:c,text:Ta(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Gh({values:o,sequences:e},t){
+c=>({name:c,text:Sa(c,t),color:_a(c,t)})):null;return{header:{x:o,y:e,what:t,label:n,unit:i,classes:h},arrays:{values:r}}}function Gh({values:o,sequences:e},t){
 if(!t)return{values:o,names:[]};let s=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,n=e?.map(a=>s.indexOf(a));return{values:Float64Array.from(o,a=>a>=
-0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Ds}=S,Vh=30;function Wa(o,e){for(let t of Ds.sections[o]??["Scenario"]){let s=Ds.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
+0?n?.[a]??a:Number.NaN),names:s}}var{scenario:Ds}=T,Vh=30;function Wa(o,e){for(let t of Ds.sections[o]??["Scenario"]){let s=Ds.models[t].fields[e];if(s)return s.unit}return""}function Ba(o,e){return e===
 "inf"?"inf":typeof e=="string"?JSON.stringify(e):Is(o,e)}function $a(o,e,t){let s=`${o} = ${Ba(o,e)}`;return t===""||t==="1"?s:`${s.padEnd(Vh)} # ${t}`}function Fs(o){
 let{duration:e,...t}=be(o),s=[$a("duration",e,Wa("","duration"))];for(let[n,i]of Object.entries(t)){s.push("",`[${n}]`);for(let[a,r]of Object.entries(i))if(!Array.
 isArray(r))s.push($a(a,r,Wa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h=Object.entries(l).map(([c,u])=>`${c} = ${Ba(c,u)}`);s.push(`  { ${h.join(", ")}\
@@ -2566,7 +2567,7 @@ isArray(r))s.push($a(a,r,Wa(n,a)));else{s.push(`${a} = [`);for(let l of r){let h
 `].join("")}function Os(o,{parts:e,...t}){let s=o==="start"&&"speed"in t,n=s?"Start.rolling":Jh[o]??(t.model==="rigid"?"Rigid":"Compliant"),i=s?{angle:0,x:0}:tn(
 o,t.model),a=Object.entries(t).filter(([r,l])=>Yh.includes(r)||i[r]!==l).map(([r,l])=>`${r}=${hn(r,l)}`);return e&&a.push(`parts=[${e.map(Zh).join(", ")}]`),`hh\
 .${n}(${a.join(", ")})`}function Zh({shape:o,...e}){let t=Object.entries(e).map(([s,n])=>`${s}=${hn(s,n)}`);return`hh.${Ds.parts[o]}(${t.join(", ")})`}function hn(o,e){
-return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Is(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Xh,statuses:Qh,story:Oe,summary:st}=S.words,ec=["turn","apex","end"],tc=400,[,cn,Ha,sc,oc]=dn,nc="⁰¹²³⁴⁵⁶⁷⁸⁹";
+return e==="inf"?'float("inf")':typeof e=="string"?oe(e):Is(o,e)}var{letters:Ka,modes:dn,verbs:un,events:Xh,statuses:Qh,story:Oe,summary:st}=T.words,ec=["turn","apex","end"],tc=400,[,cn,Ha,sc,oc]=dn,nc="⁰¹²³⁴⁵⁶⁷⁸⁹";
 function Ua(o,e){let{omega:t,to:s}=o[e];return t===0&&(s==="S"||s==="K")&&e+1<o.length}var mn=o=>[...o.keys()].filter(e=>Ua(o,e)),pn=(o,e)=>.5*(o[e].t+o[e+1].t);
 function fn(o,e=tc){let t=[],s=0,n=Va(o.events);for(let[i,a]of o.events.entries()){let r=n.get(i);if(r===0)continue;let l=r===void 0?ac(o,i,a):P(Oe.more_bounces,
 {count:r});if(l){if(t.length>=e){s++;continue}t.push({t:a.t,event:i,mode:Ka[dn.indexOf(Ws(o,i))],text:l})}}return s&&t.push({...t[t.length-1],text:P(Oe.left_out,
@@ -2585,27 +2586,27 @@ height),!(i===e||o[i].kind!=="impact")){for(let a=i+1;a<o.length&&o[a].t<=o[i].t
 "takeoff_and_landing"}return"takeoff"}function Ws(o,e){let t=o.events[e];return hc(t.to,Ua(o.events,e)?o.omega(e):t.omega)}function hc(o,e){return o==="S"?e>0?cn:
 Ha:o==="K"?e<0?cn:Ha:dn[Ka.indexOf(o)]}var Ja=o=>o.kind==="turn"&&(o.to==="S"||o.to==="K"),Fe=o=>`${Co(o*(180/Math.PI),1)}°`.replaceAll("-","−");function Ya(o){
 return o>=.995?`${De(o)} m`:o>=.00995?`${De(o*100)} cm`:`${De(o*1e3)} mm`}function De(o){if(o===null||Number.isNaN(o))return"?";let[e,t]=qe(o,3).split("e"),s=t===
-void 0?"":`·10${cc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var cc=o=>[...String(o)].map(e=>e==="-"?"⁻":nc[Number(e)]).join("");var Za=2e3,dc=o=>o===1/0?"inf":o;function $s(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=S;return{schema:a,version:r.version,scenario:be(
+void 0?"":`·10${cc(Number(t))}`;return`${e}${s}`.replaceAll("-","−")}var cc=o=>[...String(o)].map(e=>e==="-"?"⁻":nc[Number(e)]).join("");var Za=2e3,dc=o=>o===1/0?"inf":o;function $s(o,{status:e,sequence:t,events:s,final:n,energy:i}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:be(
 o),status:e,sequence:t,events:s,final:n,energy:i}}function wn(o,e,t,s){let n={events:e.events,status:e.status,omega:t};return{...$s(o,e),events:e.events.slice(0,
-Za),query:Pt(o),duration:e.duration,values:uc(o),automatic:mc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:S.words.statuses[e.status],
+Za),query:Pt(o),duration:e.duration,values:uc(o),automatic:mc(o,s),massless:o.hoop.inertia_ratio===0,summary:gn(n),story:fn(n),ending:T.words.statuses[e.status],
 shortened:e.events.length>Za}}function uc(o){let{speed:e}=o.start,t={...o,start:{...Qe(o.start,o.hoop.radius),speed:e}},s=n=>{let[i,a]=n.split(".");return dc(t[i][a])};
-return Object.fromEntries(S.shown.map(n=>[n,s(n)]))}function mc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
-J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:pc,variables:bn}=S.table,{letters:fc}=S.words,yn=(o,e)=>JSON.stringify($s(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*pc)+1,2),S.limits.
+return Object.fromEntries(T.shown.map(n=>[n,s(n)]))}function mc(o,e){if(o.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:s}=e.compliance(
+J(o)).automatic;return{"contact.stiffness":t,"contact.slip_speed":s,"contact.restitution":o.plane.restitution}}var{rate:pc,variables:bn}=T.table,{letters:fc}=T.words,yn=(o,e)=>JSON.stringify($s(o,e),null,1);function vn(o){let e=Math.min(Math.max(Math.floor(o*pc)+1,2),T.limits.
 samples),t=o/(e-1);return Float64Array.from({length:e},(s,n)=>n===e-1?o:n*t)}function kn(o,e){let t=Object.keys(bn),s=t.map(l=>bn[l]==="1"?l:`${l} [${bn[l]}]`),
 {kinetic:n,potential:i}=e,a={...e,total:Float64Array.from(n,(l,h)=>l+i[h])},r=[["t [s]",...s].join(",")];for(let[l,h]of o.entries()){let c=t.map(u=>u==="mode"?fc[a.
 mode[l]]:Ne(a[u][l]));r.push([Ne(h),...c].join(","))}return`${r.join(`\r
 `)}\r
-`}var{theory:O}=S.words;function _n({hoop:o,plane:e},t){let s=[],n=(r,l,h,c)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:c(l)})},
+`}var{theory:O}=T.words;function _n({hoop:o,plane:e},t){let s=[],n=(r,l,h,c)=>{l!==null&&s.push({key:r,label:O[r],value:Number.isFinite(l)?l:null,unit:h,text:c(l)})},
 i=()=>n("painleve",t.painleve_friction,"1",r=>wc(r,t,e));if(e.gravity<=0)return i(),s;if(o.inertia_ratio===0){let r=t.massless_loss_by_friction?O.loss_by_friction:
 O.loss_of_contact;return n("loss",t.massless_loss_angle,"rad",l=>P(r,{where:Fe(l)})),s}if(e.slope>=0){let{would_slip:r,would_hop:l,would_hop_at_once:h,any_push:c,
 any_speed:u}=O;n("first_slip",t.first_slip_speed,"m/s",m=>xn(m,r,c)),n("first_hop",t.first_hop_speed,"m/s",m=>xn(m,l,c)),n("immediate_hop",t.immediate_hop_speed,
 "m/s",m=>xn(m,h,u))}else s.push({key:"uphill",label:O.uphill,value:null,unit:"",text:O.no_threshold});n("needed_friction",t.needed_friction,"1",r=>gc(r,e)),i();
 let a=t.jam_angles.map(Fe).join(", ");return n("jam",t.jam_angles[0]??null,"rad",()=>P(O.jam_at,{places:a})),o.eccentricity>0&&n("rest",t.stable_angle,"rad",r=>P(
-O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<S.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:qe(o,4)}):O.no_speed}function gc(o,{
+O.rest_at,{where:Fe(r)})),s}function xn(o,e,t){return o<T.words.least_speed?P(t,{would:e}):Number.isFinite(o)?P(O.above,{would:e,speed:qe(o,4)}):O.no_speed}function gc(o,{
 mu_static:e}){return Number.isFinite(o)?P(o<=e?O.friction_enough:O.friction_short,{mu:qe(o,3)}):O.no_friction}function wc(o,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var yc=360,vc=240,kc=[0,2*Math.PI,-12,12],Tn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},xc=["mot\
+null)return O.never;let s=o<=t?O.paradox_here:O.paradox_not_here;return P(s,{mu:qe(o,3),where:Fe(e)})}var yc=360,vc=240,kc=[0,2*Math.PI,-12,12],Sn={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},xc=["mot\
 ion.nc","motion.mp4","motion.gif"],It=class{constructor(e,t,{base:s=null,server:n=null}={}){this.kernel=e,this.mechanics=t,this.base=s,this.server=n,this.shares=
-s!==null,this.files=[...Object.keys(Tn),...n?xc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:S.setup,arrays:{}};let n=js(t,this.mechanics);
+s!==null,this.files=[...Object.keys(Sn),...n?xc:[]]}async call(e,t,s){if(s?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let n=js(t,this.mechanics);
 if(e==="film")return this.film(n,s);if(e==="samples"){let i=J(Ce(n));return{header:{window:t.window},arrays:await this.kernel.columns(i,s,t.window)}}if(e==="cod\
 e")return{header:{python:ln(n),toml:Fs(n)},arrays:{}};if(e==="theory"){let i=await this.kernel.thresholds(J(n),s);return{header:{thresholds:_n(n,i)},arrays:{}}}
 if(e==="regions"){let i=t.window??kc,a=J(n),r=await this.kernel.regions(a,i,yc,vc,s);return{header:{window:i},arrays:r}}if(e==="map")return this.map(n,t,s);throw new A(
@@ -2613,16 +2614,16 @@ if(e==="regions"){let i=t.window??kc,a=J(n),r=await this.kernel.regions(a,i,yc,v
 kernel.motion(s,t),columns:await this.kernel.columns(s,t)};if(n.doubt&&this.server)return this.server.call("film",{query:Pt(e)},t);let a=await this.turning(s,n,
 t);return{header:wn(e,n,a,this.mechanics),arrays:i}}async turning(e,{events:t},s){let n=mn(t);if(!n.length)return()=>0;let i=Float64Array.from(n,r=>pn(t,r)),{omega:a}=await this.
 kernel.samples(e,i,s);return r=>a[n.indexOf(r)]}async map(e,{x:t,y:s,what:n="sequence"},i){let a=an(n),r=on(e,{x:t,y:s,what:n}),l=await nn(r,{x:t,y:s},this.mechanics,
-i);return rn({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){if(!(e in Tn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs\
- Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Tn[e]})}async fileText(e,t){let s=js({query:t},this.mechanics);if(e==="motion.toml")
+i);return rn({x:t,y:s,what:n},await this.kernel.map(l,n,a,i))}async file(e,t){if(!(e in Sn)){if(this.server)return this.server.file(e,t);throw new A(`${e} needs\
+ Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Sn[e]})}async fileText(e,t){let s=js({query:t},this.mechanics);if(e==="motion.toml")
 return Fs(s);let n=Ce(s),i=J(n),a=await this.kernel.motion(i);if(e==="motion.json")return yn(n,a);let r=vn(a.duration);return kn(r,await this.kernel.samples(i,r))}link(e,t){
-return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Sn(o,e,t){let s=e&&new is(e);try{let n=await xt.load(o);return new It(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
+return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Tn(o,e,t){let s=e&&new is(e);try{let n=await xt.load(o);return new It(n,n.mechanics,{base:t,server:s})}catch(n){if(s)return s;throw n}}function Xa(o){
 navigator.serviceWorker?.register(o).catch(()=>{})}async function Qa(o){let e=new as(o);try{let t=await xt.unpack(o.get("module"),o.get("worker"));return new It(
-t,t.mechanics,{server:e})}catch{return e}}var _c=new URL("./",import.meta.url);async function Tc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
-]"),s,n;try{s=await Sn(_c,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
+t,t.mechanics,{server:e})}catch{return e}}var _c=new URL("./",import.meta.url);async function Sc(o){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+]"),s,n;try{s=await Tn(_c,t?null:e,e),n=(await s.call("setup",{})).header}catch(l){o.textContent=l.message;return}t&&Xa(t.getAttribute("content")??"");let i=new Je(
 o,s,n,{hosted:!0});Object.assign(globalThis,{hophoopLab:i});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=Gn(location.hash);try{await i.open([
-location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Yg(o,e,t,s){let n=await Sn(
-e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Je(o,n,i,{panels:s});return await a.open([t]),a}async function Sc({model:o,el:e}){let t=document.
+location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await i.open([""]),i.notice.fail(l)}}async function Yg(o,e,t,s){let n=await Tn(
+e,null,new URL("../",e)),{header:i}=await n.call("setup",{}),a=new Je(o,n,i,{panels:s});return await a.open([t]),a}async function Tc({model:o,el:e}){let t=document.
 createElement("div");e.append(t);let s=await Qa(o),n=new Je(t,s,o.get("setup"),{panels:o.get("panels"),onmotion:a=>{o.get("query")!==a&&(o.set("query",a),o.save_changes())}});
 n.motions.set([He(o.get("film"))]),n.begin();let i=()=>n.motions.replace(He(o.get("film")));return o.on("change:film",i),()=>{o.off("change:film",i),s.close?.(),
-n.close()}}var er=document.getElementById("hophoop-lab");er&&Tc(er);var Zg={render:Sc};export{Zg as default,Yg as mount};
+n.close()}}var er=document.getElementById("hophoop-lab");er&&Sc(er);var Zg={render:Tc};export{Zg as default,Yg as mount};
