@@ -148,7 +148,8 @@ def test_refusals_are_known():
 
 def test_every_sentence_of_theory_and_of_the_lab_is_known():
     whole = [text for key, text in THEORY.items() if not key.startswith("would") and "{would}" not in text]
-    refused = [text for key, text in LAB.items() if key != "not_a_pair"]  # which the page itself never causes
+    never = {"not_a_pair", "too_many_changes", "window", "times", "number_path", "one_of"}  # which the page itself never causes
+    refused = [text for key, text in LAB.items() if key not in never]
     assert [text for text in [*whole, *refused] if not known(re.sub(r"\{[^{}]*\}", "7", text))] == []
 
 
