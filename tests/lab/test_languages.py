@@ -2,6 +2,7 @@
 
 import json
 import re
+from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
@@ -76,9 +77,38 @@ def test_every_language_has_every_text(code):
         assert not [text for text in table.values() if re.search(r"\d\.\d", text)]
 
 
+class Texts(HTMLParser):
+    """The texts of a page, and what is read to people."""
+
+    def __init__(self):
+        super().__init__()
+        self.found = []
+
+    def handle_starttag(self, tag, attrs):
+        self.found += [value for name, value in attrs if name == "aria-label"]
+
+    def handle_data(self, data):
+        self.found.append(" ".join(data.split()))
+
+
+def texts(name):
+    page = Texts()
+    page.feed((Path(words.__file__).parent / "static" / name).read_text(encoding="utf-8"))
+    return [text for text in page.found if text]
+
+
+TAGS = texts("embed.html")
+
+
+def test_the_page_that_makes_tags_is_there():
+    assert len(TAGS) > 15
+    assert [text for text in TAGS if not known(text)] == []
+
+
 def test_no_text_is_left_over():
     """Each key stands in a source, or is what Python writes."""
-    sources = "".join(path.read_text(encoding="utf-8") for path in sorted((WEB / "lab").glob("*.js")))
+    scripts = [*sorted((WEB / "lab").glob("*.js")), WEB / "site" / "embed.js"]
+    sources = "".join(path.read_text(encoding="utf-8") for path in scripts) + "|".join(TAGS)
     sources = re.sub(r'"\s*\+\s*["`]', "", sources)
     sources += "|".join(re.findall(r't\("([^"]+)"', sources))  # also within templates
     sources = re.sub(r"\$\{(?:[^{}]|\{[^{}]*\})*\}", "{}", sources)
