@@ -1,943 +1,943 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources f6871cd561659804104ca2d839c9e133 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 5ff4810bcb2c6eea58d740991e507029 */
 function fe(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var qn=o=>rt(o)>.2?"#111111":"#ffffff",lt=(o,e)=>`rgba(${fe(o).join(",")}\
 ,${e})`,br=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function rt(o){let[e,t,s]=fe(o).map(br);return .2126*e+.7152*t+.0722*s}function ht(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(rt(o)<.002)return"#eceef2";let t=o;for(let s=0;rt(t)<.2&&s<1;s+=.05)t=`#${fe(o).map(n=>Math.round(n+(255-n)*s).toString(
 16).padStart(2,"0")).join("")}`;return t}var Wt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function yr(){let o=[];
 for(let e=0;e<256;e++){let t=e/255*(Wt.length-1),s=Math.min(Math.floor(t),Wt.length-2),n=fe(Wt[s]),i=fe(Wt[s+1]);o.push(n.map((a,r)=>Math.round(a+(i[r]-a)*(t-s))))}
-return o}var He=yr(),Dt=He.map(o=>`rgb(${o.join(",")})`),vr=["#123a8c","#8a6d00"],le=(o,e)=>ht(vr[o],e);var Nn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen",hop:"Hüpfer","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",
-spins:"dreht durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {ang\
-le} durch","skids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {\
-angle}":"hüpft bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"glei\
-tet ab {angle} in der anderen Richtung","stops its slip at once at {angle}":"hört bei {angle} schlagartig auf zu gleiten","turns back at {angle}":"kehrt bei {a\
-ngle} um","has bounced out at {angle}":"ist bei {angle} ausgesprungen","meets Painlevé's paradox at {angle}":"trifft bei {angle} auf das Painlevé-Paradoxon","\
-meets Painlevé's indeterminacy at {angle}":"trifft bei {angle} auf die Unbestimmtheit nach Painlevé","jams at {angle}":"verklemmt sich bei {angle}","gains ene\
-rgy (Kane) at {angle}":"gewinnt bei {angle} Energie (Kane)","skims at {angle}":"streift ab {angle}","rests at {angle}":"ruht bei {angle}","starts at {angle}":"b\
-eginnt bei {angle}","slips at {angle}":"gleitet ab {angle}","{what} and {count} more times":"{what} und noch {count}-mal","… ({count} more)":"… (noch {count})",
-"It has come to rest.":"Er ist zur Ruhe gekommen.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"Die Normalk\
-raft wächst über alle Grenzen (dynamisches Verklemmen): Die Mechanik starrer Körper kennt keine Bewegung darüber hinaus.","The model does not determine the \
-motion beyond.":"Das Modell legt die weitere Bewegung nicht fest.","The limit of events (contact.max_events), or of work for one motion, was reached before the \
-end.":"Die Grenze der Ereignisse (contact.max_events) oder des Aufwands für eine Bewegung wurde vor dem Ende erreicht.","It starts and {verb} with the load at \
-{angle} and the centre at {speed} m/s.":"Er startet und {verb}, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts in the air with the load at {\
-angle} and the centre at {speed} m/s.":"Er startet in der Luft, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts skimming with the load at {an\
-gle} and the centre at {speed} m/s.":"Er streift zu Beginn die Ebene, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It {verb} at {angle}; friction is\
- used up: the rim turns too fast for the way it goes.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand dreht sich zu schnell für seinen Weg.","I\
-t {verb} at {angle}; friction is used up: the rim slides ahead.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand gleitet voraus.","It rolls again\
- at {angle}; the slip has stopped.":"Ab {angle} rollt er wieder; der Schlupf hat aufgehört.","The slip turns round at {angle}; it {verb}.":"Bei {angle} kehrt s\
-ich der Schlupf um; er {verb}.","It hops at {angle}.":"Er hüpft bei {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Er hüpft bei \
-{angle}. Er steigt {height} hoch und bleibt {time} s in der Luft.","An impact without collision at {angle} stops the slip; then it {verb}.":"Ein Stoß ohne Aufpr\
-all beendet bei {angle} den Schlupf; dann {verb} er.","It lands at {angle} with {speed} m/s downwards and bounces.":"Er landet bei {angle} mit {speed} m/s abwär\
-ts und springt wieder ab.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Er landet bei {angle} mit {speed} m/s abwärts und {verb}.","It turns b\
-ack at {angle}.":"Er kehrt bei {angle} um.","It turns back at {angle}, and {verb} now.":"Er kehrt bei {angle} um und {verb} jetzt.","The centre is highest at {a\
-ngle}: the gap is {height}.":"Bei {angle} ist der Mittelpunkt am höchsten: Der Spalt beträgt {height}.","Bounces without number end here, at {angle}.":"Hier, \
-bei {angle}, enden unzählige Sprünge.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Painlevé-Paradoxon bei {angle}: Keine Kontak\
-tkraft passt zu diesem Schlupf.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Painlevé-Paradoxon bei {angle}: Mehrere Kontaktkräfte \
-passen dazu.","Dynamic jam at {angle}: the contact force grows without bound.":"Dynamisches Verklemmen bei {angle}: Die Kontaktkraft wächst über alle Grenzen.",
-"Newton's law of impact has created {energy} J (Kane's example).":"Newtons Stoßgesetz hat {energy} J erzeugt (Beispiel von Kane).","No contact force is left at\
- {angle}: the load falls freely and the rim skims the plane.":"Bei {angle} ist keine Kontaktkraft mehr da: Die Last fällt frei, der Rand streift die Ebene.","I\
-t rests at {angle}.":"Er ruht bei {angle}.","It rests at {angle}, which is not stable.":"Er ruht bei {angle}, aber nicht stabil.","It bounces {count} more times\
-.":"Er springt noch {count}-mal.","… and {count} more.":"… und noch {count}.",Slips:"Gleitet",Hops:"Hüpft","Hops at once":"Hüpft sofort","Friction for pur\
-e rolling":"Reibung für reines Rollen","Painlevé’s paradox":"Painlevé-Paradoxon","Dynamic jam":"Dynamisches Verklemmen","Rests stably":"Ruht stabil","End o\
-f rolling":"Ende des Rollens","would slip above {speed} m/s":"würde über {speed} m/s gleiten","would slip: any push is enough":"würde gleiten: jeder Stoß genü\
-gt","would hop in its first turn above {speed} m/s":"würde über {speed} m/s in der ersten Umdrehung hüpfen","would hop in its first turn: any push is enough":"\
-würde in der ersten Umdrehung hüpfen: jeder Stoß genügt","would hop at once above {speed} m/s":"würde über {speed} m/s sofort hüpfen","would hop at once:\
- at any speed":"würde sofort hüpfen: bei jeder Geschwindigkeit","never, at any speed":"nie, bei keiner Geschwindigkeit","no friction keeps it rolling":"keine \
-Reibung hält ihn am Rollen","μ = {mu} would keep it rolling (enough here)":"μ = {mu} hielte ihn am Rollen (hier genug)","μ = {mu} would keep it rolling (more\
- than there is)":"μ = {mu} hielte ihn am Rollen (mehr als hier)",never:"nie","from μ = {mu} on, at {angle}: possible here":"ab μ = {mu}, bei {angle}: hier mög\
-lich","from μ = {mu} on, at {angle}: not here":"ab μ = {mu}, bei {angle}: hier nicht","can end a slip at {angles}":"kann einen Schlupf bei {angles} beenden","\
-with the load at {angle}":"mit der Last bei {angle}","at {angle} friction is used up":"bei {angle} ist die Reibung ausgeschöpft","at {angle} the contact force \
-is gone":"bei {angle} ist die Kontaktkraft weg","Load fraction":"Massenanteil der Last","Share of the mass in the load of an ideal hoop":"Anteil der Last an der\
- Masse eines idealen Reifens",Eccentricity:"Exzentrizität","Distance of the centre of gravity from the centre, over the radius":"Abstand des Schwerpunkts vom M\
-ittelpunkt, geteilt durch den Radius","Inertia ratio":"Bezogenes Trägheitsmoment","Moment of inertia about the centre of gravity over m R²":"Trägheitsmoment u\
-m den Schwerpunkt, geteilt durch m R²",Radius:"Radius","Rim radius":"Radius des Randes",Mass:"Masse","Total mass":"Gesamtmasse",Friction:"Reibungszahl","Fricti\
-on, static and kinetic":"Reibungszahl, Haft- und Gleitreibung","Static friction":"Haftreibungszahl","Kinetic friction":"Gleitreibungszahl",Slope:"Neigung","Slop\
-e of the plane, downhill along +x":"Neigung der Ebene, bergab in Richtung +x",Gravity:"Fallbeschleunigung",Restitution:"Stoßzahl","Restitution of an impact":"S\
-toßzahl eines Stoßes",Speed:"Geschwindigkeit","Velocity of the centre in a rolling start":"Geschwindigkeit des Mittelpunkts bei rollendem Start","Load angle":"\
-Winkel der Last","Angle from the plane's normal to the centre of gravity":"Winkel von der Normalen der Ebene zum Schwerpunkt","Height of the gap":"Höhe des Spal\
-ts","Gap between rim and plane":"Spalt zwischen Rand und Ebene","Speed along":"Geschwindigkeit längs","Velocity of the centre along the plane":"Geschwindigkeit\
- des Mittelpunkts längs der Ebene","Speed upwards":"Geschwindigkeit nach oben","Velocity of the centre away from the plane":"Geschwindigkeit des Mittelpunkts w\
-eg von der Ebene","Angular velocity":"Winkelgeschwindigkeit",Stiffness:"Steifigkeit","Stiffness of the contact":"Steifigkeit des Kontakts","Slip speed":"Schlupf\
-geschwindigkeit","Slip velocity over which friction builds up":"Schlupfgeschwindigkeit, bei der sich die Reibung aufbaut","Restitution that the damping is chose\
-n for":"Stoßzahl, für die die Dämpfung gewählt ist",Duration:"Dauer","Duration of the motion":"Dauer der Bewegung","Law of impact":"Stoßgesetz","Law of res\
-titution":"Gesetz der Restitution","Stronge (energy)":"Stronge (Energie)","Poisson (impulse)":"Poisson (Impuls)","Newton (velocity)":"Newton (Geschwindigkeit)",
-"Painlevé: two solutions":"Painlevé: zwei Lösungen","What follows an indeterminate contact":"Was auf einen unbestimmten Kontakt folgt",impact:"Stoß","Contac\
-t model":"Kontaktmodell",rigid:"starr",compliant:"nachgiebig","Normal force":"Normalkraft","Friction law":"Reibungsgesetz","Regularised friction":"Geglättete Re\
-ibung","smooth (tanh)":"glatt (tanh)",linear:"linear","bristle (can hold)":"Borsten (kann halten)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Cro\
-ssley","Speed v₀":"Geschwindigkeit v₀","Angle of the load θ₀":"Winkel der Last θ₀","Speed along ẋ₀":"Geschwindigkeit längs ẋ₀","Angular veloc\
-ity θ̇₀":"Winkelgeschwindigkeit θ̇₀","Height of the gap y₀":"Höhe des Spalts y₀","Load fraction γ":"Massenanteil der Last γ","Eccentricity ε":"E\
-xzentrizität ε","Inertia ratio κ":"Bezogenes Trägheitsmoment κ","Radius R":"Radius R","Friction μ":"Reibungszahl μ","Slope β":"Neigung β","Gravity g":"\
-Fallbeschleunigung g","Restitution e":"Stoßzahl e",Earth:"Erde",Moon:"Mond",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Schwerelos","what happens in the first tu\
-rn":"was in der ersten Umdrehung geschieht","height of the first hop":"Höhe des ersten Hüpfers","angle of take-off":"Winkel beim Abheben","duration of the fir\
-st hop":"Dauer des ersten Hüpfers","greatest friction utilization":"größte Ausnutzung der Reibung","energy lost":"verlorene Energie","angle at the end":"Wink\
-el am Ende","Painlevé’s paradox or jam met":"Painlevé-Paradoxon oder Verklemmen getroffen","how it ends":"wie es endet",duration:"Dauer",revolutions:"Umdreh\
-ungen",reversal:"Umkehr",takeoff:"Abheben",rest:"Ruhe",jam:"Verklemmen",undetermined:"unbestimmt","event limit":"Grenze der Ereignisse",no:"nein",yes:"ja",none:"\
-keine","not allowed":"nicht erlaubt","and {count} more":"und {count} weitere","The article":"Der Artikel","Littlewood's hoop":"Littlewoods Reifen",Paradoxes:"Pa\
-radoxa",More:"Mehr","It hops: 3.1 m/s":"Er hüpft: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Gleitet zweimal,\
- verlässt dann kurz vor einer vollen Umdrehung die Ebene und fliegt 0,76 s lang.","It slips: 2.8 m/s":"Er gleitet: 2,8 m/s","Friction is used up twice a turn; \
-each slip is weaker than the one before, and none is the last.":"Zweimal je Umdrehung ist die Reibung ausgeschöpft; jeder Schlupf ist schwächer als der davor, u\
-nd keiner ist der letzte.","It rolls: 2 m/s":"Er rollt: 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"\
-Reines Rollen, schneller und gleichmäßiger als nach langsamem Start und nahe an der Grenze der Reibung.","The smallest push: 0.1 m/s":"Der kleinste Stoß: 0,1 \
-m/s","Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.":"Fast in Ruhe mit der Last oben, schnell mit der Last unten; 38 %\
- der Reibung werden genutzt.","Low friction: 0.1 m/s, μ = 0.3":"Wenig Reibung: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop r\
-ocks to and fro.":"Das Gleiten kostet die Energie, die eine volle Umdrehung braucht: Der Reifen schaukelt hin und her.","All mass in the load":"Alle Masse in de\
-r Last","A massless ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Ein masseloser Ring: Bei 90° ist keine Kontaktkraft mehr \
-da; die Last fällt, der Rand streift die Ebene.","All mass in the load, pushed":"Alle Masse in der Last, angestoßen","With a push the contact force is gone ea\
-rlier, at cos θ = v₀²/(gR).":"Mit einem Stoß verschwindet die Kontaktkraft früher, bei cos θ = v₀²/(gR).","Nearly all mass in the load":"Fast alle Mas\
-se in der Last","γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: was ein wirklicher Ring anstelle von Littlewoods Hüpfer tut.","Pain\
-levé: no solution":"Painlevé: keine Lösung","No contact force agrees with this slip. An impact without collision stops it at once.":"Keine Kontaktkraft passt\
- zu diesem Schlupf. Ein Stoß ohne Aufprall beendet ihn sofort.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Flug u\
-nd Stoß passen beide zu den Gesetzen. Wähle mit dem Schalter unter „Ebene“.","A fast slide after a hop: the contact force grows without bound in finite ti\
-me, and no law says what follows.":"Ein schnelles Gleiten nach einem Hüpfer: Die Kontaktkraft wächst in endlicher Zeit über alle Grenzen, und kein Gesetz sagt, \
-was folgt.","Kane: energy out of nothing":"Kane: Energie aus dem Nichts","Newton's law of impact with friction creates two joules. Stronge's law does not.":"New\
-tons Stoßgesetz mit Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht.",Downhill:"Bergab","On a slope of 10° the hoop gains speed from turn to turn, un\
-til it hops.":"Auf 10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped wit\
-h spin and restitution 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","\
-On the Moon":"Auf dem Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: All\
-es ist um den Faktor 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rü\
-ckgängig (z)","Redo (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys\
- and help (?)":"Tasten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","\
-Which hoop the controls change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Eb\
-ene",Start:"Start",Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"\
-Wo",elsewhere:"anderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem \
-Zustand","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",
-Disk:"Scheibe","Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centr\
-e":"Abstand vom Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"\
-Teil {number} entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{nam\
-e} = {value} muss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} \
-bis {most}","from {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {l\
-east} to {most}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.iner\
-tia_ratio = 0)":"für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rig\
-id“ (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht\
-. Was hier ist, läuft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The n\
-otebook’s kernel does not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",
-time:"Zeit",angle:"Winkel",gap:"Spalt","rim speed":"Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front\
-, B behind":"A vorn, B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Sp\
-uren (t)","Forces (f)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"\
-Kräfte","Rim speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo\
- des Films","To the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis\
- (Umschalt →)","One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nä\
-chsten Flug (h)","To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landin\
-g.":"Diese Bewegung hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip begins":"Schlupf beginnt","slip ends":"\
-Schlupf endet","slip turns round":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge \
-enden","Painlevé: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming begins":"Streifen beginnt","at rest":"\
-in Ruhe",end:"Ende","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten",
-"(not all events are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie\
- zu Reifen {hoop} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien u\
-nd Verluste","energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the dampe\
-r":"im Dämpfer verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal \
-N":"Normalkraft N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diag\
-ramm zeigt","Horizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to \
-go there, two fingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zo\
-oms; double-click for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} t\
-o {high}":"{name} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"\
-{name} [{unit}]","angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand",
-"height of the centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit",
-"speed away from the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal forc\
-e":"Normalkraft","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenziel\
-le Energie","total energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip\
- and flight":"Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer \
-Umdrehung [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne \
-Schlupf folgt. Schraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergröß\
-ern.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das \
-Rad; Doppelklick: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegun\
-gen","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe über\
-nimmt die Bewegung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganz\
-e Karte","Click to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to t\
-ake that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Absp\
-ieler; nach einem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechne\
-t …","{count} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this mo\
-tion starts otherwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zust\
-and, obwohl diese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Karten wird einmalig überse\
-tzt: {done} von {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)","Motion (\
-netCDF)":"Bewegung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hier einen \
-Film aufnehmen (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link i\
-st kopiert.","The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine We\
-ile …","Fetching {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser\
- Browser kann die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"\
-Der Film ist da.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on \
-a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move\
- a slider and see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, l\
-andet – oder tut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"\
-Zeichen auf der Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previ\
-ous, next event":"voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos\
-1 Ende","start, end":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom \
-back":"zoomen, zurück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y \
- Strg Z","undo, redo":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim \
-turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen \
-vorwärts rollt)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts roll\
-t)","the hop: from take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kr\
-aft berührt","take-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces withou\
-t number end":"unzählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzel\
-ne Tasten (Buchstaben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","T\
-ilt the plane: drag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or \
-throw the hoop: drag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or \
-arrow keys":"Last drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow mo\
-tion: a tenth of the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf de\
-m ganzen Bildschirm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",
-Presentation:"Vorführung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count}\
- rows.":"Die ersten {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderu\
-ng",Score:"Punkte","Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","\
-Your best: {points} points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose th\
-e load, where it starts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beg\
-innt, und die Reibung. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything i\
-s allowed; the first hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mind\
-estens 5 cm hoch sein.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 \
-m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last\
- unten, mit höchstens 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"\
-Nur starrer Kontakt.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"\
-Die Stoßzahl muss 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"\
-Höchstens 90 % der Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sei\
-n.","It must start rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchste\
-ns 6 s.","It does not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.",
-"It lands {off} away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction\
- must be at most 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight sho\
-rt questions: guess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before \
-it is let go.":"Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} v\
-on {all}","Leave the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{p\
-oints} of 100 points.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{wh\
-at} mit der Last bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoo\
-ds Frage","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happ\
-ens when the weight is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J\
-. E. Littlewood fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt\
- weiter.","It hops: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"\
-Das Gewicht fällt frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft me\
-hr.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane\
-. To hop, a hoop needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt \
-frei, und ein Rand ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a q\
-uarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist d\
-ie Last oben, und der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt\
- in der ersten Umdrehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last \
-unten hat der Mittelpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that th\
-e heavy load has lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kine\
-tische Energie, und der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slip\
-s":"Warum er gleitet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s \
-oben. Rollen braucht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mar\
-k.":"Wo ist die Last, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten \
-beginnt","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share\
-} des Gewichts.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction.\
- Watch the diagram ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring \
-schneller werden muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. \
-This time the hoop leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung\
- vorbei ist.","Where is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it\
- takes off":"Winkel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m\
-/s gleitet.","A rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, \
-and the load pulls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung\
- zu schwach: Der Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The \
-hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und \
-er dreht sich gleichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids\
-: the rim slides ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounce\
-s.":"Er springt wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg \
-um {height} cm; er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. Wi\
-th less friction, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie s\
-ein Druck: Hier genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.",
-"More friction, more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bek\
-ommen denselben Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise b\
-y {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On\
- ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so muc\
-h that it is braked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den\
- Reifen auf dem Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper \
-nicht entscheiden","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein \
-Reifen wird so geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht\
-.","What do they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both ag\
-ree with the laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, un\
-d beide Bewegungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yiel\
-d a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei \
-Antworten, in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du b\
-ist dran","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed fr\
-om the motion itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sie\
-h, wie deine Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den \
-Reifen einmal in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count\
- the votes by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in\
- pairs: who has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which\
- speed is the force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forc\
-es; stop at take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each g\
-roup takes one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What ha\
-s to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kan\
-n es sein, und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The l\
-oad pulls the hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop befo\
-re the top, after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where\
- it is fastest.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stä\
-rksten: Die Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring\
- can: it gets the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brak\
-es.":"Reibung bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach \
-vorn.","More friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier \
-hoop behaves otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: \
-where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Marki\
-ere die Stelle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bott\
-om?":"Der Reifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its \
-lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Tei\
-l des Reifens hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop b\
-e faster?":"Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0\
- m/s, and the speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: wh\
-at does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem W\
-inkel hüpft er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen\
- hüpft, auf 1 cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den B\
-oden, während sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbei\
-tsblatt",Solutions:"Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What stu\
-dents often think":"Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Re\
-ifen","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and \
-is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0\
-,75 kg befestigt. Der Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","do\
-es it hop?":"hüpft er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table g\
-ives numbers to every student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater tha\
-n {least}":"größer als {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {m\
-ost}":"höchstens {most}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'\
-{word}', '{word2}' or '{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the \
-rotation over R N":"Rollwiderstand: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips \
-or hops hangs on where it turns back; the map shows it":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeig\
-t es","'rigid' for a map":"für eine Karte „rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf\
- im Labor höchstens {most} sein.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen se\
-in: Sie sagen dasselbe auf zwei Arten.","x.path and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.",
-"lost to rolling resistance":"durch Rollwiderstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radian\
-s).":"{name} = {value} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bek\
-annt sind {word2}.","{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {oth\
-er} = {limit}.":"{one} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_\
-static = inf muss bei contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {tim\
-e} s; ask for a shorter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try ag\
-ain in {time} seconds.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäf\
-tigt; in 1 Sekunde noch einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, d\
-er dies berechnet hat, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im\
- Labor höchstens {most} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and\
- must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} \
-Umdrehungen, im Labor höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"\
-hoop.parts hat {count} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integra\
-tion and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchsten\
-s {most}.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im L\
-abor höchstens {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds \
-or a shorter duration.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwin\
-digkeiten oder eine kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labo\
-r höchstens {most} s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahl\
-en von {hoop}; {hands}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"W\
-as nach {time} s kommt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.","hophoop lab: play \
-with the hopping hoop":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"Einen hüpfenden Reifen in die eigene Seite \
-setzen","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader’s browser; nothing is sent anywhere.":"\
-Ein Tag und ein Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewegung wird im Browser der Lesenden berechnet; n\
-ichts wird irgendwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wählen und ihren Link hierher kopieren.","Scena\
-rio: a link of the lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter seinem Fragezeichen steht","What stands beside \
-the player":"Was neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As a tag":"Als Tag","The tag":"Der Tag","Copy th\
-e tag":"Den Tag kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","The frame":"Der Rahmen","Copy the frame":"Den\
- Rahmen kopieren","As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoop":"Ein hüpfender Reifen"};var Cn={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce",hop:"salto","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"r\
-ueda",spins:"patina",skids:"derrapa",flies:"vuela","skims the plane":"roza el plano","rolls at {angle}":"rueda desde {angle}","spins at {angle}":"patina desde {\
-angle}","skids at {angle}":"derrapa desde {angle}","flies at {angle}":"vuela desde {angle}","skims the plane at {angle}":"roza el plano desde {angle}","hops at \
-{angle}":"salta a {angle}","lands at {angle}":"aterriza a {angle}","bounces at {angle}":"rebota a {angle}","slips the other way at {angle}":"desliza en sentido \
-contrario desde {angle}","stops its slip at once at {angle}":"deja de deslizar de golpe a {angle}","turns back at {angle}":"da la vuelta a {angle}","has bounced\
- out at {angle}":"termina de rebotar a {angle}","meets Painlevé's paradox at {angle}":"encuentra la paradoja de Painlevé a {angle}","meets Painlevé's indeterm\
-inacy at {angle}":"encuentra la indeterminación de Painlevé a {angle}","jams at {angle}":"se bloquea a {angle}","gains energy (Kane) at {angle}":"gana energía\
- (Kane) a {angle}","skims at {angle}":"roza desde {angle}","rests at {angle}":"reposa a {angle}","starts at {angle}":"empieza a {angle}","slips at {angle}":"des\
-liza desde {angle}","{what} and {count} more times":"{what} y {count} veces más","… ({count} more)":"… ({count} más)","It has come to rest.":"Ha quedado e\
-n reposo.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"La fuerza normal crece sin límite (bloqueo dinámico\
-): la mecánica del sólido rígido no da ningún movimiento más allá.","The model does not determine the motion beyond.":"El modelo no determina el movimient\
-o posterior.","The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Se alcanzó el límite de sucesos (contact.max_e\
-vents), o de cálculo para un movimiento, antes del final.","It starts and {verb} with the load at {angle} and the centre at {speed} m/s.":"Empieza y {verb}, co\
-n la carga a {angle} y el centro a {speed} m/s.","It starts in the air with the load at {angle} and the centre at {speed} m/s.":"Empieza en el aire, con la carg\
-a a {angle} y el centro a {speed} m/s.","It starts skimming with the load at {angle} and the centre at {speed} m/s.":"Empieza rozando el plano, con la carga a {\
-angle} y el centro a {speed} m/s.","It {verb} at {angle}; friction is used up: the rim turns too fast for the way it goes.":"A {angle} {verb}: el rozamiento est\
-á agotado y la llanta gira demasiado deprisa para lo que avanza.","It {verb} at {angle}; friction is used up: the rim slides ahead.":"A {angle} {verb}: el roza\
-miento está agotado y la llanta desliza hacia delante.","It rolls again at {angle}; the slip has stopped.":"A {angle} vuelve a rodar; el deslizamiento ha cesad\
-o.","The slip turns round at {angle}; it {verb}.":"A {angle} se invierte el deslizamiento; {verb}.","It hops at {angle}.":"Salta a {angle}.","It hops at {angle}\
-. It rises {height} and stays up for {time} s.":"Salta a {angle}. Sube {height} y permanece {time} s en el aire.","An impact without collision at {angle} stops \
-the slip; then it {verb}.":"Un impacto sin choque a {angle} detiene el deslizamiento; luego {verb}.","It lands at {angle} with {speed} m/s downwards and bounces\
-.":"Aterriza a {angle} con {speed} m/s hacia abajo y rebota.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Aterriza a {angle} con {speed} m/s h\
-acia abajo y {verb}.","It turns back at {angle}.":"Da la vuelta a {angle}.","It turns back at {angle}, and {verb} now.":"Da la vuelta a {angle}, y ahora {verb}.",
-"The centre is highest at {angle}: the gap is {height}.":"El centro está más alto a {angle}: la separación es de {height}.","Bounces without number end here,\
- at {angle}.":"Aquí, a {angle}, terminan infinitos rebotes.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Paradoja de Painlevé a \
-{angle}: ninguna fuerza de contacto es compatible con este deslizamiento.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Paradoja de \
-Painlevé a {angle}: varias fuerzas de contacto son compatibles.","Dynamic jam at {angle}: the contact force grows without bound.":"Bloqueo dinámico a {angle}: \
-la fuerza de contacto crece sin límite.","Newton's law of impact has created {energy} J (Kane's example).":"La ley de impacto de Newton ha creado {energy} J (e\
-jemplo de Kane).","No contact force is left at {angle}: the load falls freely and the rim skims the plane.":"A {angle} ya no hay fuerza de contacto: la carga ca\
-e libremente y la llanta roza el plano.","It rests at {angle}.":"Reposa a {angle}.","It rests at {angle}, which is not stable.":"Reposa a {angle}, pero no de fo\
-rma estable.","It bounces {count} more times.":"Rebota {count} veces más.","… and {count} more.":"… y {count} más.",Slips:"Desliza",Hops:"Salta","Hops at \
-once":"Salta de inmediato","Friction for pure rolling":"Rozamiento para rodadura pura","Painlevé’s paradox":"Paradoja de Painlevé","Dynamic jam":"Bloqueo di\
-námico","Rests stably":"Reposo estable","End of rolling":"Fin de la rodadura","would slip above {speed} m/s":"deslizaría por encima de {speed} m/s","would sli\
-p: any push is enough":"deslizaría: basta cualquier empujón","would hop in its first turn above {speed} m/s":"saltaría en la primera vuelta por encima de {spe\
-ed} m/s","would hop in its first turn: any push is enough":"saltaría en la primera vuelta: basta cualquier empujón","would hop at once above {speed} m/s":"sal\
-taría de inmediato por encima de {speed} m/s","would hop at once: at any speed":"saltaría de inmediato: a cualquier velocidad","never, at any speed":"nunca, a\
- ninguna velocidad","no friction keeps it rolling":"ningún rozamiento lo mantiene rodando","μ = {mu} would keep it rolling (enough here)":"μ = {mu} lo mantend\
-ría rodando (aquí basta)","μ = {mu} would keep it rolling (more than there is)":"μ = {mu} lo mantendría rodando (más de lo que hay)",never:"nunca","from μ\
- = {mu} on, at {angle}: possible here":"desde μ = {mu}, a {angle}: aquí es posible","from μ = {mu} on, at {angle}: not here":"desde μ = {mu}, a {angle}: aquí\
- no","can end a slip at {angles}":"puede acabar un deslizamiento a {angles}","with the load at {angle}":"con la carga a {angle}","at {angle} friction is used up":"\
-a {angle} se agota el rozamiento","at {angle} the contact force is gone":"a {angle} desaparece la fuerza de contacto","Load fraction":"Fracción de la carga","S\
-hare of the mass in the load of an ideal hoop":"Parte de la masa que está en la carga de un aro ideal",Eccentricity:"Excentricidad","Distance of the centre of \
-gravity from the centre, over the radius":"Distancia del centro de gravedad al centro, dividida por el radio","Inertia ratio":"Momento de inercia relativo","Mom\
-ent of inertia about the centre of gravity over m R²":"Momento de inercia respecto al centro de gravedad, dividido por m R²",Radius:"Radio","Rim radius":"Radi\
-o de la llanta",Mass:"Masa","Total mass":"Masa total",Friction:"Coeficiente de rozamiento","Friction, static and kinetic":"Coeficiente de rozamiento, estático y\
- cinético","Static friction":"Rozamiento estático","Kinetic friction":"Rozamiento cinético",Slope:"Inclinación","Slope of the plane, downhill along +x":"Inc\
-linación del plano, cuesta abajo hacia +x",Gravity:"Gravedad",Restitution:"Restitución","Restitution of an impact":"Coeficiente de restitución de un impacto",
-Speed:"Velocidad","Velocity of the centre in a rolling start":"Velocidad del centro en una salida rodando","Load angle":"Ángulo de la carga","Angle from the pl\
-ane's normal to the centre of gravity":"Ángulo desde la normal del plano hasta el centro de gravedad","Height of the gap":"Altura de la separación","Gap betwe\
-en rim and plane":"Separación entre la llanta y el plano","Speed along":"Velocidad a lo largo","Velocity of the centre along the plane":"Velocidad del centro a\
- lo largo del plano","Speed upwards":"Velocidad hacia arriba","Velocity of the centre away from the plane":"Velocidad del centro alejándose del plano","Angular\
- velocity":"Velocidad angular",Stiffness:"Rigidez","Stiffness of the contact":"Rigidez del contacto","Slip speed":"Velocidad de deslizamiento","Slip velocity ov\
-er which friction builds up":"Velocidad de deslizamiento en la que se establece el rozamiento","Restitution that the damping is chosen for":"Restitución para la\
- que se elige el amortiguamiento",Duration:"Duración","Duration of the motion":"Duración del movimiento","Law of impact":"Ley de impacto","Law of restitution":"\
-Ley de restitución","Stronge (energy)":"Stronge (energía)","Poisson (impulse)":"Poisson (impulso)","Newton (velocity)":"Newton (velocidad)","Painlevé: two sol\
-utions":"Painlevé: dos soluciones","What follows an indeterminate contact":"Qué sigue a un contacto indeterminado",impact:"impacto","Contact model":"Modelo de\
- contacto",rigid:"rígido",compliant:"flexible","Normal force":"Fuerza normal","Friction law":"Ley de rozamiento","Regularised friction":"Rozamiento regularizad\
-o","smooth (tanh)":"suave (tanh)",linear:"lineal","bristle (can hold)":"cerdas (puede sujetar)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Crossl\
-ey","Speed v₀":"Velocidad v₀","Angle of the load θ₀":"Ángulo de la carga θ₀","Speed along ẋ₀":"Velocidad a lo largo ẋ₀","Angular velocity θ̇₀":"\
-Velocidad angular θ̇₀","Height of the gap y₀":"Altura de la separación y₀","Load fraction γ":"Fracción de la carga γ","Eccentricity ε":"Excentricid\
-ad ε","Inertia ratio κ":"Momento de inercia relativo κ","Radius R":"Radio R","Friction μ":"Rozamiento μ","Slope β":"Inclinación β","Gravity g":"Gravedad\
- g","Restitution e":"Restitución e",Earth:"Tierra",Moon:"Luna",Mars:"Marte",Jupiter:"Júpiter",Weightless:"Ingravidez","what happens in the first turn":"lo que\
- ocurre en la primera vuelta","height of the first hop":"altura del primer salto","angle of take-off":"ángulo de despegue","duration of the first hop":"duració\
-n del primer salto","greatest friction utilization":"mayor uso del rozamiento","energy lost":"energía perdida","angle at the end":"ángulo final","Painlevé’s p\
-aradox or jam met":"paradoja de Painlevé o bloqueo","how it ends":"cómo termina",duration:"duración",revolutions:"vueltas",reversal:"inversión",takeoff:"des\
-pegue",rest:"reposo",jam:"bloqueo",undetermined:"indeterminado","event limit":"límite de sucesos",no:"no",yes:"sí",none:"ninguno","not allowed":"no permitido",
-"and {count} more":"y {count} más","The article":"El artículo","Littlewood's hoop":"El aro de Littlewood",Paradoxes:"Paradojas",More:"Más","It hops: 3.1 m/s":"\
-Salta: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Desliza dos veces, luego deja el plano justo antes de dar un\
-a vuelta y vuela durante 0,76 s.","It slips: 2.8 m/s":"Desliza: 2,8 m/s","Friction is used up twice a turn; each slip is weaker than the one before, and none is\
- the last.":"El rozamiento se agota dos veces por vuelta; cada deslizamiento es más débil que el anterior, y ninguno es el último.","It rolls: 2 m/s":"Rueda:\
- 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"Rodadura pura, más rápida y uniforme que tras una sal\
-ida lenta, y cerca del límite del rozamiento.","The smallest push: 0.1 m/s":"El menor empujón: 0,1 m/s","Nearly at rest with the load up, fast with the load d\
-own; 38 % of the friction is used.":"Casi en reposo con la carga arriba, rápido con la carga abajo; se usa el 38 % del rozamiento.","Low friction: 0.1 m/s, μ =\
- 0.3":"Poco rozamiento: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro.":"Deslizar cuesta la energía que exige \
-una vuelta entera: el aro se balancea.","All mass in the load":"Toda la masa en la carga","A massless ring: at 90° no contact force is left; the load falls, the\
- rim skims the plane.":"Un anillo sin masa: a 90° ya no hay fuerza de contacto; la carga cae y la llanta roza el plano.","All mass in the load, pushed":"Toda l\
-a masa en la carga, con empujón","With a push the contact force is gone earlier, at cos θ = v₀²/(gR).":"Con un empujón la fuerza de contacto desaparece ant\
-es, a cos θ = v₀²/(gR).","Nearly all mass in the load":"Casi toda la masa en la carga","γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = \
-0,99: lo que hace un anillo real en lugar del salto de Littlewood.","Painlevé: no solution":"Painlevé: ninguna solución","No contact force agrees with this s\
-lip. An impact without collision stops it at once.":"Ninguna fuerza de contacto es compatible con este deslizamiento. Un impacto sin choque lo detiene de golpe.",
-"Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Vuelo e impacto cumplen ambos las leyes. Elige con el selector de «Plan\
-o».","A fast slide after a hop: the contact force grows without bound in finite time, and no law says what follows.":"Un deslizamiento rápido tras un salto: la\
- fuerza de contacto crece sin límite en un tiempo finito, y ninguna ley dice qué sigue.","Kane: energy out of nothing":"Kane: energía de la nada","Newton's l\
-aw of impact with friction creates two joules. Stronge's law does not.":"La ley de impacto de Newton con rozamiento crea dos julios. La de Stronge, no.",Downhill:"\
-Cuesta abajo","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"En una pendiente de 10° el aro gana velocidad vuelta a vuelta, hasta \
-que salta.","Bounces without number":"Rebotes sin número","Dropped with spin and restitution 0.5: infinitely many bounces in finite time.":"Soltado con giro y \
-restitución 0,5: infinitos rebotes en un tiempo finito.","On the Moon":"En la Luna","The article's hop under lunar gravity: everything is slower by a factor of\
- 2.46.":"El salto del artículo con gravedad lunar: todo es 2,46 veces más lento.","Motions to start from":"Movimientos para empezar","Motions to start from …":"\
-Movimientos para empezar…","Undo (z)":"Deshacer (z)","Redo (y)":"Rehacer (y)",Compare:"Comparar","Compare two hoops":"Comparar dos aros","Dark or light (d)":"\
-Oscuro o claro (d)","Keys and help (?)":"Teclas y ayuda (?)","Keys and help":"Teclas y ayuda",lab:"laboratorio",Learn:"Aprender",Language:"Idioma","Hoop A":"Aro\
- A","Hoop B":"Aro B","Which hoop the controls change":"Qué aro cambian los controles",Parameters:"Parámetros","Skip to the player":"Ir al reproductor",Hoop:"A\
-ro",Plane:"Plano",Start:"Inicio",Contact:"Contacto","Given by":"Dado por","load fraction γ":"fracción de carga γ","ε and κ":"ε y κ","real parts":"piezas \
-reales",Where:"Dónde",elsewhere:"otro lugar","static and kinetic friction apart":"rozamiento estático y cinético por separado",Starts:"Empieza",rolling:"roda\
-ndo","in any state":"en cualquier estado","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, valor exacto en {unit}","{name}, exact value":"\
-{name}, valor exacto",Ring:"Anillo",Disk:"Disco","Point mass":"Masa puntual",Rod:"Varilla",mass:"masa","inner radius":"radio interior","outer radius":"radio ext\
-erior",radius:"radio","distance from centre":"distancia al centro",length:"longitud","Add a part":"Añadir una pieza","+ add a part …":"+ añadir una pieza…",
-"Remove part {number}, {what}":"Quitar la pieza {number}, {what}","{name} = {value} must be {rule}.":"{name} = {value} debe ser {rule}.","{name} = {value} must \
-be a number, such as 2.5.":"{name} = {value} debe ser un número, como 2,5.","{name} = {value} must be a number.":"{name} = {value} debe ser un número.","from \
-{least} to {most}":"de {least} a {most}","from {least} to {most}, or inf":"de {least} a {most}, o inf","0 or from {least} to {most}":"0 o de {least} a {most}","\
-0 or from {least} to {most}, or inf":"0, de {least} a {most}, o inf","at most {most} in the lab":"como mucho {most} en el laboratorio","0 for the massless hoop \
-(hoop.inertia_ratio = 0)":"0 para el aro sin masa (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"«rigid» para el aro sin ma\
-sa (hoop.inertia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"El servidor no responde. Lo q\
-ue hay aquí sigue funcionando; para cambios hay que volver a ejecutar `hophoop lab`.","The server answered {status}.":"El servidor respondió {status}.","The n\
-otebook’s kernel does not answer; run the cell again.":"El núcleo del cuaderno no responde; vuelva a ejecutar la celda.",hoop:"aro",mode:"fase",time:"tiempo",
-angle:"ángulo",gap:"separación","rim speed":"vel. de la llanta",load:"carga","centre of gravity":"centro de gravedad","the same in flight":"el mismo en vuelo",
-"A in front, B behind":"A delante, B detrás","The hoop":"El aro","The hoop.":"El aro.",Time:"Tiempo","{time} seconds, {what}":"{time} segundos, {what}","Traces\
- (t)":"Trayectorias (t)","Forces (f)":"Fuerzas (f)","Rim speed (c)":"Velocidad de la llanta (c)","Whole path (w)":"Todo el recorrido (w)","In space (3)":"En el \
-espacio (3)",Traces:"Trayectorias",Forces:"Fuerzas","Rim speed":"Vel. llanta","Whole path":"Recorrido","Play (space)":"Reproducir (espacio)","Pause (space)":"Pa\
-usa (espacio)","Speed of the film":"Velocidad de la película","To the start (Home)":"Al principio (Inicio)","Previous event (Shift ←)":"Suceso anterior (Mayú\
-s ←)","Next event (Shift →)":"Suceso siguiente (Mayús →)","One frame back (←)":"Un fotograma atrás (←)","One frame on (→)":"Un fotograma adelante \
-(→)",landing:"aterrizaje","To the next flight (h)":"Al siguiente vuelo (h)","To the next landing (l)":"Al siguiente aterrizaje (l)","This motion has no flight\
-.":"Este movimiento no tiene vuelo.","This motion has no landing.":"Este movimiento no tiene aterrizaje.","{what} at {angle}, {time} s":"{what} a {angle}, {time\
-} s",start:"inicio","slip begins":"empieza el deslizamiento","slip ends":"acaba el deslizamiento","slip turns round":"se invierte el deslizamiento","take-off":"\
-despegue","turns back":"da la vuelta","highest point":"punto más alto","bounces end":"acaban los rebotes","Painlevé: several solutions":"Painlevé: varias solu\
-ciones","energy gain (Kane)":"ganancia de energía (Kane)","skimming begins":"empieza el roce","at rest":"en reposo",end:"final","What happens":"Qué ocurre","W\
-hat happens to hoop {hoop}":"Qué le ocurre al aro {hoop}","The motion in words":"El movimiento en palabras","(not all events are shown)":"(no se muestran todos\
- los sucesos)","What theory says":"Qué dice la teoría","What theory says of hoop {hoop}":"Qué dice la teoría del aro {hoop}",Velocities:"Velocidades","veloc\
-ity [m/s]":"velocidad [m/s]","v (centre)":"v (centro)","Energies and losses":"Energías y pérdidas","energy [J]":"energía [J]",kinetic:"cinética",potential:"\
-potencial",total:"total","lost to friction":"perdida por rozamiento","lost in the damper":"perdida en el amortiguador","lost in impacts, normal part":"perdida e\
-n impactos, parte normal","Contact forces":"Fuerzas de contacto","force [N]":"fuerza [N]","normal N":"normal N","friction F":"rozamiento F","Use of friction":"U\
-so del rozamiento","Your choice":"A tu elección","What your diagram shows":"Qué muestra tu diagrama","Horizontal axis of the diagrams":"Eje horizontal de los \
-diagramas","over {quantity}":"en función de: {quantity}","Whole motion":"Todo el movimiento","slide to go there, two fingers zoom":"desliza para ir ahí; dos de\
-dos amplían","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"clic para ir ahí, arrastrar para ampliar; tr\
-as un clic, o con Ctrl, la rueda amplía; doble clic para todo","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagrama\
-: {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place of\
- the centre":"posición del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed of\
- the centre":"velocidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip velocity":"\
-velocidad de deslizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"uso\
- del rozamiento","kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano de \
-θ y θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadura,\
- deslizamiento y vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: slip\
- that meets Painlevé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","C\
-lick to go there; two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for \
-all.":"Clic para ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the map \
-shows":"Qué muestra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"M\
-apa de movimientos. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"\
-Reducir el mapa","Whole map":"Mapa entero","Click to take that motion into the player; two fingers zoom.":"Toca para llevar ese movimiento al reproductor; dos d\
-edos amplían.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic lleva ese\
- movimiento al reproductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","computing {count} motions …":"calculando {\
-count} movimientos…","{count} motions":"{count} movimientos","{count} motions, with rigid contact":"{count} movimientos, con contacto rígido","of rolling sta\
-rts, though this motion starts otherwise":"con salidas rodando, aunque este movimiento empieza de otro modo","of starts in any state, though this motion starts \
-rolling":"desde cualquier estado, aunque este movimiento empieza rodando","compiling the kernel of maps, this once: {done} of {all} functions":"compilando el nú\
-cleo de los mapas, solo esta vez: {done} de {all} funciones",Keep:"Guardar","Copy the link":"Copiar el enlace","Scenario (TOML)":"Escenario (TOML)","States (CSV\
-)":"Estados (CSV)","Motion (netCDF)":"Movimiento (netCDF)","Events (JSON)":"Sucesos (JSON)","Film (MP4)":"Película (MP4)","Picture (PNG)":"Imagen (PNG)","Recor\
-d a film here (WebM)":"Grabar aquí una película (WebM)","Show me the Python":"Ver el código Python","The same motion in Python":"El mismo movimiento en Pytho\
-n","The link is copied.":"El enlace está copiado.","The link to this motion":"El enlace a este movimiento","The film is being made; this takes a while …":"Se\
- está haciendo la película; tarda un poco…","Fetching {name} …":"Obteniendo {name}…","{name} is there.":"{name} ya está.","This browser cannot record a\
- canvas; take the MP4 instead.":"Este navegador no puede grabar el lienzo; use el MP4.","Recording one run …":"Grabando una pasada…","The film is there.":"L\
-a película ya está.","The scenario as a file":"El escenario como archivo",Copy:"Copiar",Copied:"Copiado",Close:"Cerrar","A ring with a load on its rim rolls o\
-n a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Mo\
-ve a slider and see.":"Un anillo con una carga en la llanta rueda sobre un plano. El rozamiento aguanta hasta un límite y el plano solo puede empujar: por eso d\
-esliza, salta, aterriza… o hace algo que la mecánica del sólido rígido no puede decidir. Mueve un control y observa.",Modes:"Fases","Marks on the bar of ti\
-me":"Marcas en la barra de tiempo",Keys:"Teclas",space:"espacio","play, pause":"reproducir, pausa","one frame":"un fotograma","Shift ← →":"Mayús ← →","\
-previous, next event":"suceso anterior, siguiente","next flight, landing":"siguiente vuelo, aterrizaje","slower, faster":"más lento, más rápido","Home End":"\
-Inicio Fin","start, end":"principio, final","traces, forces, rim speed, whole path":"trayectorias, fuerzas, velocidad de la llanta, recorrido","in space":"en el\
- espacio","zoom, zoom back":"ampliar, volver","leave a field, a menu, a picture that the wheel zooms":"salir de un campo, un menú o una imagen que amplía la rue\
-da","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"deshacer, rehacer","dark, light":"oscuro, claro",Python:"Python","the rim does not slide":"la llanta no desliza","\
-slip: the rim turns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"deslizamiento: la llanta gira demasiado deprisa para lo que avanza (d\
-eslizamiento −, si el aro rueda hacia delante)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"deslizamiento: la llanta desliza hacia del\
-ante (deslizamiento +, si el aro rueda hacia delante)","the hop: from take-off to landing":"el salto: del despegue al aterrizaje","a massless rim that touches w\
-ithout force":"una llanta sin masa que toca sin fuerza","take-off, landing":"despegue, aterrizaje","Painlevé’s paradox: no solution, several":"Paradoja de Pa\
-inlevé: ninguna solución, varias","bounces without number end":"acaban infinitos rebotes","skimming begins, rest":"empieza el roce, reposo","Single keys (lett\
-ers, digits, signs) do what the table says":"Las teclas sueltas (letras, cifras, signos) hacen lo que dice la tabla","The hoop in your hand":"El aro en tu mano",
-"Slope of the plane":"Inclinación del plano","Tilt the plane: drag, or arrow keys":"Inclinar el plano: arrastrar o flechas","The hoop: height and speed":"El ar\
-o: altura y velocidad","Lift, roll or throw the hoop: drag, or arrow keys":"Levantar, rodar o lanzar el aro: arrastrar o flechas","Angle of the load":"Ángulo de\
- la carga","Turn the load: drag, or arrow keys":"Girar la carga: arrastrar o flechas","gap {height}, speed {speed} m/s":"separación {height}, velocidad {speed} \
-m/s",Repeat:"Repetir","Slow motion: a tenth of the speed":"Cámara lenta: una décima parte","Sound of the contact":"Sonido del contacto","Presentation on the w\
-hole screen":"Presentación a pantalla completa","Guided visit":"Visita guiada","Table of the motion":"Tabla del movimiento","Table of the motion, rows":"Tabla \
-del movimiento, filas",Presentation:"Presentación","For teachers":"Para docentes",Table:"Tabla",Every:"Cada","Save as CSV":"Guardar como CSV",Columns:"Columnas",
-"The first {count} rows.":"Las primeras {count} filas.",Challenges:"Retos","Leave the challenges":"Salir de los retos","Which challenge":"Qué reto",Score:"Punt\
-uación","Begin again":"Empezar de nuevo","Show a best one":"Ver una de las mejores","{stars} {points} points. {what}":"{stars} {points} puntos. {what}","Your b\
-est: {points} points.":"Tu mejor: {points} puntos.","Hop highest":"El salto más alto","On level ground, rolling, with at most 3.1 m/s: you choose the load, whe\
-re it starts, and friction. How high can the hoop rise within 6 s?":"En suelo horizontal, rodando, con 3,1 m/s como mucho: eliges la carga, dónde empieza y el r\
-ozamiento. ¿Hasta qué altura puede subir el aro en 6 s?","Land upright":"Aterrizar en pie","Let the hoop land with its load at the very top. Everything is all\
-owed; the first hop has to be at least 5 cm high.":"Haz que el aro aterrice con la carga arriba del todo. Todo vale; el primer salto debe tener al menos 5 cm de\
- altura.","Hop without skidding":"Saltar sin derrapar","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at\
- most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"En suelo horizontal el aro empieza rodando con la carga abajo, a 10 m/s \
-como mucho, y μ no pasa de 1,5. Antes de saltar no debe derrapar; patinar sí puede. ¿Hasta qué altura salta?","Rigid contact only.":"Solo contacto rígido.",
-"The plane must be level.":"El plano debe ser horizontal.","It must be on Earth.":"Debe ser en la Tierra.","Restitution must be 0.":"La restitución debe ser 0.",
-"The radius must stay 1 m, without parts.":"El radio debe seguir siendo 1 m, sin piezas.","At most 90 % of the mass may be in the load.":"Como mucho el 90 % de \
-la masa puede estar en la carga.","The hoop must be given by its load fraction.":"El aro debe darse por la fracción de carga.","It must start rolling.":"Debe e\
-mpezar rodando.","At most 10 m/s.":"Como mucho 10 m/s.","At most 3.1 m/s.":"Como mucho 3,1 m/s.","At most 6 s.":"Como mucho 6 s.","It does not hop.":"No salta.",
-"It rises by {height}.":"Sube {height}.","The first hop is too low.":"El primer salto es demasiado bajo.","It lands {off} away from the top.":"Aterriza a {off} \
-de lo más alto.","The load must start at the bottom.":"La carga debe empezar abajo.","Friction must be at most 1.5.":"El rozamiento debe ser como mucho 1,5.","\
-It skids before it hops.":"Derrapa antes de saltar.","New here?":"¿Primera vez?","Eight short questions: guess, then play.":"Ocho preguntas cortas: adivina y l\
-uego reproduce.","Start the visit":"Empezar la visita","Not now":"Ahora no","The hoop, before it is let go.":"El aro, antes de soltarlo.",Play:"Reproducir",Next:"\
-Siguiente",Back:"Atrás",Done:"Hecho","Step {number} of {all}":"Paso {number} de {all}","Leave the visit":"Salir de la visita","First say what you expect, then \
-play.":"Di primero qué esperas y luego reproduce.","Your guess":"Tu respuesta","{points} of 100 points.":"{points} de 100 puntos.","You have {sum} of {most} po\
-ints.":"Tienes {sum} de {most} puntos.","{what} with the load at {angle}":"{what} con la carga a {angle}","Draw the curve: pull the points up and down":"Dibuja \
-la curva: mueve los puntos arriba y abajo","Littlewood’s question":"La pregunta de Littlewood","A hoop without mass has a weight on its rim. With the weight a\
-t the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Un aro sin masa lleva un \
-peso en la llanta. Con el peso arriba recibe el menor empujón y rueda. J. E. Littlewood preguntó en 1953 qué ocurre cuando el peso está a la altura del centro.",
-"What do you think?":"¿Qué crees?","It rolls on.":"Sigue rodando.","It hops: the hoop leaves the plane.":"Salta: el aro deja el plano.","The weight falls free\
-ly, and the hoop skims the plane below it.":"El peso cae libremente y el aro roza el plano debajo de él.","At {angle} there is no contact force any more.":"A {\
-angle} ya no hay fuerza de contacto.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim withou\
-t mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood dijo que el aro salta. Pero la fuerza de contacto es nula, no hacia a\
-rriba: el peso cae libremente y una llanta sin masa lo sigue por el plano. Para saltar, un aro necesita algo de masa en la llanta.","A ring with mass":"Un anill\
-o con masa","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Ahora un cuarto de la masa está en e\
-l anillo. De nuevo la carga está arriba y el aro recibe el menor empujón.","Draw how fast the hoop’s centre goes during the first turn.":"Dibuja la velocida\
-d del centro del aro durante la primera vuelta.","Speed of the centre":"Velocidad del centro","With the load at the bottom the centre has {speed} m/s.":"Con la \
-carga abajo el centro va a {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that t\
-he heavy load has lost: it is faster than a stone that falls from the same height.":"El punto más bajo de un aro que rueda está en reposo. Ahí la carga no tiene\
- energía cinética, y el anillo ligero tiene toda la que ha perdido la carga pesada: va más rápido que una piedra que cae desde la misma altura.","Why it sli\
-ps":"Por qué desliza","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Un empujón más fuerte: 2,8 m/\
-s arriba. Rodar exige rozamiento, y el rozamiento tiene un límite: como mucho μ N.","Where is the load when friction gives way for the first time? Turn the ma\
-rk.":"¿Dónde está la carga cuando el rozamiento cede por primera vez? Gira la marca.","Angle of the load where it begins to slip":"Ángulo de la carga donde e\
-mpieza a deslizar","It begins to slip at {angle}. There the plane carries only {share} of the weight.":"Empieza a deslizar a {angle}. Ahí el plano soporta solo \
-el {share} del peso.","The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes fric\
-tion. Watch the diagram ‘Use of friction’: it comes to 1.":"En su camino hacia abajo la carga apenas aprieta el plano, así que N es pequeña, mientras que el\
- anillo debe acelerarse: eso exige rozamiento. Mira el diagrama «Uso del rozamiento»: llega a 1.","The hop":"El salto","A little faster, 3.1 m/s. This time th\
-e hoop leaves the plane, before the first turn is over.":"Un poco más rápido, 3,1 m/s. Esta vez el aro deja el plano antes de acabar la primera vuelta.","Wher\
-e is the load when the hoop takes off? Turn the mark.":"¿Dónde está la carga cuando el aro despega? Gira la marca.","Angle of the load where it takes off":"Á\
-ngulo de la carga al despegar","It takes off at {angle}, while its rim slips at {slip} m/s.":"Despega a {angle}, mientras su llanta desliza a {slip} m/s.","A ro\
-lling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls\
- it off the plane before it is at the top.":"A un aro que rueda el plano lo frenaría mientras sube la carga. El rozamiento es demasiado débil para eso: la llant\
-a patina, el aro sigue girando deprisa y la carga lo arranca del plano antes de llegar arriba.","The landing":"El aterrizaje","The hoop is in the air. Its centr\
-e of gravity goes on a parabola, and it turns evenly.":"El aro está en el aire. Su centro de gravedad sigue una parábola y gira de manera uniforme.","What doe\
-s it do just after it has landed?":"¿Qué hace justo después de aterrizar?","It rolls at once.":"Rueda de inmediato.","It skids: the rim slides ahead.":"Derra\
-pa: la llanta desliza hacia delante.","It spins: the rim turns too fast.":"Patina: la llanta gira demasiado deprisa.","It bounces.":"Rebota.","It was in the air\
- for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Estuvo {time} s en el aire y subió {height} cm; aterriza con la carga a {angle}.","\
-An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing wou\
-ld be another one. Try it afterwards.":"Un impacto no dura nada, pero su rozamiento es tan fuerte como su empuje: aquí basta para detener todo deslizamiento. Co\
-n menos rozamiento, o más restitución, el aterrizaje sería otro. Pruébalo después.","More friction, more hop?":"¿Más rozamiento, más salto?","Three hoop\
-s get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Tres aros reciben el mismo empujón de 3,1 m/s, en planos con rozamiento 0,05, 0,2 y\
- 1,0.","Which of them hops highest?":"¿Cuál salta más alto?","They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Suben {low} cm\
-, {middle} cm y {high} cm. (Los dos primeros son A y B.)","On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough f\
-riction to turn the hoop fast on the way down, and not so much that it is braked on the way up.":"Sobre hielo nada impulsa el giro; con rozamiento sin fin nada \
-desliza. El salto necesita ambas cosas: rozamiento bastante para girar deprisa en la bajada, y no tanto que lo frene en la subida.","What rigid bodies cannot de\
-cide":"Lo que los sólidos rígidos no pueden decidir","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction h\
-ave to say what happens next.":"Se lanza un aro de modo que deslice deprisa sobre un plano rugoso. Las leyes del sólido rígido con rozamiento seco deben decir q\
-ué ocurre después.","What do they say?":"¿Qué dicen?","It flies off.":"Sale volando.","An impact stops the slide at once.":"Un impacto detiene el deslizamie\
-nto de golpe.","Both agree with the laws.":"Ambas cosas cumplen las leyes.","Hoop A and hoop B start alike, and both motions obey every law.":"El aro A y el aro\
- B empiezan igual, y ambos movimientos cumplen todas las leyes.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states \
-none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé lo descubrió en 1895. Para un sólido rígido las\
- leyes tienen aquí dos respuestas, y en otros estados ninguna. Los cuerpos reales ceden un poco, y eso decide: elige el contacto flexible en «Contacto».","Yo\
-ur turn":"Te toca a ti","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores a\
-re computed from the motion itself.":"Toma el aro: gira la carga, levántalo y suéltalo, dale un impulso, inclina el plano. O acepta un reto y mira cómo tu puntu\
-ación se calcula del propio movimiento.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Mostrar el aro a toda vel\
-ocidad, una vez, sin comentar. «Lo empujo. ¿Solo rueda?»","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Todos\
- predicen dónde está la carga al despegar. Contar los votos por cuartos de vuelta.","Energy on the way down, in pairs: who has the energy when the load is at \
-rest?":"Energía en la bajada, por parejas: ¿quién tiene la energía cuando la carga está en reposo?","Lift at the top: at which speed is the force of the fl\
-oor zero?":"Elevación arriba: ¿a qué velocidad es nula la fuerza del suelo?","The film again, in slow motion and with forces; stop at take-off. Compare with \
-the votes.":"La película otra vez, a cámara lenta y con fuerzas; parar al despegar. Comparar con los votos.","Each group takes one speed of the worksheet; res\
-ults on the board.":"Cada grupo toma una velocidad de la hoja de trabajo; resultados en la pizarra.","Why? What has to brake the rotation on the way up, how str\
-ong can it be, and what if it is too weak?":"¿Por qué? ¿Qué debe frenar el giro en la subida, qué fuerza puede tener y qué pasa si es demasiado débil?","\
-One sentence each: “The hoop hops because …”":"Una frase cada uno: «El aro salta porque…»","The load pulls the hoop up at the top, so it hops there.":"\
-La carga tira del aro hacia arriba en lo alto, por eso salta ahí.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Solo si es muy \
-rápido. Los más lentos saltan antes de lo alto, tras deslizar.","It hops at the bottom, where it is fastest.":"Salta abajo, donde es más rápido.","There the\
- floor pushes hardest: the load has to be turned upwards.":"Ahí el suelo empuja más: hay que desviar la carga hacia arriba.","Nothing can be faster than a fal\
-ling stone.":"Nada puede ser más rápido que una piedra que cae.","The ring can: it gets the energy of a load that has come to rest.":"El anillo sí: recibe la \
-energía de una carga que ha quedado en reposo.","Friction always brakes.":"El rozamiento siempre frena.","It acts against slip. On the hoop’s way up it points \
-forwards.":"Actúa contra el deslizamiento. En la subida apunta hacia delante.","More friction, more hop.":"Más rozamiento, más salto.","There is a best frict\
-ion in between.":"Hay un rozamiento óptimo intermedio.","A heavier hoop behaves otherwise.":"Un aro más pesado se comporta de otro modo.","Only the shares of \
-mass count.":"Solo cuentan las proporciones de masa.","Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"\
-Antes de la película: ¿dónde está la carga cuando el aro deja el suelo? Marca el lugar y da una razón.","The hoop gets only the smallest push and rolls. Ho\
-w much potential energy has been set free when the load is at the bottom?":"El aro recibe solo el menor empujón y rueda. ¿Cuánta energía potencial se ha liberad\
-o cuando la carga está abajo?","While a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"\
-Mientras una rueda rueda, su punto más bajo está en reposo. ¿Qué parte del aro tiene entonces energía cinética y a qué velocidad va el centro?","How fast\
- is a stone that falls from the height of the load? Why can the hoop be faster?":"¿Qué velocidad tiene una piedra que cae desde la altura de la carga? ¿Por qué \
-puede ser más rápido el aro?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"Halla la fuerza del suelo arriba \
-para 1,0 m/s y la velocidad a la que se anula.","In the lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"En e\
-l laboratorio: ¿qué hace el aro en sus primeros 1,5 s y a qué ángulo salta? Completa la tabla.","Find the smallest speed with which the hoop hops, to 1 cm/s\
-.":"Halla la menor velocidad con la que el aro salta, con 1 cm/s de precisión.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping he\
-lp it to hop?":"A 2,2 m/s el aro deja el suelo mientras su llanta desliza. ¿Por qué le ayuda a saltar el deslizamiento?",Show:"Mostrar","Teaching with the hoo\
-p":"Enseñar con el aro",Worksheet:"Hoja de trabajo",Solutions:"Soluciones",Exercises:"Ejercicios","A lesson of 45 minutes":"Una clase de 45 minutos",Minute:"Mi\
-nuto",Motion:"Movimiento","What students often think":"Lo que suelen pensar los estudiantes",Idea:"Idea","What is right":"Lo correcto","Worksheet: the hoop that\
- hops":"Hoja de trabajo: el aro que salta","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a leve\
-l floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anillo delgado de radio 0,40 m tiene una masa de 0,25 kg. En\
- su llanta va fijada una carga de 0,75 kg. El aro está sobre un suelo horizontal con la carga arriba y se empuja hacia la derecha. Rozamiento: μ = 1; g = 9,81 m\
-/s².",phases:"fases","does it hop?":"¿salta?","at which angle?":"¿a qué ángulo?",Print:"Imprimir","The visit asks before it shows; the presentation fills t\
-he screen; the table gives numbers to every student.":"La visita pregunta antes de mostrar; la presentación llena la pantalla; la tabla da números a cada estudi\
-ante.",inf:"inf","greater than {least}":"mayor que {least}","at least {least}":"como mínimo {least}","at least {least} (inf is allowed)":"como mínimo {least} (\
-se admite inf)","at most {most}":"como mucho {most}","a finite number":"un número finito","a whole number":"un número entero","'{word}' or '{word2}'":"«{word}\
-» o «{word2}»","'{word}', '{word2}' or '{word3}'":"«{word}», «{word2}» o «{word3}»","Rolling resistance":"Resistencia a la rodadura","Rolling resistanc\
-e: couple against the rotation over R N":"Resistencia a la rodadura: par contra el giro, dividido por R N","Slips, hops":"Desliza, salta","no threshold uphill (\
-β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da \
-la vuelta; el mapa lo muestra","'rigid' for a map":"«rigid» para un mapa","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells por y.\
-cells = {cells} debe ser como mucho {most} en el laboratorio.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} y {other} no\
- pueden ser ambos ejes: dicen lo mismo de dos maneras.","x.path and y.path are both {path} and must differ.":"x.path e y.path son ambos {path} y deben ser disti\
-ntos.","lost to rolling resistance":"perdida por resistencia a la rodadura","Rolling resistance f":"Resistencia a la rodadura f","{name} = {value} must lie betw\
-een -pi/2 and pi/2 (radians).":"{name} = {value} debe estar entre -pi/2 y pi/2 (radianes).","{word} is not a known key; known are {word2}.":"{word} no es una cl\
-ave conocida; las conocidas son {word2}.","{one} cannot be given together with {other}.":"{one} no puede darse junto con {other}.","{one} = {value} must not exc\
-eed {other} = {limit}.":"{one} = {value} no debe superar {other} = {limit}.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_\
-static = inf debe ser finito con contact.model = 'compliant'.","hoop.parts must not be empty.":"hoop.parts no debe estar vacío.","This takes longer than {time}\
- s; ask for a shorter motion or fewer cells.":"Esto tarda más de {time} s; pide un movimiento más corto o menos celdas.","The lab is busy; try again in {time}\
- seconds.":"El laboratorio está ocupado; inténtalo de nuevo en {time} segundos.","The lab is busy; try again in 1 second.":"El laboratorio está ocupado; intén\
-talo de nuevo en 1 segundo.","The computation failed.":"El cálculo ha fallado.","The process that computed this has ended.":"El proceso que calculaba esto ha t\
-erminado.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} debe ser como mucho {most} s en e\
-l laboratorio; la biblioteca misma no tiene ese límite.","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {most}\
- in the lab; the library itself has no such limit.":"duration = {value} s son unas {turns} vueltas a esta velocidad y radio, y en el laboratorio como mucho {mos\
-t}; la biblioteca misma no tiene ese límite.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts tiene {count} piezas y debe t\
-ener como mucho {most} en el laboratorio.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration and must need at most {mo\
-st} in the lab.":"contact.stiffness, contact.slip_speed y duration requieren unos {steps} pasos de integración, y en el laboratorio como mucho {most}.","A cell\
- of this map is about {turns} revolutions and must be at most {most} in the lab.":"Una celda de este mapa son unas {turns} vueltas, y en el laboratorio como muc\
-ho {most}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter \
-duration.":"x e y dan {count} celdas con unas {turns} vueltas en total, y en el laboratorio como mucho {most}; toma menos celdas, velocidades menores o una dura\
-ción más corta.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} debe ser como mucho {most} s para una película del\
- laboratorio.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {h\
-ands}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"Lo que viene despu\
-és de {time} s depende de más cifras de las que tienen los números de esta página; hophoop lab y Python toman las que hagan falta.","hophoop lab: play with \
-the hopping hoop":"hophoop lab: juega con el aro saltarín","Put a hopping hoop into a page of yours":"Pon un aro saltarín en una página tuya","One tag and on\
-e script show a live hoop in a blog, a course page or slides. The motion is computed in the reader’s browser; nothing is sent anywhere.":"Una etiqueta y un sc\
-ript muestran un aro vivo en un blog, una página de curso o unas diapositivas. El movimiento se calcula en el navegador de quien lee; no se envía nada a ninguna\
- parte.","Choose a motion in the lab, and copy its link here.":"Elige un movimiento en el laboratorio y copia aquí su enlace.","Scenario: a link of the lab, or\
- what stands behind its question mark":"Escenario: un enlace del laboratorio, o lo que va tras su signo de interrogación","What stands beside the player":"Lo q\
-ue acompaña al reproductor",sliders:"controles",diagrams:"diagramas",theory:"teoría",map:"mapa","As a tag":"Como etiqueta","The tag":"La etiqueta","Copy the t\
-ag":"Copiar la etiqueta","As a frame, where scripts are not allowed":"Como marco, donde no se permiten scripts","The frame":"El marco","Copy the frame":"Copiar \
-el marco","As a QR code":"Como código QR","How it looks":"Cómo se ve","Copied.":"Copiado.","A hopping hoop":"Un aro saltarín"};var On={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement",hop:"saut","slip −":"glissement −","slip +":"glissement +",rolls:"\
-roule",spins:"patine",skids:"dérape",flies:"vole","skims the plane":"effleure le plan","rolls at {angle}":"roule à partir de {angle}","spins at {angle}":"pati\
-ne à partir de {angle}","skids at {angle}":"dérape à partir de {angle}","flies at {angle}":"vole à partir de {angle}","skims the plane at {angle}":"effleure\
- le plan à partir de {angle}","hops at {angle}":"saute à {angle}","lands at {angle}":"retombe à {angle}","bounces at {angle}":"rebondit à {angle}","slips th\
-e other way at {angle}":"glisse dans l’autre sens à partir de {angle}","stops its slip at once at {angle}":"cesse brusquement de glisser à {angle}","turns b\
-ack at {angle}":"fait demi-tour à {angle}","has bounced out at {angle}":"finit de rebondir à {angle}","meets Painlevé's paradox at {angle}":"rencontre le par\
-adoxe de Painlevé à {angle}","meets Painlevé's indeterminacy at {angle}":"rencontre l’indétermination de Painlevé à {angle}","jams at {angle}":"se coinc\
-e à {angle}","gains energy (Kane) at {angle}":"gagne de l’énergie (Kane) à {angle}","skims at {angle}":"effleure à partir de {angle}","rests at {angle}":"\
-repose à {angle}","starts at {angle}":"part à {angle}","slips at {angle}":"glisse à partir de {angle}","{what} and {count} more times":"{what} et encore {cou\
-nt} fois","… ({count} more)":"… (encore {count})","It has come to rest.":"Il s’est immobilisé.","The normal force grows without bound (dynamic jam): rigi\
-d-body mechanics has no motion beyond.":"La force normale croît sans limite (coincement dynamique) : la mécanique du solide ne donne pas de suite au mouvement.",
-"The model does not determine the motion beyond.":"Le modèle ne détermine pas la suite du mouvement.","The limit of events (contact.max_events), or of work fo\
-r one motion, was reached before the end.":"La limite du nombre d’événements (contact.max_events), ou du calcul pour un mouvement, a été atteinte avant la fin.",
-"It starts and {verb} with the load at {angle} and the centre at {speed} m/s.":"Il part et {verb}, la masselotte à {angle} et le centre à {speed} m/s.","It st\
-arts in the air with the load at {angle} and the centre at {speed} m/s.":"Il part en l’air, la masselotte à {angle} et le centre à {speed} m/s.","It starts \
-skimming with the load at {angle} and the centre at {speed} m/s.":"Il part en effleurant le plan, la masselotte à {angle} et le centre à {speed} m/s.","It {ve\
-rb} at {angle}; friction is used up: the rim turns too fast for the way it goes.":"À {angle} il {verb} : le frottement est épuisé, la jante tourne trop vite pou\
-r son trajet.","It {verb} at {angle}; friction is used up: the rim slides ahead.":"À {angle} il {verb} : le frottement est épuisé, la jante glisse vers l’avant.",
-"It rolls again at {angle}; the slip has stopped.":"À {angle} il roule de nouveau ; le glissement a cessé.","The slip turns round at {angle}; it {verb}.":"À {\
-angle} le glissement s’inverse ; il {verb}.","It hops at {angle}.":"Il saute à {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"\
-Il saute à {angle}. Il monte de {height} et reste {time} s en l’air.","An impact without collision at {angle} stops the slip; then it {verb}.":"Un impact san\
-s collision à {angle} arrête le glissement ; puis il {verb}.","It lands at {angle} with {speed} m/s downwards and bounces.":"Il retombe à {angle} avec {speed}\
- m/s vers le bas et rebondit.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Il retombe à {angle} avec {speed} m/s vers le bas et {verb}.","It \
-turns back at {angle}.":"Il fait demi-tour à {angle}.","It turns back at {angle}, and {verb} now.":"Il fait demi-tour à {angle}, et maintenant il {verb}.","Th\
-e centre is highest at {angle}: the gap is {height}.":"Le centre est au plus haut à {angle} : l’écart est de {height}.","Bounces without number end here, at\
- {angle}.":"Ici, à {angle}, s’achève une infinité de rebonds.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Paradoxe de Painl\
-evé à {angle} : aucune force de contact n’est compatible avec ce glissement.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Parad\
-oxe de Painlevé à {angle} : plusieurs forces de contact sont compatibles.","Dynamic jam at {angle}: the contact force grows without bound.":"Coincement dynami\
-que à {angle} : la force de contact croît sans limite.","Newton's law of impact has created {energy} J (Kane's example).":"La loi d’impact de Newton a créé {e\
-nergy} J (exemple de Kane).","No contact force is left at {angle}: the load falls freely and the rim skims the plane.":"À {angle} il n’y a plus de force de cont\
-act : la masselotte tombe en chute libre et la jante effleure le plan.","It rests at {angle}.":"Il repose à {angle}.","It rests at {angle}, which is not stable\
-.":"Il repose à {angle}, mais pas de façon stable.","It bounces {count} more times.":"Il rebondit encore {count} fois.","… and {count} more.":"… et encore {\
-count}.",Slips:"Glisse",Hops:"Saute","Hops at once":"Saute aussitôt","Friction for pure rolling":"Frottement pour rouler sans glisser","Painlevé’s paradox":"\
-Paradoxe de Painlevé","Dynamic jam":"Coincement dynamique","Rests stably":"Repos stable","End of rolling":"Fin du roulement","would slip above {speed} m/s":"gl\
-isserait au-delà de {speed} m/s","would slip: any push is enough":"glisserait : la moindre poussée suffit","would hop in its first turn above {speed} m/s":"sa\
-uterait au premier tour au-delà de {speed} m/s","would hop in its first turn: any push is enough":"sauterait au premier tour : la moindre poussée suffit","wou\
-ld hop at once above {speed} m/s":"sauterait aussitôt au-delà de {speed} m/s","would hop at once: at any speed":"sauterait aussitôt : à toute vitesse","neve\
-r, at any speed":"jamais, à aucune vitesse","no friction keeps it rolling":"aucun frottement ne le fait rouler sans glisser","μ = {mu} would keep it rolling (e\
-nough here)":"μ = {mu} le ferait rouler sans glisser (ici, cela suffit)","μ = {mu} would keep it rolling (more than there is)":"μ = {mu} le ferait rouler sans\
- glisser (plus qu’ici)",never:"jamais","from μ = {mu} on, at {angle}: possible here":"à partir de μ = {mu}, à {angle} : possible ici","from μ = {mu} on, a\
-t {angle}: not here":"à partir de μ = {mu}, à {angle} : pas ici","can end a slip at {angles}":"peut terminer un glissement à {angles}","with the load at {an\
-gle}":"avec la masselotte à {angle}","at {angle} friction is used up":"à {angle} le frottement est épuisé","at {angle} the contact force is gone":"à {angle}\
- la force de contact a disparu","Load fraction":"Part de la masselotte","Share of the mass in the load of an ideal hoop":"Part de la masse qui est dans la masse\
-lotte d’un cerceau idéal",Eccentricity:"Excentricité","Distance of the centre of gravity from the centre, over the radius":"Distance du centre de gravité au\
- centre, divisée par le rayon","Inertia ratio":"Moment d’inertie réduit","Moment of inertia about the centre of gravity over m R²":"Moment d’inertie par ra\
-pport au centre de gravité, divisé par m R²",Radius:"Rayon","Rim radius":"Rayon de la jante",Mass:"Masse","Total mass":"Masse totale",Friction:"Coefficient d\
-e frottement","Friction, static and kinetic":"Coefficient de frottement, statique et dynamique","Static friction":"Frottement statique","Kinetic friction":"Frot\
-tement dynamique",Slope:"Inclinaison","Slope of the plane, downhill along +x":"Inclinaison du plan, descente vers +x",Gravity:"Pesanteur",Restitution:"Restituti\
-on","Restitution of an impact":"Coefficient de restitution d’un impact",Speed:"Vitesse","Velocity of the centre in a rolling start":"Vitesse du centre au dépa\
-rt en roulant","Load angle":"Angle de la masselotte","Angle from the plane's normal to the centre of gravity":"Angle entre la normale au plan et le centre de gr\
-avité","Height of the gap":"Hauteur de l’écart","Gap between rim and plane":"Écart entre la jante et le plan","Speed along":"Vitesse le long du plan","Velo\
-city of the centre along the plane":"Vitesse du centre le long du plan","Speed upwards":"Vitesse vers le haut","Velocity of the centre away from the plane":"Vit\
-esse du centre en s’éloignant du plan","Angular velocity":"Vitesse angulaire",Stiffness:"Raideur","Stiffness of the contact":"Raideur du contact","Slip speed":"\
-Vitesse de glissement","Slip velocity over which friction builds up":"Vitesse de glissement sur laquelle le frottement s’établit","Restitution that the dampi\
-ng is chosen for":"Restitution pour laquelle l’amortissement est choisi",Duration:"Durée","Duration of the motion":"Durée du mouvement","Law of impact":"Loi\
- d’impact","Law of restitution":"Loi de restitution","Stronge (energy)":"Stronge (énergie)","Poisson (impulse)":"Poisson (impulsion)","Newton (velocity)":"Ne\
-wton (vitesse)","Painlevé: two solutions":"Painlevé : deux solutions","What follows an indeterminate contact":"Ce qui suit un contact indéterminé",impact:"i\
-mpact","Contact model":"Modèle de contact",rigid:"rigide",compliant:"souple","Normal force":"Force normale","Friction law":"Loi de frottement","Regularised fri\
-ction":"Frottement régularisé","smooth (tanh)":"lisse (tanh)",linear:"linéaire","bristle (can hold)":"soies (peut retenir)","Kelvin–Voigt":"Kelvin–Voigt",
-"Hunt–Crossley":"Hunt–Crossley","Speed v₀":"Vitesse v₀","Angle of the load θ₀":"Angle de la masselotte θ₀","Speed along ẋ₀":"Vitesse le long d\
-u plan ẋ₀","Angular velocity θ̇₀":"Vitesse angulaire θ̇₀","Height of the gap y₀":"Hauteur de l’écart y₀","Load fraction γ":"Part de la masse\
-lotte γ","Eccentricity ε":"Excentricité ε","Inertia ratio κ":"Moment d’inertie réduit κ","Radius R":"Rayon R","Friction μ":"Frottement μ","Slope β":"\
-Inclinaison β","Gravity g":"Pesanteur g","Restitution e":"Restitution e",Earth:"Terre",Moon:"Lune",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Apesanteur","what \
-happens in the first turn":"ce qui se passe au premier tour","height of the first hop":"hauteur du premier saut","angle of take-off":"angle de décollage","dura\
-tion of the first hop":"durée du premier saut","greatest friction utilization":"plus grande utilisation du frottement","energy lost":"énergie perdue","angle a\
-t the end":"angle à la fin","Painlevé’s paradox or jam met":"paradoxe de Painlevé ou coincement rencontré","how it ends":"comment cela finit",duration:"du\
-rée",revolutions:"tours",reversal:"demi-tour",takeoff:"décollage",rest:"repos",jam:"coincement",undetermined:"indéterminé","event limit":"limite d’événement\
-s",no:"non",yes:"oui",none:"aucun","not allowed":"non permis","and {count} more":"et {count} autres","The article":"L’article","Littlewood's hoop":"Le cerceau\
- de Littlewood",Paradoxes:"Paradoxes",More:"Autres","It hops: 3.1 m/s":"Il saute : 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flie\
-s for 0.76 s.":"Glisse deux fois, puis quitte le plan juste avant un tour complet et vole pendant 0,76 s.","It slips: 2.8 m/s":"Il glisse : 2,8 m/s","Friction i\
-s used up twice a turn; each slip is weaker than the one before, and none is the last.":"Le frottement est épuisé deux fois par tour ; chaque glissement est plu\
-s faible que le précédent, et aucun n’est le dernier.","It rolls: 2 m/s":"Il roule : 2 m/s","Pure rolling, faster and more even than after a slow start, and\
- close to the limit of friction.":"Roulement sans glissement, plus rapide et plus régulier qu’après un départ lent, et près de la limite du frottement.","\
-The smallest push: 0.1 m/s":"La plus petite poussée : 0,1 m/s","Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.":"Presq\
-ue immobile avec la masselotte en haut, rapide avec la masselotte en bas ; 38 % du frottement est utilisé.","Low friction: 0.1 m/s, μ = 0.3":"Peu de frottemen\
-t : 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro.":"Le glissement coûte l’énergie qu’exige un tour complet : \
-le cerceau se balance.","All mass in the load":"Toute la masse dans la masselotte","A massless ring: at 90° no contact force is left; the load falls, the rim sk\
-ims the plane.":"Un anneau sans masse : à 90° il n’y a plus de force de contact ; la masselotte tombe, la jante effleure le plan.","All mass in the load, pu\
-shed":"Toute la masse dans la masselotte, poussé","With a push the contact force is gone earlier, at cos θ = v₀²/(gR).":"Avec une poussée la force de conta\
-ct disparaît plus tôt, à cos θ = v₀²/(gR).","Nearly all mass in the load":"Presque toute la masse dans la masselotte","γ = 0.99: what a real ring does in\
-stead of Littlewood's hop.":"γ = 0,99 : ce que fait un anneau réel au lieu du saut de Littlewood.","Painlevé: no solution":"Painlevé : aucune solution","No \
-contact force agrees with this slip. An impact without collision stops it at once.":"Aucune force de contact n’est compatible avec ce glissement. Un impact sans\
- collision l’arrête aussitôt.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Vol et impact obéissent tous deux au\
-x lois. Choisissez sous « Plan ».","A fast slide after a hop: the contact force grows without bound in finite time, and no law says what follows.":"Un glissem\
-ent rapide après un saut : la force de contact croît sans limite en un temps fini, et aucune loi ne dit la suite.","Kane: energy out of nothing":"Kane : de l’\
-énergie à partir de rien","Newton's law of impact with friction creates two joules. Stronge's law does not.":"La loi d’impact de Newton avec frottement crée d\
-eux joules. Celle de Stronge, non.",Downhill:"En descente","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"Sur une pente de 10° le \
-cerceau prend de la vitesse tour après tour, jusqu’à ce qu’il saute.","Bounces without number":"Rebonds sans nombre","Dropped with spin and restitution 0.\
-5: infinitely many bounces in finite time.":"Lâché en rotation, restitution 0,5 : une infinité de rebonds en un temps fini.","On the Moon":"Sur la Lune","The\
- article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Le saut de l’article sous la pesanteur lunaire : tout est 2,46 fois plus lent.",
-"Motions to start from":"Mouvements de départ","Motions to start from …":"Mouvements de départ…","Undo (z)":"Annuler (z)","Redo (y)":"Rétablir (y)",Compare:"\
-Comparer","Compare two hoops":"Comparer deux cerceaux","Dark or light (d)":"Sombre ou clair (d)","Keys and help (?)":"Touches et aide (?)","Keys and help":"Touc\
-hes et aide",lab:"labo",Learn:"Apprendre",Language:"Langue","Hoop A":"Cerceau A","Hoop B":"Cerceau B","Which hoop the controls change":"Quel cerceau les réglage\
-s modifient",Parameters:"Paramètres","Skip to the player":"Aller au lecteur",Hoop:"Cerceau",Plane:"Plan",Start:"Départ",Contact:"Contact","Given by":"Donné pa\
-r","load fraction γ":"part de la masselotte γ","ε and κ":"ε et κ","real parts":"pièces réelles",Where:"Où",elsewhere:"ailleurs","static and kinetic fri\
-ction apart":"frottements statique et dynamique séparés",Starts:"Part",rolling:"en roulant","in any state":"dans un état quelconque","auto {value}":"auto {va\
-lue}","{name}, exact value in {unit}":"{name}, valeur exacte en {unit}","{name}, exact value":"{name}, valeur exacte",Ring:"Anneau",Disk:"Disque","Point mass":"\
-Masse ponctuelle",Rod:"Tige",mass:"masse","inner radius":"rayon intérieur","outer radius":"rayon extérieur",radius:"rayon","distance from centre":"distance au\
- centre",length:"longueur","Add a part":"Ajouter une pièce","+ add a part …":"+ ajouter une pièce…","Remove part {number}, {what}":"Retirer la pièce {numb\
-er}, {what}","{name} = {value} must be {rule}.":"{name} = {value} doit être {rule}.","{name} = {value} must be a number, such as 2.5.":"{name} = {value} doit ê\
-tre un nombre, par exemple 2,5.","{name} = {value} must be a number.":"{name} = {value} doit être un nombre.","from {least} to {most}":"de {least} à {most}","\
-from {least} to {most}, or inf":"de {least} à {most}, ou inf","0 or from {least} to {most}":"0 ou de {least} à {most}","0 or from {least} to {most}, or inf":"\
-0, de {least} à {most}, ou inf","at most {most} in the lab":"au plus {most} dans le labo","0 for the massless hoop (hoop.inertia_ratio = 0)":"0 pour le cerceau\
- sans masse (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"« rigid » pour le cerceau sans masse (hoop.inertia_ratio = 0)",
-"The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Le serveur ne répond pas. Ce qui est là continue ; pour le\
- modifier, relancez `hophoop lab`.","The server answered {status}.":"Le serveur a répondu {status}.","The notebook’s kernel does not answer; run the cell again\
-.":"Le noyau du notebook ne répond pas ; relancez la cellule.",hoop:"cerceau",mode:"phase",time:"temps",angle:"angle",gap:"écart","rim speed":"vitesse de jant\
-e",load:"masselotte","centre of gravity":"centre de gravité","the same in flight":"le même en vol","A in front, B behind":"A devant, B derrière","The hoop":"\
-Le cerceau","The hoop.":"Le cerceau.",Time:"Temps","{time} seconds, {what}":"{time} secondes, {what}","Traces (t)":"Trajectoires (t)","Forces (f)":"Forces (f)",
-"Rim speed (c)":"Vitesse de la jante (c)","Whole path (w)":"Tout le trajet (w)","In space (3)":"En 3D (3)",Traces:"Trajectoires",Forces:"Forces","Rim speed":"Vi\
-t. jante","Whole path":"Trajet entier","Play (space)":"Lecture (espace)","Pause (space)":"Pause (espace)","Speed of the film":"Vitesse du film","To the start (H\
-ome)":"Au début (Début)","Previous event (Shift ←)":"Événement précédent (Maj ←)","Next event (Shift →)":"Événement suivant (Maj →)","One frame \
-back (←)":"Une image en arrière (←)","One frame on (→)":"Une image en avant (→)",landing:"retombée","To the next flight (h)":"Au vol suivant (h)","To \
-the next landing (l)":"À la retombée suivante (l)","This motion has no flight.":"Ce mouvement n’a pas de vol.","This motion has no landing.":"Ce mouvement n\
-’a pas de retombée.","{what} at {angle}, {time} s":"{what} à {angle}, {time} s",start:"départ","slip begins":"le glissement commence","slip ends":"le gliss\
-ement cesse","slip turns round":"le glissement s’inverse","take-off":"décollage","turns back":"fait demi-tour","highest point":"point le plus haut","bounces \
-end":"les rebonds cessent","Painlevé: several solutions":"Painlevé : plusieurs solutions","energy gain (Kane)":"gain d’énergie (Kane)","skimming begins":"l\
-’effleurement commence","at rest":"au repos",end:"fin","What happens":"Ce qui se passe","What happens to hoop {hoop}":"Ce qui arrive au cerceau {hoop}","The m\
-otion in words":"Le mouvement en mots","(not all events are shown)":"(tous les événements ne sont pas montrés)","What theory says":"Ce que dit la théorie","\
-What theory says of hoop {hoop}":"Ce que dit la théorie du cerceau {hoop}",Velocities:"Vitesses","velocity [m/s]":"vitesse [m/s]","v (centre)":"v (centre)","En\
-ergies and losses":"Énergies et pertes","energy [J]":"énergie [J]",kinetic:"cinétique",potential:"potentielle",total:"totale","lost to friction":"perdue par \
-frottement","lost in the damper":"perdue dans l’amortisseur","lost in impacts, normal part":"perdue dans les impacts, part normale","Contact forces":"Forces d\
-e contact","force [N]":"force [N]","normal N":"normale N","friction F":"frottement F","Use of friction":"Utilisation du frottement","Your choice":"À votre choix",
-"What your diagram shows":"Ce que montre votre diagramme","Horizontal axis of the diagrams":"Axe horizontal des diagrammes","over {quantity}":"en fonction de : \
-{quantity}","Whole motion":"Tout le mouvement","slide to go there, two fingers zoom":"glissez pour y aller ; deux doigts agrandissent","click to go there, drag \
-to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"cliquez pour y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la molette\
- agrandit ; double-clic pour tout","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.","θ m\
-od 360°":"θ mod 360°",Esc:"Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du centre",
-"gap under the rim":"écart sous la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","speed of\
- rotation":"vitesse de rotation","speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"vite\
-sse angulaire","normal force":"force normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie cin\
-étique","potential energy":"énergie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular velo\
-city with the regions of rolling, slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","angle\
- θ within a turn [°]":"angle θ dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Cou\
-leurs : la phase qui suit un contact sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"Tou\
-chez pour y aller ; deux doigts agrandissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller ; a\
-près un clic, ou avec Ctrl, la molette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce que \
-montre la carte","Map of motions":"Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des mou\
-vements. Les flèches déplacent la marque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the ma\
-p":"Réduire la carte","Whole map":"Carte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le lec\
-teur ; deux doigts agrandissent.","Click to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"\
-Un clic met ce mouvement dans le lecteur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {count}\
- motions …":"calcul de {count} mouvements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec contact r\
-igide","of rolling starts, though this motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though this\
- motion starts rolling":"partant d’un état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} func\
-tions":"compilation du noyau des cartes, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"Sc\
-énario (TOML)","States (CSV)":"États (CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture (P\
-NG)":"Image (PNG)","Record a film here (WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même mo\
-uvement en Python","The link is copied.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a while\
- …":"Le film se fait ; cela prend un moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser cannot \
-record a canvas; take the MP4 instead.":"Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passage\
-…","The film is there.":"Le film est là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a load\
- on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanic\
-s cannot decide. Move a slider and see.":"Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que po\
-usser : alors il glisse, saute, retombe – ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on the \
-bar of time":"Marques sur la barre de temps",Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →",
-"previous, next event":"événement précédent, suivant","next flight, landing":"vol, retombée suivants","slower, faster":"plus lent, plus vite","Home End":"D\
-ébut Fin","start, end":"début, fin","traces, forces, rim speed, whole path":"trajectoires, forces, vitesse de la jante, trajet","in space":"en 3D","zoom, zoom\
- back":"agrandir, revenir","leave a field, a menu, a picture that the wheel zooms":"quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z":"\
-z y  Ctrl Z","undo, redo":"annuler, rétablir","dark, light":"sombre, clair",Python:"Python","the rim does not slide":"la jante ne glisse pas","slip: the rim tu\
-rns too fast for the way it goes (slip −, for a hoop that rolls ahead)":"glissement : la jante tourne trop vite pour son trajet (glissement −, pour un cerceau\
- qui avance)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui a\
-vance)","the hop: from take-off to landing":"le saut : du décollage à la retombée","a massless rim that touches without force":"une jante sans masse qui touc\
-he sans force","take-off, landing":"décollage, retombée","Painlevé’s paradox: no solution, several":"Paradoxe de Painlevé : aucune solution, plusieurs","b\
-ounces without number end":"une infinité de rebonds s’achève","skimming begins, rest":"l’effleurement commence, repos","Single keys (letters, digits, sign\
-s) do what the table says":"Les touches seules (lettres, chiffres, signes) font ce que dit le tableau","The hoop in your hand":"Le cerceau dans votre main","Slo\
-pe of the plane":"Inclinaison du plan","Tilt the plane: drag, or arrow keys":"Incliner le plan : tirer, ou flèches","The hoop: height and speed":"Le cerceau : \
-hauteur et vitesse","Lift, roll or throw the hoop: drag, or arrow keys":"Lever, rouler ou lancer le cerceau : tirer, ou flèches","Angle of the load":"Angle de \
-la masselotte","Turn the load: drag, or arrow keys":"Tourner la masselotte : tirer, ou flèches","gap {height}, speed {speed} m/s":"écart {height}, vitesse {spe\
-ed} m/s",Repeat:"Répéter","Slow motion: a tenth of the speed":"Ralenti : un dixième de la vitesse","Sound of the contact":"Son du contact","Presentation on t\
-he whole screen":"Présentation en plein écran","Guided visit":"Visite guidée","Table of the motion":"Tableau du mouvement","Table of the motion, rows":"Table\
-au du mouvement, lignes",Presentation:"Présentation","For teachers":"Pour les enseignants",Table:"Tableau",Every:"Toutes les","Save as CSV":"Enregistrer en CSV",
-Columns:"Colonnes","The first {count} rows.":"Les {count} premières lignes.",Challenges:"Défis","Leave the challenges":"Quitter les défis","Which challenge":"\
-Quel défi",Score:"Score","Begin again":"Recommencer","Show a best one":"Montrer un des meilleurs","{stars} {points} points. {what}":"{stars} {points} points. {\
-what}","Your best: {points} points.":"Votre meilleur : {points} points.","Hop highest":"Sauter le plus haut","On level ground, rolling, with at most 3.1 m/s: yo\
-u choose the load, where it starts, and friction. How high can the hoop rise within 6 s?":"Sur sol horizontal, en roulant, à 3,1 m/s au plus : vous choisissez l\
-a masselotte, sa position de départ et le frottement. À quelle hauteur le cerceau peut-il monter en 6 s ?","Land upright":"Retomber debout","Let the hoop land\
- with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.":"Faites retomber le cerceau avec la masselotte tout en haut.\
- Tout est permis ; le premier saut doit faire au moins 5 cm.","Hop without skidding":"Sauter sans déraper","On level ground the hoop starts rolling with its lo\
-ad at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Sur sol horizontal\
- le cerceau part en roulant, la masselotte en bas, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quell\
-e hauteur saute-t-il ?","Rigid contact only.":"Contact rigide seulement.","The plane must be level.":"Le plan doit être horizontal.","It must be on Earth.":"Ce\
- doit être sur Terre.","Restitution must be 0.":"La restitution doit être 0.","The radius must stay 1 m, without parts.":"Le rayon doit rester 1 m, sans pièce\
-s.","At most 90 % of the mass may be in the load.":"Au plus 90 % de la masse dans la masselotte.","The hoop must be given by its load fraction.":"Le cerceau doi\
-t être donné par la part de la masselotte.","It must start rolling.":"Il doit partir en roulant.","At most 10 m/s.":"Au plus 10 m/s.","At most 3.1 m/s.":"Au p\
-lus 3,1 m/s.","At most 6 s.":"Au plus 6 s.","It does not hop.":"Il ne saute pas.","It rises by {height}.":"Il monte de {height}.","The first hop is too low.":"L\
-e premier saut est trop bas.","It lands {off} away from the top.":"Il retombe à {off} du sommet.","The load must start at the bottom.":"La masselotte doit part\
-ir d’en bas.","Friction must be at most 1.5.":"Le frottement doit être au plus 1,5.","It skids before it hops.":"Il dérape avant de sauter.","New here?":"Pr\
-emière visite ?","Eight short questions: guess, then play.":"Huit questions brèves : devinez, puis lancez.","Start the visit":"Commencer la visite","Not now":"\
-Pas maintenant","The hoop, before it is let go.":"Le cerceau, avant d’être lâché.",Play:"Lancer",Next:"Suivant",Back:"Retour",Done:"Terminé","Step {number\
-} of {all}":"Étape {number} sur {all}","Leave the visit":"Quitter la visite","First say what you expect, then play.":"Dites d’abord ce que vous attendez, puis \
-lancez.","Your guess":"Votre réponse","{points} of 100 points.":"{points} points sur 100.","You have {sum} of {most} points.":"Vous avez {sum} points sur {most\
-}.","{what} with the load at {angle}":"{what} avec la masselotte à {angle}","Draw the curve: pull the points up and down":"Tracez la courbe : tirez les points \
-vers le haut ou le bas","Littlewood’s question":"La question de Littlewood","A hoop without mass has a weight on its rim. With the weight at the top it gets t\
-he smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Un cerceau sans masse porte un poids sur sa \
-jante. Le poids en haut, il reçoit la plus petite poussée et roule. J. E. Littlewood demanda en 1953 ce qui se passe quand le poids est à la hauteur du centre.",
-"What do you think?":"Qu’en pensez-vous ?","It rolls on.":"Il continue de rouler.","It hops: the hoop leaves the plane.":"Il saute : le cerceau quitte le plan\
-.","The weight falls freely, and the hoop skims the plane below it.":"Le poids tombe en chute libre, et le cerceau effleure le plan sous lui.","At {angle} there\
- is no contact force any more.":"À {angle} il n’y a plus de force de contact.","Littlewood said that the hoop hops. But the contact force is zero, not upward\
-s: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood disait que le cerceau sau\
-te. Mais la force de contact est nulle, non dirigée vers le haut : le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, i\
-l faut au cerceau un peu de masse dans la jante.","A ring with mass":"Un anneau avec masse","Now a quarter of the mass is in the ring. Again the load is at the \
-top, and the hoop gets the smallest push.":"À présent un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus \
-petite poussée.","Draw how fast the hoop’s centre goes during the first turn.":"Tracez la vitesse du centre du cerceau pendant le premier tour.","Speed of th\
-e centre":"Vitesse du centre","With the load at the bottom the centre has {speed} m/s.":"Avec la masselotte en bas, le centre a {speed} m/s.","The lowest point \
-of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: it is faster than a stone that fall\
-s from the same height.":"Le point le plus bas d’un cerceau qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce q\
-ue la lourde masselotte a perdu : il est plus rapide qu’une pierre tombant de la même hauteur.","Why it slips":"Pourquoi il glisse","A harder push: 2.8 m/s a\
-t the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Une poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le f\
-rottement a une limite : il vaut au plus μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Où est la masselotte quand le fr\
-ottement cède pour la première fois ? Tournez la marque.","Angle of the load where it begins to slip":"Angle de la masselotte où il commence à glisser","It \
-begins to slip at {angle}. There the plane carries only {share} of the weight.":"Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.",
+return o}var He=yr(),Dt=He.map(o=>`rgb(${o.join(",")})`),vr=["#123a8c","#8a6d00"],le=(o,e)=>ht(vr[o],e);var Nn={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
+kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
+t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
+ in der anderen Richtung","stops its slip at once at {angle}":"hört bei {angle} schlagartig auf zu gleiten","turns back at {angle}":"kehrt bei {angle} um","has\
+ bounced out at {angle}":"ist bei {angle} ausgesprungen","meets Painlevé's paradox at {angle}":"trifft bei {angle} auf das Painlevé-Paradoxon","meets Painlevé\
+'s indeterminacy at {angle}":"trifft bei {angle} auf die Unbestimmtheit nach Painlevé","jams at {angle}":"verklemmt sich bei {angle}","gains energy (Kane) at {\
+angle}":"gewinnt bei {angle} Energie (Kane)","skims at {angle}":"streift ab {angle}","rests at {angle}":"ruht bei {angle}","starts at {angle}":"beginnt bei {ang\
+le}","slips at {angle}":"gleitet ab {angle}","{what} and {count} more times":"{what} und noch {count}-mal","… ({count} more)":"… (noch {count})","It has com\
+e to rest.":"Er ist zur Ruhe gekommen.","The normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"Die Normalkraft wächst\
+ über alle Grenzen (dynamisches Verklemmen): Die Mechanik starrer Körper kennt keine Bewegung darüber hinaus.","The model does not determine the motion beyon\
+d.":"Das Modell legt die weitere Bewegung nicht fest.","The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Die G\
+renze der Ereignisse (contact.max_events) oder des Aufwands für eine Bewegung wurde vor dem Ende erreicht.","It starts and {verb} with the load at {angle} and \
+the centre at {speed} m/s.":"Er startet und {verb}, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts in the air with the load at {angle} and t\
+he centre at {speed} m/s.":"Er startet in der Luft, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It starts skimming with the load at {angle} and the\
+ centre at {speed} m/s.":"Er streift zu Beginn die Ebene, die Last bei {angle}, der Mittelpunkt mit {speed} m/s.","It {verb} at {angle}; friction is used up: th\
+e rim turns too fast for the way it goes.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand dreht sich zu schnell für seinen Weg.","It {verb} at \
+{angle}; friction is used up: the rim slides ahead.":"Ab {angle} {verb} er: Die Reibung ist ausgeschöpft, der Rand gleitet voraus.","It rolls again at {angle};\
+ the slip has stopped.":"Ab {angle} rollt er wieder; der Schlupf hat aufgehört.","The slip turns round at {angle}; it {verb}.":"Bei {angle} kehrt sich der Schl\
+upf um; er {verb}.","It hops at {angle}.":"Er hüpft bei {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Er hüpft bei {angle}. Er \
+steigt {height} hoch und bleibt {time} s in der Luft.","An impact without collision at {angle} stops the slip; then it {verb}.":"Ein Stoß ohne Aufprall beendet \
+bei {angle} den Schlupf; dann {verb} er.","It lands at {angle} with {speed} m/s downwards and bounces.":"Er landet bei {angle} mit {speed} m/s abwärts und sprin\
+gt wieder ab.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Er landet bei {angle} mit {speed} m/s abwärts und {verb}.","It turns back at {angl\
+e}.":"Er kehrt bei {angle} um.","It turns back at {angle}, and {verb} now.":"Er kehrt bei {angle} um und {verb} jetzt.","The centre is highest at {angle}: the g\
+ap is {height}.":"Bei {angle} ist der Mittelpunkt am höchsten: Der Spalt beträgt {height}.","Bounces without number end here, at {angle}.":"Hier, bei {angle},\
+ enden unzählige Sprünge.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Painlevé-Paradoxon bei {angle}: Keine Kontaktkraft passt\
+ zu diesem Schlupf.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Painlevé-Paradoxon bei {angle}: Mehrere Kontaktkräfte passen dazu.",
+"Dynamic jam at {angle}: the contact force grows without bound.":"Dynamisches Verklemmen bei {angle}: Die Kontaktkraft wächst über alle Grenzen.","Newton's la\
+w of impact has created {energy} J (Kane's example).":"Newtons Stoßgesetz hat {energy} J erzeugt (Beispiel von Kane).","No contact force is left at {angle}: th\
+e load falls freely and the rim skims the plane.":"Bei {angle} ist keine Kontaktkraft mehr da: Die Last fällt frei, der Rand streift die Ebene.","It rests at {\
+angle}.":"Er ruht bei {angle}.","It rests at {angle}, which is not stable.":"Er ruht bei {angle}, aber nicht stabil.","It bounces {count} more times.":"Er sprin\
+gt noch {count}-mal.","… and {count} more.":"… und noch {count}.",Slips:"Gleitet",Hops:"Hüpft","Hops at once":"Hüpft sofort","Friction for pure rolling":"\
+Reibung für reines Rollen","Painlevé’s paradox":"Painlevé-Paradoxon","Dynamic jam":"Dynamisches Verklemmen","Rests stably":"Ruht stabil","End of rolling":"\
+Ende des Rollens","would slip above {speed} m/s":"würde über {speed} m/s gleiten","would slip: any push is enough":"würde gleiten: jeder Stoß genügt","woul\
+d hop in its first turn above {speed} m/s":"würde über {speed} m/s in der ersten Umdrehung hüpfen","would hop in its first turn: any push is enough":"würde i\
+n der ersten Umdrehung hüpfen: jeder Stoß genügt","would hop at once above {speed} m/s":"würde über {speed} m/s sofort hüpfen","would hop at once: at any \
+speed":"würde sofort hüpfen: bei jeder Geschwindigkeit","never, at any speed":"nie, bei keiner Geschwindigkeit","no friction keeps it rolling":"keine Reibung \
+hält ihn am Rollen","μ = {mu} would keep it rolling (enough here)":"μ = {mu} hielte ihn am Rollen (hier genug)","μ = {mu} would keep it rolling (more than th\
+ere is)":"μ = {mu} hielte ihn am Rollen (mehr als hier)",never:"nie","from μ = {mu} on, at {angle}: possible here":"ab μ = {mu}, bei {angle}: hier möglich",
+"from μ = {mu} on, at {angle}: not here":"ab μ = {mu}, bei {angle}: hier nicht","can end a slip at {angles}":"kann einen Schlupf bei {angles} beenden","with t\
+he load at {angle}":"mit der Last bei {angle}","at {angle} friction is used up":"bei {angle} ist die Reibung ausgeschöpft","at {angle} the contact force is gon\
+e":"bei {angle} ist die Kontaktkraft weg","Load fraction":"Massenanteil der Last","Share of the mass in the load of an ideal hoop":"Anteil der Last an der Masse\
+ eines idealen Reifens",Eccentricity:"Exzentrizität","Distance of the centre of gravity from the centre, over the radius":"Abstand des Schwerpunkts vom Mittelp\
+unkt, geteilt durch den Radius","Inertia ratio":"Bezogenes Trägheitsmoment","Moment of inertia about the centre of gravity over m R²":"Trägheitsmoment um den \
+Schwerpunkt, geteilt durch m R²",Radius:"Radius","Rim radius":"Radius des Randes",Mass:"Masse","Total mass":"Gesamtmasse",Friction:"Reibungszahl","Friction, st\
+atic and kinetic":"Reibungszahl, Haft- und Gleitreibung","Static friction":"Haftreibungszahl","Kinetic friction":"Gleitreibungszahl",Slope:"Neigung","Slope of t\
+he plane, downhill along +x":"Neigung der Ebene, bergab in Richtung +x",Gravity:"Fallbeschleunigung",Restitution:"Stoßzahl","Restitution of an impact":"Stoßzah\
+l eines Stoßes",Speed:"Geschwindigkeit","Velocity of the centre in a rolling start":"Geschwindigkeit des Mittelpunkts bei rollendem Start","Load angle":"Winkel\
+ der Last","Angle from the plane's normal to the centre of gravity":"Winkel von der Normalen der Ebene zum Schwerpunkt","Height of the gap":"Höhe des Spalts","\
+Gap between rim and plane":"Spalt zwischen Rand und Ebene","Speed along":"Geschwindigkeit längs","Velocity of the centre along the plane":"Geschwindigkeit des \
+Mittelpunkts längs der Ebene","Speed upwards":"Geschwindigkeit nach oben","Velocity of the centre away from the plane":"Geschwindigkeit des Mittelpunkts weg vo\
+n der Ebene","Angular velocity":"Winkelgeschwindigkeit",Stiffness:"Steifigkeit","Stiffness of the contact":"Steifigkeit des Kontakts","Slip speed":"Schlupfgesch\
+windigkeit","Slip velocity over which friction builds up":"Schlupfgeschwindigkeit, bei der sich die Reibung aufbaut","Restitution that the damping is chosen for":"\
+Stoßzahl, für die die Dämpfung gewählt ist",Duration:"Dauer","Duration of the motion":"Dauer der Bewegung","Law of impact":"Stoßgesetz","Law of restitution":"\
+Gesetz der Restitution","Stronge (energy)":"Stronge (Energie)","Poisson (impulse)":"Poisson (Impuls)","Newton (velocity)":"Newton (Geschwindigkeit)","Painlevé: \
+two solutions":"Painlevé: zwei Lösungen","What follows an indeterminate contact":"Was auf einen unbestimmten Kontakt folgt",impact:"Stoß","Contact model":"Ko\
+ntaktmodell",rigid:"starr",compliant:"nachgiebig","Normal force":"Normalkraft","Friction law":"Reibungsgesetz","Regularised friction":"Geglättete Reibung","smo\
+oth (tanh)":"glatt (tanh)",linear:"linear","bristle (can hold)":"Borsten (kann halten)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Crossley","S\
+peed v₀":"Geschwindigkeit v₀","Angle of the load θ₀":"Winkel der Last θ₀","Speed along ẋ₀":"Geschwindigkeit längs ẋ₀","Angular velocity θ̇₀":"\
+Winkelgeschwindigkeit θ̇₀","Height of the gap y₀":"Höhe des Spalts y₀","Load fraction γ":"Massenanteil der Last γ","Eccentricity ε":"Exzentrizität ε",
+"Inertia ratio κ":"Bezogenes Trägheitsmoment κ","Radius R":"Radius R","Friction μ":"Reibungszahl μ","Slope β":"Neigung β","Gravity g":"Fallbeschleunigung\
+ g","Restitution e":"Stoßzahl e",Earth:"Erde",Moon:"Mond",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Schwerelos","what happens in the first turn":"was in der er\
+sten Umdrehung geschieht","height of the first hop":"Höhe des ersten Hüpfers","angle of take-off":"Winkel beim Abheben","duration of the first hop":"Dauer des\
+ ersten Hüpfers","greatest friction utilization":"größte Ausnutzung der Reibung","energy lost":"verlorene Energie","angle at the end":"Winkel am Ende","Painl\
+evé’s paradox or jam met":"Painlevé-Paradoxon oder Verklemmen getroffen","how it ends":"wie es endet",duration:"Dauer",revolutions:"Umdrehungen",reversal:"U\
+mkehr",takeoff:"Abheben",rest:"Ruhe",jam:"Verklemmen",undetermined:"unbestimmt","event limit":"Grenze der Ereignisse",no:"nein",yes:"ja",none:"keine","not allow\
+ed":"nicht erlaubt","and {count} more":"und {count} weitere","The article":"Der Artikel","Littlewood's hoop":"Littlewoods Reifen",Paradoxes:"Paradoxa",More:"Meh\
+r","It hops: 3.1 m/s":"Er hüpft: 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Gleitet zweimal, verlässt dann ku\
+rz vor einer vollen Umdrehung die Ebene und fliegt 0,76 s lang.","It slips: 2.8 m/s":"Er gleitet: 2,8 m/s","Friction is used up twice a turn; each slip is weake\
+r than the one before, and none is the last.":"Zweimal je Umdrehung ist die Reibung ausgeschöpft; jeder Schlupf ist schwächer als der davor, und keiner ist der \
+letzte.","It rolls: 2 m/s":"Er rollt: 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of friction.":"Reines Rollen, s\
+chneller und gleichmäßiger als nach langsamem Start und nahe an der Grenze der Reibung.","The smallest push: 0.1 m/s":"Der kleinste Stoß: 0,1 m/s","Nearly at\
+ rest with the load up, fast with the load down; 38 % of the friction is used.":"Fast in Ruhe mit der Last oben, schnell mit der Last unten; 38 % der Reibung we\
+rden genutzt.","Low friction: 0.1 m/s, μ = 0.3":"Wenig Reibung: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro\
+.":"Das Gleiten kostet die Energie, die eine volle Umdrehung braucht: Der Reifen schaukelt hin und her.","All mass in the load":"Alle Masse in der Last","A mass\
+less ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Ein masseloser Ring: Bei 90° ist keine Kontaktkraft mehr da; die Last fä\
+llt, der Rand streift die Ebene.","All mass in the load, pushed":"Alle Masse in der Last, angestoßen","With a push the contact force is gone earlier, at cos θ \
+= v₀²/(gR).":"Mit einem Stoß verschwindet die Kontaktkraft früher, bei cos θ = v₀²/(gR).","Nearly all mass in the load":"Fast alle Masse in der Last","\
+γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: was ein wirklicher Ring anstelle von Littlewoods Hüpfer tut.","Painlevé: no solution":"\
+Painlevé: keine Lösung","No contact force agrees with this slip. An impact without collision stops it at once.":"Keine Kontaktkraft passt zu diesem Schlupf. E\
+in Stoß ohne Aufprall beendet ihn sofort.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Flug und Stoß passen beide \
+zu den Gesetzen. Wähle mit dem Schalter unter „Ebene“.","A fast slide after a hop: the contact force grows without bound in finite time, and no law says wh\
+at follows.":"Ein schnelles Gleiten nach einem Hüpfer: Die Kontaktkraft wächst in endlicher Zeit über alle Grenzen, und kein Gesetz sagt, was folgt.","Kane: \
+energy out of nothing":"Kane: Energie aus dem Nichts","Newton's law of impact with friction creates two joules. Stronge's law does not.":"Newtons Stoßgesetz mit\
+ Reibung erzeugt zwei Joule. Stronges Gesetz tut das nicht.",Downhill:"Bergab","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"Auf \
+10° Neigung wird der Reifen von Umdrehung zu Umdrehung schneller, bis er hüpft.","Bounces without number":"Sprünge ohne Zahl","Dropped with spin and restitut\
+ion 0.5: infinitely many bounces in finite time.":"Mit Drehung fallen gelassen, Stoßzahl 0,5: unendlich viele Sprünge in endlicher Zeit.","On the Moon":"Auf d\
+em Mond","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"Der Hüpfer des Artikels mit Mondschwerkraft: Alles ist um den Fakto\
+r 2,46 langsamer.","Motions to start from":"Bewegungen zum Beginnen","Motions to start from …":"Bewegungen zum Beginnen …","Undo (z)":"Rückgängig (z)","Re\
+do (y)":"Wiederholen (y)",Compare:"Vergleichen","Compare two hoops":"Zwei Reifen vergleichen","Dark or light (d)":"Dunkel oder hell (d)","Keys and help (?)":"Ta\
+sten und Hilfe (?)","Keys and help":"Tasten und Hilfe",lab:"Labor",Learn:"Lernen",Language:"Sprache","Hoop A":"Reifen A","Hoop B":"Reifen B","Which hoop the con\
+trols change":"Welchen Reifen die Regler ändern",Parameters:"Parameter","Skip to the player":"Zum Abspieler springen",Hoop:"Reifen",Plane:"Ebene",Start:"Start",
+Contact:"Kontakt","Given by":"Gegeben durch","load fraction γ":"Massenanteil γ","ε and κ":"ε und κ","real parts":"wirkliche Teile",Where:"Wo",elsewhere:"a\
+nderswo","static and kinetic friction apart":"Haft- und Gleitreibung getrennt",Starts:"Startet",rolling:"rollend","in any state":"in beliebigem Zustand","auto {\
+value}":"auto {value}","{name}, exact value in {unit}":"{name}, genauer Wert in {unit}","{name}, exact value":"{name}, genauer Wert",Ring:"Ring",Disk:"Scheibe",
+"Point mass":"Punktmasse",Rod:"Stab",mass:"Masse","inner radius":"Innenradius","outer radius":"Außenradius",radius:"Radius","distance from centre":"Abstand vom\
+ Mittelpunkt",length:"Länge","Add a part":"Ein Teil hinzufügen","+ add a part …":"+ ein Teil hinzufügen …","Remove part {number}, {what}":"Teil {number} \
+entfernen, {what}","{name} = {value} must be {rule}.":"{name} = {value} muss {rule} sein.","{name} = {value} must be a number, such as 2.5.":"{name} = {value} m\
+uss eine Zahl sein, etwa 2,5.","{name} = {value} must be a number.":"{name} = {value} muss eine Zahl sein.","from {least} to {most}":"von {least} bis {most}","f\
+rom {least} to {most}, or inf":"von {least} bis {most} oder unendlich","0 or from {least} to {most}":"0 oder von {least} bis {most}","0 or from {least} to {most\
+}, or inf":"0, von {least} bis {most} oder unendlich","at most {most} in the lab":"im Labor höchstens {most}","0 for the massless hoop (hoop.inertia_ratio = 0)":"\
+für den masselosen Reifen 0 (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"für den masselosen Reifen „rigid“ (hoop.inertia\
+_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"Der Server antwortet nicht. Was hier ist, läu\
+ft weiter; für Änderungen muss `hophoop lab` wieder laufen.","The server answered {status}.":"Der Server hat {status} geantwortet.","The notebook’s kernel doe\
+s not answer; run the cell again.":"Der Kernel des Notebooks antwortet nicht; die Zelle noch einmal ausführen.",hoop:"Reifen",mode:"Phase",time:"Zeit",angle:"W\
+inkel",gap:"Spalt","rim speed":"Randtempo",load:"Last","centre of gravity":"Schwerpunkt","the same in flight":"derselbe im Flug","A in front, B behind":"A vorn,\
+ B hinten","The hoop":"Der Reifen","The hoop.":"Der Reifen.",Time:"Zeit","{time} seconds, {what}":"{time} Sekunden, {what}","Traces (t)":"Spuren (t)","Forces (f\
+)":"Kräfte (f)","Rim speed (c)":"Randgeschwindigkeit (c)","Whole path (w)":"Ganzer Weg (w)","In space (3)":"Im Raum (3)",Traces:"Spuren",Forces:"Kräfte","Rim \
+speed":"Randtempo","Whole path":"Ganzer Weg","Play (space)":"Abspielen (Leertaste)","Pause (space)":"Pause (Leertaste)","Speed of the film":"Tempo des Films","T\
+o the start (Home)":"Zum Anfang (Pos1)","Previous event (Shift ←)":"Voriges Ereignis (Umschalt ←)","Next event (Shift →)":"Nächstes Ereignis (Umschalt →)",
+"One frame back (←)":"Ein Bild zurück (←)","One frame on (→)":"Ein Bild weiter (→)",landing:"Landung","To the next flight (h)":"Zum nächsten Flug (h)",
+"To the next landing (l)":"Zur nächsten Landung (l)","This motion has no flight.":"Diese Bewegung hat keinen Flug.","This motion has no landing.":"Diese Bewegu\
+ng hat keine Landung.","{what} at {angle}, {time} s":"{what} bei {angle}, {time} s",start:"Start","slip begins":"Schlupf beginnt","slip ends":"Schlupf endet","s\
+lip turns round":"Schlupf kehrt sich um","take-off":"Abheben","turns back":"kehrt um","highest point":"höchster Punkt","bounces end":"Sprünge enden","Painlevé\
+: several solutions":"Painlevé: mehrere Lösungen","energy gain (Kane)":"Energiegewinn (Kane)","skimming begins":"Streifen beginnt","at rest":"in Ruhe",end:"En\
+de","What happens":"Was geschieht","What happens to hoop {hoop}":"Was mit Reifen {hoop} geschieht","The motion in words":"Die Bewegung in Worten","(not all even\
+ts are shown)":"(nicht alle Ereignisse sind gezeigt)","What theory says":"Was die Theorie sagt","What theory says of hoop {hoop}":"Was die Theorie zu Reifen {ho\
+op} sagt",Velocities:"Geschwindigkeiten","velocity [m/s]":"Geschwindigkeit [m/s]","v (centre)":"v (Mittelpunkt)","Energies and losses":"Energien und Verluste","\
+energy [J]":"Energie [J]",kinetic:"kinetisch",potential:"potenziell",total:"gesamt","lost to friction":"durch Reibung verloren","lost in the damper":"im Dämpfer\
+ verloren","lost in impacts, normal part":"in Stößen verloren, Normalanteil","Contact forces":"Kontaktkräfte","force [N]":"Kraft [N]","normal N":"Normalkraft\
+ N","friction F":"Reibungskraft F","Use of friction":"Ausnutzung der Reibung","Your choice":"Deine Wahl","What your diagram shows":"Was dein Diagramm zeigt","Ho\
+rizontal axis of the diagrams":"Waagerechte Achse der Diagramme","over {quantity}":"über: {quantity}","Whole motion":"Ganze Bewegung","slide to go there, two f\
+ingers zoom":"schieben, um dorthin zu gehen; zwei Finger vergrößern","click to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-cli\
+ck for all":"klicken: dorthin gehen; ziehen: vergrößern; nach einem Klick oder mit Strg zoomt das Rad; Doppelklick: alles","{name} from {low} to {high}":"{nam\
+e} von {low} bis {high}","Diagram: {title} in {unit}.":"Diagramm: {title} in {unit}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]",
+"angle within a turn":"Winkel innerhalb einer Umdrehung","place of the centre":"Ort des Mittelpunkts","gap under the rim":"Spalt unter dem Rand","height of the \
+centre of gravity":"Höhe des Schwerpunkts","speed of the centre":"Geschwindigkeit des Mittelpunkts","speed of rotation":"Umfangsgeschwindigkeit","speed away fr\
+om the plane":"Geschwindigkeit weg von der Ebene","slip velocity":"Schlupfgeschwindigkeit","angular velocity":"Winkelgeschwindigkeit","normal force":"Normalkraf\
+t","friction force":"Reibungskraft","use of friction":"Ausnutzung der Reibung","kinetic energy":"kinetische Energie","potential energy":"potenzielle Energie","t\
+otal energy":"Gesamtenergie","Plane of θ and θ̇":"Ebene von θ und θ̇","Plane of angle and angular velocity with the regions of rolling, slip and flight":"\
+Ebene von Winkel und Winkelgeschwindigkeit mit den Gebieten von Rollen, Schlupf und Flug","angle θ within a turn [°]":"Winkel θ innerhalb einer Umdrehung [°]",
+"Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Farben: die Phase, die auf Kontakt ohne Schlupf folgt. S\
+chraffiert: Schlupf, der auf das Painlevé-Paradoxon trifft.","Click to go there; two fingers zoom.":"Tippen: dorthin gehen; zwei Finger vergrößern.","Click t\
+o go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Klicken: dorthin gehen; nach einem Klick oder mit Strg zoomt das Rad; Doppelkli\
+ck: alles.",Map:"Karte",of:"von",Across:"Waagerecht",Up:"Senkrecht","What the map shows":"Was die Karte zeigt","Map of motions":"Karte der Bewegungen","Map of m\
+otions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Karte der Bewegungen. Pfeiltasten bewegen die Marke, Eingabe übernimmt die Bewe\
+gung, Plus und Minus zoomen.","Zoom into the map":"In die Karte hineinzoomen","Zoom out of the map":"Aus der Karte herauszoomen","Whole map":"Ganze Karte","Clic\
+k to take that motion into the player; two fingers zoom.":"Tippen übernimmt die Bewegung in den Abspieler; zwei Finger vergrößern.","Click to take that motio\
+n into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Ein Klick übernimmt die Bewegung in den Abspieler; nach ei\
+nem Klick oder mit Strg zoomt das Rad; Ziehen verschiebt; Doppelklick: alles.","computing {count} motions …":"{count} Bewegungen werden berechnet …","{count\
+} motions":"{count} Bewegungen","{count} motions, with rigid contact":"{count} Bewegungen, mit starrem Kontakt","of rolling starts, though this motion starts ot\
+herwise":"rollender Starts, obwohl diese Bewegung anders beginnt","of starts in any state, though this motion starts rolling":"aus beliebigem Zustand, obwohl di\
+ese Bewegung rollend beginnt","compiling the kernel of maps, this once: {done} of {all} functions":"der Rechenkern der Karten wird einmalig übersetzt: {done} vo\
+n {all} Funktionen",Keep:"Behalten","Copy the link":"Link kopieren","Scenario (TOML)":"Szenario (TOML)","States (CSV)":"Zustände (CSV)","Motion (netCDF)":"Bewe\
+gung (netCDF)","Events (JSON)":"Ereignisse (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Bild (PNG)","Record a film here (WebM)":"Hier einen Film aufnehmen\
+ (WebM)","Show me the Python":"Das Python dazu zeigen","The same motion in Python":"Dieselbe Bewegung in Python","The link is copied.":"Der Link ist kopiert.","\
+The link to this motion":"Der Link zu dieser Bewegung","The film is being made; this takes a while …":"Der Film wird gemacht; das dauert eine Weile …","Fetc\
+hing {name} …":"{name} wird geholt …","{name} is there.":"{name} ist da.","This browser cannot record a canvas; take the MP4 instead.":"Dieser Browser kann \
+die Zeichenfläche nicht aufnehmen; nimm stattdessen das MP4.","Recording one run …":"Ein Durchlauf wird aufgenommen …","The film is there.":"Der Film ist d\
+a.","The scenario as a file":"Das Szenario als Datei",Copy:"Kopieren",Copied:"Kopiert",Close:"Schließen","A ring with a load on its rim rolls on a plane. Frict\
+ion can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and \
+see.":"Ein Ring mit einer Last am Rand rollt auf einer Ebene. Reibung hält nur begrenzt, und die Ebene kann nur drücken: Also gleitet er, hüpft, landet – oder t\
+ut etwas, das die Mechanik starrer Körper nicht entscheiden kann. Bewege einen Regler und sieh zu.",Modes:"Phasen","Marks on the bar of time":"Zeichen auf der \
+Zeitleiste",Keys:"Tasten",space:"Leertaste","play, pause":"abspielen, anhalten","one frame":"ein Bild","Shift ← →":"Umschalt ← →","previous, next event":"\
+voriges, nächstes Ereignis","next flight, landing":"nächster Flug, nächste Landung","slower, faster":"langsamer, schneller","Home End":"Pos1 Ende","start, en\
+d":"Anfang, Ende","traces, forces, rim speed, whole path":"Spuren, Kräfte, Randgeschwindigkeit, ganzer Weg","in space":"im Raum","zoom, zoom back":"zoomen, zur\
+ück","leave a field, a menu, a picture that the wheel zooms":"ein Feld, ein Menü, ein Bild verlassen, das das Rad zoomt","z y  Ctrl Z":"z y  Strg Z","undo, re\
+do":"rückgängig, wiederholen","dark, light":"dunkel, hell",Python:"Python","the rim does not slide":"der Rand gleitet nicht","slip: the rim turns too fast for\
+ the way it goes (slip −, for a hoop that rolls ahead)":"Schlupf: Der Rand dreht sich zu schnell für seinen Weg (Schlupf −, wenn der Reifen vorwärts rollt)",
+"slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"Schlupf: Der Rand gleitet voraus (Schlupf +, wenn der Reifen vorwärts rollt)","the hop: fro\
+m take-off to landing":"der Hüpfer: vom Abheben bis zur Landung","a massless rim that touches without force":"ein masseloser Rand, der ohne Kraft berührt","ta\
+ke-off, landing":"Abheben, Landung","Painlevé’s paradox: no solution, several":"Painlevé-Paradoxon: keine Lösung, mehrere","bounces without number end":"un\
+zählige Sprünge enden","skimming begins, rest":"Streifen beginnt, Ruhe","Single keys (letters, digits, signs) do what the table says":"Einzelne Tasten (Buchst\
+aben, Ziffern, Zeichen) tun, was die Tabelle sagt","The hoop in your hand":"Der Reifen in der Hand","Slope of the plane":"Neigung der Ebene","Tilt the plane: dr\
+ag, or arrow keys":"Ebene neigen: ziehen oder Pfeiltasten","The hoop: height and speed":"Der Reifen: Höhe und Geschwindigkeit","Lift, roll or throw the hoop: d\
+rag, or arrow keys":"Reifen heben, rollen oder werfen: ziehen oder Pfeiltasten","Angle of the load":"Winkel der Last","Turn the load: drag, or arrow keys":"Last\
+ drehen: ziehen oder Pfeiltasten","gap {height}, speed {speed} m/s":"Spalt {height}, Geschwindigkeit {speed} m/s",Repeat:"Wiederholen","Slow motion: a tenth of \
+the speed":"Zeitlupe: ein Zehntel des Tempos","Sound of the contact":"Klang des Kontakts","Presentation on the whole screen":"Vorführung auf dem ganzen Bildschi\
+rm","Guided visit":"Geführter Besuch","Table of the motion":"Tabelle der Bewegung","Table of the motion, rows":"Tabelle der Bewegung, Zeilen",Presentation:"Vor\
+führung","For teachers":"Für Lehrkräfte",Table:"Tabelle",Every:"Alle","Save as CSV":"Als CSV speichern",Columns:"Spalten","The first {count} rows.":"Die erst\
+en {count} Zeilen.",Challenges:"Herausforderungen","Leave the challenges":"Herausforderungen verlassen","Which challenge":"Welche Herausforderung",Score:"Punkte",
+"Begin again":"Von vorn beginnen","Show a best one":"Eine beste zeigen","{stars} {points} points. {what}":"{stars} {points} Punkte. {what}","Your best: {points}\
+ points.":"Deine beste: {points} Punkte.","Hop highest":"Am höchsten hüpfen","On level ground, rolling, with at most 3.1 m/s: you choose the load, where it st\
+arts, and friction. How high can the hoop rise within 6 s?":"Auf ebenem Boden, rollend, mit höchstens 3,1 m/s: Du wählst die Last, wo sie beginnt, und die Reibu\
+ng. Wie hoch kann der Reifen in 6 s steigen?","Land upright":"Aufrecht landen","Let the hoop land with its load at the very top. Everything is allowed; the firs\
+t hop has to be at least 5 cm high.":"Lass den Reifen so landen, dass seine Last ganz oben ist. Alles ist erlaubt; der erste Hüpfer muss mindestens 5 cm hoch se\
+in.","Hop without skidding":"Hüpfen ohne Rutschen","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at mo\
+st 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Auf ebenem Boden beginnt der Reifen zu rollen, die Last unten, mit höchsten\
+s 10 m/s, und μ ist höchstens 1,5. Vor dem Hüpfer darf er nicht rutschen; durchdrehen darf er. Wie hoch hüpft er?","Rigid contact only.":"Nur starrer Kontak\
+t.","The plane must be level.":"Die Ebene muss waagerecht sein.","It must be on Earth.":"Es muss auf der Erde sein.","Restitution must be 0.":"Die Stoßzahl muss\
+ 0 sein.","The radius must stay 1 m, without parts.":"Der Radius muss 1 m bleiben, ohne Teile.","At most 90 % of the mass may be in the load.":"Höchstens 90 % d\
+er Masse dürfen in der Last sein.","The hoop must be given by its load fraction.":"Der Reifen muss durch den Massenanteil der Last gegeben sein.","It must star\
+t rolling.":"Er muss rollend beginnen.","At most 10 m/s.":"Höchstens 10 m/s.","At most 3.1 m/s.":"Höchstens 3,1 m/s.","At most 6 s.":"Höchstens 6 s.","It doe\
+s not hop.":"Er hüpft nicht.","It rises by {height}.":"Er steigt um {height}.","The first hop is too low.":"Der erste Hüpfer ist zu niedrig.","It lands {off} \
+away from the top.":"Er landet {off} neben der höchsten Stelle.","The load must start at the bottom.":"Die Last muss unten beginnen.","Friction must be at most\
+ 1.5.":"Die Reibungszahl darf höchstens 1,5 sein.","It skids before it hops.":"Er rutscht, bevor er hüpft.","New here?":"Neu hier?","Eight short questions: gu\
+ess, then play.":"Acht kurze Fragen: erst raten, dann abspielen.","Start the visit":"Besuch beginnen","Not now":"Jetzt nicht","The hoop, before it is let go.":"\
+Der Reifen, bevor er losgelassen wird.",Play:"Abspielen",Next:"Weiter",Back:"Zurück",Done:"Fertig","Step {number} of {all}":"Schritt {number} von {all}","Leave\
+ the visit":"Besuch verlassen","First say what you expect, then play.":"Sag erst, was du erwartest, dann spiel ab.","Your guess":"Dein Tipp","{points} of 100 po\
+ints.":"{points} von 100 Punkten.","You have {sum} of {most} points.":"Du hast {sum} von {most} Punkten.","{what} with the load at {angle}":"{what} mit der Last\
+ bei {angle}","Draw the curve: pull the points up and down":"Zeichne die Kurve: zieh die Punkte auf und ab","Littlewood’s question":"Littlewoods Frage","A hoo\
+p without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked in 1953 what happens when the wei\
+ght is level with the centre.":"Ein Reifen ohne Masse trägt ein Gewicht am Rand. Mit dem Gewicht oben bekommt er den kleinsten Stoß und rollt. J. E. Littlewood \
+fragte 1953, was geschieht, wenn das Gewicht auf der Höhe des Mittelpunkts ist.","What do you think?":"Was meinst du?","It rolls on.":"Er rollt weiter.","It ho\
+ps: the hoop leaves the plane.":"Er hüpft: Der Reifen verlässt die Ebene.","The weight falls freely, and the hoop skims the plane below it.":"Das Gewicht fäll\
+t frei, und der Reifen streift darunter die Ebene.","At {angle} there is no contact force any more.":"Bei {angle} gibt es keine Kontaktkraft mehr.","Littlewood \
+said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop \
+needs some mass in its rim.":"Littlewood sagte, der Reifen hüpfe. Doch die Kontaktkraft ist null, nicht nach oben gerichtet: Das Gewicht fällt frei, und ein Ran\
+d ohne Masse folgt ihm die Ebene entlang. Zum Hüpfen braucht ein Reifen etwas Masse im Rand.","A ring with mass":"Ein Ring mit Masse","Now a quarter of the mas\
+s is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Jetzt steckt ein Viertel der Masse im Ring. Wieder ist die Last oben, und\
+ der Reifen bekommt den kleinsten Stoß.","Draw how fast the hoop’s centre goes during the first turn.":"Zeichne, wie schnell der Mittelpunkt in der ersten Um\
+drehung ist.","Speed of the centre":"Geschwindigkeit des Mittelpunkts","With the load at the bottom the centre has {speed} m/s.":"Mit der Last unten hat der Mit\
+telpunkt {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has \
+lost: it is faster than a stone that falls from the same height.":"Der tiefste Punkt eines rollenden Reifens ruht. Dort hat die Last keine kinetische Energie, u\
+nd der leichte Ring hat alles, was die schwere Last verloren hat: Er ist schneller als ein Stein, der aus derselben Höhe fällt.","Why it slips":"Warum er glei\
+tet","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Ein kräftigerer Stoß: 2,8 m/s oben. Rollen brau\
+cht Reibung, und Reibung hat eine Grenze: Sie ist höchstens μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"Wo ist die L\
+ast, wenn die Reibung zum ersten Mal nachgibt? Dreh die Marke.","Angle of the load where it begins to slip":"Winkel der Last, wo er zu gleiten beginnt","It begi\
+ns to slip at {angle}. There the plane carries only {share} of the weight.":"Er beginnt bei {angle} zu gleiten. Dort trägt die Ebene nur {share} des Gewichts.",
 "The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the diagra\
-m ‘Use of friction’: it comes to 1.":"Dans sa descente la masselotte appuie peu sur le plan : N est petite, alors que l’anneau doit accélérer, ce qui demand\
-e du frottement. Voyez le diagramme « Utilisation du frottement » : elle atteint 1.","The hop":"Le saut","A little faster, 3.1 m/s. This time the hoop leaves \
-the plane, before the first turn is over.":"Un peu plus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Where is the load wh\
-en the hoop takes off? Turn the mark.":"Où est la masselotte quand le cerceau décolle ? Tournez la marque.","Angle of the load where it takes off":"Angle de l\
-a masselotte au décollage","It takes off at {angle}, while its rim slips at {slip} m/s.":"Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","A\
+m ‘Use of friction’: it comes to 1.":"Die Last drückt auf ihrem Weg hinab und herum kaum auf die Ebene, N ist also klein, während der Ring schneller werden \
+muss: Das braucht Reibung. Sieh das Diagramm „Ausnutzung der Reibung“: Sie erreicht 1.","The hop":"Der Hüpfer","A little faster, 3.1 m/s. This time the hoo\
+p leaves the plane, before the first turn is over.":"Etwas schneller, 3,1 m/s. Diesmal verlässt der Reifen die Ebene, bevor die erste Umdrehung vorbei ist.","W\
+here is the load when the hoop takes off? Turn the mark.":"Wo ist die Last, wenn der Reifen abhebt? Dreh die Marke.","Angle of the load where it takes off":"Win\
+kel der Last beim Abheben","It takes off at {angle}, while its rim slips at {slip} m/s.":"Er hebt bei {angle} ab, während sein Rand mit {slip} m/s gleitet.","A\
  rolling hoop would be braked by the plane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pu\
-lls it off the plane before it is at the top.":"Le plan freinerait un cerceau qui roule tandis que la masselotte remonte. Le frottement est trop faible pour cel\
-a : la jante patine, le cerceau continue de tourner vite, et la masselotte l’arrache du plan avant d’être en haut.","The landing":"La retombée","The hoop \
-is in the air. Its centre of gravity goes on a parabola, and it turns evenly.":"Le cerceau est en l’air. Son centre de gravité suit une parabole et il tourne un\
-iformément.","What does it do just after it has landed?":"Que fait-il juste après être retombé ?","It rolls at once.":"Il roule aussitôt.","It skids: the r\
-im slides ahead.":"Il dérape : la jante glisse vers l’avant.","It spins: the rim turns too fast.":"Il patine : la jante tourne trop vite.","It bounces.":"Il \
-rebondit.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Il est resté {time} s en l’air et est monté de {height}\
- cm ; il retombe avec la masselotte à {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With l\
-ess friction, or more restitution, the landing would be another one. Try it afterwards.":"Un impact ne dure pas, mais son frottement est aussi fort que sa pouss\
-ée : ici il suffit à arrêter tout glissement. Avec moins de frottement, ou plus de restitution, la retombée serait autre. Essayez ensuite.","More friction, \
-more hop?":"Plus de frottement, plus haut ?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Trois cerceaux reçoivent la\
- même poussée de 3,1 m/s, sur des plans de frottement 0,05, 0,2 et 1,0.","Which of them hops highest?":"Lequel saute le plus haut ?","They rise by {low} cm, {\
-middle} cm and {high} cm. (The first two are A and B.)":"Ils montent de {low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","On ice nothing dr\
+lls it off the plane before it is at the top.":"Einen rollenden Reifen würde die Ebene bremsen, während die Last hochkommt. Dafür ist die Reibung zu schwach: De\
+r Rand dreht durch, der Reifen dreht schnell weiter, und die Last zieht ihn von der Ebene, bevor sie oben ist.","The landing":"Die Landung","The hoop is in the \
+air. Its centre of gravity goes on a parabola, and it turns evenly.":"Der Reifen ist in der Luft. Sein Schwerpunkt fliegt auf einer Parabel, und er dreht sich g\
+leichmäßig.","What does it do just after it has landed?":"Was tut er gleich nach der Landung?","It rolls at once.":"Er rollt sofort.","It skids: the rim slide\
+s ahead.":"Er rutscht: Der Rand gleitet voraus.","It spins: the rim turns too fast.":"Er dreht durch: Der Rand dreht sich zu schnell.","It bounces.":"Er springt\
+ wieder ab.","It was in the air for {time} s and rose by {height} cm; it lands with the load at {angle}.":"Er war {time} s in der Luft und stieg um {height} cm;\
+ er landet mit der Last bei {angle}.","An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less frictio\
+n, or more restitution, the landing would be another one. Try it afterwards.":"Ein Stoß braucht keine Zeit, doch seine Reibung ist so stark wie sein Druck: Hier\
+ genügt sie, um allen Schlupf zu beenden. Mit weniger Reibung oder größerer Stoßzahl wäre die Landung eine andere. Probier es nachher aus.","More friction,\
+ more hop?":"Mehr Reibung, mehr Hüpfen?","Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Drei Reifen bekommen denselben\
+ Stoß von 3,1 m/s, auf Ebenen mit der Reibungszahl 0,05, 0,2 und 1,0.","Which of them hops highest?":"Welcher hüpft am höchsten?","They rise by {low} cm, {mi\
+ddle} cm and {high} cm. (The first two are A and B.)":"Sie steigen um {low} cm, {middle} cm und {high} cm. (Die ersten beiden sind A und B.)","On ice nothing dr\
 ives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is br\
-aked on the way up.":"Sur la glace rien n’entraîne la rotation ; avec un frottement sans fin rien ne glisse. Le saut exige les deux : assez de frottement pour t\
-ourner vite à la descente, et pas assez pour être freiné à la remontée.","What rigid bodies cannot decide":"Ce que les solides ne peuvent décider","A hoop\
- is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"On lance un cerceau de sorte q\
-u’il glisse vite sur un plan rugueux. Les lois des solides avec frottement sec doivent dire la suite.","What do they say?":"Que disent-elles ?","It flies off.":"\
-Il s’envole.","An impact stops the slide at once.":"Un impact arrête aussitôt le glissement.","Both agree with the laws.":"Les deux obéissent aux lois.","H\
-oop A and hoop B start alike, and both motions obey every law.":"Les cerceaux A et B partent de même, et les deux mouvements obéissent à toutes les lois.","P\
-ainlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that decides: choose the comp\
-liant contact under ‘Contact’.":"Painlevé l’a trouvé en 1895. Pour un solide, les lois ont ici deux réponses, dans d’autres états aucune. Les corps réels cè\
-dent un peu, et cela décide : choisissez le contact souple sous « Contact ».","Your turn":"À vous","Take the hoop: turn the load, lift the hoop and let it d\
-rop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the motion itself.":"Prenez le cerceau : tournez la masselotte, \
-levez-le et lâchez-le, lancez-le, inclinez le plan. Ou relevez un défi, et voyez votre score calculé d’après le mouvement lui-même.","Show the hoop at fu\
-ll speed, once, without a comment. “I push it. Does it only roll?”":"Montrer le cerceau à pleine vitesse, une fois, sans commentaire. « Je le pousse. Ne fai\
-t-il que rouler ? »","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Chacun prédit où est la masselotte au décoll\
-age. Compter les voix par quarts de tour.","Energy on the way down, in pairs: who has the energy when the load is at rest?":"L’énergie à la descente, par deux :\
- qui a l’énergie quand la masselotte est au repos ?","Lift at the top: at which speed is the force of the floor zero?":"Soulèvement en haut : à quelle vitess\
-e la force du sol est-elle nulle ?","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.":"Le film à nouveau, au ralenti e\
-t avec les forces ; arrêter au décollage. Comparer avec les voix.","Each group takes one speed of the worksheet; results on the board.":"Chaque groupe prend u\
-ne vitesse de la fiche ; résultats au tableau.","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Pourquo\
-i ? Qu’est-ce qui doit freiner la rotation à la remontée, avec quelle force, et si c’est trop faible ?","One sentence each: “The hoop hops because …”":"\
-Une phrase chacun : « Le cerceau saute parce que… »","The load pulls the hoop up at the top, so it hops there.":"La masselotte tire le cerceau vers le haut \
-au sommet, donc il saute là.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Seulement s’il est très rapide. Les plus lents saute\
-nt avant le sommet, après avoir glissé.","It hops at the bottom, where it is fastest.":"Il saute en bas, où il est le plus rapide.","There the floor pushes h\
-ardest: the load has to be turned upwards.":"Là le sol pousse le plus fort : il faut dévier la masselotte vers le haut.","Nothing can be faster than a falling\
- stone.":"Rien ne peut être plus rapide qu’une pierre qui tombe.","The ring can: it gets the energy of a load that has come to rest.":"L’anneau le peut : il \
-reçoit l’énergie d’une masselotte qui s’est arrêtée.","Friction always brakes.":"Le frottement freine toujours.","It acts against slip. On the hoop’s \
-way up it points forwards.":"Il agit contre le glissement. À la remontée il est dirigé vers l’avant.","More friction, more hop.":"Plus de frottement, plus \
-de saut.","There is a best friction in between.":"Il y a un frottement optimal entre les deux.","A heavier hoop behaves otherwise.":"Un cerceau plus lourd se co\
-mporte autrement.","Only the shares of mass count.":"Seules les parts de masse comptent.","Before the film: where is the load when the hoop leaves the floor? Ma\
-rk the place and give one reason.":"Avant le film : où est la masselotte quand le cerceau quitte le sol ? Marquez l’endroit et donnez une raison.","The hoop \
-gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Le cerceau ne reçoit que la plus petite pou\
-ssée et roule. Quelle énergie potentielle a été libérée quand la masselotte est en bas ?","While a wheel rolls, its lowest point is at rest. Which part of\
- the hoop has kinetic energy then, and how fast is the centre?":"Quand une roue roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l\
-’énergie cinétique, et quelle est la vitesse du centre ?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"Quelle \
-est la vitesse d’une pierre tombant de la hauteur de la masselotte ? Pourquoi le cerceau peut-il être plus rapide ?","Find the force of the floor at the top \
-for 1.0 m/s, and the speed at which it becomes zero.":"Trouvez la force du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","In the lab: what doe\
-s the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Dans le labo : que fait le cerceau pendant ses 1,5 premières secondes, et\
- à quel angle saute-t-il ? Remplissez le tableau.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Trouvez la plus petite vitesse pour laquelle\
- le cerceau saute, à 1 cm/s près.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"À 2,2 m/s le cerceau quitte \
-le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à sauter ?",Show:"Montrer","Teaching with the hoop":"Enseigner avec le cerceau",Worksheet:"\
-Fiche de travail",Solutions:"Corrigé",Exercises:"Exercices","A lesson of 45 minutes":"Une séance de 45 minutes",Minute:"Minute",Motion:"Mouvement","What stude\
-nts often think":"Ce que pensent souvent les élèves",Idea:"Idée","What is right":"Ce qui est juste","Worksheet: the hoop that hops":"Fiche de travail : le ce\
-rceau sauteur","A thin ring of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the\
- top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"Un anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée\
- sur sa jante. Le cerceau est posé sur un sol horizontal, la masselotte en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².",phases:"phas\
-es","does it hop?":"saute-t-il ?","at which angle?":"à quel angle ?",Print:"Imprimer","The visit asks before it shows; the presentation fills the screen; the t\
-able gives numbers to every student.":"La visite interroge avant de montrer ; la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.",
-inf:"inf","greater than {least}":"supérieur à {least}","at least {least}":"au moins {least}","at least {least} (inf is allowed)":"au moins {least} (inf est pe\
-rmis)","at most {most}":"au plus {most}","a finite number":"un nombre fini","a whole number":"un nombre entier","'{word}' or '{word2}'":"« {word} » ou « {word2}\
- »","'{word}', '{word2}' or '{word3}'":"« {word} », « {word2} » ou « {word3} »","Rolling resistance":"Résistance au roulement","Rolling resistance: coup\
-le against the rotation over R N":"Résistance au roulement : couple opposé à la rotation, divisé par R N","Slips, hops":"Glisse, saute","no threshold uphill\
- (β < 0): whether it slips or hops hangs on where it turns back; the map shows it":"en montée (β < 0) pas de seuil : qu’il glisse ou saute dépend de l’endroit \
-où il fait demi-tour ; la carte le montre","'rigid' for a map":"« rigid » pour une carte","x.cells times y.cells = {cells} must be at most {most} in the lab.":"\
-x.cells fois y.cells = {cells} doit être au plus {most} dans le labo.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} et \
-{other} ne peuvent être tous deux des axes : ils disent la même chose de deux façons.","x.path and y.path are both {path} and must differ.":"x.path et y.path\
- sont tous deux {path} et doivent différer.","lost to rolling resistance":"perdue par résistance au roulement","Rolling resistance f":"Résistance au roulement\
- f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {value} doit être entre -pi/2 et pi/2 (radians).","{word} is not a known key; known\
- are {word2}.":"{word} n’est pas une clé connue ; sont connues {word2}.","{one} cannot be given together with {other}.":"{one} ne peut pas être donné avec {o\
-ther}.","{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} ne doit pas dépasser {other} = {limit}.","plane.mu_static = inf must be finite wi\
-th contact.model = 'compliant'.":"plane.mu_static = inf doit être fini avec contact.model = 'compliant'.","hoop.parts must not be empty.":"hoop.parts ne doit p\
-as être vide.","This takes longer than {time} s; ask for a shorter motion or fewer cells.":"Cela prend plus de {time} s ; demandez un mouvement plus court ou m\
-oins de cellules.","The lab is busy; try again in {time} seconds.":"Le labo est occupé ; réessayez dans {time} secondes.","The lab is busy; try again in 1 sec\
-ond.":"Le labo est occupé ; réessayez dans 1 seconde.","The computation failed.":"Le calcul a échoué.","The process that computed this has ended.":"Le proce\
-ssus qui calculait cela s’est arrêté.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} d\
-oit être au plus {most} s dans le labo ; la bibliothèque elle-même n’a pas cette limite.","duration = {value} s at this speed and radius is about {turns} r\
-evolutions and must be at most {most} in the lab; the library itself has no such limit.":"duration = {value} s font environ {turns} tours à cette vitesse et ce \
-rayon, au plus {most} dans le labo ; la bibliothèque elle-même n’a pas cette limite.","hoop.parts has {count} parts and must have at most {most} in the lab.":"\
-hoop.parts a {count} pièces et doit en avoir au plus {most} dans le labo.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of inte\
-gration and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed et duration demandent environ {steps} pas d’intégration, au plus {most}\
- dans le labo.","A cell of this map is about {turns} revolutions and must be at most {most} in the lab.":"Une cellule de cette carte fait environ {turns} tours,\
- au plus {most} dans le labo.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower s\
-peeds or a shorter duration.":"x et y font {count} cellules d’environ {turns} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesse\
-s plus faibles ou une durée plus courte.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} doit être au plus {most} s\
- pour un film du labo.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A bleu, B ocre ; le tracé indique la grandeur ; nombres d\
-e {hoop} ; {hands}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"Ce qu\
-i vient après {time} s dépend de plus de chiffres que n’en ont les nombres de cette page ; hophoop lab et Python en prennent autant qu’il faut.","hophoop \
-lab: play with the hopping hoop":"hophoop lab : jouer avec le cerceau sauteur","Put a hopping hoop into a page of yours":"Mettre un cerceau sauteur dans une pag\
-e à vous","One tag and one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader’s browser; nothing is sent anywhere\
-.":"Une balise et un script montrent un cerceau vivant dans un blog, une page de cours ou des diapositives. Le mouvement est calculé dans le navigateur du lecte\
-ur ; rien n’est envoyé nulle part.","Choose a motion in the lab, and copy its link here.":"Choisissez un mouvement dans le labo et copiez son lien ici.","Sce\
-nario: a link of the lab, or what stands behind its question mark":"Scénario : un lien du labo, ou ce qui suit son point d’interrogation","What stands beside\
- the player":"Ce qui accompagne le lecteur",sliders:"réglages",diagrams:"diagrammes",theory:"théorie",map:"carte","As a tag":"En balise","The tag":"La balise",
-"Copy the tag":"Copier la balise","As a frame, where scripts are not allowed":"En cadre, là où les scripts ne sont pas permis","The frame":"Le cadre","Copy th\
-e frame":"Copier le cadre","As a QR code":"En code QR","How it looks":"Aperçu","Copied.":"Copié.","A hopping hoop":"Un cerceau sauteur"};var jn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地",hop:"跳起","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空\
-转",skids:"拖滑",flies:"腾空","skims the plane":"贴着平面滑过","rolls at {angle}":"在 {angle} 处开始滚动","spins at {angle}":"在 {angle} 处开始空转",
+aked on the way up.":"Auf Eis treibt nichts die Drehung an; mit endloser Reibung gleitet nichts. Der Hüpfer braucht beides: genug Reibung, um den Reifen auf dem\
+ Weg hinab schnell zu drehen, und nicht so viel, dass er auf dem Weg hinauf gebremst wird.","What rigid bodies cannot decide":"Was starre Körper nicht entscheid\
+en","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Ein Reifen wird so \
+geworfen, dass er schnell über eine raue Ebene gleitet. Die Gesetze starrer Körper mit trockener Reibung müssen sagen, was als Nächstes geschieht.","What do\
+ they say?":"Was sagen sie?","It flies off.":"Er fliegt davon.","An impact stops the slide at once.":"Ein Stoß beendet das Gleiten sofort.","Both agree with th\
+e laws.":"Beides passt zu den Gesetzen.","Hoop A and hoop B start alike, and both motions obey every law.":"Reifen A und Reifen B beginnen gleich, und beide Bew\
+egungen befolgen jedes Gesetz.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little,\
+ and that decides: choose the compliant contact under ‘Contact’.":"Painlevé fand dies 1895. Für einen starren Körper haben die Gesetze hier zwei Antworten, \
+in anderen Zuständen keine. Wirkliche Körper geben etwas nach, und das entscheidet: Wähle unter „Kontakt“ den nachgiebigen.","Your turn":"Du bist dran","\
+Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the moti\
+on itself.":"Nimm den Reifen: Dreh die Last, heb ihn an und lass ihn fallen, stoß ihn an, neige die Ebene. Oder nimm eine Herausforderung an, und sieh, wie dein\
+e Punkte aus der Bewegung selbst berechnet werden.","Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Den Reifen einm\
+al in voller Geschwindigkeit zeigen, ohne Kommentar. „Ich stoße ihn an. Rollt er nur?“","Everybody predicts where the load is at take-off. Count the votes \
+by quarters of the turn.":"Alle sagen voraus, wo die Last beim Abheben ist. Stimmen nach Vierteln der Umdrehung zählen.","Energy on the way down, in pairs: who\
+ has the energy when the load is at rest?":"Energie auf dem Weg hinab, zu zweit: Wer hat die Energie, wenn die Last ruht?","Lift at the top: at which speed is t\
+he force of the floor zero?":"Abheben oben: Bei welcher Geschwindigkeit ist die Kraft des Bodens null?","The film again, in slow motion and with forces; stop at\
+ take-off. Compare with the votes.":"Der Film noch einmal, in Zeitlupe und mit Kräften; beim Abheben anhalten. Mit den Stimmen vergleichen.","Each group takes \
+one speed of the worksheet; results on the board.":"Jede Gruppe nimmt eine Geschwindigkeit des Arbeitsblatts; Ergebnisse an die Tafel.","Why? What has to brake \
+the rotation on the way up, how strong can it be, and what if it is too weak?":"Warum? Was muss die Drehung auf dem Weg hinauf bremsen, wie stark kann es sein, \
+und was, wenn es zu schwach ist?","One sentence each: “The hoop hops because …”":"Ein Satz von jedem: „Der Reifen hüpft, weil …“","The load pulls t\
+he hoop up at the top, so it hops there.":"Die Last zieht den Reifen oben hoch, also hüpft er dort.","Only if it is very fast. Slower hoops hop before the top,\
+ after slipping.":"Nur wenn er sehr schnell ist. Langsamere Reifen hüpfen vor der höchsten Stelle, nach dem Gleiten.","It hops at the bottom, where it is fast\
+est.":"Er hüpft unten, wo er am schnellsten ist.","There the floor pushes hardest: the load has to be turned upwards.":"Dort drückt der Boden am stärksten: Die\
+ Last muss nach oben umgelenkt werden.","Nothing can be faster than a falling stone.":"Nichts kann schneller sein als ein fallender Stein.","The ring can: it ge\
+ts the energy of a load that has come to rest.":"Der Ring schon: Er bekommt die Energie einer Last, die zur Ruhe gekommen ist.","Friction always brakes.":"Reibu\
+ng bremst immer.","It acts against slip. On the hoop’s way up it points forwards.":"Sie wirkt gegen den Schlupf. Auf dem Weg hinauf zeigt sie nach vorn.","Mor\
+e friction, more hop.":"Mehr Reibung, mehr Hüpfen.","There is a best friction in between.":"Dazwischen gibt es eine beste Reibungszahl.","A heavier hoop behave\
+s otherwise.":"Ein schwererer Reifen verhält sich anders.","Only the shares of mass count.":"Nur die Anteile der Massen zählen.","Before the film: where is th\
+e load when the hoop leaves the floor? Mark the place and give one reason.":"Vor dem Film: Wo ist die Last, wenn der Reifen den Boden verlässt? Markiere die Ste\
+lle und nenne einen Grund.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at the bottom?":"Der R\
+eifen bekommt nur den kleinsten Stoß und rollt. Wie viel potenzielle Energie ist frei geworden, wenn die Last unten ist?","While a wheel rolls, its lowest poin\
+t is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Wenn ein Rad rollt, ruht sein tiefster Punkt. Welcher Teil des Reife\
+ns hat dann kinetische Energie, und wie schnell ist der Mittelpunkt?","How fast is a stone that falls from the height of the load? Why can the hoop be faster?":"\
+Wie schnell ist ein Stein, der aus der Höhe der Last fällt? Warum kann der Reifen schneller sein?","Find the force of the floor at the top for 1.0 m/s, and th\
+e speed at which it becomes zero.":"Bestimme die Kraft des Bodens oben für 1,0 m/s und die Geschwindigkeit, bei der sie null wird.","In the lab: what does the \
+hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"Im Labor: Was tut der Reifen in den ersten 1,5 s, und bei welchem Winkel hüpft \
+er? Fülle die Tabelle aus.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Finde die kleinste Geschwindigkeit, mit der der Reifen hüpft, auf 1\
+ cm/s genau.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"Bei 2,2 m/s verlässt der Reifen den Boden, während \
+sein Rand gleitet. Warum hilft ihm das Gleiten zu hüpfen?",Show:"Zeigen","Teaching with the hoop":"Unterrichten mit dem Reifen",Worksheet:"Arbeitsblatt",Solutions:"\
+Lösungen",Exercises:"Aufgaben","A lesson of 45 minutes":"Eine Unterrichtsstunde von 45 Minuten",Minute:"Minute",Motion:"Bewegung","What students often think":"\
+Was Lernende oft denken",Idea:"Vorstellung","What is right":"Was richtig ist","Worksheet: the hoop that hops":"Arbeitsblatt: der hüpfende Reifen","A thin ring \
+of radius 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the ri\
+ght. Friction: μ = 1; g = 9.81 m/s².":"Ein dünner Ring mit dem Radius 0,40 m hat eine Masse von 0,25 kg. An seinem Rand ist eine Last von 0,75 kg befestigt. D\
+er Reifen steht mit der Last oben auf ebenem Boden und wird nach rechts gestoßen. Reibungszahl: μ = 1; g = 9,81 m/s².",phases:"Phasen","does it hop?":"hüpft \
+er?","at which angle?":"bei welchem Winkel?",Print:"Drucken","The visit asks before it shows; the presentation fills the screen; the table gives numbers to ever\
+y student.":"Der Besuch fragt, bevor er zeigt; die Vorführung füllt den Bildschirm; die Tabelle gibt allen Zahlen.",inf:"inf","greater than {least}":"größer a\
+ls {least}","at least {least}":"mindestens {least}","at least {least} (inf is allowed)":"mindestens {least} (inf ist erlaubt)","at most {most}":"höchstens {most\
+}","a finite number":"eine endliche Zahl","a whole number":"eine ganze Zahl","'{word}' or '{word2}'":"„{word}“ oder „{word2}“","'{word}', '{word2}' or '\
+{word3}'":"„{word}“, „{word2}“ oder „{word3}“","Rolling resistance":"Rollwiderstand","Rolling resistance: couple against the rotation over R N":"Rol\
+lwiderstand: Moment gegen die Drehung, geteilt durch R N","Slips, hops":"Gleitet, hüpft","no threshold uphill (β < 0): whether it slips or hops hangs on where \
+it turns back; the map shows it":"bergauf (β < 0) keine Schwelle: Ob er gleitet oder hüpft, hängt davon ab, wo er umkehrt; die Karte zeigt es","'rigid' for a\
+ map":"für eine Karte „rigid“","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells mal y.cells = {cells} darf im Labor höchstens \
+{most} sein.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} und {other} können nicht beide Achsen sein: Sie sagen dasselb\
+e auf zwei Arten.","x.path and y.path are both {path} and must differ.":"x.path und y.path sind beide {path} und müssen verschieden sein.","lost to rolling res\
+istance":"durch Rollwiderstand verloren","Rolling resistance f":"Rollwiderstand f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {valu\
+e} muss zwischen -pi/2 und pi/2 liegen (Radiant).","{word} is not a known key; known are {word2}.":"{word} ist kein bekannter Schlüssel; bekannt sind {word2}.",
+"{one} cannot be given together with {other}.":"{one} kann nicht zusammen mit {other} gegeben werden.","{one} = {value} must not exceed {other} = {limit}.":"{on\
+e} = {value} darf {other} = {limit} nicht übersteigen.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static = inf muss be\
+i contact.model = 'compliant' endlich sein.","hoop.parts must not be empty.":"hoop.parts darf nicht leer sein.","This takes longer than {time} s; ask for a shor\
+ter motion or fewer cells.":"Das dauert länger als {time} s; verlange eine kürzere Bewegung oder weniger Zellen.","The lab is busy; try again in {time} second\
+s.":"Das Labor ist beschäftigt; in {time} Sekunden noch einmal versuchen.","The lab is busy; try again in 1 second.":"Das Labor ist beschäftigt; in 1 Sekunde n\
+och einmal versuchen.","The computation failed.":"Die Rechnung ist gescheitert.","The process that computed this has ended.":"Der Prozess, der dies berechnet ha\
+t, ist beendet.","duration = {value} must be at most {most} s in the lab; the library itself has no such limit.":"duration = {value} darf im Labor höchstens {mo\
+st} s sein; die Bibliothek selbst hat keine solche Grenze.","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {mos\
+t} in the lab; the library itself has no such limit.":"duration = {value} s sind bei dieser Geschwindigkeit und diesem Radius etwa {turns} Umdrehungen, im Labor\
+ höchstens {most}; die Bibliothek selbst hat keine solche Grenze.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts hat {cou\
+nt} Teile und darf im Labor höchstens {most} haben.","contact.stiffness, contact.slip_speed and duration need about {steps} steps of integration and must need \
+at most {most} in the lab.":"contact.stiffness, contact.slip_speed und duration brauchen etwa {steps} Integrationsschritte, im Labor höchstens {most}.","A cell\
+ of this map is about {turns} revolutions and must be at most {most} in the lab.":"Eine Zelle dieser Karte sind etwa {turns} Umdrehungen, im Labor höchstens {mo\
+st}.","x and y make {count} cells of about {turns} revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter durati\
+on.":"x und y ergeben {count} Zellen mit zusammen etwa {turns} Umdrehungen, im Labor höchstens {most}; nimm weniger Zellen, kleinere Geschwindigkeiten oder eine\
+ kürzere Dauer.","duration = {value} must be at most {most} s for a film from the lab.":"duration = {value} darf für einen Film aus dem Labor höchstens {most} \
+s sein.","A blue, B ochre; the dashes tell the quantities; numbers of {hoop}; {hands}":"A blau, B ocker; die Strichart nennt die Größe; Zahlen von {hoop}; {hand\
+s}","What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as many as it needs.":"Was nach {time} s kom\
+mt, hängt an mehr Stellen, als die Zahlen dieser Seite haben; hophoop lab und Python nehmen so viele, wie nötig sind.","hophoop lab: play with the hopping hoo\
+p":"hophoop-Labor: mit dem hüpfenden Reifen spielen","Put a hopping hoop into a page of yours":"Einen hüpfenden Reifen in die eigene Seite setzen","One tag an\
+d one script show a live hoop in a blog, a course page or slides. The motion is computed in the reader’s browser; nothing is sent anywhere.":"Ein Tag und ein \
+Skript zeigen einen lebendigen Reifen in einem Blog, auf einer Kursseite oder auf Folien. Die Bewegung wird im Browser der Lesenden berechnet; nichts wird irgen\
+dwohin gesendet.","Choose a motion in the lab, and copy its link here.":"Im Labor eine Bewegung wählen und ihren Link hierher kopieren.","Scenario: a link of t\
+he lab, or what stands behind its question mark":"Szenario: ein Link des Labors, oder was hinter seinem Fragezeichen steht","What stands beside the player":"Was\
+ neben dem Abspieler steht",sliders:"Regler",diagrams:"Diagramme",theory:"Theorie",map:"Karte","As a tag":"Als Tag","The tag":"Der Tag","Copy the tag":"Den Tag \
+kopieren","As a frame, where scripts are not allowed":"Als Rahmen, wo Skripte nicht erlaubt sind","The frame":"Der Rahmen","Copy the frame":"Den Rahmen kopieren",
+"As a QR code":"Als QR-Code","How it looks":"Wie es aussieht","Copied.":"Kopiert.","A hopping hoop":"Ein hüpfender Reifen"};var Cn={roll:"rodadura",spin:"patinaje",skid:"derrape",flight:"vuelo",skim:"roce","slip −":"deslizamiento −","slip +":"deslizamiento +",rolls:"rueda",spins:"\
+patina",skids:"derrapa",flies:"vuela","skims the plane":"roza el plano","rolls at {angle}":"rueda desde {angle}","spins at {angle}":"patina desde {angle}","skid\
+s at {angle}":"derrapa desde {angle}","flies at {angle}":"vuela desde {angle}","skims the plane at {angle}":"roza el plano desde {angle}","hops at {angle}":"sal\
+ta a {angle}","lands at {angle}":"aterriza a {angle}","bounces at {angle}":"rebota a {angle}","slips the other way at {angle}":"desliza en sentido contrario des\
+de {angle}","stops its slip at once at {angle}":"deja de deslizar de golpe a {angle}","turns back at {angle}":"da la vuelta a {angle}","has bounced out at {angl\
+e}":"termina de rebotar a {angle}","meets Painlevé's paradox at {angle}":"encuentra la paradoja de Painlevé a {angle}","meets Painlevé's indeterminacy at {ang\
+le}":"encuentra la indeterminación de Painlevé a {angle}","jams at {angle}":"se bloquea a {angle}","gains energy (Kane) at {angle}":"gana energía (Kane) a {an\
+gle}","skims at {angle}":"roza desde {angle}","rests at {angle}":"reposa a {angle}","starts at {angle}":"empieza a {angle}","slips at {angle}":"desliza desde {a\
+ngle}","{what} and {count} more times":"{what} y {count} veces más","… ({count} more)":"… ({count} más)","It has come to rest.":"Ha quedado en reposo.","T\
+he normal force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.":"La fuerza normal crece sin límite (bloqueo dinámico): la mecánic\
+a del sólido rígido no da ningún movimiento más allá.","The model does not determine the motion beyond.":"El modelo no determina el movimiento posterior.",
+"The limit of events (contact.max_events), or of work for one motion, was reached before the end.":"Se alcanzó el límite de sucesos (contact.max_events), o de c\
+álculo para un movimiento, antes del final.","It starts and {verb} with the load at {angle} and the centre at {speed} m/s.":"Empieza y {verb}, con la carga a {\
+angle} y el centro a {speed} m/s.","It starts in the air with the load at {angle} and the centre at {speed} m/s.":"Empieza en el aire, con la carga a {angle} y \
+el centro a {speed} m/s.","It starts skimming with the load at {angle} and the centre at {speed} m/s.":"Empieza rozando el plano, con la carga a {angle} y el ce\
+ntro a {speed} m/s.","It {verb} at {angle}; friction is used up: the rim turns too fast for the way it goes.":"A {angle} {verb}: el rozamiento está agotado y la\
+ llanta gira demasiado deprisa para lo que avanza.","It {verb} at {angle}; friction is used up: the rim slides ahead.":"A {angle} {verb}: el rozamiento está ago\
+tado y la llanta desliza hacia delante.","It rolls again at {angle}; the slip has stopped.":"A {angle} vuelve a rodar; el deslizamiento ha cesado.","The slip tu\
+rns round at {angle}; it {verb}.":"A {angle} se invierte el deslizamiento; {verb}.","It hops at {angle}.":"Salta a {angle}.","It hops at {angle}. It rises {heig\
+ht} and stays up for {time} s.":"Salta a {angle}. Sube {height} y permanece {time} s en el aire.","An impact without collision at {angle} stops the slip; then i\
+t {verb}.":"Un impacto sin choque a {angle} detiene el deslizamiento; luego {verb}.","It lands at {angle} with {speed} m/s downwards and bounces.":"Aterriza a {\
+angle} con {speed} m/s hacia abajo y rebota.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Aterriza a {angle} con {speed} m/s hacia abajo y {ve\
+rb}.","It turns back at {angle}.":"Da la vuelta a {angle}.","It turns back at {angle}, and {verb} now.":"Da la vuelta a {angle}, y ahora {verb}.","The centre is\
+ highest at {angle}: the gap is {height}.":"El centro está más alto a {angle}: la separación es de {height}.","Bounces without number end here, at {angle}.":"\
+Aquí, a {angle}, terminan infinitos rebotes.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Paradoja de Painlevé a {angle}: ningun\
+a fuerza de contacto es compatible con este deslizamiento.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Paradoja de Painlevé a {ang\
+le}: varias fuerzas de contacto son compatibles.","Dynamic jam at {angle}: the contact force grows without bound.":"Bloqueo dinámico a {angle}: la fuerza de con\
+tacto crece sin límite.","Newton's law of impact has created {energy} J (Kane's example).":"La ley de impacto de Newton ha creado {energy} J (ejemplo de Kane).",
+"No contact force is left at {angle}: the load falls freely and the rim skims the plane.":"A {angle} ya no hay fuerza de contacto: la carga cae libremente y la \
+llanta roza el plano.","It rests at {angle}.":"Reposa a {angle}.","It rests at {angle}, which is not stable.":"Reposa a {angle}, pero no de forma estable.","It \
+bounces {count} more times.":"Rebota {count} veces más.","… and {count} more.":"… y {count} más.",Slips:"Desliza",Hops:"Salta","Hops at once":"Salta de in\
+mediato","Friction for pure rolling":"Rozamiento para rodadura pura","Painlevé’s paradox":"Paradoja de Painlevé","Dynamic jam":"Bloqueo dinámico","Rests st\
+ably":"Reposo estable","End of rolling":"Fin de la rodadura","would slip above {speed} m/s":"deslizaría por encima de {speed} m/s","would slip: any push is eno\
+ugh":"deslizaría: basta cualquier empujón","would hop in its first turn above {speed} m/s":"saltaría en la primera vuelta por encima de {speed} m/s","would h\
+op in its first turn: any push is enough":"saltaría en la primera vuelta: basta cualquier empujón","would hop at once above {speed} m/s":"saltaría de inmediat\
+o por encima de {speed} m/s","would hop at once: at any speed":"saltaría de inmediato: a cualquier velocidad","never, at any speed":"nunca, a ninguna velocidad",
+"no friction keeps it rolling":"ningún rozamiento lo mantiene rodando","μ = {mu} would keep it rolling (enough here)":"μ = {mu} lo mantendría rodando (aquí ba\
+sta)","μ = {mu} would keep it rolling (more than there is)":"μ = {mu} lo mantendría rodando (más de lo que hay)",never:"nunca","from μ = {mu} on, at {angle}\
+: possible here":"desde μ = {mu}, a {angle}: aquí es posible","from μ = {mu} on, at {angle}: not here":"desde μ = {mu}, a {angle}: aquí no","can end a slip\
+ at {angles}":"puede acabar un deslizamiento a {angles}","with the load at {angle}":"con la carga a {angle}","at {angle} friction is used up":"a {angle} se agot\
+a el rozamiento","at {angle} the contact force is gone":"a {angle} desaparece la fuerza de contacto","Load fraction":"Fracción de la carga","Share of the mass \
+in the load of an ideal hoop":"Parte de la masa que está en la carga de un aro ideal",Eccentricity:"Excentricidad","Distance of the centre of gravity from the \
+centre, over the radius":"Distancia del centro de gravedad al centro, dividida por el radio","Inertia ratio":"Momento de inercia relativo","Moment of inertia ab\
+out the centre of gravity over m R²":"Momento de inercia respecto al centro de gravedad, dividido por m R²",Radius:"Radio","Rim radius":"Radio de la llanta",Mass:"\
+Masa","Total mass":"Masa total",Friction:"Coeficiente de rozamiento","Friction, static and kinetic":"Coeficiente de rozamiento, estático y cinético","Static f\
+riction":"Rozamiento estático","Kinetic friction":"Rozamiento cinético",Slope:"Inclinación","Slope of the plane, downhill along +x":"Inclinación del plano, c\
+uesta abajo hacia +x",Gravity:"Gravedad",Restitution:"Restitución","Restitution of an impact":"Coeficiente de restitución de un impacto",Speed:"Velocidad","Ve\
+locity of the centre in a rolling start":"Velocidad del centro en una salida rodando","Load angle":"Ángulo de la carga","Angle from the plane's normal to the c\
+entre of gravity":"Ángulo desde la normal del plano hasta el centro de gravedad","Height of the gap":"Altura de la separación","Gap between rim and plane":"Se\
+paración entre la llanta y el plano","Speed along":"Velocidad a lo largo","Velocity of the centre along the plane":"Velocidad del centro a lo largo del plano",
+"Speed upwards":"Velocidad hacia arriba","Velocity of the centre away from the plane":"Velocidad del centro alejándose del plano","Angular velocity":"Velocidad\
+ angular",Stiffness:"Rigidez","Stiffness of the contact":"Rigidez del contacto","Slip speed":"Velocidad de deslizamiento","Slip velocity over which friction bui\
+lds up":"Velocidad de deslizamiento en la que se establece el rozamiento","Restitution that the damping is chosen for":"Restitución para la que se elige el amor\
+tiguamiento",Duration:"Duración","Duration of the motion":"Duración del movimiento","Law of impact":"Ley de impacto","Law of restitution":"Ley de restitución",
+"Stronge (energy)":"Stronge (energía)","Poisson (impulse)":"Poisson (impulso)","Newton (velocity)":"Newton (velocidad)","Painlevé: two solutions":"Painlevé: d\
+os soluciones","What follows an indeterminate contact":"Qué sigue a un contacto indeterminado",impact:"impacto","Contact model":"Modelo de contacto",rigid:"ríg\
+ido",compliant:"flexible","Normal force":"Fuerza normal","Friction law":"Ley de rozamiento","Regularised friction":"Rozamiento regularizado","smooth (tanh)":"su\
+ave (tanh)",linear:"lineal","bristle (can hold)":"cerdas (puede sujetar)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–Crossley":"Hunt–Crossley","Speed v₀":"Ve\
+locidad v₀","Angle of the load θ₀":"Ángulo de la carga θ₀","Speed along ẋ₀":"Velocidad a lo largo ẋ₀","Angular velocity θ̇₀":"Velocidad ang\
+ular θ̇₀","Height of the gap y₀":"Altura de la separación y₀","Load fraction γ":"Fracción de la carga γ","Eccentricity ε":"Excentricidad ε","Inert\
+ia ratio κ":"Momento de inercia relativo κ","Radius R":"Radio R","Friction μ":"Rozamiento μ","Slope β":"Inclinación β","Gravity g":"Gravedad g","Restitut\
+ion e":"Restitución e",Earth:"Tierra",Moon:"Luna",Mars:"Marte",Jupiter:"Júpiter",Weightless:"Ingravidez","what happens in the first turn":"lo que ocurre en la\
+ primera vuelta","height of the first hop":"altura del primer salto","angle of take-off":"ángulo de despegue","duration of the first hop":"duración del primer \
+salto","greatest friction utilization":"mayor uso del rozamiento","energy lost":"energía perdida","angle at the end":"ángulo final","Painlevé’s paradox or jam\
+ met":"paradoja de Painlevé o bloqueo","how it ends":"cómo termina",duration:"duración",revolutions:"vueltas",reversal:"inversión",takeoff:"despegue",rest:"\
+reposo",jam:"bloqueo",undetermined:"indeterminado","event limit":"límite de sucesos",no:"no",yes:"sí",none:"ninguno","not allowed":"no permitido","and {count}\
+ more":"y {count} más","The article":"El artículo","Littlewood's hoop":"El aro de Littlewood",Paradoxes:"Paradojas",More:"Más","It hops: 3.1 m/s":"Salta: 3,1\
+ m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Desliza dos veces, luego deja el plano justo antes de dar una vuelta y\
+ vuela durante 0,76 s.","It slips: 2.8 m/s":"Desliza: 2,8 m/s","Friction is used up twice a turn; each slip is weaker than the one before, and none is the last.":"\
+El rozamiento se agota dos veces por vuelta; cada deslizamiento es más débil que el anterior, y ninguno es el último.","It rolls: 2 m/s":"Rueda: 2 m/s","Pure\
+ rolling, faster and more even than after a slow start, and close to the limit of friction.":"Rodadura pura, más rápida y uniforme que tras una salida lenta, y \
+cerca del límite del rozamiento.","The smallest push: 0.1 m/s":"El menor empujón: 0,1 m/s","Nearly at rest with the load up, fast with the load down; 38 % of \
+the friction is used.":"Casi en reposo con la carga arriba, rápido con la carga abajo; se usa el 38 % del rozamiento.","Low friction: 0.1 m/s, μ = 0.3":"Poco \
+rozamiento: 0,1 m/s, μ = 0,3","Slipping costs the energy that a full turn needs: the hoop rocks to and fro.":"Deslizar cuesta la energía que exige una vuelta e\
+ntera: el aro se balancea.","All mass in the load":"Toda la masa en la carga","A massless ring: at 90° no contact force is left; the load falls, the rim skims t\
+he plane.":"Un anillo sin masa: a 90° ya no hay fuerza de contacto; la carga cae y la llanta roza el plano.","All mass in the load, pushed":"Toda la masa en la\
+ carga, con empujón","With a push the contact force is gone earlier, at cos θ = v₀²/(gR).":"Con un empujón la fuerza de contacto desaparece antes, a cos θ \
+= v₀²/(gR).","Nearly all mass in the load":"Casi toda la masa en la carga","γ = 0.99: what a real ring does instead of Littlewood's hop.":"γ = 0,99: lo que \
+hace un anillo real en lugar del salto de Littlewood.","Painlevé: no solution":"Painlevé: ninguna solución","No contact force agrees with this slip. An impac\
+t without collision stops it at once.":"Ninguna fuerza de contacto es compatible con este deslizamiento. Un impacto sin choque lo detiene de golpe.","Flight and\
+ impact both agree with the laws. Choose which with the switch under Plane.":"Vuelo e impacto cumplen ambos las leyes. Elige con el selector de «Plano».","A f\
+ast slide after a hop: the contact force grows without bound in finite time, and no law says what follows.":"Un deslizamiento rápido tras un salto: la fuerza de\
+ contacto crece sin límite en un tiempo finito, y ninguna ley dice qué sigue.","Kane: energy out of nothing":"Kane: energía de la nada","Newton's law of impa\
+ct with friction creates two joules. Stronge's law does not.":"La ley de impacto de Newton con rozamiento crea dos julios. La de Stronge, no.",Downhill:"Cuesta \
+abajo","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"En una pendiente de 10° el aro gana velocidad vuelta a vuelta, hasta que sal\
+ta.","Bounces without number":"Rebotes sin número","Dropped with spin and restitution 0.5: infinitely many bounces in finite time.":"Soltado con giro y restitu\
+ción 0,5: infinitos rebotes en un tiempo finito.","On the Moon":"En la Luna","The article's hop under lunar gravity: everything is slower by a factor of 2.46.":"\
+El salto del artículo con gravedad lunar: todo es 2,46 veces más lento.","Motions to start from":"Movimientos para empezar","Motions to start from …":"Movim\
+ientos para empezar…","Undo (z)":"Deshacer (z)","Redo (y)":"Rehacer (y)",Compare:"Comparar","Compare two hoops":"Comparar dos aros","Dark or light (d)":"Oscur\
+o o claro (d)","Keys and help (?)":"Teclas y ayuda (?)","Keys and help":"Teclas y ayuda",lab:"laboratorio",Learn:"Aprender",Language:"Idioma","Hoop A":"Aro A","\
+Hoop B":"Aro B","Which hoop the controls change":"Qué aro cambian los controles",Parameters:"Parámetros","Skip to the player":"Ir al reproductor",Hoop:"Aro",Plane:"\
+Plano",Start:"Inicio",Contact:"Contacto","Given by":"Dado por","load fraction γ":"fracción de carga γ","ε and κ":"ε y κ","real parts":"piezas reales",Where:"\
+Dónde",elsewhere:"otro lugar","static and kinetic friction apart":"rozamiento estático y cinético por separado",Starts:"Empieza",rolling:"rodando","in any st\
+ate":"en cualquier estado","auto {value}":"auto {value}","{name}, exact value in {unit}":"{name}, valor exacto en {unit}","{name}, exact value":"{name}, valor e\
+xacto",Ring:"Anillo",Disk:"Disco","Point mass":"Masa puntual",Rod:"Varilla",mass:"masa","inner radius":"radio interior","outer radius":"radio exterior",radius:"\
+radio","distance from centre":"distancia al centro",length:"longitud","Add a part":"Añadir una pieza","+ add a part …":"+ añadir una pieza…","Remove part \
+{number}, {what}":"Quitar la pieza {number}, {what}","{name} = {value} must be {rule}.":"{name} = {value} debe ser {rule}.","{name} = {value} must be a number, \
+such as 2.5.":"{name} = {value} debe ser un número, como 2,5.","{name} = {value} must be a number.":"{name} = {value} debe ser un número.","from {least} to {m\
+ost}":"de {least} a {most}","from {least} to {most}, or inf":"de {least} a {most}, o inf","0 or from {least} to {most}":"0 o de {least} a {most}","0 or from {le\
+ast} to {most}, or inf":"0, de {least} a {most}, o inf","at most {most} in the lab":"como mucho {most} en el laboratorio","0 for the massless hoop (hoop.inertia\
+_ratio = 0)":"0 para el aro sin masa (hoop.inertia_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"«rigid» para el aro sin masa (hoop.iner\
+tia_ratio = 0)","The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.":"El servidor no responde. Lo que hay aquí s\
+igue funcionando; para cambios hay que volver a ejecutar `hophoop lab`.","The server answered {status}.":"El servidor respondió {status}.","The notebook’s kern\
+el does not answer; run the cell again.":"El núcleo del cuaderno no responde; vuelva a ejecutar la celda.",hoop:"aro",mode:"fase",time:"tiempo",angle:"ángulo",
+gap:"separación","rim speed":"vel. de la llanta",load:"carga","centre of gravity":"centro de gravedad","the same in flight":"el mismo en vuelo","A in front, B \
+behind":"A delante, B detrás","The hoop":"El aro","The hoop.":"El aro.",Time:"Tiempo","{time} seconds, {what}":"{time} segundos, {what}","Traces (t)":"Trayecto\
+rias (t)","Forces (f)":"Fuerzas (f)","Rim speed (c)":"Velocidad de la llanta (c)","Whole path (w)":"Todo el recorrido (w)","In space (3)":"En el espacio (3)",Traces:"\
+Trayectorias",Forces:"Fuerzas","Rim speed":"Vel. llanta","Whole path":"Recorrido","Play (space)":"Reproducir (espacio)","Pause (space)":"Pausa (espacio)","Speed\
+ of the film":"Velocidad de la película","To the start (Home)":"Al principio (Inicio)","Previous event (Shift ←)":"Suceso anterior (Mayús ←)","Next event \
+(Shift →)":"Suceso siguiente (Mayús →)","One frame back (←)":"Un fotograma atrás (←)","One frame on (→)":"Un fotograma adelante (→)",landing:"ater\
+rizaje","To the next flight (h)":"Al siguiente vuelo (h)","To the next landing (l)":"Al siguiente aterrizaje (l)","This motion has no flight.":"Este movimiento \
+no tiene vuelo.","This motion has no landing.":"Este movimiento no tiene aterrizaje.","{what} at {angle}, {time} s":"{what} a {angle}, {time} s",start:"inicio",
+"slip begins":"empieza el deslizamiento","slip ends":"acaba el deslizamiento","slip turns round":"se invierte el deslizamiento","take-off":"despegue","turns bac\
+k":"da la vuelta","highest point":"punto más alto","bounces end":"acaban los rebotes","Painlevé: several solutions":"Painlevé: varias soluciones","energy gai\
+n (Kane)":"ganancia de energía (Kane)","skimming begins":"empieza el roce","at rest":"en reposo",end:"final","What happens":"Qué ocurre","What happens to hoop\
+ {hoop}":"Qué le ocurre al aro {hoop}","The motion in words":"El movimiento en palabras","(not all events are shown)":"(no se muestran todos los sucesos)","Wha\
+t theory says":"Qué dice la teoría","What theory says of hoop {hoop}":"Qué dice la teoría del aro {hoop}",Velocities:"Velocidades","velocity [m/s]":"velocid\
+ad [m/s]","v (centre)":"v (centro)","Energies and losses":"Energías y pérdidas","energy [J]":"energía [J]",kinetic:"cinética",potential:"potencial",total:"t\
+otal","lost to friction":"perdida por rozamiento","lost in the damper":"perdida en el amortiguador","lost in impacts, normal part":"perdida en impactos, parte n\
+ormal","Contact forces":"Fuerzas de contacto","force [N]":"fuerza [N]","normal N":"normal N","friction F":"rozamiento F","Use of friction":"Uso del rozamiento",
+"Your choice":"A tu elección","What your diagram shows":"Qué muestra tu diagrama","Horizontal axis of the diagrams":"Eje horizontal de los diagramas","over {q\
+uantity}":"en función de: {quantity}","Whole motion":"Todo el movimiento","slide to go there, two fingers zoom":"desliza para ir ahí; dos dedos amplían","cli\
+ck to go there, drag to zoom; once clicked, or with Ctrl, the wheel zooms; double-click for all":"clic para ir ahí, arrastrar para ampliar; tras un clic, o con \
+Ctrl, la rueda amplía; doble clic para todo","{name} from {low} to {high}":"{name} de {low} a {high}","Diagram: {title} in {unit}.":"Diagrama: {title} en {unit\
+}.","θ mod 360°":"θ mod 360°",Esc:"Esc","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"ángulo dentro de una vuelta","place of the centre":"posi\
+ción del centro","gap under the rim":"separación bajo la llanta","height of the centre of gravity":"altura del centro de gravedad","speed of the centre":"velo\
+cidad del centro","speed of rotation":"velocidad de rotación","speed away from the plane":"velocidad de alejamiento del plano","slip velocity":"velocidad de de\
+slizamiento","angular velocity":"velocidad angular","normal force":"fuerza normal","friction force":"fuerza de rozamiento","use of friction":"uso del rozamiento",
+"kinetic energy":"energía cinética","potential energy":"energía potencial","total energy":"energía total","Plane of θ and θ̇":"Plano de θ y θ̇","Plane\
+ of angle and angular velocity with the regions of rolling, slip and flight":"Plano de ángulo y velocidad angular con las regiones de rodadura, deslizamiento y \
+vuelo","angle θ within a turn [°]":"ángulo θ dentro de una vuelta [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painl\
+evé’s paradox.":"Colores: la fase que sigue al contacto sin deslizamiento. Rayado: deslizamiento que encuentra la paradoja de Painlevé.","Click to go there;\
+ two fingers zoom.":"Toca para ir ahí; dos dedos amplían.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Clic para \
+ir ahí; tras un clic, o con Ctrl, la rueda amplía; doble clic para todo.",Map:"Mapa",of:"de",Across:"Horizontal",Up:"Vertical","What the map shows":"Qué muest\
+ra el mapa","Map of motions":"Mapa de movimientos","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Mapa de movimientos\
+. Las flechas mueven la marca, Intro toma el movimiento, más y menos amplían.","Zoom into the map":"Ampliar el mapa","Zoom out of the map":"Reducir el mapa","\
+Whole map":"Mapa entero","Click to take that motion into the player; two fingers zoom.":"Toca para llevar ese movimiento al reproductor; dos dedos amplían.","C\
+lick to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic lleva ese movimiento al rep\
+roductor; tras un clic, o con Ctrl, la rueda amplía; arrastrar desplaza; doble clic para todo.","computing {count} motions …":"calculando {count} movimientos\
+…","{count} motions":"{count} movimientos","{count} motions, with rigid contact":"{count} movimientos, con contacto rígido","of rolling starts, though this m\
+otion starts otherwise":"con salidas rodando, aunque este movimiento empieza de otro modo","of starts in any state, though this motion starts rolling":"desde cu\
+alquier estado, aunque este movimiento empieza rodando","compiling the kernel of maps, this once: {done} of {all} functions":"compilando el núcleo de los mapas,\
+ solo esta vez: {done} de {all} funciones",Keep:"Guardar","Copy the link":"Copiar el enlace","Scenario (TOML)":"Escenario (TOML)","States (CSV)":"Estados (CSV)",
+"Motion (netCDF)":"Movimiento (netCDF)","Events (JSON)":"Sucesos (JSON)","Film (MP4)":"Película (MP4)","Picture (PNG)":"Imagen (PNG)","Record a film here (WebM\
+)":"Grabar aquí una película (WebM)","Show me the Python":"Ver el código Python","The same motion in Python":"El mismo movimiento en Python","The link is cop\
+ied.":"El enlace está copiado.","The link to this motion":"El enlace a este movimiento","The film is being made; this takes a while …":"Se está haciendo la p\
+elícula; tarda un poco…","Fetching {name} …":"Obteniendo {name}…","{name} is there.":"{name} ya está.","This browser cannot record a canvas; take the MP\
+4 instead.":"Este navegador no puede grabar el lienzo; use el MP4.","Recording one run …":"Grabando una pasada…","The film is there.":"La película ya está.",
+"The scenario as a file":"El escenario como archivo",Copy:"Copiar",Copied:"Copiado",Close:"Cerrar","A ring with a load on its rim rolls on a plane. Friction can\
+ only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.":"\
+Un anillo con una carga en la llanta rueda sobre un plano. El rozamiento aguanta hasta un límite y el plano solo puede empujar: por eso desliza, salta, aterriza\
+… o hace algo que la mecánica del sólido rígido no puede decidir. Mueve un control y observa.",Modes:"Fases","Marks on the bar of time":"Marcas en la barra\
+ de tiempo",Keys:"Teclas",space:"espacio","play, pause":"reproducir, pausa","one frame":"un fotograma","Shift ← →":"Mayús ← →","previous, next event":"\
+suceso anterior, siguiente","next flight, landing":"siguiente vuelo, aterrizaje","slower, faster":"más lento, más rápido","Home End":"Inicio Fin","start, end":"\
+principio, final","traces, forces, rim speed, whole path":"trayectorias, fuerzas, velocidad de la llanta, recorrido","in space":"en el espacio","zoom, zoom back":"\
+ampliar, volver","leave a field, a menu, a picture that the wheel zooms":"salir de un campo, un menú o una imagen que amplía la rueda","z y  Ctrl Z":"z y  Ctr\
+l Z","undo, redo":"deshacer, rehacer","dark, light":"oscuro, claro",Python:"Python","the rim does not slide":"la llanta no desliza","slip: the rim turns too fas\
+t for the way it goes (slip −, for a hoop that rolls ahead)":"deslizamiento: la llanta gira demasiado deprisa para lo que avanza (deslizamiento −, si el aro r\
+ueda hacia delante)","slip: the rim slides ahead (slip +, for a hoop that rolls ahead)":"deslizamiento: la llanta desliza hacia delante (deslizamiento +, si el \
+aro rueda hacia delante)","the hop: from take-off to landing":"el salto: del despegue al aterrizaje","a massless rim that touches without force":"una llanta sin\
+ masa que toca sin fuerza","take-off, landing":"despegue, aterrizaje","Painlevé’s paradox: no solution, several":"Paradoja de Painlevé: ninguna solución, var\
+ias","bounces without number end":"acaban infinitos rebotes","skimming begins, rest":"empieza el roce, reposo","Single keys (letters, digits, signs) do what the\
+ table says":"Las teclas sueltas (letras, cifras, signos) hacen lo que dice la tabla","The hoop in your hand":"El aro en tu mano","Slope of the plane":"Inclinac\
+ión del plano","Tilt the plane: drag, or arrow keys":"Inclinar el plano: arrastrar o flechas","The hoop: height and speed":"El aro: altura y velocidad","Lift, \
+roll or throw the hoop: drag, or arrow keys":"Levantar, rodar o lanzar el aro: arrastrar o flechas","Angle of the load":"Ángulo de la carga","Turn the load: dr\
+ag, or arrow keys":"Girar la carga: arrastrar o flechas","gap {height}, speed {speed} m/s":"separación {height}, velocidad {speed} m/s",Repeat:"Repetir","Slow \
+motion: a tenth of the speed":"Cámara lenta: una décima parte","Sound of the contact":"Sonido del contacto","Presentation on the whole screen":"Presentación a\
+ pantalla completa","Guided visit":"Visita guiada","Table of the motion":"Tabla del movimiento","Table of the motion, rows":"Tabla del movimiento, filas",Presentation:"\
+Presentación","For teachers":"Para docentes",Table:"Tabla",Every:"Cada","Save as CSV":"Guardar como CSV",Columns:"Columnas","The first {count} rows.":"Las prim\
+eras {count} filas.",Challenges:"Retos","Leave the challenges":"Salir de los retos","Which challenge":"Qué reto",Score:"Puntuación","Begin again":"Empezar de \
+nuevo","Show a best one":"Ver una de las mejores","{stars} {points} points. {what}":"{stars} {points} puntos. {what}","Your best: {points} points.":"Tu mejor: {\
+points} puntos.","Hop highest":"El salto más alto","On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. How hig\
+h can the hoop rise within 6 s?":"En suelo horizontal, rodando, con 3,1 m/s como mucho: eliges la carga, dónde empieza y el rozamiento. ¿Hasta qué altura puede \
+subir el aro en 6 s?","Land upright":"Aterrizar en pie","Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at leas\
+t 5 cm high.":"Haz que el aro aterrice con la carga arriba del todo. Todo vale; el primer salto debe tener al menos 5 cm de altura.","Hop without skidding":"Sal\
+tar sin derrapar","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ is at most 1.5. Before it hops it must not\
+ skid; to spin is allowed. How high does it hop?":"En suelo horizontal el aro empieza rodando con la carga abajo, a 10 m/s como mucho, y μ no pasa de 1,5. Antes\
+ de saltar no debe derrapar; patinar sí puede. ¿Hasta qué altura salta?","Rigid contact only.":"Solo contacto rígido.","The plane must be level.":"El plano \
+debe ser horizontal.","It must be on Earth.":"Debe ser en la Tierra.","Restitution must be 0.":"La restitución debe ser 0.","The radius must stay 1 m, without \
+parts.":"El radio debe seguir siendo 1 m, sin piezas.","At most 90 % of the mass may be in the load.":"Como mucho el 90 % de la masa puede estar en la carga.","\
+The hoop must be given by its load fraction.":"El aro debe darse por la fracción de carga.","It must start rolling.":"Debe empezar rodando.","At most 10 m/s.":"\
+Como mucho 10 m/s.","At most 3.1 m/s.":"Como mucho 3,1 m/s.","At most 6 s.":"Como mucho 6 s.","It does not hop.":"No salta.","It rises by {height}.":"Sube {heig\
+ht}.","The first hop is too low.":"El primer salto es demasiado bajo.","It lands {off} away from the top.":"Aterriza a {off} de lo más alto.","The load must st\
+art at the bottom.":"La carga debe empezar abajo.","Friction must be at most 1.5.":"El rozamiento debe ser como mucho 1,5.","It skids before it hops.":"Derrapa \
+antes de saltar.","New here?":"¿Primera vez?","Eight short questions: guess, then play.":"Ocho preguntas cortas: adivina y luego reproduce.","Start the visit":"\
+Empezar la visita","Not now":"Ahora no","The hoop, before it is let go.":"El aro, antes de soltarlo.",Play:"Reproducir",Next:"Siguiente",Back:"Atrás",Done:"Hec\
+ho","Step {number} of {all}":"Paso {number} de {all}","Leave the visit":"Salir de la visita","First say what you expect, then play.":"Di primero qué esperas y l\
+uego reproduce.","Your guess":"Tu respuesta","{points} of 100 points.":"{points} de 100 puntos.","You have {sum} of {most} points.":"Tienes {sum} de {most} punt\
+os.","{what} with the load at {angle}":"{what} con la carga a {angle}","Draw the curve: pull the points up and down":"Dibuja la curva: mueve los puntos arriba y\
+ abajo","Littlewood’s question":"La pregunta de Littlewood","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push\
+ and rolls. J. E. Littlewood asked in 1953 what happens when the weight is level with the centre.":"Un aro sin masa lleva un peso en la llanta. Con el peso arri\
+ba recibe el menor empujón y rueda. J. E. Littlewood preguntó en 1953 qué ocurre cuando el peso está a la altura del centro.","What do you think?":"¿Qué cre\
+es?","It rolls on.":"Sigue rodando.","It hops: the hoop leaves the plane.":"Salta: el aro deja el plano.","The weight falls freely, and the hoop skims the plane\
+ below it.":"El peso cae libremente y el aro roza el plano debajo de él.","At {angle} there is no contact force any more.":"A {angle} ya no hay fuerza de conta\
+cto.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plan\
+e. To hop, a hoop needs some mass in its rim.":"Littlewood dijo que el aro salta. Pero la fuerza de contacto es nula, no hacia arriba: el peso cae libremente y \
+una llanta sin masa lo sigue por el plano. Para saltar, un aro necesita algo de masa en la llanta.","A ring with mass":"Un anillo con masa","Now a quarter of th\
+e mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"Ahora un cuarto de la masa está en el anillo. De nuevo la carga está\
+ arriba y el aro recibe el menor empujón.","Draw how fast the hoop’s centre goes during the first turn.":"Dibuja la velocidad del centro del aro durante la p\
+rimera vuelta.","Speed of the centre":"Velocidad del centro","With the load at the bottom the centre has {speed} m/s.":"Con la carga abajo el centro va a {speed\
+} m/s.","The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: it is fas\
+ter than a stone that falls from the same height.":"El punto más bajo de un aro que rueda está en reposo. Ahí la carga no tiene energía cinética, y el anillo li\
+gero tiene toda la que ha perdido la carga pesada: va más rápido que una piedra que cae desde la misma altura.","Why it slips":"Por qué desliza","A harder pu\
+sh: 2.8 m/s at the top. Rolling needs friction, and friction has a limit: it is at most μ N.":"Un empujón más fuerte: 2,8 m/s arriba. Rodar exige rozamiento, y\
+ el rozamiento tiene un límite: como mucho μ N.","Where is the load when friction gives way for the first time? Turn the mark.":"¿Dónde está la carga cuando e\
+l rozamiento cede por primera vez? Gira la marca.","Angle of the load where it begins to slip":"Ángulo de la carga donde empieza a deslizar","It begins to slip\
+ at {angle}. There the plane carries only {share} of the weight.":"Empieza a deslizar a {angle}. Ahí el plano soporta solo el {share} del peso.","The load on i\
+ts way down and round presses little on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the diagram ‘Use of fric\
+tion’: it comes to 1.":"En su camino hacia abajo la carga apenas aprieta el plano, así que N es pequeña, mientras que el anillo debe acelerarse: eso exige roz\
+amiento. Mira el diagrama «Uso del rozamiento»: llega a 1.","The hop":"El salto","A little faster, 3.1 m/s. This time the hoop leaves the plane, before the fi\
+rst turn is over.":"Un poco más rápido, 3,1 m/s. Esta vez el aro deja el plano antes de acabar la primera vuelta.","Where is the load when the hoop takes off?\
+ Turn the mark.":"¿Dónde está la carga cuando el aro despega? Gira la marca.","Angle of the load where it takes off":"Ángulo de la carga al despegar","It ta\
+kes off at {angle}, while its rim slips at {slip} m/s.":"Despega a {angle}, mientras su llanta desliza a {slip} m/s.","A rolling hoop would be braked by the pla\
+ne while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the\
+ top.":"A un aro que rueda el plano lo frenaría mientras sube la carga. El rozamiento es demasiado débil para eso: la llanta patina, el aro sigue girando depris\
+a y la carga lo arranca del plano antes de llegar arriba.","The landing":"El aterrizaje","The hoop is in the air. Its centre of gravity goes on a parabola, and \
+it turns evenly.":"El aro está en el aire. Su centro de gravedad sigue una parábola y gira de manera uniforme.","What does it do just after it has landed?":"¿\
+Qué hace justo después de aterrizar?","It rolls at once.":"Rueda de inmediato.","It skids: the rim slides ahead.":"Derrapa: la llanta desliza hacia delante.",
+"It spins: the rim turns too fast.":"Patina: la llanta gira demasiado deprisa.","It bounces.":"Rebota.","It was in the air for {time} s and rose by {height} cm;\
+ it lands with the load at {angle}.":"Estuvo {time} s en el aire y subió {height} cm; aterriza con la carga a {angle}.","An impact takes no time, but its frict\
+ion is as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards.":"\
+Un impacto no dura nada, pero su rozamiento es tan fuerte como su empuje: aquí basta para detener todo deslizamiento. Con menos rozamiento, o más restitución, e\
+l aterrizaje sería otro. Pruébalo después.","More friction, more hop?":"¿Más rozamiento, más salto?","Three hoops get the same push of 3.1 m/s, on planes \
+with friction 0.05, 0.2 and 1.0.":"Tres aros reciben el mismo empujón de 3,1 m/s, en planos con rozamiento 0,05, 0,2 y 1,0.","Which of them hops highest?":"¿Cu\
+ál salta más alto?","They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"Suben {low} cm, {middle} cm y {high} cm. (Los dos primer\
+os son A y B.)","On ice nothing drives the rotation; with endless friction nothing slips. The hop needs both: enough friction to turn the hoop fast on the way d\
+own, and not so much that it is braked on the way up.":"Sobre hielo nada impulsa el giro; con rozamiento sin fin nada desliza. El salto necesita ambas cosas: ro\
+zamiento bastante para girar deprisa en la bajada, y no tanto que lo frene en la subida.","What rigid bodies cannot decide":"Lo que los sólidos rígidos no puede\
+n decidir","A hoop is thrown so that it slides fast over a rough plane. The laws of rigid bodies with dry friction have to say what happens next.":"Se lanza un \
+aro de modo que deslice deprisa sobre un plano rugoso. Las leyes del sólido rígido con rozamiento seco deben decir qué ocurre después.","What do they say?":"\
+¿Qué dicen?","It flies off.":"Sale volando.","An impact stops the slide at once.":"Un impacto detiene el deslizamiento de golpe.","Both agree with the laws.":"\
+Ambas cosas cumplen las leyes.","Hoop A and hoop B start alike, and both motions obey every law.":"El aro A y el aro B empiezan igual, y ambos movimientos cumpl\
+en todas las leyes.","Painlevé found this in 1895. For a rigid body the laws have two answers here, in other states none. Real bodies yield a little, and that d\
+ecides: choose the compliant contact under ‘Contact’.":"Painlevé lo descubrió en 1895. Para un sólido rígido las leyes tienen aquí dos respuestas, y en otro\
+s estados ninguna. Los cuerpos reales ceden un poco, y eso decide: elige el contacto flexible en «Contacto».","Your turn":"Te toca a ti","Take the hoop: turn \
+the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are computed from the motion itself.":"Toma el\
+ aro: gira la carga, levántalo y suéltalo, dale un impulso, inclina el plano. O acepta un reto y mira cómo tu puntuación se calcula del propio movimiento.",
+"Show the hoop at full speed, once, without a comment. “I push it. Does it only roll?”":"Mostrar el aro a toda velocidad, una vez, sin comentar. «Lo empujo.\
+ ¿Solo rueda?»","Everybody predicts where the load is at take-off. Count the votes by quarters of the turn.":"Todos predicen dónde está la carga al despegar. \
+Contar los votos por cuartos de vuelta.","Energy on the way down, in pairs: who has the energy when the load is at rest?":"Energía en la bajada, por parejas: ¿q\
+uién tiene la energía cuando la carga está en reposo?","Lift at the top: at which speed is the force of the floor zero?":"Elevación arriba: ¿a qué velocidad \
+es nula la fuerza del suelo?","The film again, in slow motion and with forces; stop at take-off. Compare with the votes.":"La película otra vez, a cámara lenta \
+y con fuerzas; parar al despegar. Comparar con los votos.","Each group takes one speed of the worksheet; results on the board.":"Cada grupo toma una velocidad d\
+e la hoja de trabajo; resultados en la pizarra.","Why? What has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"¿Por qu\
+é? ¿Qué debe frenar el giro en la subida, qué fuerza puede tener y qué pasa si es demasiado débil?","One sentence each: “The hoop hops because …”":"\
+Una frase cada uno: «El aro salta porque…»","The load pulls the hoop up at the top, so it hops there.":"La carga tira del aro hacia arriba en lo alto, por e\
+so salta ahí.","Only if it is very fast. Slower hoops hop before the top, after slipping.":"Solo si es muy rápido. Los más lentos saltan antes de lo alto, tras\
+ deslizar.","It hops at the bottom, where it is fastest.":"Salta abajo, donde es más rápido.","There the floor pushes hardest: the load has to be turned upwar\
+ds.":"Ahí el suelo empuja más: hay que desviar la carga hacia arriba.","Nothing can be faster than a falling stone.":"Nada puede ser más rápido que una piedra\
+ que cae.","The ring can: it gets the energy of a load that has come to rest.":"El anillo sí: recibe la energía de una carga que ha quedado en reposo.","Frict\
+ion always brakes.":"El rozamiento siempre frena.","It acts against slip. On the hoop’s way up it points forwards.":"Actúa contra el deslizamiento. En la subi\
+da apunta hacia delante.","More friction, more hop.":"Más rozamiento, más salto.","There is a best friction in between.":"Hay un rozamiento óptimo intermedio.",
+"A heavier hoop behaves otherwise.":"Un aro más pesado se comporta de otro modo.","Only the shares of mass count.":"Solo cuentan las proporciones de masa.","Be\
+fore the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Antes de la película: ¿dónde está la carga cuando el aro \
+deja el suelo? Marca el lugar y da una razón.","The hoop gets only the smallest push and rolls. How much potential energy has been set free when the load is at\
+ the bottom?":"El aro recibe solo el menor empujón y rueda. ¿Cuánta energía potencial se ha liberado cuando la carga está abajo?","While a wheel rolls, its\
+ lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Mientras una rueda rueda, su punto más bajo está en repo\
+so. ¿Qué parte del aro tiene entonces energía cinética y a qué velocidad va el centro?","How fast is a stone that falls from the height of the load? Why ca\
+n the hoop be faster?":"¿Qué velocidad tiene una piedra que cae desde la altura de la carga? ¿Por qué puede ser más rápido el aro?","Find the force of the\
+ floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"Halla la fuerza del suelo arriba para 1,0 m/s y la velocidad a la que se anula.","In th\
+e lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill in the table.":"En el laboratorio: ¿qué hace el aro en sus primeros 1,5 s \
+y a qué ángulo salta? Completa la tabla.","Find the smallest speed with which the hoop hops, to 1 cm/s.":"Halla la menor velocidad con la que el aro salta, co\
+n 1 cm/s de precisión.","At 2.2 m/s the hoop leaves the floor while its rim slips. Why does slipping help it to hop?":"A 2,2 m/s el aro deja el suelo mientras \
+su llanta desliza. ¿Por qué le ayuda a saltar el deslizamiento?",Show:"Mostrar","Teaching with the hoop":"Enseñar con el aro",Worksheet:"Hoja de trabajo",Solutions:"\
+Soluciones",Exercises:"Ejercicios","A lesson of 45 minutes":"Una clase de 45 minutos",Minute:"Minuto",Motion:"Movimiento","What students often think":"Lo que su\
+elen pensar los estudiantes",Idea:"Idea","What is right":"Lo correcto","Worksheet: the hoop that hops":"Hoja de trabajo: el aro que salta","A thin ring of radiu\
+s 0.40 m has a mass of 0.25 kg. A load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Fri\
+ction: μ = 1; g = 9.81 m/s².":"Un anillo delgado de radio 0,40 m tiene una masa de 0,25 kg. En su llanta va fijada una carga de 0,75 kg. El aro está sobre un \
+suelo horizontal con la carga arriba y se empuja hacia la derecha. Rozamiento: μ = 1; g = 9,81 m/s².",phases:"fases","does it hop?":"¿salta?","at which angle\
+?":"¿a qué ángulo?",Print:"Imprimir","The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student.":"La visit\
+a pregunta antes de mostrar; la presentación llena la pantalla; la tabla da números a cada estudiante.",inf:"inf","greater than {least}":"mayor que {least}","\
+at least {least}":"como mínimo {least}","at least {least} (inf is allowed)":"como mínimo {least} (se admite inf)","at most {most}":"como mucho {most}","a fini\
+te number":"un número finito","a whole number":"un número entero","'{word}' or '{word2}'":"«{word}» o «{word2}»","'{word}', '{word2}' or '{word3}'":"«{wor\
+d}», «{word2}» o «{word3}»","Rolling resistance":"Resistencia a la rodadura","Rolling resistance: couple against the rotation over R N":"Resistencia a la r\
+odadura: par contra el giro, dividido por R N","Slips, hops":"Desliza, salta","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns bac\
+k; the map shows it":"cuesta arriba (β < 0) no hay umbral: que deslice o salte depende de dónde da la vuelta; el mapa lo muestra","'rigid' for a map":"«rigid»\
+ para un mapa","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells por y.cells = {cells} debe ser como mucho {most} en el laboratorio.",
+"{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} y {other} no pueden ser ambos ejes: dicen lo mismo de dos maneras.","x.path\
+ and y.path are both {path} and must differ.":"x.path e y.path son ambos {path} y deben ser distintos.","lost to rolling resistance":"perdida por resistencia a \
+la rodadura","Rolling resistance f":"Resistencia a la rodadura f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{name} = {value} debe estar ent\
+re -pi/2 y pi/2 (radianes).","{word} is not a known key; known are {word2}.":"{word} no es una clave conocida; las conocidas son {word2}.","{one} cannot be give\
+n together with {other}.":"{one} no puede darse junto con {other}.","{one} = {value} must not exceed {other} = {limit}.":"{one} = {value} no debe superar {other\
+} = {limit}.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static = inf debe ser finito con contact.model = 'compliant'.",
+"hoop.parts must not be empty.":"hoop.parts no debe estar vacío.","This takes longer than {time} s; ask for a shorter motion or fewer cells.":"Esto tarda más d\
+e {time} s; pide un movimiento más corto o menos celdas.","The lab is busy; try again in {time} seconds.":"El laboratorio está ocupado; inténtalo de nuevo en {\
+time} segundos.","The lab is busy; try again in 1 second.":"El laboratorio está ocupado; inténtalo de nuevo en 1 segundo.","The computation failed.":"El cálcu\
+lo ha fallado.","The process that computed this has ended.":"El proceso que calculaba esto ha terminado.","duration = {value} must be at most {most} s in the la\
+b; the library itself has no such limit.":"duration = {value} debe ser como mucho {most} s en el laboratorio; la biblioteca misma no tiene ese límite.","durati\
+on = {value} s at this speed and radius is about {turns} revolutions and must be at most {most} in the lab; the library itself has no such limit.":"duration = {\
+value} s son unas {turns} vueltas a esta velocidad y radio, y en el laboratorio como mucho {most}; la biblioteca misma no tiene ese límite.","hoop.parts has {c\
+ount} parts and must have at most {most} in the lab.":"hoop.parts tiene {count} piezas y debe tener como mucho {most} en el laboratorio.","contact.stiffness, co\
+ntact.slip_speed and duration need about {steps} steps of integration and must need at most {most} in the lab.":"contact.stiffness, contact.slip_speed y duratio\
+n requieren unos {steps} pasos de integración, y en el laboratorio como mucho {most}.","A cell of this map is about {turns} revolutions and must be at most {mo\
+st} in the lab.":"Una celda de este mapa son unas {turns} vueltas, y en el laboratorio como mucho {most}.","x and y make {count} cells of about {turns} revoluti\
+ons in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"x e y dan {count} celdas con unas {turns} vueltas en \
+total, y en el laboratorio como mucho {most}; toma menos celdas, velocidades menores o una duración más corta.","duration = {value} must be at most {most} s f\
+or a film from the lab.":"duration = {value} debe ser como mucho {most} s para una película del laboratorio.","A blue, B ochre; the dashes tell the quantities;\
+ numbers of {hoop}; {hands}":"A azul, B ocre; el trazo indica la magnitud; números de {hoop}; {hands}","What comes after {time} s hangs on more digits than the\
+ numbers of this page have; hophoop lab and Python take as many as it needs.":"Lo que viene después de {time} s depende de más cifras de las que tienen los núme\
+ros de esta página; hophoop lab y Python toman las que hagan falta.","hophoop lab: play with the hopping hoop":"hophoop lab: juega con el aro saltarín","Put a\
+ hopping hoop into a page of yours":"Pon un aro saltarín en una página tuya","One tag and one script show a live hoop in a blog, a course page or slides. The \
+motion is computed in the reader’s browser; nothing is sent anywhere.":"Una etiqueta y un script muestran un aro vivo en un blog, una página de curso o unas d\
+iapositivas. El movimiento se calcula en el navegador de quien lee; no se envía nada a ninguna parte.","Choose a motion in the lab, and copy its link here.":"E\
+lige un movimiento en el laboratorio y copia aquí su enlace.","Scenario: a link of the lab, or what stands behind its question mark":"Escenario: un enlace del \
+laboratorio, o lo que va tras su signo de interrogación","What stands beside the player":"Lo que acompaña al reproductor",sliders:"controles",diagrams:"diagra\
+mas",theory:"teoría",map:"mapa","As a tag":"Como etiqueta","The tag":"La etiqueta","Copy the tag":"Copiar la etiqueta","As a frame, where scripts are not allow\
+ed":"Como marco, donde no se permiten scripts","The frame":"El marco","Copy the frame":"Copiar el marco","As a QR code":"Como código QR","How it looks":"Cómo s\
+e ve","Copied.":"Copiado.","A hopping hoop":"Un aro saltarín"};var On={roll:"roulement",spin:"patinage",skid:"dérapage",flight:"vol",skim:"effleurement","slip −":"glissement −","slip +":"glissement +",rolls:"roule",spins:"\
+patine",skids:"dérape",flies:"vole","skims the plane":"effleure le plan","rolls at {angle}":"roule à partir de {angle}","spins at {angle}":"patine à partir de\
+ {angle}","skids at {angle}":"dérape à partir de {angle}","flies at {angle}":"vole à partir de {angle}","skims the plane at {angle}":"effleure le plan à part\
+ir de {angle}","hops at {angle}":"saute à {angle}","lands at {angle}":"retombe à {angle}","bounces at {angle}":"rebondit à {angle}","slips the other way at {\
+angle}":"glisse dans l’autre sens à partir de {angle}","stops its slip at once at {angle}":"cesse brusquement de glisser à {angle}","turns back at {angle}":"\
+fait demi-tour à {angle}","has bounced out at {angle}":"finit de rebondir à {angle}","meets Painlevé's paradox at {angle}":"rencontre le paradoxe de Painlevé\
+ à {angle}","meets Painlevé's indeterminacy at {angle}":"rencontre l’indétermination de Painlevé à {angle}","jams at {angle}":"se coince à {angle}","gai\
+ns energy (Kane) at {angle}":"gagne de l’énergie (Kane) à {angle}","skims at {angle}":"effleure à partir de {angle}","rests at {angle}":"repose à {angle}",
+"starts at {angle}":"part à {angle}","slips at {angle}":"glisse à partir de {angle}","{what} and {count} more times":"{what} et encore {count} fois","… ({coun\
+t} more)":"… (encore {count})","It has come to rest.":"Il s’est immobilisé.","The normal force grows without bound (dynamic jam): rigid-body mechanics has \
+no motion beyond.":"La force normale croît sans limite (coincement dynamique) : la mécanique du solide ne donne pas de suite au mouvement.","The model does no\
+t determine the motion beyond.":"Le modèle ne détermine pas la suite du mouvement.","The limit of events (contact.max_events), or of work for one motion, was \
+reached before the end.":"La limite du nombre d’événements (contact.max_events), ou du calcul pour un mouvement, a été atteinte avant la fin.","It starts \
+and {verb} with the load at {angle} and the centre at {speed} m/s.":"Il part et {verb}, la masselotte à {angle} et le centre à {speed} m/s.","It starts in the\
+ air with the load at {angle} and the centre at {speed} m/s.":"Il part en l’air, la masselotte à {angle} et le centre à {speed} m/s.","It starts skimming wi\
+th the load at {angle} and the centre at {speed} m/s.":"Il part en effleurant le plan, la masselotte à {angle} et le centre à {speed} m/s.","It {verb} at {ang\
+le}; friction is used up: the rim turns too fast for the way it goes.":"À {angle} il {verb} : le frottement est épuisé, la jante tourne trop vite pour son traje\
+t.","It {verb} at {angle}; friction is used up: the rim slides ahead.":"À {angle} il {verb} : le frottement est épuisé, la jante glisse vers l’avant.","It \
+rolls again at {angle}; the slip has stopped.":"À {angle} il roule de nouveau ; le glissement a cessé.","The slip turns round at {angle}; it {verb}.":"À {angl\
+e} le glissement s’inverse ; il {verb}.","It hops at {angle}.":"Il saute à {angle}.","It hops at {angle}. It rises {height} and stays up for {time} s.":"Il s\
+aute à {angle}. Il monte de {height} et reste {time} s en l’air.","An impact without collision at {angle} stops the slip; then it {verb}.":"Un impact sans co\
+llision à {angle} arrête le glissement ; puis il {verb}.","It lands at {angle} with {speed} m/s downwards and bounces.":"Il retombe à {angle} avec {speed} m/s\
+ vers le bas et rebondit.","It lands at {angle} with {speed} m/s downwards and {verb}.":"Il retombe à {angle} avec {speed} m/s vers le bas et {verb}.","It turn\
+s back at {angle}.":"Il fait demi-tour à {angle}.","It turns back at {angle}, and {verb} now.":"Il fait demi-tour à {angle}, et maintenant il {verb}.","The ce\
+ntre is highest at {angle}: the gap is {height}.":"Le centre est au plus haut à {angle} : l’écart est de {height}.","Bounces without number end here, at {an\
+gle}.":"Ici, à {angle}, s’achève une infinité de rebonds.","Painlevé's paradox at {angle}: no contact force agrees with this slip.":"Paradoxe de Painlevé \
+à {angle} : aucune force de contact n’est compatible avec ce glissement.","Painlevé's paradox at {angle}: several contact forces agree with it.":"Paradoxe d\
+e Painlevé à {angle} : plusieurs forces de contact sont compatibles.","Dynamic jam at {angle}: the contact force grows without bound.":"Coincement dynamique à\
+ {angle} : la force de contact croît sans limite.","Newton's law of impact has created {energy} J (Kane's example).":"La loi d’impact de Newton a créé {energy}\
+ J (exemple de Kane).","No contact force is left at {angle}: the load falls freely and the rim skims the plane.":"À {angle} il n’y a plus de force de contact : \
+la masselotte tombe en chute libre et la jante effleure le plan.","It rests at {angle}.":"Il repose à {angle}.","It rests at {angle}, which is not stable.":"Il\
+ repose à {angle}, mais pas de façon stable.","It bounces {count} more times.":"Il rebondit encore {count} fois.","… and {count} more.":"… et encore {count}\
+.",Slips:"Glisse",Hops:"Saute","Hops at once":"Saute aussitôt","Friction for pure rolling":"Frottement pour rouler sans glisser","Painlevé’s paradox":"Parad\
+oxe de Painlevé","Dynamic jam":"Coincement dynamique","Rests stably":"Repos stable","End of rolling":"Fin du roulement","would slip above {speed} m/s":"glisser\
+ait au-delà de {speed} m/s","would slip: any push is enough":"glisserait : la moindre poussée suffit","would hop in its first turn above {speed} m/s":"sautera\
+it au premier tour au-delà de {speed} m/s","would hop in its first turn: any push is enough":"sauterait au premier tour : la moindre poussée suffit","would ho\
+p at once above {speed} m/s":"sauterait aussitôt au-delà de {speed} m/s","would hop at once: at any speed":"sauterait aussitôt : à toute vitesse","never, at\
+ any speed":"jamais, à aucune vitesse","no friction keeps it rolling":"aucun frottement ne le fait rouler sans glisser","μ = {mu} would keep it rolling (enough\
+ here)":"μ = {mu} le ferait rouler sans glisser (ici, cela suffit)","μ = {mu} would keep it rolling (more than there is)":"μ = {mu} le ferait rouler sans glis\
+ser (plus qu’ici)",never:"jamais","from μ = {mu} on, at {angle}: possible here":"à partir de μ = {mu}, à {angle} : possible ici","from μ = {mu} on, at {an\
+gle}: not here":"à partir de μ = {mu}, à {angle} : pas ici","can end a slip at {angles}":"peut terminer un glissement à {angles}","with the load at {angle}":"\
+avec la masselotte à {angle}","at {angle} friction is used up":"à {angle} le frottement est épuisé","at {angle} the contact force is gone":"à {angle} la for\
+ce de contact a disparu","Load fraction":"Part de la masselotte","Share of the mass in the load of an ideal hoop":"Part de la masse qui est dans la masselotte d\
+’un cerceau idéal",Eccentricity:"Excentricité","Distance of the centre of gravity from the centre, over the radius":"Distance du centre de gravité au centre\
+, divisée par le rayon","Inertia ratio":"Moment d’inertie réduit","Moment of inertia about the centre of gravity over m R²":"Moment d’inertie par rapport a\
+u centre de gravité, divisé par m R²",Radius:"Rayon","Rim radius":"Rayon de la jante",Mass:"Masse","Total mass":"Masse totale",Friction:"Coefficient de frott\
+ement","Friction, static and kinetic":"Coefficient de frottement, statique et dynamique","Static friction":"Frottement statique","Kinetic friction":"Frottement \
+dynamique",Slope:"Inclinaison","Slope of the plane, downhill along +x":"Inclinaison du plan, descente vers +x",Gravity:"Pesanteur",Restitution:"Restitution","Re\
+stitution of an impact":"Coefficient de restitution d’un impact",Speed:"Vitesse","Velocity of the centre in a rolling start":"Vitesse du centre au départ en r\
+oulant","Load angle":"Angle de la masselotte","Angle from the plane's normal to the centre of gravity":"Angle entre la normale au plan et le centre de gravité",
+"Height of the gap":"Hauteur de l’écart","Gap between rim and plane":"Écart entre la jante et le plan","Speed along":"Vitesse le long du plan","Velocity of \
+the centre along the plane":"Vitesse du centre le long du plan","Speed upwards":"Vitesse vers le haut","Velocity of the centre away from the plane":"Vitesse du \
+centre en s’éloignant du plan","Angular velocity":"Vitesse angulaire",Stiffness:"Raideur","Stiffness of the contact":"Raideur du contact","Slip speed":"Vites\
+se de glissement","Slip velocity over which friction builds up":"Vitesse de glissement sur laquelle le frottement s’établit","Restitution that the damping is\
+ chosen for":"Restitution pour laquelle l’amortissement est choisi",Duration:"Durée","Duration of the motion":"Durée du mouvement","Law of impact":"Loi d’im\
+pact","Law of restitution":"Loi de restitution","Stronge (energy)":"Stronge (énergie)","Poisson (impulse)":"Poisson (impulsion)","Newton (velocity)":"Newton (v\
+itesse)","Painlevé: two solutions":"Painlevé : deux solutions","What follows an indeterminate contact":"Ce qui suit un contact indéterminé",impact:"impact",
+"Contact model":"Modèle de contact",rigid:"rigide",compliant:"souple","Normal force":"Force normale","Friction law":"Loi de frottement","Regularised friction":"\
+Frottement régularisé","smooth (tanh)":"lisse (tanh)",linear:"linéaire","bristle (can hold)":"soies (peut retenir)","Kelvin–Voigt":"Kelvin–Voigt","Hunt–C\
+rossley":"Hunt–Crossley","Speed v₀":"Vitesse v₀","Angle of the load θ₀":"Angle de la masselotte θ₀","Speed along ẋ₀":"Vitesse le long du plan ẋ₀",
+"Angular velocity θ̇₀":"Vitesse angulaire θ̇₀","Height of the gap y₀":"Hauteur de l’écart y₀","Load fraction γ":"Part de la masselotte γ","Ecce\
+ntricity ε":"Excentricité ε","Inertia ratio κ":"Moment d’inertie réduit κ","Radius R":"Rayon R","Friction μ":"Frottement μ","Slope β":"Inclinaison β",
+"Gravity g":"Pesanteur g","Restitution e":"Restitution e",Earth:"Terre",Moon:"Lune",Mars:"Mars",Jupiter:"Jupiter",Weightless:"Apesanteur","what happens in the f\
+irst turn":"ce qui se passe au premier tour","height of the first hop":"hauteur du premier saut","angle of take-off":"angle de décollage","duration of the firs\
+t hop":"durée du premier saut","greatest friction utilization":"plus grande utilisation du frottement","energy lost":"énergie perdue","angle at the end":"angl\
+e à la fin","Painlevé’s paradox or jam met":"paradoxe de Painlevé ou coincement rencontré","how it ends":"comment cela finit",duration:"durée",revolutions:"\
+tours",reversal:"demi-tour",takeoff:"décollage",rest:"repos",jam:"coincement",undetermined:"indéterminé","event limit":"limite d’événements",no:"non",yes:"\
+oui",none:"aucun","not allowed":"non permis","and {count} more":"et {count} autres","The article":"L’article","Littlewood's hoop":"Le cerceau de Littlewood",Paradoxes:"\
+Paradoxes",More:"Autres","It hops: 3.1 m/s":"Il saute : 3,1 m/s","Slips twice, then leaves the plane just before a full turn and flies for 0.76 s.":"Glisse deux\
+ fois, puis quitte le plan juste avant un tour complet et vole pendant 0,76 s.","It slips: 2.8 m/s":"Il glisse : 2,8 m/s","Friction is used up twice a turn; eac\
+h slip is weaker than the one before, and none is the last.":"Le frottement est épuisé deux fois par tour ; chaque glissement est plus faible que le précédent, \
+et aucun n’est le dernier.","It rolls: 2 m/s":"Il roule : 2 m/s","Pure rolling, faster and more even than after a slow start, and close to the limit of fricti\
+on.":"Roulement sans glissement, plus rapide et plus régulier qu’après un départ lent, et près de la limite du frottement.","The smallest push: 0.1 m/s":"\
+La plus petite poussée : 0,1 m/s","Nearly at rest with the load up, fast with the load down; 38 % of the friction is used.":"Presque immobile avec la masselott\
+e en haut, rapide avec la masselotte en bas ; 38 % du frottement est utilisé.","Low friction: 0.1 m/s, μ = 0.3":"Peu de frottement : 0,1 m/s, μ = 0,3","Slipp\
+ing costs the energy that a full turn needs: the hoop rocks to and fro.":"Le glissement coûte l’énergie qu’exige un tour complet : le cerceau se balance.",
+"All mass in the load":"Toute la masse dans la masselotte","A massless ring: at 90° no contact force is left; the load falls, the rim skims the plane.":"Un ann\
+eau sans masse : à 90° il n’y a plus de force de contact ; la masselotte tombe, la jante effleure le plan.","All mass in the load, pushed":"Toute la masse d\
+ans la masselotte, poussé","With a push the contact force is gone earlier, at cos θ = v₀²/(gR).":"Avec une poussée la force de contact disparaît plus tôt, \
+à cos θ = v₀²/(gR).","Nearly all mass in the load":"Presque toute la masse dans la masselotte","γ = 0.99: what a real ring does instead of Littlewood's hop\
+.":"γ = 0,99 : ce que fait un anneau réel au lieu du saut de Littlewood.","Painlevé: no solution":"Painlevé : aucune solution","No contact force agrees with\
+ this slip. An impact without collision stops it at once.":"Aucune force de contact n’est compatible avec ce glissement. Un impact sans collision l’arrête aussi\
+tôt.","Flight and impact both agree with the laws. Choose which with the switch under Plane.":"Vol et impact obéissent tous deux aux lois. Choisissez sous « Pl\
+an ».","A fast slide after a hop: the contact force grows without bound in finite time, and no law says what follows.":"Un glissement rapide après un saut : la\
+ force de contact croît sans limite en un temps fini, et aucune loi ne dit la suite.","Kane: energy out of nothing":"Kane : de l’énergie à partir de rien",
+"Newton's law of impact with friction creates two joules. Stronge's law does not.":"La loi d’impact de Newton avec frottement crée deux joules. Celle de Stronge\
+, non.",Downhill:"En descente","On a slope of 10° the hoop gains speed from turn to turn, until it hops.":"Sur une pente de 10° le cerceau prend de la vitesse \
+tour après tour, jusqu’à ce qu’il saute.","Bounces without number":"Rebonds sans nombre","Dropped with spin and restitution 0.5: infinitely many bounces i\
+n finite time.":"Lâché en rotation, restitution 0,5 : une infinité de rebonds en un temps fini.","On the Moon":"Sur la Lune","The article's hop under lunar g\
+ravity: everything is slower by a factor of 2.46.":"Le saut de l’article sous la pesanteur lunaire : tout est 2,46 fois plus lent.","Motions to start from":"M\
+ouvements de départ","Motions to start from …":"Mouvements de départ…","Undo (z)":"Annuler (z)","Redo (y)":"Rétablir (y)",Compare:"Comparer","Compare two\
+ hoops":"Comparer deux cerceaux","Dark or light (d)":"Sombre ou clair (d)","Keys and help (?)":"Touches et aide (?)","Keys and help":"Touches et aide",lab:"labo",
+Learn:"Apprendre",Language:"Langue","Hoop A":"Cerceau A","Hoop B":"Cerceau B","Which hoop the controls change":"Quel cerceau les réglages modifient",Parameters:"\
+Paramètres","Skip to the player":"Aller au lecteur",Hoop:"Cerceau",Plane:"Plan",Start:"Départ",Contact:"Contact","Given by":"Donné par","load fraction γ":"p\
+art de la masselotte γ","ε and κ":"ε et κ","real parts":"pièces réelles",Where:"Où",elsewhere:"ailleurs","static and kinetic friction apart":"frottement\
+s statique et dynamique séparés",Starts:"Part",rolling:"en roulant","in any state":"dans un état quelconque","auto {value}":"auto {value}","{name}, exact val\
+ue in {unit}":"{name}, valeur exacte en {unit}","{name}, exact value":"{name}, valeur exacte",Ring:"Anneau",Disk:"Disque","Point mass":"Masse ponctuelle",Rod:"T\
+ige",mass:"masse","inner radius":"rayon intérieur","outer radius":"rayon extérieur",radius:"rayon","distance from centre":"distance au centre",length:"longueu\
+r","Add a part":"Ajouter une pièce","+ add a part …":"+ ajouter une pièce…","Remove part {number}, {what}":"Retirer la pièce {number}, {what}","{name} = \
+{value} must be {rule}.":"{name} = {value} doit être {rule}.","{name} = {value} must be a number, such as 2.5.":"{name} = {value} doit être un nombre, par exem\
+ple 2,5.","{name} = {value} must be a number.":"{name} = {value} doit être un nombre.","from {least} to {most}":"de {least} à {most}","from {least} to {most},\
+ or inf":"de {least} à {most}, ou inf","0 or from {least} to {most}":"0 ou de {least} à {most}","0 or from {least} to {most}, or inf":"0, de {least} à {most},\
+ ou inf","at most {most} in the lab":"au plus {most} dans le labo","0 for the massless hoop (hoop.inertia_ratio = 0)":"0 pour le cerceau sans masse (hoop.inerti\
+a_ratio = 0)","'rigid' for the massless hoop (hoop.inertia_ratio = 0)":"« rigid » pour le cerceau sans masse (hoop.inertia_ratio = 0)","The server does not an\
+swer. What is here goes on playing; changes need `hophoop lab` to run again.":"Le serveur ne répond pas. Ce qui est là continue ; pour le modifier, relancez `ho\
+phoop lab`.","The server answered {status}.":"Le serveur a répondu {status}.","The notebook’s kernel does not answer; run the cell again.":"Le noyau du noteb\
+ook ne répond pas ; relancez la cellule.",hoop:"cerceau",mode:"phase",time:"temps",angle:"angle",gap:"écart","rim speed":"vitesse de jante",load:"masselotte",
+"centre of gravity":"centre de gravité","the same in flight":"le même en vol","A in front, B behind":"A devant, B derrière","The hoop":"Le cerceau","The hoop\
+.":"Le cerceau.",Time:"Temps","{time} seconds, {what}":"{time} secondes, {what}","Traces (t)":"Trajectoires (t)","Forces (f)":"Forces (f)","Rim speed (c)":"Vite\
+sse de la jante (c)","Whole path (w)":"Tout le trajet (w)","In space (3)":"En 3D (3)",Traces:"Trajectoires",Forces:"Forces","Rim speed":"Vit. jante","Whole path":"\
+Trajet entier","Play (space)":"Lecture (espace)","Pause (space)":"Pause (espace)","Speed of the film":"Vitesse du film","To the start (Home)":"Au début (Début)",
+"Previous event (Shift ←)":"Événement précédent (Maj ←)","Next event (Shift →)":"Événement suivant (Maj →)","One frame back (←)":"Une image en a\
+rrière (←)","One frame on (→)":"Une image en avant (→)",landing:"retombée","To the next flight (h)":"Au vol suivant (h)","To the next landing (l)":"À la\
+ retombée suivante (l)","This motion has no flight.":"Ce mouvement n’a pas de vol.","This motion has no landing.":"Ce mouvement n’a pas de retombée.","{wh\
+at} at {angle}, {time} s":"{what} à {angle}, {time} s",start:"départ","slip begins":"le glissement commence","slip ends":"le glissement cesse","slip turns rou\
+nd":"le glissement s’inverse","take-off":"décollage","turns back":"fait demi-tour","highest point":"point le plus haut","bounces end":"les rebonds cessent","\
+Painlevé: several solutions":"Painlevé : plusieurs solutions","energy gain (Kane)":"gain d’énergie (Kane)","skimming begins":"l’effleurement commence","a\
+t rest":"au repos",end:"fin","What happens":"Ce qui se passe","What happens to hoop {hoop}":"Ce qui arrive au cerceau {hoop}","The motion in words":"Le mouvemen\
+t en mots","(not all events are shown)":"(tous les événements ne sont pas montrés)","What theory says":"Ce que dit la théorie","What theory says of hoop {ho\
+op}":"Ce que dit la théorie du cerceau {hoop}",Velocities:"Vitesses","velocity [m/s]":"vitesse [m/s]","v (centre)":"v (centre)","Energies and losses":"Énergies\
+ et pertes","energy [J]":"énergie [J]",kinetic:"cinétique",potential:"potentielle",total:"totale","lost to friction":"perdue par frottement","lost in the damp\
+er":"perdue dans l’amortisseur","lost in impacts, normal part":"perdue dans les impacts, part normale","Contact forces":"Forces de contact","force [N]":"force\
+ [N]","normal N":"normale N","friction F":"frottement F","Use of friction":"Utilisation du frottement","Your choice":"À votre choix","What your diagram shows":"\
+Ce que montre votre diagramme","Horizontal axis of the diagrams":"Axe horizontal des diagrammes","over {quantity}":"en fonction de : {quantity}","Whole motion":"\
+Tout le mouvement","slide to go there, two fingers zoom":"glissez pour y aller ; deux doigts agrandissent","click to go there, drag to zoom; once clicked, or wi\
+th Ctrl, the wheel zooms; double-click for all":"cliquez pour y aller, tirez pour agrandir ; après un clic, ou avec Ctrl, la molette agrandit ; double-clic pour\
+ tout","{name} from {low} to {high}":"{name} de {low} à {high}","Diagram: {title} in {unit}.":"Diagramme : {title} en {unit}.","θ mod 360°":"θ mod 360°",Esc:"\
+Échap","{name} [{unit}]":"{name} [{unit}]","angle within a turn":"angle dans un tour","place of the centre":"position du centre","gap under the rim":"écart sou\
+s la jante","height of the centre of gravity":"hauteur du centre de gravité","speed of the centre":"vitesse du centre","speed of rotation":"vitesse de rotation",
+"speed away from the plane":"vitesse d’éloignement du plan","slip velocity":"vitesse de glissement","angular velocity":"vitesse angulaire","normal force":"fo\
+rce normale","friction force":"force de frottement","use of friction":"utilisation du frottement","kinetic energy":"énergie cinétique","potential energy":"éne\
+rgie potentielle","total energy":"énergie totale","Plane of θ and θ̇":"Plan de θ et θ̇","Plane of angle and angular velocity with the regions of rolling,\
+ slip and flight":"Plan de l’angle et de la vitesse angulaire avec les régions de roulement, de glissement et de vol","angle θ within a turn [°]":"angle θ \
+dans un tour [°]","Colours: the mode that follows contact without slip. Hatched: slip that meets Painlevé’s paradox.":"Couleurs : la phase qui suit un conta\
+ct sans glissement. Hachures : glissement qui rencontre le paradoxe de Painlevé.","Click to go there; two fingers zoom.":"Touchez pour y aller ; deux doigts ag\
+randissent.","Click to go there; once clicked, or with Ctrl, the wheel zooms; double-click for all.":"Cliquez pour y aller ; après un clic, ou avec Ctrl, la mol\
+ette agrandit ; double-clic pour tout.",Map:"Carte",of:"de",Across:"Horizontale",Up:"Verticale","What the map shows":"Ce que montre la carte","Map of motions":"\
+Carte des mouvements","Map of motions. Arrow keys move the mark, Enter takes the motion, plus and minus zoom.":"Carte des mouvements. Les flèches déplacent la m\
+arque, Entrée prend le mouvement, plus et moins agrandissent.","Zoom into the map":"Agrandir la carte","Zoom out of the map":"Réduire la carte","Whole map":"C\
+arte entière","Click to take that motion into the player; two fingers zoom.":"Touchez pour mettre ce mouvement dans le lecteur ; deux doigts agrandissent.","Cl\
+ick to take that motion into the player; once clicked, or with Ctrl, the wheel zooms; drag to move; double-click for all.":"Un clic met ce mouvement dans le lec\
+teur ; après un clic, ou avec Ctrl, la molette agrandit ; tirez pour déplacer ; double-clic pour tout.","computing {count} motions …":"calcul de {count} mou\
+vements…","{count} motions":"{count} mouvements","{count} motions, with rigid contact":"{count} mouvements, avec contact rigide","of rolling starts, though th\
+is motion starts otherwise":"partant en roulant, bien que ce mouvement parte autrement","of starts in any state, though this motion starts rolling":"partant d’u\
+n état quelconque, bien que ce mouvement parte en roulant","compiling the kernel of maps, this once: {done} of {all} functions":"compilation du noyau des carte\
+s, cette fois seulement : {done} fonctions sur {all}",Keep:"Garder","Copy the link":"Copier le lien","Scenario (TOML)":"Scénario (TOML)","States (CSV)":"États \
+(CSV)","Motion (netCDF)":"Mouvement (netCDF)","Events (JSON)":"Événements (JSON)","Film (MP4)":"Film (MP4)","Picture (PNG)":"Image (PNG)","Record a film here \
+(WebM)":"Enregistrer un film ici (WebM)","Show me the Python":"Montrer le Python","The same motion in Python":"Le même mouvement en Python","The link is copied\
+.":"Le lien est copié.","The link to this motion":"Le lien vers ce mouvement","The film is being made; this takes a while …":"Le film se fait ; cela prend un\
+ moment…","Fetching {name} …":"Récupération de {name}…","{name} is there.":"{name} est là.","This browser cannot record a canvas; take the MP4 instead.":"\
+Ce navigateur ne peut pas enregistrer le canevas ; prenez le MP4.","Recording one run …":"Enregistrement d’un passage…","The film is there.":"Le film est \
+là.","The scenario as a file":"Le scénario en fichier",Copy:"Copier",Copied:"Copié",Close:"Fermer","A ring with a load on its rim rolls on a plane. Friction \
+can only hold so much, and the plane can only push: so it slips, hops, lands – or does something that rigid-body mechanics cannot decide. Move a slider and see.":"\
+Un anneau lesté d’une masselotte roule sur un plan. Le frottement ne retient pas sans limite et le plan ne peut que pousser : alors il glisse, saute, retombe – \
+ou fait ce que la mécanique du solide ne peut décider. Bougez un réglage et voyez.",Modes:"Phases","Marks on the bar of time":"Marques sur la barre de temps",
+Keys:"Touches",space:"espace","play, pause":"lecture, pause","one frame":"une image","Shift ← →":"Maj ← →","previous, next event":"événement précédent, \
+suivant","next flight, landing":"vol, retombée suivants","slower, faster":"plus lent, plus vite","Home End":"Début Fin","start, end":"début, fin","traces, fo\
+rces, rim speed, whole path":"trajectoires, forces, vitesse de la jante, trajet","in space":"en 3D","zoom, zoom back":"agrandir, revenir","leave a field, a menu\
+, a picture that the wheel zooms":"quitter un champ, un menu, une image que la molette agrandit","z y  Ctrl Z":"z y  Ctrl Z","undo, redo":"annuler, rétablir","\
+dark, light":"sombre, clair",Python:"Python","the rim does not slide":"la jante ne glisse pas","slip: the rim turns too fast for the way it goes (slip −, for a \
+hoop that rolls ahead)":"glissement : la jante tourne trop vite pour son trajet (glissement −, pour un cerceau qui avance)","slip: the rim slides ahead (slip \
++, for a hoop that rolls ahead)":"glissement : la jante glisse vers l’avant (glissement +, pour un cerceau qui avance)","the hop: from take-off to landing":"l\
+e saut : du décollage à la retombée","a massless rim that touches without force":"une jante sans masse qui touche sans force","take-off, landing":"décollage,\
+ retombée","Painlevé’s paradox: no solution, several":"Paradoxe de Painlevé : aucune solution, plusieurs","bounces without number end":"une infinité de reb\
+onds s’achève","skimming begins, rest":"l’effleurement commence, repos","Single keys (letters, digits, signs) do what the table says":"Les touches seules (\
+lettres, chiffres, signes) font ce que dit le tableau","The hoop in your hand":"Le cerceau dans votre main","Slope of the plane":"Inclinaison du plan","Tilt the\
+ plane: drag, or arrow keys":"Incliner le plan : tirer, ou flèches","The hoop: height and speed":"Le cerceau : hauteur et vitesse","Lift, roll or throw the hoo\
+p: drag, or arrow keys":"Lever, rouler ou lancer le cerceau : tirer, ou flèches","Angle of the load":"Angle de la masselotte","Turn the load: drag, or arrow ke\
+ys":"Tourner la masselotte : tirer, ou flèches","gap {height}, speed {speed} m/s":"écart {height}, vitesse {speed} m/s",Repeat:"Répéter","Slow motion: a ten\
+th of the speed":"Ralenti : un dixième de la vitesse","Sound of the contact":"Son du contact","Presentation on the whole screen":"Présentation en plein écran",
+"Guided visit":"Visite guidée","Table of the motion":"Tableau du mouvement","Table of the motion, rows":"Tableau du mouvement, lignes",Presentation:"Présentati\
+on","For teachers":"Pour les enseignants",Table:"Tableau",Every:"Toutes les","Save as CSV":"Enregistrer en CSV",Columns:"Colonnes","The first {count} rows.":"Le\
+s {count} premières lignes.",Challenges:"Défis","Leave the challenges":"Quitter les défis","Which challenge":"Quel défi",Score:"Score","Begin again":"Recomm\
+encer","Show a best one":"Montrer un des meilleurs","{stars} {points} points. {what}":"{stars} {points} points. {what}","Your best: {points} points.":"Votre mei\
+lleur : {points} points.","Hop highest":"Sauter le plus haut","On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and frictio\
+n. How high can the hoop rise within 6 s?":"Sur sol horizontal, en roulant, à 3,1 m/s au plus : vous choisissez la masselotte, sa position de départ et le frott\
+ement. À quelle hauteur le cerceau peut-il monter en 6 s ?","Land upright":"Retomber debout","Let the hoop land with its load at the very top. Everything is al\
+lowed; the first hop has to be at least 5 cm high.":"Faites retomber le cerceau avec la masselotte tout en haut. Tout est permis ; le premier saut doit faire au\
+ moins 5 cm.","Hop without skidding":"Sauter sans déraper","On level ground the hoop starts rolling with its load at the bottom, at no more than 10 m/s, and μ \
+is at most 1.5. Before it hops it must not skid; to spin is allowed. How high does it hop?":"Sur sol horizontal le cerceau part en roulant, la masselotte en bas\
+, à 10 m/s au plus, et μ vaut au plus 1,5. Avant de sauter il ne doit pas déraper ; patiner est permis. À quelle hauteur saute-t-il ?","Rigid contact only.":"\
+Contact rigide seulement.","The plane must be level.":"Le plan doit être horizontal.","It must be on Earth.":"Ce doit être sur Terre.","Restitution must be 0.":"\
+La restitution doit être 0.","The radius must stay 1 m, without parts.":"Le rayon doit rester 1 m, sans pièces.","At most 90 % of the mass may be in the load.":"\
+Au plus 90 % de la masse dans la masselotte.","The hoop must be given by its load fraction.":"Le cerceau doit être donné par la part de la masselotte.","It mu\
+st start rolling.":"Il doit partir en roulant.","At most 10 m/s.":"Au plus 10 m/s.","At most 3.1 m/s.":"Au plus 3,1 m/s.","At most 6 s.":"Au plus 6 s.","It does\
+ not hop.":"Il ne saute pas.","It rises by {height}.":"Il monte de {height}.","The first hop is too low.":"Le premier saut est trop bas.","It lands {off} away f\
+rom the top.":"Il retombe à {off} du sommet.","The load must start at the bottom.":"La masselotte doit partir d’en bas.","Friction must be at most 1.5.":"Le \
+frottement doit être au plus 1,5.","It skids before it hops.":"Il dérape avant de sauter.","New here?":"Première visite ?","Eight short questions: guess, the\
+n play.":"Huit questions brèves : devinez, puis lancez.","Start the visit":"Commencer la visite","Not now":"Pas maintenant","The hoop, before it is let go.":"L\
+e cerceau, avant d’être lâché.",Play:"Lancer",Next:"Suivant",Back:"Retour",Done:"Terminé","Step {number} of {all}":"Étape {number} sur {all}","Leave the \
+visit":"Quitter la visite","First say what you expect, then play.":"Dites d’abord ce que vous attendez, puis lancez.","Your guess":"Votre réponse","{points} \
+of 100 points.":"{points} points sur 100.","You have {sum} of {most} points.":"Vous avez {sum} points sur {most}.","{what} with the load at {angle}":"{what} ave\
+c la masselotte à {angle}","Draw the curve: pull the points up and down":"Tracez la courbe : tirez les points vers le haut ou le bas","Littlewood’s question":"\
+La question de Littlewood","A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood asked \
+in 1953 what happens when the weight is level with the centre.":"Un cerceau sans masse porte un poids sur sa jante. Le poids en haut, il reçoit la plus petite p\
+oussée et roule. J. E. Littlewood demanda en 1953 ce qui se passe quand le poids est à la hauteur du centre.","What do you think?":"Qu’en pensez-vous ?","It\
+ rolls on.":"Il continue de rouler.","It hops: the hoop leaves the plane.":"Il saute : le cerceau quitte le plan.","The weight falls freely, and the hoop skims \
+the plane below it.":"Le poids tombe en chute libre, et le cerceau effleure le plan sous lui.","At {angle} there is no contact force any more.":"À {angle} il n’\
+y a plus de force de contact.","Littlewood said that the hoop hops. But the contact force is zero, not upwards: the weight falls freely, and a rim without mass \
+follows it along the plane. To hop, a hoop needs some mass in its rim.":"Littlewood disait que le cerceau saute. Mais la force de contact est nulle, non dirigée\
+ vers le haut : le poids tombe en chute libre et une jante sans masse le suit le long du plan. Pour sauter, il faut au cerceau un peu de masse dans la jante.","\
+A ring with mass":"Un anneau avec masse","Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.":"À prése\
+nt un quart de la masse est dans l’anneau. De nouveau la masselotte est en haut et le cerceau reçoit la plus petite poussée.","Draw how fast the hoop’s cent\
+re goes during the first turn.":"Tracez la vitesse du centre du cerceau pendant le premier tour.","Speed of the centre":"Vitesse du centre","With the load at th\
+e bottom the centre has {speed} m/s.":"Avec la masselotte en bas, le centre a {speed} m/s.","The lowest point of a rolling hoop is at rest. There the load has n\
+o kinetic energy, and the light ring has all that the heavy load has lost: it is faster than a stone that falls from the same height.":"Le point le plus bas d’u\
+n cerceau qui roule est au repos. Là, la masselotte n’a pas d’énergie cinétique, et l’anneau léger a tout ce que la lourde masselotte a perdu : il est plus rapi\
+de qu’une pierre tombant de la même hauteur.","Why it slips":"Pourquoi il glisse","A harder push: 2.8 m/s at the top. Rolling needs friction, and friction ha\
+s a limit: it is at most μ N.":"Une poussée plus forte : 2,8 m/s en haut. Rouler exige du frottement, et le frottement a une limite : il vaut au plus μ N.","\
+Where is the load when friction gives way for the first time? Turn the mark.":"Où est la masselotte quand le frottement cède pour la première fois ? Tournez la \
+marque.","Angle of the load where it begins to slip":"Angle de la masselotte où il commence à glisser","It begins to slip at {angle}. There the plane carries \
+only {share} of the weight.":"Il commence à glisser à {angle}. Là, le plan ne porte que {share} du poids.","The load on its way down and round presses little\
+ on the plane, so that N is small, while the ring has to be made faster: that takes friction. Watch the diagram ‘Use of friction’: it comes to 1.":"Dans sa \
+descente la masselotte appuie peu sur le plan : N est petite, alors que l’anneau doit accélérer, ce qui demande du frottement. Voyez le diagramme « Utilisation \
+du frottement » : elle atteint 1.","The hop":"Le saut","A little faster, 3.1 m/s. This time the hoop leaves the plane, before the first turn is over.":"Un peu \
+plus vite, 3,1 m/s. Cette fois le cerceau quitte le plan avant la fin du premier tour.","Where is the load when the hoop takes off? Turn the mark.":"Où est la m\
+asselotte quand le cerceau décolle ? Tournez la marque.","Angle of the load where it takes off":"Angle de la masselotte au décollage","It takes off at {angle}\
+, while its rim slips at {slip} m/s.":"Il décolle à {angle}, tandis que sa jante glisse à {slip} m/s.","A rolling hoop would be braked by the plane while the\
+ load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at the top.":"Le p\
+lan freinerait un cerceau qui roule tandis que la masselotte remonte. Le frottement est trop faible pour cela : la jante patine, le cerceau continue de tourner \
+vite, et la masselotte l’arrache du plan avant d’être en haut.","The landing":"La retombée","The hoop is in the air. Its centre of gravity goes on a parab\
+ola, and it turns evenly.":"Le cerceau est en l’air. Son centre de gravité suit une parabole et il tourne uniformément.","What does it do just after it has \
+landed?":"Que fait-il juste après être retombé ?","It rolls at once.":"Il roule aussitôt.","It skids: the rim slides ahead.":"Il dérape : la jante glisse ve\
+rs l’avant.","It spins: the rim turns too fast.":"Il patine : la jante tourne trop vite.","It bounces.":"Il rebondit.","It was in the air for {time} s and ros\
+e by {height} cm; it lands with the load at {angle}.":"Il est resté {time} s en l’air et est monté de {height} cm ; il retombe avec la masselotte à {angle}.",
+"An impact takes no time, but its friction is as strong as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing wo\
+uld be another one. Try it afterwards.":"Un impact ne dure pas, mais son frottement est aussi fort que sa poussée : ici il suffit à arrêter tout glissement. Ave\
+c moins de frottement, ou plus de restitution, la retombée serait autre. Essayez ensuite.","More friction, more hop?":"Plus de frottement, plus haut ?","Three \
+hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.":"Trois cerceaux reçoivent la même poussée de 3,1 m/s, sur des plans de frottemen\
+t 0,05, 0,2 et 1,0.","Which of them hops highest?":"Lequel saute le plus haut ?","They rise by {low} cm, {middle} cm and {high} cm. (The first two are A and B.)":"\
+Ils montent de {low} cm, {middle} cm et {high} cm. (Les deux premiers sont A et B.)","On ice nothing drives the rotation; with endless friction nothing slips. T\
+he hop needs both: enough friction to turn the hoop fast on the way down, and not so much that it is braked on the way up.":"Sur la glace rien n’entraîne la rot\
+ation ; avec un frottement sans fin rien ne glisse. Le saut exige les deux : assez de frottement pour tourner vite à la descente, et pas assez pour être freiné \
+à la remontée.","What rigid bodies cannot decide":"Ce que les solides ne peuvent décider","A hoop is thrown so that it slides fast over a rough plane. The la\
+ws of rigid bodies with dry friction have to say what happens next.":"On lance un cerceau de sorte qu’il glisse vite sur un plan rugueux. Les lois des solides a\
+vec frottement sec doivent dire la suite.","What do they say?":"Que disent-elles ?","It flies off.":"Il s’envole.","An impact stops the slide at once.":"Un im\
+pact arrête aussitôt le glissement.","Both agree with the laws.":"Les deux obéissent aux lois.","Hoop A and hoop B start alike, and both motions obey every l\
+aw.":"Les cerceaux A et B partent de même, et les deux mouvements obéissent à toutes les lois.","Painlevé found this in 1895. For a rigid body the laws have \
+two answers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’.":"Painlevé l’a trouvé en\
+ 1895. Pour un solide, les lois ont ici deux réponses, dans d’autres états aucune. Les corps réels cèdent un peu, et cela décide : choisissez le contact souple \
+sous « Contact ».","Your turn":"À vous","Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and se\
+e how your scores are computed from the motion itself.":"Prenez le cerceau : tournez la masselotte, levez-le et lâchez-le, lancez-le, inclinez le plan. Ou relev\
+ez un défi, et voyez votre score calculé d’après le mouvement lui-même.","Show the hoop at full speed, once, without a comment. “I push it. Does it only r\
+oll?”":"Montrer le cerceau à pleine vitesse, une fois, sans commentaire. « Je le pousse. Ne fait-il que rouler ? »","Everybody predicts where the load is a\
+t take-off. Count the votes by quarters of the turn.":"Chacun prédit où est la masselotte au décollage. Compter les voix par quarts de tour.","Energy on the \
+way down, in pairs: who has the energy when the load is at rest?":"L’énergie à la descente, par deux : qui a l’énergie quand la masselotte est au repos ?",
+"Lift at the top: at which speed is the force of the floor zero?":"Soulèvement en haut : à quelle vitesse la force du sol est-elle nulle ?","The film again, i\
+n slow motion and with forces; stop at take-off. Compare with the votes.":"Le film à nouveau, au ralenti et avec les forces ; arrêter au décollage. Comparer ave\
+c les voix.","Each group takes one speed of the worksheet; results on the board.":"Chaque groupe prend une vitesse de la fiche ; résultats au tableau.","Why? W\
+hat has to brake the rotation on the way up, how strong can it be, and what if it is too weak?":"Pourquoi ? Qu’est-ce qui doit freiner la rotation à la remontée\
+, avec quelle force, et si c’est trop faible ?","One sentence each: “The hoop hops because …”":"Une phrase chacun : « Le cerceau saute parce que… »",
+"The load pulls the hoop up at the top, so it hops there.":"La masselotte tire le cerceau vers le haut au sommet, donc il saute là.","Only if it is very fast. \
+Slower hoops hop before the top, after slipping.":"Seulement s’il est très rapide. Les plus lents sautent avant le sommet, après avoir glissé.","It hops at\
+ the bottom, where it is fastest.":"Il saute en bas, où il est le plus rapide.","There the floor pushes hardest: the load has to be turned upwards.":"Là le sol\
+ pousse le plus fort : il faut dévier la masselotte vers le haut.","Nothing can be faster than a falling stone.":"Rien ne peut être plus rapide qu’une pierre q\
+ui tombe.","The ring can: it gets the energy of a load that has come to rest.":"L’anneau le peut : il reçoit l’énergie d’une masselotte qui s’est arrêtée.",
+"Friction always brakes.":"Le frottement freine toujours.","It acts against slip. On the hoop’s way up it points forwards.":"Il agit contre le glissement. À l\
+a remontée il est dirigé vers l’avant.","More friction, more hop.":"Plus de frottement, plus de saut.","There is a best friction in between.":"Il y a un fro\
+ttement optimal entre les deux.","A heavier hoop behaves otherwise.":"Un cerceau plus lourd se comporte autrement.","Only the shares of mass count.":"Seules les\
+ parts de masse comptent.","Before the film: where is the load when the hoop leaves the floor? Mark the place and give one reason.":"Avant le film : où est la m\
+asselotte quand le cerceau quitte le sol ? Marquez l’endroit et donnez une raison.","The hoop gets only the smallest push and rolls. How much potential energy\
+ has been set free when the load is at the bottom?":"Le cerceau ne reçoit que la plus petite poussée et roule. Quelle énergie potentielle a été libérée quand la\
+ masselotte est en bas ?","While a wheel rolls, its lowest point is at rest. Which part of the hoop has kinetic energy then, and how fast is the centre?":"Quand\
+ une roue roule, son point le plus bas est au repos. Quelle partie du cerceau a alors de l’énergie cinétique, et quelle est la vitesse du centre ?","How fas\
+t is a stone that falls from the height of the load? Why can the hoop be faster?":"Quelle est la vitesse d’une pierre tombant de la hauteur de la masselotte ? P\
+ourquoi le cerceau peut-il être plus rapide ?","Find the force of the floor at the top for 1.0 m/s, and the speed at which it becomes zero.":"Trouvez la force \
+du sol au sommet pour 1,0 m/s, et la vitesse où elle s’annule.","In the lab: what does the hoop do in its first 1.5 s, and at which angle does it hop? Fill i\
+n the table.":"Dans le labo : que fait le cerceau pendant ses 1,5 premières secondes, et à quel angle saute-t-il ? Remplissez le tableau.","Find the smallest \
+speed with which the hoop hops, to 1 cm/s.":"Trouvez la plus petite vitesse pour laquelle le cerceau saute, à 1 cm/s près.","At 2.2 m/s the hoop leaves the fl\
+oor while its rim slips. Why does slipping help it to hop?":"À 2,2 m/s le cerceau quitte le sol tandis que sa jante glisse. Pourquoi le glissement l’aide-t-il à\
+ sauter ?",Show:"Montrer","Teaching with the hoop":"Enseigner avec le cerceau",Worksheet:"Fiche de travail",Solutions:"Corrigé",Exercises:"Exercices","A lesson\
+ of 45 minutes":"Une séance de 45 minutes",Minute:"Minute",Motion:"Mouvement","What students often think":"Ce que pensent souvent les élèves",Idea:"Idée","W\
+hat is right":"Ce qui est juste","Worksheet: the hoop that hops":"Fiche de travail : le cerceau sauteur","A thin ring of radius 0.40 m has a mass of 0.25 kg. A \
+load of 0.75 kg is fixed to its rim. The hoop stands on a level floor with the load at the top and is pushed to the right. Friction: μ = 1; g = 9.81 m/s².":"U\
+n anneau mince de rayon 0,40 m a une masse de 0,25 kg. Une masselotte de 0,75 kg est fixée sur sa jante. Le cerceau est posé sur un sol horizontal, la masselott\
+e en haut, et poussé vers la droite. Frottement : μ = 1 ; g = 9,81 m/s².",phases:"phases","does it hop?":"saute-t-il ?","at which angle?":"à quel angle ?",Print:"\
+Imprimer","The visit asks before it shows; the presentation fills the screen; the table gives numbers to every student.":"La visite interroge avant de montrer ;\
+ la présentation remplit l’écran ; le tableau donne des nombres à chaque élève.",inf:"inf","greater than {least}":"supérieur à {least}","at least {leas\
+t}":"au moins {least}","at least {least} (inf is allowed)":"au moins {least} (inf est permis)","at most {most}":"au plus {most}","a finite number":"un nombre fi\
+ni","a whole number":"un nombre entier","'{word}' or '{word2}'":"« {word} » ou « {word2} »","'{word}', '{word2}' or '{word3}'":"« {word} », « {word2} » ou «\
+ {word3} »","Rolling resistance":"Résistance au roulement","Rolling resistance: couple against the rotation over R N":"Résistance au roulement : couple opposé\
+ à la rotation, divisé par R N","Slips, hops":"Glisse, saute","no threshold uphill (β < 0): whether it slips or hops hangs on where it turns back; the map sho\
+ws it":"en montée (β < 0) pas de seuil : qu’il glisse ou saute dépend de l’endroit où il fait demi-tour ; la carte le montre","'rigid' for a map":"« rig\
+id » pour une carte","x.cells times y.cells = {cells} must be at most {most} in the lab.":"x.cells fois y.cells = {cells} doit être au plus {most} dans le labo\
+.","{one} and {other} cannot both be axes: they say the same thing in two ways.":"{one} et {other} ne peuvent être tous deux des axes : ils disent la même chose\
+ de deux façons.","x.path and y.path are both {path} and must differ.":"x.path et y.path sont tous deux {path} et doivent différer.","lost to rolling resistan\
+ce":"perdue par résistance au roulement","Rolling resistance f":"Résistance au roulement f","{name} = {value} must lie between -pi/2 and pi/2 (radians).":"{na\
+me} = {value} doit être entre -pi/2 et pi/2 (radians).","{word} is not a known key; known are {word2}.":"{word} n’est pas une clé connue ; sont connues {word2}\
+.","{one} cannot be given together with {other}.":"{one} ne peut pas être donné avec {other}.","{one} = {value} must not exceed {other} = {limit}.":"{one} = {\
+value} ne doit pas dépasser {other} = {limit}.","plane.mu_static = inf must be finite with contact.model = 'compliant'.":"plane.mu_static = inf doit être fini \
+avec contact.model = 'compliant'.","hoop.parts must not be empty.":"hoop.parts ne doit pas être vide.","This takes longer than {time} s; ask for a shorter moti\
+on or fewer cells.":"Cela prend plus de {time} s ; demandez un mouvement plus court ou moins de cellules.","The lab is busy; try again in {time} seconds.":"Le l\
+abo est occupé ; réessayez dans {time} secondes.","The lab is busy; try again in 1 second.":"Le labo est occupé ; réessayez dans 1 seconde.","The computatio\
+n failed.":"Le calcul a échoué.","The process that computed this has ended.":"Le processus qui calculait cela s’est arrêté.","duration = {value} must be a\
+t most {most} s in the lab; the library itself has no such limit.":"duration = {value} doit être au plus {most} s dans le labo ; la bibliothèque elle-même n’a p\
+as cette limite.","duration = {value} s at this speed and radius is about {turns} revolutions and must be at most {most} in the lab; the library itself has no s\
+uch limit.":"duration = {value} s font environ {turns} tours à cette vitesse et ce rayon, au plus {most} dans le labo ; la bibliothèque elle-même n’a pas cette \
+limite.","hoop.parts has {count} parts and must have at most {most} in the lab.":"hoop.parts a {count} pièces et doit en avoir au plus {most} dans le labo.","c\
+ontact.stiffness, contact.slip_speed and duration need about {steps} steps of integration and must need at most {most} in the lab.":"contact.stiffness, contact.\
+slip_speed et duration demandent environ {steps} pas d’intégration, au plus {most} dans le labo.","A cell of this map is about {turns} revolutions and must b\
+e at most {most} in the lab.":"Une cellule de cette carte fait environ {turns} tours, au plus {most} dans le labo.","x and y make {count} cells of about {turns}\
+ revolutions in all, and must be at most {most} in the lab; take fewer cells, lower speeds or a shorter duration.":"x et y font {count} cellules d’environ {turn\
+s} tours en tout, au plus {most} dans le labo ; prenez moins de cellules, des vitesses plus faibles ou une durée plus courte.","duration = {value} must be at m\
+ost {most} s for a film from the lab.":"duration = {value} doit être au plus {most} s pour un film du labo.","A blue, B ochre; the dashes tell the quantities; \
+numbers of {hoop}; {hands}":"A bleu, B ocre ; le tracé indique la grandeur ; nombres de {hoop} ; {hands}","What comes after {time} s hangs on more digits than \
+the numbers of this page have; hophoop lab and Python take as many as it needs.":"Ce qui vient après {time} s dépend de plus de chiffres que n’en ont les nombre\
+s de cette page ; hophoop lab et Python en prennent autant qu’il faut.","hophoop lab: play with the hopping hoop":"hophoop lab : jouer avec le cerceau sauteur",
+"Put a hopping hoop into a page of yours":"Mettre un cerceau sauteur dans une page à vous","One tag and one script show a live hoop in a blog, a course page or\
+ slides. The motion is computed in the reader’s browser; nothing is sent anywhere.":"Une balise et un script montrent un cerceau vivant dans un blog, une page\
+ de cours ou des diapositives. Le mouvement est calculé dans le navigateur du lecteur ; rien n’est envoyé nulle part.","Choose a motion in the lab, and copy\
+ its link here.":"Choisissez un mouvement dans le labo et copiez son lien ici.","Scenario: a link of the lab, or what stands behind its question mark":"Scénario\
+ : un lien du labo, ou ce qui suit son point d’interrogation","What stands beside the player":"Ce qui accompagne le lecteur",sliders:"réglages",diagrams:"dia\
+grammes",theory:"théorie",map:"carte","As a tag":"En balise","The tag":"La balise","Copy the tag":"Copier la balise","As a frame, where scripts are not allowed":"\
+En cadre, là où les scripts ne sont pas permis","The frame":"Le cadre","Copy the frame":"Copier le cadre","As a QR code":"En code QR","How it looks":"Aperçu",
+"Copied.":"Copié.","A hopping hoop":"Un cerceau sauteur"};var jn={roll:"滚动",spin:"空转",skid:"拖滑",flight:"腾空",skim:"擦地","slip −":"滑动 −","slip +":"滑动 +",rolls:"滚动",spins:"空转",skids:"\
+拖滑",flies:"腾空","skims the plane":"贴着平面滑过","rolls at {angle}":"在 {angle} 处开始滚动","spins at {angle}":"在 {angle} 处开始空转",
 "skids at {angle}":"在 {angle} 处开始拖滑","flies at {angle}":"在 {angle} 处腾空","skims the plane at {angle}":"在 {angle} 处开始贴着平面滑过",
 "hops at {angle}":"在 {angle} 处跳起","lands at {angle}":"在 {angle} 处落地","bounces at {angle}":"在 {angle} 处弹起","slips the other way at {angle\
 }":"在 {angle} 处反向滑动","stops its slip at once at {angle}":"在 {angle} 处滑动骤停","turns back at {angle}":"在 {angle} 处折返","has bounced \
@@ -2422,8 +2422,8 @@ flies",skim:"skims the plane"},events:{start:"starts",slip_start:"slips",stick:"
 urns back",apex:"is highest",bounce_limit:"has bounced out",painleve_inconsistent:"meets Painlevé's paradox",painleve_indeterminate:"meets Painlevé's indetermi\
 nacy",jam:"jams",kane_gain:"gains energy (Kane)",skim:"skims",rest:"rests",end:"ends"},statuses:{completed:"",at_rest:"It has come to rest.",jammed:"The normal \
 force grows without bound (dynamic jam): rigid-body mechanics has no motion beyond.",undetermined:"The model does not determine the motion beyond.",event_limit:"\
-The limit of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"hop",M:"skim","\
-+":"…"},story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
+The limit of events (contact.max_events), or of work for one motion, was reached before the end."},sequence:{R:"roll",S:"slip −",K:"slip +",H:"flight",M:"skim",
+"+":"…"},story:{start:"It {started} with the load at {where} and the centre at {speed} m/s.",started:"starts and {verb}",started_flight:"starts in the air",started_skim:"\
 starts skimming",slip_start:"It {verb} at {where}; friction is used up: the rim slides ahead.",slip_start_spin:"It {verb} at {where}; friction is used up: the r\
 im turns too fast for the way it goes.",stick:"It rolls again at {where}; the slip has stopped.",slip_reversal:"The slip turns round at {where}; it {verb}.",takeoff:"\
 It hops at {where}.",takeoff_and_landing:"It hops at {where}. It rises {top} and stays up for {time} s.",impact:"It lands at {where} with {speed} m/s downwards \
