@@ -535,3 +535,11 @@ interface Checked {
   start: CheckedStart;
   contact: CheckedContact;
 }
+
+// A canvas whose strokes become an SVG.
+declare module "svgcanvas" {
+  export class Context extends CanvasRenderingContext2D {
+    constructor(options: { width: number; height: number; document: Document });
+    getSerializedSvg(): string;
+  }
+}

@@ -20,7 +20,7 @@ POLICY = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; "
     "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-STATIC = ("lab.js", "kernel.js", "motion_element.js", "embed.js", "style.css", "embed.css", "icon.svg")
+STATIC = ("lab.js", "kernel.js", "motion_element.js", "embed.js", "style.css", "embed.css", "icon.svg", "licences.txt")
 # Names that pages and embedding sites use; the others are as they are.
 NAMES = {"style.css": "lab.css", "motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
 PAGES = ("site.html", "embed.html")
