@@ -76,7 +76,7 @@ export class PhasePlane {
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
     this.pinched = zoomable(this.body, {
       zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
-      home: () => this.zoomTo(null),
+      home: () => this.home(),
       keys: true,
     });
     this.range = [0, 2 * Math.PI];
@@ -103,13 +103,13 @@ export class PhasePlane {
 
   // The part that is zoomed into, as fine as the whole.
   async sharpen() {
-    if (!this.pictures || !this.window) return;
     this.sharpening?.abort();
+    if (!this.pictures || this.isWhole()) return;
     this.sharpening = new AbortController();
     try {
       const part = await this.painted(
         this.films[this.active].scenario,
-        [...this.range, ...this.window],
+        [...this.range, this.bottom(), this.top()],
         this.sharpening.signal,
       );
       this.pictures = [this.pictures[0], part];
@@ -126,6 +126,8 @@ export class PhasePlane {
    */
   async painted(scenario, window, signal) {
     const { header, arrays } = await this.backend.call("regions", { scenario, window }, signal);
+    // an answer may be on its way already when it is given up
+    signal?.throwIfAborted();
     return {
       window: header.window,
       paradox: arrays.paradox,
@@ -148,12 +150,24 @@ export class PhasePlane {
     return Math.ceil((Math.max(most, 1) * 1.12) / step) * step;
   }
 
-  /** @param {number[] | null} range */
-  zoomTo(range) {
-    this.range = range ?? [0, 2 * Math.PI];
+  home() {
+    this.range = [0, 2 * Math.PI];
     this.window = null;
-    this.pictures?.splice(1);
+    this.wholeAgain();
     this.redraw();
+  }
+
+  // Whether all is in sight that was computed for the whole.
+  isWhole() {
+    const [low, high] = this.range;
+    const wide = high - low >= 2 * Math.PI - 1e-9;
+    return wide && (!this.window || this.window[1] - this.window[0] >= 2 * this.reach() - 1e-9);
+  }
+
+  // No finer part, nor one that is still being computed.
+  wholeAgain() {
+    this.sharpening?.abort();
+    this.pictures?.splice(1);
   }
 
   /**
@@ -185,9 +199,10 @@ export class PhasePlane {
     const down = Math.max(om - (om - this.bottom()) * factor, -reach);
     const up = Math.min(om + (this.top() - om) * factor, reach);
     this.range = [low, high];
-    this.window = high - low < 2 * Math.PI - 1e-9 || up - down < 2 * reach - 1e-9 ? [down, up] : null;
+    this.window = [down, up];
+    if (this.isWhole()) this.wholeAgain();
+    else this.soon();
     this.redraw();
-    this.soon();
   }
 
   bottom() {

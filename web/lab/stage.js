@@ -84,6 +84,17 @@ export class Stage {
   }
 
   /**
+   * The picture in space with other numbers of pixels, until it is drawn again.
+   * @param {import("./lab.js").Lab} lab
+   * @param {number} ratio pixels for one of the page
+   */
+  sharp(lab, ratio) {
+    const { look, inks } = lab.theme;
+    this.deep?.draw(lab.films(), lab.clock.time, this.options, look, inks, false, ratio);
+    return this.space;
+  }
+
+  /**
    * @param {Film[]} films
    * @param {number} active
    * @param {number} time

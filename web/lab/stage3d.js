@@ -91,10 +91,11 @@ export class Stage3D {
    * @param {Look} look
    * @param {Colors} colors
    * @param {boolean} running
+   * @param {number} [wanted] pixels of the picture for one of the page; as many as the screen has by default
    */
-  draw(films, time, options, look, colors, running) {
+  draw(films, time, options, look, colors, running, wanted) {
     const { canvas, space } = this;
-    const ratio = Math.min(globalThis.devicePixelRatio || 1, 2) * (running ? this.quality() : 1);
+    const ratio = wanted ?? Math.min(globalThis.devicePixelRatio || 1, 2) * (running ? this.quality() : 1);
     const box = canvas.getBoundingClientRect();
     canvas.width = Math.max(Math.round(box.width * ratio), 1);
     canvas.height = Math.max(Math.round(box.height * ratio), 1);

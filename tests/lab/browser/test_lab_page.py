@@ -360,20 +360,6 @@ def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
     assert page.evaluate("scrollY") == 0
 
 
-def test_the_plane_of_angle_and_rate_sharpens_where_it_is_zoomed(visit):
-    page = visit()
-    wait_for(page, "lab.phase.pictures?.length === 1")
-    page.locator(".phase .plot-body").scroll_into_view_if_needed()
-    page.locator(".phase .plot-body").focus()
-    page.keyboard.press("+")
-    page.keyboard.press("+")
-    wait_for(page, "Math.abs((lab.phase.pictures[1]?.window[0] ?? 0) - lab.phase.range[0]) < 1e-9")
-    window, shown = page.evaluate("[hophoopLab.phase.pictures[1].window, hophoopLab.phase.range]")
-    assert window[:2] == pytest.approx(shown)
-    page.keyboard.press("0")
-    wait_for(page, "lab.phase.pictures.length === 1")
-
-
 def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
     page = visit("?contact.model=compliant&duration=0.5")
     page.locator(".map-body").scroll_into_view_if_needed()
