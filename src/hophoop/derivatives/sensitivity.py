@@ -113,12 +113,20 @@ class Sensitivity:
 
     def __str__(self) -> str:
         width = max(len(name) for name in self.of)
-        lines = []
-        for i, of in enumerate(self.of):
-            for k, wrt in enumerate(self.wrt):
-                number = f"{self.derivatives[i, k]:+.9g} {_over(self.units[i], self.wrt_units[k])}"
-                lines.append(f"{of:<{width}}  by {wrt}: {(self.reasons[i][k] and 'none, ' + self.reasons[i][k]) or number}")
-        return "\n".join(lines)
+        return "\n".join(
+            f"{of:<{width}}  by {wrt}: {self._told(i, k)}" for i, of in enumerate(self.of) for k, wrt in enumerate(self.wrt)
+        )
+
+    def _told(self, i: int, k: int) -> str:
+        unit = _over(self.units[i], self.wrt_units[k])
+        if not self.reasons[i][k]:
+            return f"{self.derivatives[i, k]:+.9g} {unit}"
+        sides = [
+            f"; towards {side} values {table[i, k]:+.9g} {unit}"
+            for side, table in (("smaller", self.smaller), ("larger", self.larger))
+            if np.isfinite(table[i, k])
+        ]
+        return "".join([f"none, {self.reasons[i][k]}", *sides])
 
 
 def _number(value: float) -> float | None:
