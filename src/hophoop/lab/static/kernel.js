@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources b5838e4a650d9c06bfc11246c0bc5479 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 133a465e9cc12c3ebac22770047a333c */
 var r={sources:"c764d91a586504d7889fea3086d65fea",module:"e1410dddcd6f2b22",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
