@@ -179,7 +179,8 @@ def test_a_step_is_kept_until_it_is_shown(js):
 
 def test_a_link_holds_time_view_and_map(js):
     shown = {
-        "time": 1.25, "zoom": 2, "pan": [0.125, -0.3], "from": [0.5, 0.31, 7], "map": {"what": "hop_height", "x": ["start.speed", 1, 2.5], "y": ["plane.mu", 0, 1]},
+        "time": 1.25, "zoom": 2, "pan": [0.125, -0.3], "from": [0.5, 0.31, 7],
+        "map": {"what": "hop_height", "x": ["start.speed", 1, 2.5], "y": ["plane.mu", 0, 1]},
         "options": {"traces": True, "forces": False, "speed": True, "whole": False, "three": True},
     }  # fmt: skip
     text = js("address.js", "return lab.written(shown)", shown=shown)

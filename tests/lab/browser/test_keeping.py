@@ -9,6 +9,8 @@ import pytest
 pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 Image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
 
+from lab_page_tools import wait_for  # noqa: E402
+
 TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
 
 
@@ -16,10 +18,6 @@ TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
 def address(site_address):
     """The page that computes by itself."""
     return site_address
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
 
 
 def kept(page, name, path):

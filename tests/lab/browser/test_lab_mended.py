@@ -4,10 +4,7 @@ import pytest
 
 pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
-
+from lab_page_tools import wait_for
 
 SETTLED = "!lab.motions.lanes[0].busy && !lab.motions.lanes[0].pending && !lab.surrounding"
 
