@@ -96,6 +96,32 @@ def test_a_plan_says_what_the_fit_then_has(hop, found):
     assert more.errors["gamma"] == pytest.approx(0.5 * plan.errors["gamma"], rel=0.1)
 
 
+def test_a_plan_has_limits_of_what_is_at_an_end_of_its_range():
+    plan = hh.plan(hopping(plane=hh.Plane(mu=0.5), duration=1.01).scenario, rate=240.0, sigma=SIGMA, sigma_angle=SIGMA_ANGLE)
+    told = {row[0]: row[1] for row in plan.rows()}
+    assert set(plan.limits) == {"mu_excess", "restitution"}
+    for name in plan.limits:
+        sign, limit = plan.limits[name]
+        assert sign == "≤"
+        assert 0 < limit < 0.3
+        assert told[name] == f"≤ {limit:.2g}"
+        assert name not in plan.errors
+        assert name not in plan.unseen
+    assert max(plan.errors.values()) < 0.1  # nothing that cannot be told has a spread
+
+
+def test_a_fit_has_a_limit_of_what_has_no_slope_at_the_end_of_its_range():
+    """A landing so low that a small restitution changes nothing: a greater one does."""
+    fit = hh.fit(
+        filmed(hopping(hh.Hoop.ideal(0.75, radius=RADIUS), hh.Plane(mu=1.0), hh.Start.rolling(3.1 * RADIUS**0.5), 1.0))
+    )
+    assert fit.motion.find("impact")
+    assert fit.values["restitution"] == 0.0
+    sign, limit = fit.limits["restitution"]
+    assert sign == "≤"
+    assert 0.02 < limit < 0.5
+
+
 def test_slopes_are_those_that_can_be_written_down(hop):
     track = filmed(hop)
     problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))

@@ -13,7 +13,7 @@ import numpy as np
 
 from hophoop._extras import need
 from hophoop.animate.canvas import Bytes, Canvas
-from hophoop.animate.frames import Extent, Timing, Trace, clock, extent, follow, trace
+from hophoop.animate.frames import Extent, Timing, Trace, clock, ended, extent, follow, trace
 from hophoop.animate.happenings import Happening, draw_happenings, happenings
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look3D, labels_of
@@ -431,17 +431,18 @@ class Film3D:
         if not several:
             draw_label(canvas, theme, (22.0 * u, height - 32.0 * u), self.actors[0].label, room)
         for row, actor in enumerate(self.actors):
-            ended = actor.poses.t[k] >= actor.motion.duration and 0 < k < self.count - 1
+            said = ended(actor.motion, float(actor.poses.t[k]), k in (0, self.count - 1))
             extra = actor.label if several else speed_words(actor.poses, k)
             place = 22.0 * u, height - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
-            draw_state(canvas, theme, place, actor.poses, k, ended, extra, room, actor.tag)
+            draw_state(canvas, theme, place, actor.poses, k, said, extra, room, actor.tag)
             if actor.tag:
                 draw_tag(canvas, theme, self._display(actor.poses.center[k], actor.lane), actor.tag)
             # on the track's near side, where the ring does not hide it
             near = actor.lane - 0.35 * self._radius
             canvas.clip((0.0, self.layout.foot, self.look.size[0], height - self.layout.head - self.layout.foot))
+            now = float(actor.poses.t[k]), float(self.clock.rate[k]), float(self.clock.still[k])
             draw_happenings(
-                canvas, theme, actor.found, (float(actor.poses.t[k]), float(self.clock.rate[k])),
+                canvas, theme, actor.found, now,
                 partial(self._seen, lane=near), self._radius * metre, 34.0 * u,
             )  # fmt: skip
             canvas.clip(None)

@@ -171,8 +171,16 @@ def _told(
     motion = problem.motion(solution.values)
     letters = set(motion.sequence)
     slips, lands = bool(letters & {"S", "K"}), bool(motion.find("impact"))
+    there = {"restitution": lands, "mu_kinetic": slips, "mu_excess": slips}
     for name in blind:
         limits[name] = ("", float("nan"))
+        ends = choice.limits(name)
+        if there.get(name, True) and solution.values[name] in ends:
+            # what changes nothing at first, such as a restitution of 0, may do so further on
+            side = -1 if solution.values[name] == ends[0] else 1
+            limit = one_sided(problem, choice, solution, name, side, soft)
+            if limit != ends[0 if side > 0 else 1]:
+                limits[name] = ("≤" if side < 0 else "≥", limit)
     if not slips and {"mu_kinetic", "mu_excess"} & set(blind):
         least = least_static_friction(motion)
         if not choice.tied:
@@ -182,7 +190,7 @@ def _told(
     if not lands and "restitution" in blind:
         notes.append("There is no impact in the film, so that it says nothing about restitution.")
     for name in blind:
-        if name not in ("mu_kinetic", "mu_excess", "restitution"):
+        if name not in ("mu_kinetic", "mu_excess", "restitution") and not limits[name][0]:
             notes.append(f"The film says nothing about {name}.")
     pulls = influence(solution.residuals) if soft else solution.residuals
     for name, memory in memories(problem, pulls).items():
