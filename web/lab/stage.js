@@ -146,6 +146,25 @@ export class Stage {
     }
   }
 
+  /**
+   * What is drawn, and from where it is looked at.
+   * @returns {import("./address.js").Shown}
+   */
+  view() {
+    const { options, flat, deep } = this;
+    return { options, zoom: flat.zoom, pan: flat.pan(), from: deep?.from() };
+  }
+
+  /** @param {import("./address.js").Shown} view of which some may be as it is */
+  restore({ options, zoom, pan, from }) {
+    if (options) {
+      const { three, ...others } = options;
+      Object.assign(this.options, others);
+    }
+    this.flat.look(zoom, pan);
+    if (from) this.deep?.look(from);
+  }
+
   /** @param {number} factor 0 for the view as it was */
   zoom(factor) {
     if (this.options.three) this.deep?.zoomBy(factor);

@@ -37,6 +37,22 @@ export class Stage2D {
     this.onview();
   }
 
+  /** How far the picture is moved, in its own width and height. @returns {[number, number]} */
+  pan() {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    return [this.shift[0] / (width || 1), this.shift[1] / (height || 1)];
+  }
+
+  /**
+   * @param {number} [zoom]
+   * @param {[number, number]} [pan]
+   */
+  look(zoom = 1, [along, down] = [0, 0]) {
+    const { width, height } = this.canvas.getBoundingClientRect();
+    this.zoom = zoom;
+    this.shift = [along * width, down * height];
+  }
+
   /** @param {number} factor */
   zoomBy(factor) {
     this.zoom = clamp(this.zoom * factor, 0.05, 60);

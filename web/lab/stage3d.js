@@ -59,6 +59,22 @@ export class Stage3D {
     this.onview();
   }
 
+  /** From where it is looked at: azimuth, height, distance; nothing where as usual. @returns {number[] | undefined} */
+  from() {
+    const { azimuth, height, distance } = this.turned;
+    const usual = azimuth === HOME.azimuth && height === HOME.height && distance === HOME.distance;
+    return usual ? undefined : [azimuth, height, distance];
+  }
+
+  /** @param {number[]} from */
+  look([azimuth, height, distance]) {
+    this.turned = {
+      azimuth: clamp(azimuth, -1.5, 1.5),
+      height: clamp(height, 0.02, 1.45),
+      distance: clamp(distance, 1.6, 60),
+    };
+  }
+
   /** @param {PointerEvent} event */
   drag(event) {
     const start = { ...this.turned, x: event.clientX, y: event.clientY };

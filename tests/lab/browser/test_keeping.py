@@ -9,6 +9,8 @@ import pytest
 pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 Image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
 
+from lab_page_tools import wait_for  # noqa: E402
+
 TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
 
 
@@ -16,10 +18,6 @@ TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
 def address(site_address):
     """The page that computes by itself."""
     return site_address
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
 
 
 def kept(page, name, path):
@@ -58,8 +56,9 @@ def test_a_picture_has_more_pixels_than_the_screen(visit, tmp_path):
 
 
 def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(visit, tmp_path):
-    page = visit("?duration=1#t=0.5&show=tfc3")
+    page = visit("?duration=1#t=0.5&show=tfc3&from=-0.5,0.31,6")
     wait_for(page, "!lab.surrounding && lab.stage.options.three")
+    assert page.evaluate("hophoopLab.link()").endswith("&from=-0.5,0.31,6")
     before = page.evaluate("hophoopLab.stage.canvas().width")
     picture = Image.open(kept(page, "Picture (PNG)", tmp_path / "space.png"))
     assert picture.width == 3840

@@ -4,6 +4,8 @@ import pytest
 
 pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
+from lab_page_tools import wait_for
+
 # An answer that comes when the test says so, also where nobody wants it any more.
 HELD = """() => {
   const { phase } = hophoopLab;
@@ -17,10 +19,6 @@ HELD = """() => {
   };
 }"""
 SETTLED = "async () => { letGo(); await new Promise((resolve) => setTimeout(resolve, 50)); }"
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
 
 
 @pytest.fixture

@@ -10,6 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.lab import site
+from lab_page_tools import wait_for
 
 PATIENCE = 30_000
 
@@ -28,10 +29,6 @@ def folder(site_folder):
 @pytest.fixture(scope="module")
 def address(folder, site_address):
     return site_address
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}", timeout=PATIENCE)
 
 
 def test_the_hop_is_computed_in_the_browser(visit):

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources ad7272fcf076378987b9c41a36115bb9 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 0f35d1b487e691219d62c61e6e99cf9a */
 var r={sources:"9a23307b5da1d9470c2f05fb8f832046",module:"d0555ac24f977b01",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
