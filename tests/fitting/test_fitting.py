@@ -311,6 +311,7 @@ def test_the_least_friction_is_where_the_sum_of_squares_has_risen(hop):
     assert rise[1] - fit.chi_square < 2.8
 
 
+@pytest.mark.long
 def test_slip_must_be_seen_to_be_believed():
     """Noise is explained a little better by a short slip than by none, which does not make it one."""
     for seed in range(4):
