@@ -5,7 +5,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.fitting import Posterior, sample
-from hophoop.fitting.covariance import Lasting
+from hophoop.fitting.channels import Lasting
 from hophoop.fitting.problem import problem_of
 from hophoop.fitting.sampling import news
 from hophoop.tracking.table import track_of
