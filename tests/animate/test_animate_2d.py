@@ -55,6 +55,18 @@ def test_the_load_is_where_the_following_camera_says():
         np.testing.assert_allclose(darkest_spot(shown.draw(k), 6, below=60), wanted, atol=1.5)
 
 
+@pytest.mark.parametrize(("slope", "speed"), [(0.35, 2.0), (-0.3, 3.0), (0.6, 0.5)])
+def test_on_a_slope_the_plane_below_the_hoop_stays_in_the_picture(slope, speed):
+    run = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(slope=slope, mu=0.6), hh.Start.rolling(speed), duration=2.0)
+    shown = Film2D([run], Timing(fps=10), Look(size=(960, 540)))
+    left, bottom, width, height = shown.actors[0].view.rectangle
+    for k in range(shown.count):
+        x = run.at(shown.clock.times[0][k]).x
+        column, row = shown.pixel_of(k, 0, np.array([x * np.cos(slope), -x * np.sin(slope)]))
+        assert left < column < left + width
+        assert 540 - bottom - height < row < 540 - bottom - 5
+
+
 def test_a_slope_is_drawn_as_a_slope():
     slope = 0.25
     run = motion(0.5, 1.0, 1.0, slope)

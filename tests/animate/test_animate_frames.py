@@ -12,6 +12,7 @@ from animate_tools import motion, places
 from hophoop.animate.frames import Timing, clock, ended, extent, follow, trace
 from hophoop.animate.happenings import happenings
 from hophoop.animate.look import nice
+from hophoop.animate.scaling import arrow, force_levels
 from hophoop.poses import poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import describe
 
@@ -271,3 +272,19 @@ def test_a_film_of_a_part_does_not_stay():
     beside = clock([jam(), motion()], Timing(fps=20))
     assert beside.times[1][-1] == 2.0
     assert (beside.still == 0.0).all()
+
+
+def test_the_scale_of_arrows_is_not_that_of_a_jam():
+    stuck = jam()
+    assert stuck.at(stuck.duration).normal_force > 1e5
+    size = extent(stuck)
+    assert size.force < 300.0
+    levels = force_levels([stuck], clock([stuck], Timing(fps=20)), 20.0, size.force)
+    early = clock([stuck], Timing(fps=20)).times[0] < 0.7
+    assert levels[early].max() < 100.0
+
+
+def test_an_arrow_has_a_greatest_length():
+    np.testing.assert_allclose(arrow(np.array([3.0, 4.0]), 10.0, 60.0), [30.0, 40.0])
+    np.testing.assert_allclose(arrow(np.array([3e9, 4e9]), 10.0, 60.0), [144.0, 192.0])
+    assert (arrow(np.zeros(2), 10.0, 60.0) == 0.0).all()

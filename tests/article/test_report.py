@@ -174,7 +174,7 @@ def test_formulas_become_mathml_and_nothing_else_is_touched():
     assert "<mfrac>" in made
     root = tree.fromstring(f"<div>{made}</div>")
     assert root.find("p") is not None
-    assert mathml(r"\dot\theta^2", displayed=False).count("<mover>") == 1
+    assert mathml(r"\dot\theta^2", displayed=False).count("<mover accent='true'>") == 1
     assert mathml(r"R\cos\theta", displayed=False).count("<mspace") == 2
 
 

@@ -300,6 +300,8 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
     around = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
     weight = motion.scenario.hoop.mass * motion.scenario.plane.gravity
     forces = np.hypot(*np.moveaxis(poses.normal_force, -1, 0))
+    if motion.status == "jammed":  # in the instant of a jam the force is without bound
+        forces = forces[poses.t < motion.duration]
     # A compliant contact answers an impact with a peak of a few samples: it is not what the scale is for.
     usual = float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
     return Extent(

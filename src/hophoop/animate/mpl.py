@@ -15,7 +15,7 @@ from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.parts import LOAD, draw_parts
-from hophoop.animate.scaling import force_levels
+from hophoop.animate.scaling import arrow, force_levels
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.views import BELOW, View, followed, followed_scale, grid, held, held_scale, project
 from hophoop.animate.words import (
@@ -333,7 +333,8 @@ class Film2D:
                 (poses.friction_force[i], colors.FRICTION_FORCE),
             ):
                 if alpha == 1.0:
-                    canvas.arrow(contact, contact + force * self.newton(k), theme.shown(color), theme.background, 7.0)
+                    way = arrow(force, self.newton(k), self._full)
+                    canvas.arrow(contact, contact + way, theme.shown(color), theme.background, 7.0)
         if actor.tag:
             draw_tag(canvas, theme, center, actor.tag)
 

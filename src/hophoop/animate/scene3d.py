@@ -18,7 +18,7 @@ from hophoop.animate.happenings import Happening, draw_happenings, happenings
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look3D, labels_of
 from hophoop.animate.plane3d import plane_meshes
-from hophoop.animate.scaling import force_levels
+from hophoop.animate.scaling import arrow, force_levels
 from hophoop.animate.shapes3d import (
     FORCE_LENGTH,
     HEAVY,
@@ -346,7 +346,8 @@ class Film3D:
         meshes["spoke"].points = np.array([center, load])
         if self.look.forces:
             for name, force in (("normal", poses.normal_force[k]), ("friction", poses.friction_force[k])):
-                self._point(actors, name, contact, place_3d(force * self.newton(k), 0.0))
+                way = arrow(force, self.newton(k), FORCE_LENGTH * self._radius)
+                self._point(actors, name, contact, place_3d(way, 0.0))
         if self.look.traces:
             past = int(np.searchsorted(actor.trace.t, poses.t[k]))
             for name, spot in (("load trace", load), ("heavy trace", heavy)):

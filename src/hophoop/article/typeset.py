@@ -38,6 +38,7 @@ def mathml(latex: str, displayed: bool) -> str:
     """One formula as an element of a page."""
     convert = need("latex2mathml.converter", "plots").convert
     made: str = convert(latex.strip(), display="block" if displayed else "inline")
+    made = made.replace("<mover>", "<mover accent='true'>")  # close to its letter
     # names of functions stand off from what is beside them
     made = FUNCTION.sub(r"<mi>\1</mi><mspace width='0.17em'/>", made)
     return BEFORE.sub(r"\1<mspace width='0.17em'/><mi>\2</mi>", made)

@@ -36,7 +36,7 @@ from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.replay import replay
 from hophoop.derivatives.sampling import sample_changes
 from hophoop.numerics.collocation import ORDER
-from hophoop.physics.body import Body
+from hophoop.physics.body import Body, Event
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch, thread_scratch
 from hophoop.records.state import start_state
@@ -71,7 +71,7 @@ SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOME
 UNITS = tuple(SI)
 EXPONENTS = np.array(UNITS, float)
 UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
-BORDER = int(Reason.BORDER)
+BORDER, PLASTIC = int(Reason.BORDER), int(Reason.PLASTIC)
 
 
 def unit_of(field: str) -> str:
@@ -288,7 +288,7 @@ def doubtful_from(motion: Motion) -> float:
     return math.inf if math.isnan(scratch.doubt[0]) else float(scratch.doubt[0])
 
 
-def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
+def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool = False) -> Carried:
     """Go through a motion again with its derivatives with respect to some parameters.
 
     Parameters
@@ -298,6 +298,8 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
     paths : sequence of str
     sign : float, default 1
         −1 for how it changes when the parameters become smaller, told as if they became larger [1].
+    edges : bool, default False
+        Keep also how states change with a restitution that is 0 and becomes larger, behind a landing.
 
     Returns
     -------
@@ -327,6 +329,8 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
         scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration,
         at_events, at_segments, reasons, failed, thread_scratch(), _local(),
     )  # fmt: skip
+    for k in np.flatnonzero(reasons == PLASTIC).tolist():
+        _end_at_landing(motion, int(failed[k]), at_events[:, :, k], at_segments[:, :, k], edges)
     doubt = motion.doubt
     if doubt < math.inf:
         at_events[events["t"] > doubt] = math.nan
@@ -336,3 +340,16 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
         failed[sooner] = first
         reasons[sooner] = BORDER
     return Carried(motion, given, sign * at_events, sign * at_segments, reasons, failed)
+
+
+def _end_at_landing(motion: Motion, landing: int, at_events: Floats, at_segments: Floats, edges: bool) -> None:
+    """Take away what is not so with any restitution: velocities behind the first bounce, later events, shares of the loss."""
+    events, segments = motion.tables["events"], motion.tables["segments"]
+    at_events[landing, [OM, VT, VN, P_N, P_T, IMPACT_N, IMPACT_T]] = math.nan
+    later = landing + 1
+    ends = edges and later < len(events) and events["kind"][-1] == Event.END
+    at_events[later : len(events) - ends] = math.nan
+    at_events[later:, [P_N, P_T, IMPACT_N, IMPACT_T]] = math.nan
+    behind = segments["t"] >= events["t"][landing]
+    at_segments[behind] = math.nan if not edges else at_segments[behind]
+    at_segments[np.ix_(behind, [IMPACT_N, IMPACT_T])] = math.nan

@@ -186,7 +186,7 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
         If a name is unknown, the motion has no such event, or its contact is compliant.
     """
     quantities, paths = names_of(of, "of"), names_of(wrt, "wrt")
-    larger = carry(motion, paths)
+    larger = carry(motion, paths, edges=True)
     reads = [quantity(motion, name) for name in quantities]
     rated = [read(larger) for read in reads]
     values = np.array([each.value for each in rated])

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence, Set
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -11,7 +11,7 @@ from hophoop.fitting.covariance import inverse
 from hophoop.fitting.judging import correlations, least_static_friction
 from hophoop.fitting.limits import at_end, one_sided
 from hophoop.fitting.parameters import PARAMETERS, REFUSED
-from hophoop.fitting.problem import Problem, defaults, problem_of
+from hophoop.fitting.problem import Prior, Problem, defaults, problem_of
 from hophoop.fitting.result import rounded
 from hophoop.fitting.solving import Choice, Solution, slopes, unseen
 from hophoop.scenario import InputError, Scenario
@@ -97,6 +97,7 @@ def plan(
     free: Sequence[str] = (),
     fixed: Sequence[str] = (),
     hoop_known: bool = False,
+    sigma_scale: float = 1e-3,
 ) -> Plan:
     """The uncertainties that a fit to a film of a motion would have.
 
@@ -116,6 +117,9 @@ def plan(
         Parameters that are known.
     hoop_known : bool, default False
         Whether the hoop is known from its parts, so that only the contact and the start are fitted.
+    sigma_scale : float, default 1e-3
+        Standard deviation of the film's scale over the scale: the rim's radius in the picture is off by the same in all
+        frames, by 0.1 pixel of 100, say. With 0 the scale is known [1].
 
     Returns
     -------
@@ -138,6 +142,8 @@ def plan(
     for name, value in (("rate", rate), ("sigma", sigma), ("sigma_angle", 1.0 if sigma_angle is None else sigma_angle)):
         if not (np.isfinite(value) and value > 0):
             raise InputError(f"{name} = {value} must be a number above 0.")
+    if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
+        raise InputError(f"sigma_scale = {sigma_scale} must be a number of at least 0.")
     motion = simulate(scenario)
     count = int(motion.duration * rate) + 1
     if not 12 <= count <= MOST_FRAMES:
@@ -152,7 +158,9 @@ def plan(
     for name in (*free, *fixed):
         if name in REFUSED or name not in problem.names:
             raise InputError(f"{name!r} is no parameter of this plan; it has {', '.join(problem.names)}.")
-    names = tuple(name for name in problem.names if (name in usual or name in free) and name not in fixed)
+    problem = replace(problem, priors=_shared(problem, sigma_scale, {*free, *fixed}))
+    chosen = {*usual, *free, *problem.priors} - set(fixed)
+    names = tuple(name for name in problem.names if name in chosen)
     choice = Choice(values, names, {}, {})
     blind = tuple(unseen(problem, choice))
     seen = Choice(values, tuple(name for name in names if name not in blind), {}, {})
@@ -176,7 +184,13 @@ def plan(
     blind = tuple(name for name in names if (name in blind or name in ends) and name not in limits)
     never = not set(motion.sequence) & {"S", "K"}
     least = least_static_friction(motion) if never else float("nan")
-    return Plan(values, errors, limits, blind, correlations(solution), motion.sequence, count, least)
+    return Plan(values, errors, limits, blind, correlations(solution, set(problem.priors)), motion.sequence, count, least)
+
+
+def _shared(problem: Problem, sigma_scale: float, told: Set[str]) -> dict[str, Prior]:
+    """Priors of the scale and, since where that is off the plane is so too, R under the centre, of its height."""
+    priors = {"scale": Prior(1.0, sigma_scale), "origin_y": Prior(0.0, sigma_scale * problem.radius)} if sigma_scale else {}
+    return {name: prior for name, prior in priors.items() if name not in told}
 
 
 def _film(scenario: Scenario, t: np.ndarray, sigma: float, sigma_angle: float | None) -> Track:

@@ -79,6 +79,8 @@ def strobe(
     low, high = way.center.min(axis=0) - 1.25 * radius, way.center.max(axis=0) + 1.25 * radius
     if slope == 0.0:
         low[1] = -0.3 * radius
+    else:  # the plane below the lowest hoop
+        low[1] = min(low[1], -max(low[0] * math.tan(slope), high[0] * math.tan(slope)) - 0.1 * radius)
     height = WIDTH * (high[1] - low[1]) / (high[0] - low[0]) + (1.6 if color == "speed" else 1.1)
     ax = new_axes(ax, (WIDTH, float(np.clip(height, 2.4, 9.0))))
     _ground(ax, slope, float(low[0]), float(high[0]), radius)
