@@ -157,6 +157,7 @@ def test_two_hundred_random_motions():
     assert found.count("undecided") <= 10
 
 
+@pytest.mark.long
 def test_every_sequence_of_the_catalogue_exists():
     """The kept certificates are accepted, and are about the classes of the catalogue, none left out."""
     classes = set()
