@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 4bdceff20cfbc62041eaa780043f701e */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 89e58e5077eec9d620ee13873ae65fe6 */
 function ue(o){let e=Number.parseInt(o.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var An=o=>ot(o)>.2?"#111111":"#ffffff",nt=(o,e)=>`rgba(${ue(o).join(",")}\
 ,${e})`,tr=o=>{let e=o/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function ot(o){let[e,t,s]=ue(o).map(tr);return .2126*e+.7152*t+.0722*s}function it(o,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(o))return o;if(ot(o)<.002)return"#eceef2";let t=o;for(let s=0;ot(t)<.2&&s<1;s+=.05)t=`#${ue(o).map(n=>Math.round(n+(255-n)*s).toString(
@@ -2154,7 +2154,7 @@ size=s,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.id
 resolve(new Eo(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,s,n=[]){
 s?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Mo(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return s?.throwIfAborted(),s?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),s?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"c764d91a586504d7889fea3086d65fea",module:"e1410dddcd6f2b22",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var v={sources:"1b3290ae96f005267cf6e061f520474c",module:"b193fd5c3517e371",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
