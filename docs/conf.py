@@ -37,6 +37,7 @@ extensions = [
     "sphinx.ext.autosummary",
     "typeset",
     "accessible",
+    "dark",
     "matplotlib.sphinxext.plot_directive",
     "generated",
     "slides",
@@ -69,7 +70,7 @@ bibtex_reference_style = "author_year"
 sphinx_gallery_conf = {
     "examples_dirs": ["../examples/gallery"],
     "gallery_dirs": ["gallery"],
-    "image_scrapers": ("matplotlib", "gallery.films"),
+    "image_scrapers": ("gallery.drawings", "gallery.films"),
     "backreferences_dir": "gallery/used",
     "doc_module": ("hophoop",),
     "subsection_order": ExplicitOrder([f"../examples/gallery/{folder}" for folder in ("plots", "maps", "films")]),
@@ -86,11 +87,11 @@ sphinx_gallery_conf = {
 
 # Pictures of tutorials, drawn by the code above them.
 plot_html_show_formats = plot_html_show_source_link = False
-plot_formats = [("png", 110)]
+plot_formats = ["svg"]
 
 html_theme = "furo"
 html_title = f"hophoop {version}"
-html_static_path = ["_static"]
+html_static_path = ["_static", "../src/hophoop/article/fonts"]  # the font of formulas is the report's
 html_css_files = ["site.css"]
 html_js_files = [("print.js", {"defer": ""})]
 html_logo = html_favicon = "_static/logo.svg"

@@ -24,7 +24,7 @@ def phase_plane(folder: Path) -> None:
     speeds = (0.1, 1.0, 2.0, 2.8, 3.1, 3.5)
     motions = [hh.simulate(hh.Scenario(duration=2.0, start=hh.Start.rolling(speed))) for speed in speeds]
     ax = plots.phase_plane(motions=motions, labels=[f"{speed:g} m/s" for speed in speeds])
-    save(ax, folder / "atlas-phase-plane.png")
+    save(ax, folder / "atlas-phase-plane.svg")
 
 
 def first_hops(folder: Path, cells: int) -> None:
@@ -44,13 +44,14 @@ def first_hops(folder: Path, cells: int) -> None:
         dataset = maps.sweep(base, axes, quantities)
         for quantity in quantities[:3]:
             ax = plots.motion_map(dataset, quantity)
-            save(ax, folder / f"atlas-{name}-{quantity.replace('_', '-')}.png")
+            save(ax, folder / f"atlas-{name}-{quantity.replace('_', '-')}.svg")
 
 
 def save(ax, path: Path) -> None:
-    ax.figure.savefig(path, dpi=110)
     import matplotlib.pyplot as plt
 
+    plt.rcParams["svg.hashsalt"] = "hophoop"  # the same picture is the same file
+    ax.figure.savefig(path, dpi=160, metadata={"Date": None})
     plt.close(ax.figure)
     print(path)
 

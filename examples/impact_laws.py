@@ -155,7 +155,7 @@ def gains(folder: Path) -> None:
         ax.set_xticks(range(-180, 181, 60))
     axes[0].set_ylabel("Slip over speed of approach")
     figure.colorbar(mesh, ax=axes, label="Energy created, of the blow's (%)")
-    figure.savefig(folder / "kane-gain.png", dpi=120)
+    figure.savefig(folder / "kane-gain.svg", dpi=160, metadata={"Date": None})
     plt.close(figure)
 
 

@@ -29,6 +29,7 @@ import hophoop as hh
 from hophoop import maps
 from hophoop.maps.evaluate import thread_limit
 from hophoop.maps.survey import NARROWEST, survey
+from hophoop.vocabulary import colors
 
 ROOT = Path(__file__).resolve().parents[1]
 HOOPS = (0.75, *(k / 50 for k in range(1, 50)), 0.95, 0.99, 0.995, 0.999)
@@ -227,10 +228,13 @@ def union(width: float) -> tuple[int, int]:
 
 def draw(folder: Path) -> None:
     """All figures of the page."""
+    import matplotlib.pyplot as plt
+
+    plt.rcParams["svg.hashsalt"] = "hophoop"  # the same picture is the same file
     folder.mkdir(parents=True, exist_ok=True)
-    draw_over_gamma(folder / "catalogue-load-fraction.png")
-    draw_counts(folder / "catalogue-counts.png")
-    draw_plane(folder / "catalogue-plane.png")
+    draw_over_gamma(folder / "catalogue-load-fraction.svg")
+    draw_counts(folder / "catalogue-counts.svg")
+    draw_plane(folder / "catalogue-plane.svg")
 
 
 def draw_over_gamma(path: Path) -> None:
@@ -238,6 +242,7 @@ def draw_over_gamma(path: Path) -> None:
     import matplotlib.pyplot as plt
 
     from hophoop.plots import class_color
+    from hophoop.plots.style import ON_COLOR
 
     hoops = maps.catalogued()
     areas: dict[str, dict[float, float]] = {}
@@ -252,11 +257,10 @@ def draw_over_gamma(path: Path) -> None:
         2, 1, figsize=(8.2, 2.4 + 0.165 * len(order)), sharex=True, height_ratios=(1, 6), layout="constrained"
     )
     for row, name in enumerate(order):
-        for k, gamma in enumerate(hoops):
-            if gamma in areas[name]:
-                size = math.log10(max(areas[name][gamma], 1e-14))
-                thick = 0.16 + 0.74 * (size + 14) / 14
-                ax.barh(row, edges[k + 1] - edges[k], thick, left=edges[k], color=class_color(name), lw=0)
+        sizes = np.array([max(areas[name].get(gamma, 0.0), 1e-14 * (gamma in areas[name])) for gamma in hoops])
+        thick = np.where(sizes > 0.0, 0.16 + 0.74 * (np.log10(np.maximum(sizes, 1e-14)) + 14) / 14, 0.0)
+        thick = 0.5 * np.append(thick, thick[-1])
+        ax.fill_between(edges, row - thick, row + thick, step="post", color=class_color(name), lw=0, gid=f"{ON_COLOR}-{name}")
     ax.set_yticks(range(len(order)), order, fontsize=7.5)
     ax.set_ylim(len(order) - 0.4, -0.6)
     ax.set_xlim(0.0, 1.0)
@@ -270,7 +274,7 @@ def draw_over_gamma(path: Path) -> None:
     count.set_ylabel("Number")
     count.set_ylim(0, None)
     count.legend(frameon=False, ncols=2, loc="lower center")
-    fig.savefig(path, dpi=110)
+    fig.savefig(path, metadata={"Date": None})
     plt.close(fig)
     print(path)
 
@@ -281,19 +285,19 @@ def draw_counts(path: Path) -> None:
 
     widths = np.geomspace(NARROWEST, 1.0, 561)
     fig, ax = plt.subplots(figsize=(8.2, 4.6), layout="constrained")
-    for gamma, color in ((0.2, "tab:green"), (0.48, "tab:orange"), (0.75, "black"), (0.9, "tab:blue")):
+    for gamma, color in zip((0.75, 0.48, 0.2, 0.9), colors.SERIES, strict=False):
         pairs = [counts(gamma, float(width)) for width in widths]
         ax.plot(widths, [b for _, b in pairs], color=color, drawstyle="steps-post", label=f"γ = {gamma}")
         ax.plot(widths, [a for a, _ in pairs], color=color, drawstyle="steps-post", ls=":")
-    ax.axhline(36, color="0.6", lw=0.8)
-    ax.text(0.8, 36.4, "36", color="0.4")
+    ax.axhline(36, color=colors.GRAY, lw=0.8)
+    ax.text(0.8, 36.4, "36", color=colors.GRAY)
     ax.set_xscale("log")
     ax.set_xlim(1.0, NARROWEST)
     ax.set_ylim(0, None)
     ax.set_xlabel("Least width of a class that counts, as part of the window")
     ax.set_ylabel("Classes: with their endings (full), sequences (dotted)")
     ax.legend(frameon=False, loc="lower right")
-    fig.savefig(path, dpi=110)
+    fig.savefig(path, metadata={"Date": None})
     plt.close(fig)
     print(path)
 
@@ -305,50 +309,78 @@ def draw_plane(path: Path, lines: int = 220) -> None:
     from matplotlib.patheffects import withStroke
 
     from hophoop.plots import class_color
+    from hophoop.plots.style import ON_COLOR
+    from hophoop.vocabulary.labels import PARAMETERS, with_unit
 
     done = survey(FINEST, lines, 1e-9)
     slices = done.arrangement.slices
+    quads, paint, borders = [], [], []
+    for left, right in itertools.pairwise(slices):
+        for code, quad in strips(left, right):
+            quads.append(quad)
+            paint.append(class_color(done.classes[code][0]))
+            borders += [*quad[:2], (math.nan, math.nan)]
+        borders += upright(left, right)
+    places = [one[:2] for one in done.meetings]
     fig, axes = plt.subplots(1, 2, figsize=(11.0, 5.6), layout="constrained")
     for ax in axes:
-        quads, colors = [], []
-        for left, right in itertools.pairwise(slices):
-            half = 0.5 * (left.x + right.x)
-            same = left.codes.size == right.codes.size and (left.codes == right.codes).all()
-            for one, ends in ((left, (left.x, half)), (right, (half, right.x))):
-                for k, code in enumerate(one.codes):
-                    low = np.array([one.y[k], one.y[k]])
-                    high = np.array([one.y[k + 1], one.y[k + 1]])
-                    if same:
-                        a, b = (0.0, 0.5) if one is left else (0.5, 1.0)
-                        low = left.y[k] + (right.y[k] - left.y[k]) * np.array([a, b])
-                        high = left.y[k + 1] + (right.y[k + 1] - left.y[k + 1]) * np.array([a, b])
-                    quads.append([(ends[0], low[0]), (ends[1], low[1]), (ends[1], high[1]), (ends[0], high[0])])
-                    colors.append(class_color(done.classes[code][0]))
-        ax.add_collection(PolyCollection(quads, facecolors=colors, edgecolors="none", antialiased=False))
-        borders = done.arrangement.borders
-        ax.plot(borders.x, borders.y, ",", color="black", alpha=0.5)
-        places = [one[:2] for one in done.meetings]
-        ax.plot(*zip(*places, strict=True), "o", ms=3.2, mfc="white", mec="black", mew=0.7)
-        ax.set_xlabel("μ")
-    labels = {(one.sequence, one.ending): (one.mu, one.speed) for one in done.found if one.width > 0.0135 and one.mu < 0.4}
-    right = min(slices, key=lambda one: abs(one.x - 0.4))
-    for code, low, high in zip(right.codes, right.y[:-1], right.y[1:], strict=True):
-        if high - low > 0.1:
-            labels.setdefault(done.classes[code], (right.x, 0.5 * (low + high)))
+        ax.add_collection(PolyCollection(quads, facecolors=paint, edgecolors="none", antialiased=False, rasterized=True))
+        ax.plot(*zip(*borders, strict=True), color="black", lw=0.5, gid=f"{ON_COLOR}-borders")
+        ax.plot(*zip(*places, strict=True), "o", ms=3.2, mfc="white", mec="black", mew=0.7, gid=f"{ON_COLOR}-places")
+        ax.set_xlabel(PARAMETERS["plane.mu"])
+        ax.set_ylabel(with_unit(PARAMETERS["start.speed"], "m/s"))
+        ax.set_xlim(*done.mu_range)
+        ax.set_ylim(*done.speed_range)
     white = [withStroke(linewidth=1.6, foreground="white")]
-    for (sequence, ending), (mu, speed) in labels.items():
+    for k, ((sequence, ending), (mu, speed)) in enumerate(names_in_the_plane(done).items()):
         text = sequence + "\nreversal" * (ending == "reversal")
-        axes[0].text(mu, speed, text, fontsize=6, ha="center", va="center", linespacing=0.9, path_effects=white)
-    axes[0].set_ylabel("v0 (m/s)")
+        axes[0].text(
+            mu, speed, text, fontsize=6.5, ha="center", va="center", linespacing=0.9, path_effects=white, gid=f"{ON_COLOR}-{k}"
+        )
     axes[0].set_xlim(done.mu_range[0], 0.45)
-    axes[0].set_ylim(*done.speed_range)
     axes[1].set_xscale("log")
     axes[1].set_yscale("log")
-    axes[1].set_xlim(*done.mu_range)
-    axes[1].set_ylim(*done.speed_range)
-    fig.savefig(path, dpi=110)
+    fig.savefig(path, dpi=160, metadata={"Date": None})
     plt.close(fig)
     print(path)
+
+
+def strips(left, right):
+    """Each class between two neighbouring lines: a quadrangle that begins with its upper border.
+
+    Where the lines list the same classes, borders run straight from one to the other; elsewhere each line has its half.
+    """
+    half = 0.5 * (left.x + right.x)
+    if left.codes.size == right.codes.size and (left.codes == right.codes).all():
+        parts = [(left.codes, (left.x, right.x), (left.y, right.y))]
+    else:
+        parts = [(left.codes, (left.x, half), (left.y, left.y)), (right.codes, (half, right.x), (right.y, right.y))]
+    for codes, (x0, x1), (y0, y1) in parts:
+        for k, code in enumerate(codes):
+            yield code, [(x0, y0[k + 1]), (x1, y1[k + 1]), (x1, y1[k]), (x0, y0[k])]
+
+
+def upright(left, right) -> list[tuple[float, float]]:
+    """Borders halfway between two lines, where one line has another class than its neighbour at the same speed."""
+    found: list[tuple[float, float]] = []
+    half, steps = 0.5 * (left.x + right.x), np.union1d(left.y, right.y)
+    if left.codes.size == right.codes.size and (left.codes == right.codes).all():
+        return found
+    for low, high in itertools.pairwise(steps):
+        here, there = (one.codes[np.searchsorted(one.y, 0.5 * (low + high)) - 1] for one in (left, right))
+        if here != there:
+            found += [(half, low), (half, high), (math.nan, math.nan)]
+    return found
+
+
+def names_in_the_plane(done) -> dict[tuple[str, str], tuple[float, float]]:
+    """Where to write the name of each class that is wide enough, as (μ, v0)."""
+    named = {(one.sequence, one.ending): (one.mu, one.speed) for one in done.found if one.width > 0.0135 and one.mu < 0.4}
+    right = min(done.arrangement.slices, key=lambda one: abs(one.x - 0.4))
+    for code, low, high in zip(right.codes, right.y[:-1], right.y[1:], strict=True):
+        if high - low > 0.1:
+            named.setdefault(done.classes[code], (right.x, 0.5 * (low + high)))
+    return named
 
 
 if __name__ == "__main__":

@@ -148,7 +148,7 @@ def search(folder: Path, cells: int) -> None:
     axes[0].set_ylabel("Mass of the ring over all, 1 − γ")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncol=3, frameon=False, fontsize=9)
-    figure.savefig(folder / "painleve-starts.png", dpi=130)
+    figure.savefig(folder / "painleve-starts.svg", dpi=160, metadata={"Date": None})
     plt.close(figure)
 
 

@@ -422,7 +422,7 @@ interface ComputedMotion {
   events: MotionEvent[]; // as Trajectory.to_dict()["events"]; null where not finite
   final: Record<string, any>; // as in to_dict()
   energy: Record<string, number>; // as in to_dict()
-  doubt?: number | null; // from when on doubles do not decide what comes, null where they do [s]
+  doubt: number | null; // from when on doubles do not decide what comes, null where they do [s]
 }
 
 // Places of a motion's state: the fields of results.Sample. `mode` is the place of the letter in "RSKHM".
@@ -534,4 +534,12 @@ interface Checked {
   plane: CheckedPlane;
   start: CheckedStart;
   contact: CheckedContact;
+}
+
+// A canvas whose strokes become an SVG.
+declare module "svgcanvas" {
+  export class Context extends CanvasRenderingContext2D {
+    constructor(options: { width: number; height: number; document: Document });
+    getSerializedSvg(): string;
+  }
 }

@@ -13,6 +13,7 @@ from typing import Any
 import imageio_ffmpeg
 from PIL import Image
 from sphinx.application import Sphinx
+from sphinx_gallery.scrapers import matplotlib_scraper
 
 import hophoop as hh
 
@@ -23,6 +24,11 @@ VIDEO = (
 )
 
 
+def drawings(block: Any, variables: dict[str, Any], conf: dict[str, Any], **options: Any) -> str:
+    """A scraper: what Matplotlib has drawn, as drawings that `dark` gives a second set of colours."""
+    return str(matplotlib_scraper(block, variables, conf, format="svg", **options))
+
+
 def films(block: Any, variables: dict[str, Any], conf: dict[str, Any]) -> str:
     """A scraper: what the last block has made, as reStructuredText; its first picture serves as the thumbnail."""
     space, parts = variables["example_globals"], []
@@ -31,8 +37,8 @@ def films(block: Any, variables: dict[str, Any], conf: dict[str, Any]) -> str:
         parts.append(_film(last.data, variables))
         space["___"] = None
     if hasattr(last, "savefig") and getattr(last, "number", None) is None:  # a figure that pyplot does not know
-        image = Path(next(variables["image_path_iterator"]))
-        last.savefig(image, dpi=100)
+        image = Path(next(variables["image_path_iterator"])).with_suffix(".svg")
+        last.savefig(image)
         parts.append(
             f".. image:: images/{image.name}\n   :alt: {block[1].strip().splitlines()[-1]}\n   :class: sphx-glr-single-img\n"
         )

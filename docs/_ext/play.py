@@ -13,7 +13,7 @@ from hophoop.lab import site
 def after_the_pages(app: Sphinx, error: Exception | None) -> None:
     """Write it where the front page's links expect it."""
     if error is None and app.builder.name == "html":
-        site.export(Path(app.outdir) / "play")
+        site.export(Path(app.outdir) / "play", docs="../")
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

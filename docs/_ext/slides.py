@@ -18,7 +18,8 @@ from hophoop.animate import Look, Timing
 from hophoop.theory import critical_speeds, rolling_forces, rolling_speed
 
 STATIC = Path(__file__).parents[1] / "_static"
-FILES = ("slides.css", "slides.js", "fonts/hoop-math.woff2")
+FONTS = Path(hh.__file__).parent / "article" / "fonts"  # the one of the report serves all pages
+FILES = (STATIC / "slides.css", STATIC / "slides.js", FONTS / "hoop-math.woff2")
 SIZE = (960, 440)
 HOOP, PLANE = hh.Hoop.ideal(load_fraction=0.75), hh.Plane(mu=1.0)
 ENERGY = r"\gamma m g\cdot 2R=(1-\gamma)\,m\,v^2"
@@ -107,9 +108,9 @@ def slides() -> list[str]:
 
 def make(folder: Path) -> Path:
     """Write slides, films, font and style into a folder; returns the page."""
-    (folder / "fonts").mkdir(parents=True, exist_ok=True)
-    for name in FILES:
-        shutil.copy(STATIC / name, folder / name)
+    folder.mkdir(parents=True, exist_ok=True)
+    for path in FILES:
+        shutil.copy(path, folder)
     make_films(folder)
     body = "\n".join(f"<section>{slide}</section>" for slide in slides())
     page = folder / "index.html"

@@ -12,6 +12,7 @@ import json
 import platform
 import shutil
 import zipfile
+from collections.abc import Mapping
 from importlib.metadata import version as installed_version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -189,20 +190,22 @@ def write_events_csv(motion: Motion, path: str | Path) -> None:
     _write_rows(Path(path), header, rows)
 
 
-def write_json(motion: Motion, path: str | Path) -> None:
+def write_json(motion: Motion, path: str | Path, more: Mapping[str, Any] | None = None) -> None:
     """Write scenario, events, final state and energy as JSON, in full double precision.
 
     Parameters
     ----------
     motion : Trajectory
     path : str or Path
+    more : mapping of str to Any, optional
+        Further keys of the result, such as ``{"sensitivity": motion.sensitivity(…).to_dict()}``.
 
     Raises
     ------
     OSError
         If the file cannot be written.
     """
-    text = json.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
+    text = json.dumps(motion.to_dict() | dict(more or {}), indent=2, ensure_ascii=False, allow_nan=False)
     with replacing(Path(path)) as temporary:
         temporary.write_text(text + "\n", encoding="utf-8")
 

@@ -278,6 +278,10 @@ class Motion(Protocol):
     def units(self) -> Units:
         """Those units."""
 
+    @property
+    def doubt(self) -> float:
+        """From which time on doubles cannot tell what follows, in those units; inf where everything is certain."""
+
     def at(self, t: ArrayLike, side: Literal["left", "right"] = "right") -> Sample:
         """The motion at any time."""
 

@@ -128,7 +128,8 @@ def simulate_watched(scenario: Scenario, reached: np.ndarray | None = None) -> T
     if isinstance(scenario.contact, Compliant):
         status, events, segments = import_module("hophoop.compliant.kernel").simulate_compliant(scenario, reached)
     else:
-        status, events, segments, _ = _simulate_rigid(scenario, scenario.contact)
+        status, events, segments, _, doubt = _simulate_rigid(scenario, scenario.contact)
+        return Trajectory(scenario, status, events, segments, hophoop.__version__, doubt)
     return Trajectory(scenario, status, events, segments, hophoop.__version__)
 
 
@@ -224,7 +225,8 @@ def script_of(scenario: Scenario, contact: Rigid) -> np.ndarray:
     return _simulate_rigid(scenario, contact)[3]
 
 
-def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray, np.ndarray]:
+def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray, np.ndarray, np.ndarray, float]:
+    """Status, events, segments, the script of what was decided in more digits, and when doubles first were in doubt."""
     start = start_of(scenario)
     t_end = scenario.duration / time_unit(scenario.hoop, scenario.plane)
     body = to_body(scenario.hoop, scenario.plane)
@@ -234,10 +236,13 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     script = NO_SCRIPT
     decisions = 0
     budget: Budget | None = None
+    doubt = math.inf
     while True:
         events = np.empty(events_size, EVENT)
         segments = np.empty(segments_size, SEGMENT)
         status, count, pieces = run(body, start, t_end, math.nan, 0, events, segments, scratch, script)
+        if not script.size and not math.isnan(scratch.doubt[0]):
+            doubt = float(scratch.doubt[0])
         if status == Status.BUFFER:
             segments_size = min(16 * segments_size, MOST_PANELS)
         elif scratch.written[0] < 0 and events_size < contact.max_events:  # not where the panels are used up
@@ -260,7 +265,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
     if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state
         pieces = 1
         _hold_at(events[0], segments[0])
-    return status, first_rows(events, count), first_rows(segments, pieces), script
+    return status, first_rows(events, count), first_rows(segments, pieces), script, doubt
 
 
 def _hold_at(event: np.void, segment: np.void) -> None:

@@ -36,12 +36,21 @@ class Trajectory:
     that holds the time again.
     """
 
-    def __init__(self, scenario: Scenario, status: int, events: np.ndarray, segments: np.ndarray, version: str) -> None:
+    def __init__(
+        self,
+        scenario: Scenario,
+        status: int,
+        events: np.ndarray,
+        segments: np.ndarray,
+        version: str,
+        doubt: float | None = None,
+    ) -> None:
         self.scenario = scenario
         self.version = version
         self._status = status
         self._events = events
         self._segments = segments
+        self._doubt = doubt
 
     # --- what happened -------------------------------------------------------------------------
 
@@ -207,6 +216,19 @@ class Trajectory:
     def units(self) -> Units:
         """SI values of the units in which the kernels compute."""
         return Units.of_scenario(self.scenario)
+
+    @property
+    def doubt(self) -> float:
+        """From which time on double precision cannot tell what follows; inf where everything is certain [`units`].
+
+        There a quantity only touches what would set off an event, or the motion is at the border of two classes. With
+        rigid contact.
+        """
+        if self._doubt is None:  # of a motion that was loaded
+            from hophoop.derivatives.carrying import doubtful_from
+
+            self._doubt = doubtful_from(self)
+        return self._doubt
 
     def sensitivity(self, of: str | Sequence[str], wrt: str | Sequence[str]) -> Sensitivity:
         """Derivatives of quantities of the motion with respect to parameters, through all events.

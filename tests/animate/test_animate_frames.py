@@ -9,8 +9,10 @@ from hypothesis import strategies as st
 
 import hophoop as hh
 from animate_tools import motion, places
-from hophoop.animate.frames import Timing, clock, extent, follow, trace
+from hophoop.animate.frames import Timing, clock, ended, extent, follow, trace
+from hophoop.animate.happenings import happenings
 from hophoop.animate.look import nice
+from hophoop.animate.scaling import arrow, force_levels
 from hophoop.poses import poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.scenario import describe
 
@@ -236,3 +238,53 @@ def test_descriptions():
 @pytest.mark.parametrize("value", [math.inf])
 def test_a_plane_without_slip_is_said(value):
     assert "μ = ∞" in describe(hh.Scenario(plane=hh.Plane(mu=value)))
+
+
+def jam():
+    return hh.simulate(hh.Hoop.ideal(0.85), hh.Plane(mu=0.8), hh.Start.rolling(8.9), duration=2.0)
+
+
+def test_a_film_stays_where_mechanics_says_nothing_more():
+    stuck = jam()
+    shown = clock([stuck], Timing(fps=20))
+    moving = int(np.floor(stuck.duration * 20)) + 1
+    assert stuck.status == "jammed"
+    assert (shown.times[0][moving:] == stuck.duration).all()
+    assert (shown.still[:moving] == 0.0).all()
+    np.testing.assert_allclose(shown.still[moving:], np.arange(shown.count - moving) / 20)
+    assert shown.still[-1] > 1.0
+    assert [one.kind for one in happenings(stuck, shown.times[0])] == ["impact", "jam"]
+    assert ended(stuck, stuck.duration, last=True) == "jammed"
+    assert ended(stuck, 0.999 * stuck.duration, last=False) == ""
+
+
+def test_a_film_stops_with_a_motion_that_could_go_on():
+    shown = clock([motion()], Timing(fps=20))
+    assert (shown.still == 0.0).all()
+    assert ended(motion(), 2.0, last=True) == ""
+    assert ended(motion(), 2.0, last=False) == "ended"
+
+
+def test_a_film_of_a_part_does_not_stay():
+    shown = clock([jam()], Timing(fps=20, end=0.5))
+    assert shown.times[0][-1] == 0.5
+    assert (shown.still == 0.0).all()
+    beside = clock([jam(), motion()], Timing(fps=20))
+    assert beside.times[1][-1] == 2.0
+    assert (beside.still == 0.0).all()
+
+
+def test_the_scale_of_arrows_is_not_that_of_a_jam():
+    stuck = jam()
+    assert stuck.at(stuck.duration).normal_force > 1e5
+    size = extent(stuck)
+    assert size.force < 300.0
+    levels = force_levels([stuck], clock([stuck], Timing(fps=20)), 20.0, size.force)
+    early = clock([stuck], Timing(fps=20)).times[0] < 0.7
+    assert levels[early].max() < 100.0
+
+
+def test_an_arrow_has_a_greatest_length():
+    np.testing.assert_allclose(arrow(np.array([3.0, 4.0]), 10.0, 60.0), [30.0, 40.0])
+    np.testing.assert_allclose(arrow(np.array([3e9, 4e9]), 10.0, 60.0), [144.0, 192.0])
+    assert (arrow(np.zeros(2), 10.0, 60.0) == 0.0).all()

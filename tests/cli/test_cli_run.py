@@ -336,7 +336,26 @@ def test_sensitivity():
     assert result.exit_code == 0
     lines = result.output.splitlines()[-4:]
     assert lines[0] == "takeoff.angle  by plane.mu: +0.221788164 rad"
-    assert lines[3] == "hop.height     by plane.restitution: none, the parameter is at the edge of what is allowed"
+    none = "none, the parameter is at the edge of what is allowed; towards larger values +0 m"
+    assert lines[3] == f"hop.height     by plane.restitution: {none}"
+
+
+def test_sensitivity_is_in_the_json(tmp_path):
+    """To standard output and to a file, beside what a run without it writes."""
+    options = [*HOP, "--sensitivity", "takeoff.angle,hop.height", "--wrt", "plane.mu,plane.restitution"]
+    printed = run("run", *options, "--json")
+    assert printed.exit_code == 0, printed.output
+    data = json.loads(printed.stdout)
+    written = run("run", *options, "--json", tmp_path / "hop.json")
+    assert written.exit_code == 0, written.output
+    assert "takeoff.angle  by plane.mu: +0.221788164 rad" in written.stdout
+    assert json.loads((tmp_path / "hop.json").read_text(encoding="utf-8")) == data
+    found = data.pop("sensitivity")
+    assert data == hop().to_dict()
+    assert found == hop().sensitivity(["takeoff.angle", "hop.height"], ["plane.mu", "plane.restitution"]).to_dict()
+    assert found["derivatives"][0] == {"of": "takeoff.angle", "wrt": "plane.mu", "derivative": pytest.approx(0.22178816435)}
+    edge = found["derivatives"][1]
+    assert (edge["derivative"], edge["smaller"], edge["larger"]) == (None, None, 0.0)
 
 
 @pytest.mark.parametrize(
@@ -344,7 +363,6 @@ def test_sensitivity():
     [
         (("--sensitivity", "end.x"), "need each other"),
         (("--wrt", "plane.mu"), "need each other"),
-        (("--sensitivity", "end.x", "--wrt", "plane.mu", "--json"), "prints nothing else"),
         (("--sensitivity", "leap.x", "--wrt", "plane.mu"), "is no quantity"),
         (("--sensitivity", "end.x", "--wrt", "plane.mu", "--digits", "20"), "--sensitivity cannot be given together"),
     ],

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+from decimal import Decimal, localcontext
 
 import pytest
 from typer.testing import CliRunner
 
+import hophoop as hh
 from hophoop.cli import app
+from hophoop.prove import prove_map
 
 pytest.importorskip("flint")
 
@@ -69,3 +72,80 @@ def test_a_file_that_is_no_certificate(tmp_path):
         done = run("--check", path)
         assert done.exit_code == 2
         assert "certificate" in done.stderr
+
+
+def test_boxes_of_parameters(tmp_path):
+    """The window as the library divides it: rolling below the first slip at 2.043 m/s, undecided across it."""
+    path = tmp_path / "boxes.json"
+    window = ["--boxes", "plane.mu=0.9:1.1", "--boxes", "start.speed=1.0:1.8"]
+    done = run(*window, "--depth", "2", "--out", path)
+    assert done.exit_code == 0, done.output
+    told = json.loads(path.read_text(encoding="utf-8"))
+    found = prove_map(hh.Scenario(), {"plane.mu": (0.9, 1.1), "start.speed": (1.0, 1.8)}, depth=2)
+    assert {key: told[key] for key in found.to_dict()} == json.loads(json.dumps(found.to_dict()))
+    assert 0.0 < told["share"] == told["sequences"]["R"] <= 1.0
+    assert f"proved  {100 * found.share():.4g} % of the window, in " in done.stdout
+    assert json.loads(run(*window, "--depth", "2", "--json").stdout) == told
+
+
+def test_thresholds_to_thirty_digits():
+    """v² = g R/γ, by the decimal digits of an independent square root."""
+    done = run("--thresholds", "immediate_hop_speed,painleve_friction", "--digits", "30", "--json")
+    assert done.exit_code == 0, done.output
+    found = {one["key"]: one for one in json.loads(done.stdout)["thresholds"]}
+    with localcontext() as context:
+        context.prec = 50
+        true = (Decimal.from_float(9.81) / Decimal("0.75")).sqrt()
+        one = found["immediate_hop_speed"]
+        assert abs(Decimal(one["middle"]) - true) <= Decimal(one["radius"]) < Decimal("1e-29")
+    assert found["painleve_friction"]["middle"].startswith("0.88191710368819686350053858454")
+    shown = run("--thresholds", "immediate_hop_speed", "--digits", "30")
+    assert f"{one['middle']} ± " in shown.stdout
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (("--mu", "inf", "--thresholds", "first_slip_speed"), "first_slip_speed: friction is infinite."),
+        (
+            ("--v0", "3.1", "--thresholds", "needed_friction"),
+            "needed_friction: no friction is enough, for the hoop would leave the plane.",
+        ),
+        (
+            ("--angle", "1", "--thresholds", "needed_friction"),
+            "needed_friction: the start is not a rolling one with the load up.",
+        ),
+    ],
+)
+def test_a_threshold_that_cannot_be_shown(options, sentence):
+    done = run(*options)
+    assert done.exit_code == 1
+    assert done.stderr == f"Undecided: {sentence}\n"
+
+
+@pytest.mark.slow
+def test_statements_of_the_article():
+    done = run("--article")
+    assert done.exit_code == 0, done.output
+    assert "proved  18 of 18" in done.stdout
+    assert "undecided" not in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        (["--boxes", "plane.mu"], "PATH=LEAST:GREATEST"),
+        (["--boxes", "plane.mu=1:b"], "PATH=LEAST:GREATEST"),
+        (["--boxes", "plane.mu=1:2", "--boxes", "plane.mu=1:2"], "twice"),
+        (["--boxes", "plane.mu=2:1"], "least value first"),
+        (["--boxes", "hoop.mass=1:2"], "--boxes holds hoop.mass"),
+        (["--boxes", "plane.mu=1:2", "--depth", "-1"], "--depth = -1"),
+        (["--thresholds", "fastest"], "'fastest'"),
+        (["--thresholds", "all", "--article"], "cannot be given together with --article"),
+        (["--check", "a.json", "--boxes", "plane.mu=1:2"], "cannot be given together with --boxes"),
+    ],
+)
+def test_what_is_refused(arguments, word):
+    done = run(*arguments)
+    assert done.exit_code == 2
+    assert word in done.stderr

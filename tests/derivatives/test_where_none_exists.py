@@ -89,8 +89,55 @@ def reason_of(scenario, of, wrt):
     return result.reasons[0][0]
 
 
-def test_restitution_that_is_zero():
-    assert reason_of(hh.Scenario(duration=2.0), "end.x", "plane.restitution") == REASONS[Reason.PLASTIC]
+LANDINGS = {
+    "rolls": hh.Scenario(duration=1.95),
+    "slips": hh.Scenario(start=hh.Start(height=0.2, omega=6.0, vx=1.0, angle=0.5), plane=hh.Plane(mu=0.1), duration=0.4),
+    "slope": hh.Scenario(
+        hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.6), start=hh.Start(height=0.2, omega=2.0, vx=1.0, angle=0.5),
+        plane=hh.Plane(mu=0.9, slope=0.2), duration=0.4,
+    ),
+    "reversed": hh.Scenario(start=hh.Start(height=0.4, omega=2.0, vx=1.9, angle=1.5), plane=hh.Plane(mu=0.35), duration=0.6),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", LANDINGS)
+@pytest.mark.parametrize("law", ["stronge", "newton", "poisson"])
+def test_restitution_that_is_zero(name, law):
+    """The states behind a landing change with e² only, which motions with a small e show; the events are others."""
+    scenario = LANDINGS[name].with_values({"plane.impact_law": law})
+    motion = hh.simulate(scenario)
+    of = [f"at({scenario.duration}).{field}" for field in ("x", "angle", "omega", "vx", "total")]
+    result = motion.sensitivity([*of, "end.angle", "impact.t"], "plane.restitution")
+    bouncing = hh.simulate(scenario.with_values({"plane.restitution": 1e-5})).at(scenario.duration)
+    still = motion.at(scenario.duration)
+    for k, field in enumerate(("x", "angle", "omega", "vx", "total")):
+        assert result.larger[k, 0] == pytest.approx((getattr(bouncing, field) - getattr(still, field)) / 1e-5, abs=2e-3)
+    assert (result.larger[:, 0] == 0.0).all()
+    assert np.isnan(result.smaller).all()
+    assert np.isnan(result.derivatives).all()
+    assert result.reasons == ((EDGE,),) * 7
+    after = motion.sensitivity(["impact.slip", "impact.vy", "end.friction", "impact.impact_normal"], "plane.restitution")
+    assert np.isnan(after.larger).all()
+    assert after.reasons == ((REASONS[Reason.PLASTIC],),) * 4
+
+
+def test_restitution_that_is_zero_where_the_slip_behind_the_landing_is_another():
+    """The landing stops the slip, which gravity begins again at once: the bounces then lead to a slip that differs by e."""
+    hoop, plane = hh.Hoop(eccentricity=0.2, inertia_ratio=0.9), hh.Plane(mu=0.2, slope=0.8)
+    scenario = hh.Scenario(hoop=hoop, plane=plane, start=hh.Start(height=0.2, vx=-1.6), duration=0.5)
+    motion = hh.simulate(scenario)
+    impact = motion.find("impact")[0]
+    assert (impact.slip, impact.to_mode) == (0.0, "K")
+    bouncing = hh.simulate(scenario.with_values({"plane.restitution": 1e-5}))
+    assert abs(bouncing.at(0.5).x - motion.at(0.5).x) > 0.1 * 1e-5
+    result = motion.sensitivity("end.x", "plane.restitution")
+    assert result.reasons == ((REASONS[Reason.PLASTIC],),)
+    assert np.isnan(result.larger).all()
+
+
+def test_spreads_have_no_restitution_that_is_zero():
+    motion = hh.simulate(hh.Scenario(duration=1.95))
+    assert np.isnan(motion.uncertainty({"plane.restitution": 0.1}).at(1.9).x).all()
 
 
 @pytest.mark.parametrize("path", ["start.height", "start.vy"])
@@ -127,6 +174,21 @@ def test_a_graze_of_the_friction_cone():
     for mu in (low, high):
         assert reason_of(scenario.with_values({"plane.mu": mu}), "end.angle", "plane.mu") in GRAZES
     assert hh.sensitivity(scenario.with_values({"plane.mu": 1.01 * high}), "end.angle", "plane.mu").derivatives[0, 0] == 0.0
+
+
+@pytest.mark.parametrize("step", [-1, 0, 1])
+def test_two_events_that_fall_together(step):
+    """At the least speed that hops, the slip stops as the rim lifts off: from there on there is no derivative."""
+    speed = float(hh.theory.first_hop_speed(hh.Hoop.ideal(0.75)))
+    speed += step * math.ulp(speed)
+    of = ["slip_start[1].t", "end.x"]
+    result = hh.sensitivity(hh.Scenario(start=hh.Start.rolling(speed), duration=1.4), of, "start.speed")
+    assert result.reasons[0] == ("",)
+    assert result.reasons[1][0] in GRAZES
+    assert np.isnan([result.derivatives[1], result.smaller[1], result.larger[1]]).all()
+    beside = hh.sensitivity(hh.Scenario(start=hh.Start.rolling(speed + 1e-8), duration=1.4), of, "start.speed")
+    assert beside.reasons == (("",), ("",))
+    assert beside.derivatives[0] == pytest.approx(result.derivatives[0], rel=1e-6)
 
 
 def test_the_rim_that_touches_the_plane_in_flight_without_approach():

@@ -1,14 +1,17 @@
 """The figures of the model's page show what the model says."""
 
 import math
+import re
 import runpy
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 
 import hophoop as hh
+from hophoop.article.inks import for_both
 
 ROOT = Path(__file__).parents[2]
 FIGURES = runpy.run_path(str(ROOT / "examples" / "model_figures.py"))
@@ -47,3 +50,24 @@ def test_the_kept_figures_are_those_that_are_drawn(tmp_path, monkeypatch):
     assert sorted(drawn) == ["contact-space.svg", "model-body.svg", "painleve-push.svg"]
     for name in drawn:
         assert (ROOT / "docs" / "figures" / name).exists()
+
+
+DRAWINGS = [
+    path for path in sorted((ROOT / "docs" / "figures").glob("*.svg")) if "Matplotlib" in path.read_text(encoding="utf-8")
+]
+
+
+@pytest.mark.parametrize("path", DRAWINGS, ids=lambda path: path.stem)
+def test_a_drawing_has_colours_for_dark_pages(path):
+    made = for_both(path.read_text(encoding="utf-8"))
+    ElementTree.fromstring(made)
+    assert "prefers-color-scheme:dark" in made
+    assert not re.search(r"(fill|stroke): ?#", re.sub(r"<style>.*?</style>|<defs>.*?</defs>", "", made, flags=re.DOTALL))
+
+
+def test_colours_of_classes_are_the_same_on_dark_pages():
+    """In the field, which is a picture, and beside it, where they are drawn."""
+    text = (ROOT / "docs" / "figures" / "atlas-mu-v0-sequence.svg").read_text(encoding="utf-8")
+    named = re.findall(r'<g id="on-color-legend-(\w+)">', text)
+    assert named[:3] == ["R", "H", "RKRSR"]
+    assert len(named) == 16

@@ -37,7 +37,8 @@ def test_what_a_page_shows_is_so(page, tmp_path, monkeypatch):
         ("```toml\n[plane]\nfriction = 1.0\n```\n", "plane.friction"),
     ],
 )
-def test_a_wrong_page_is_found(text, fault):
+def test_a_wrong_page_is_found(text, fault, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     assert len(found := faults(text)) == 1
     assert fault in found[0]
 

@@ -179,15 +179,16 @@ def test_a_step_is_kept_until_it_is_shown(js):
 
 def test_a_link_holds_time_view_and_map(js):
     shown = {
-        "time": 1.25, "zoom": 2, "map": {"what": "hop_height", "x": ["start.speed", 1, 2.5], "y": ["plane.mu", 0, 1]},
+        "time": 1.25, "zoom": 2, "pan": [0.125, -0.3], "from": [0.5, 0.31, 7],
+        "map": {"what": "hop_height", "x": ["start.speed", 1, 2.5], "y": ["plane.mu", 0, 1]},
         "options": {"traces": True, "forces": False, "speed": True, "whole": False, "three": True},
     }  # fmt: skip
     text = js("address.js", "return lab.written(shown)", shown=shown)
-    assert text == "t=1.25&show=tc3&zoom=2&map=hop_height,start.speed,1,2.5,plane.mu,0,1"
+    assert text == "t=1.25&show=tc3&zoom=2&pan=0.125,-0.3&from=0.5,0.31,7&map=hop_height,start.speed,1,2.5,plane.mu,0,1"
     assert js("address.js", "return lab.readShown('#with=x&' + text)", text=text) == shown
     usual = {"options": {"traces": True, "forces": True, "speed": True, "whole": False, "three": False}}
     assert js("address.js", "return lab.written(shown)", shown=usual) == ""
-    assert js("address.js", "return lab.readShown('t=-3&zoom=x&map=a,b,1,0,c,0,1')") == {}
+    assert js("address.js", "return lab.readShown('t=-3&zoom=x&pan=1&from=1,a,2&map=a,b,1,0,c,0,1')") == {}
 
 
 # Where a flight begins

@@ -76,6 +76,25 @@ def test_other_files_are_left_alone(tmp_path: Path) -> None:
     assert done.exit_code == 2
 
 
+def test_it_knows_where_the_documentation_is_if_told(tmp_path: Path) -> None:
+    site.export(tmp_path / "alone")
+    assert "hophoop-docs" not in (tmp_path / "alone" / "index.html").read_text(encoding="utf-8")
+    done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path / "lab"), "--docs", 'https://example.org/"docs'])
+    assert done.exit_code == 0, done.output
+    page = (tmp_path / "lab" / "index.html").read_text(encoding="utf-8")
+    assert '<meta name="hophoop-docs" content="https://example.org/&quot;docs/">' in page
+    done = CliRunner().invoke(app, ["lab", "--docs", "../"])
+    assert done.exit_code == 2
+    assert "--docs needs --export" in done.output
+
+
+def test_the_pages_for_teachers_that_it_links_are_there() -> None:
+    root = Path(__file__).parents[2]
+    linked = re.findall(r'"(teach/[\w-]+)\.html"', (root / "web" / "lab" / "teach.js").read_text(encoding="utf-8"))
+    assert len(linked) == 4
+    assert [page for page in linked if not (root / "docs" / f"{page}.md").is_file()] == []
+
+
 def test_the_command_says_what_it_wrote(tmp_path: Path) -> None:
     done = CliRunner().invoke(app, ["lab", "--export", str(tmp_path / "lab")])
     assert done.exit_code == 0

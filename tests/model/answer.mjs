@@ -39,8 +39,11 @@ const CALLS = {
     values.map((value) => fill("{value!r} {value:g} {value:.3g} {value:.6g} {value:.0e} {value:.2e} {value:.1f} {value:.0f}", { value })),
   texts: (texts) => texts.map((text) => [pythonText(text), plain(text), shortened(text), jsonText(text), floatOf(text) ?? null]),
   closest: ({ words, known }) => words.map((word) => closest(word, known) ?? null),
-  within(body) {
-    return model.toDict(model.within(model.asked(body, mechanics)));
+  bounded({ name, body }) {
+    const { checked, ...options } = model.requested(name, body, mechanics);
+    if (name === "map") model.withinMap(checked, options);
+    else if (name === "film" || name === "samples") model.within(checked);
+    return options;
   },
 };
 
@@ -52,6 +55,9 @@ CALLS.local = async ({ name, body }) => {
   const { header, arrays } = await local.call(name, body);
   return { header, arrays: Object.fromEntries(Object.entries(arrays).map(([key, array]) => [key, [...array]])) };
 };
+// a server that does no more than say what it is asked for
+const served = new LocalBackend(kernel, mechanics, { server: { call: async (name, body) => ({ header: { name, body }, arrays: {} }) } });
+CALLS.served = async ({ name, body }) => (await served.call(name, body)).header;
 CALLS.file = async ({ name, query }) => (await local.file(name, query)).text();
 
 for await (const line of createInterface({ input: process.stdin })) {

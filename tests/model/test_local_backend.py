@@ -73,6 +73,20 @@ def test_films_are_those_of_python():
             np.testing.assert_allclose(found[sure], column[sure], rtol=1e-7, atol=1e-9, err_msg=f"{body} {name}")
 
 
+# The speed at which the contact force is zero at the start: its double may lie on either side.
+UNDECIDED = "start.speed=3.616628264005025"
+
+
+def test_a_motion_that_doubles_do_not_decide_is_asked_of_the_server_or_said():
+    (here,) = local("film", [{"query": UNDECIDED}])
+    assert here["value"]["header"]["doubt"].startswith("What comes after 0 s hangs on more digits")
+    (decided,) = local("film", [{}])
+    assert "doubt" not in decided["value"]["header"]
+    asked, usual = answers("served", [{"name": "film", "body": {"query": query}} for query in (UNDECIDED, "")])
+    assert asked["value"] == {"name": "film", "body": {"query": UNDECIDED}}
+    assert usual["value"]["sequence"].startswith("RKRSHR")  # computed here
+
+
 def test_a_part_of_a_film_is_finer():
     bodies = [{"query": "duration=200", "window": window} for window in ([0, 3.5], [100.2, 101.9], [199.5, 250])]
     for body, answer in zip(bodies, local("samples", bodies), strict=True):

@@ -9,6 +9,8 @@ import pytest
 
 import hophoop as hh
 from hophoop.prove import prove_box, prove_map, statements, thresholds
+from hophoop.prove._flint import precision
+from hophoop.prove.statements import _energies
 
 pytest.importorskip("flint")
 
@@ -62,7 +64,21 @@ def test_the_border_of_the_hop():
 
 @pytest.mark.slow
 def test_the_article():
-    assert [one.key for one in statements() if not one.proved] == []
+    found = statements()
+    assert [one.key for one in found if not one.proved] == []
+    assert len({one.key for one in found}) == 16
+
+
+def test_energies_of_proved_events_are_those_of_the_kernel():
+    """Balls of some digits about what the kernel's ledger says at the same events."""
+    scenario = hh.Scenario(duration=2.0)
+    motion = hh.simulate(scenario)
+    with precision(100):
+        for event, computed in zip(hh.prove.prove(scenario, 12).events, motion.events, strict=True):
+            sample = motion.at(computed.t)
+            for ball, value in zip(_energies(event), (sample.kinetic, sample.potential), strict=True):
+                assert abs(float(ball.mid()) - value) < 1e-9
+                assert float(ball.rad()) < 1e-8
 
 
 def test_boxes():

@@ -1,9 +1,11 @@
 """The pages in a browser: no request leaves them, no formula is cut off, nothing bars the way of those who cannot see."""
 
+import io
 import os
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 WIDTHS = (1280, 375)
 # in a page: formulas that are wider than their place, or stick out of the text
@@ -50,6 +52,29 @@ def test_a_formula_that_is_too_wide_is_found(browser):
     page.close()
     assert found[0] == "wide"
     assert len(found) == 2
+
+
+@pytest.mark.parametrize(("scheme", "theme"), [("dark", "auto"), ("light", "dark"), ("dark", "light"), ("light", "auto")])
+def test_a_drawing_takes_the_colours_of_its_page(browser, address, scheme, theme):
+    dark = theme == "dark" or (theme == "auto" and scheme == "dark")
+    context = browser.new_context(color_scheme=scheme)
+    page = context.new_page()
+    page.add_init_script(f"localStorage.setItem('theme', '{theme}')")
+    page.goto(f"{address}model.html")
+    picture = page.locator("article img[src$='.svg']").first
+    picture.scroll_into_view_if_needed()
+    shot = Image.open(io.BytesIO(picture.screenshot())).convert("L")
+    context.close()
+    assert (shot.getpixel((2, 2)) < 60) == dark
+    darkest, lightest = shot.getextrema()
+    assert lightest - darkest > 150  # what it shows stands out from its ground
+
+
+def test_every_drawing_beside_the_pages_has_colours_for_dark_ones(site):
+    drawings = [path for path in (site / "_images").glob("*.svg") if "Matplotlib" in path.read_text(encoding="utf-8")]
+    assert len(drawings) > 30
+    plain = [path.name for path in drawings if "prefers-color-scheme" not in path.read_text(encoding="utf-8")]
+    assert [name for name in plain if "strobe" not in name and name != "learn-real-hoop-2.svg"] == []
 
 
 PAPER = 718  # A4 less its margins, in pixels

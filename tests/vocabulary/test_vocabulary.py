@@ -104,6 +104,15 @@ def test_an_unknown_letter_is_refused():
         colors.mode_color("S")
 
 
+def test_a_phase_has_one_word_in_motions_and_maps():
+    for letter in "RHM":
+        assert words.LETTERS[letter] == words.mode_word(letter, 1.0)
+    assert classes.class_text("RSH") == "roll → slip − → flight"
+    # 'hop' is a flight from take-off to landing, as the glossary has it; nothing that is shown says airborne
+    shown = (ROOT / "web" / "words" / "de.json").read_text(encoding="utf-8")
+    assert "airborne" not in shown
+
+
 def test_every_kind_of_event_and_status_has_its_words():
     from hophoop.physics.body import EVENT_NAMES, Status
 

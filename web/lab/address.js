@@ -19,6 +19,8 @@ const WAIT = 400; // milliseconds; browsers refuse more than a few changes of th
  * @property {number} [time]
  * @property {Partial<StageOptions>} [options]
  * @property {number} [zoom]
+ * @property {[number, number]} [pan] how far the picture is moved, in its own width and height
+ * @property {number[]} [from] from where it is looked at in space: azimuth, height, distance
  * @property {{ what: string, x: [string, number, number], y: [string, number, number] }} [map]
  */
 
@@ -26,12 +28,15 @@ const WAIT = 400; // milliseconds; browsers refuse more than a few changes of th
  * What is shown, as the part of a link behind its #; what is as usual is left out.
  * @param {Shown} shown
  */
-export function written({ time = 0, options = {}, zoom = 1, map }) {
+export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, map }) {
   const parts = [];
   if (time > 0) parts.push(`t=${Number(time.toFixed(4))}`);
   const letters = LETTERS.filter(([name]) => options[name]).map(([, letter]) => letter);
   if (letters.join("") !== USUAL) parts.push(`show=${letters.join("")}`);
   if (zoom !== 1) parts.push(`zoom=${Number(zoom.toPrecision(3))}`);
+  if (pan.some((part) => Math.abs(part) > 5e-4))
+    parts.push(`pan=${pan.map((part) => Number(part.toFixed(3))).join(",")}`);
+  if (from) parts.push(`from=${from.map((part) => Number(part.toPrecision(3))).join(",")}`);
   if (map) parts.push(`map=${[map.what, ...map.x, ...map.y].join(",")}`);
   return parts.join("&");
 }
@@ -53,12 +58,26 @@ export function readShown(hash) {
   }
   const zoom = Number(parts.get("zoom") ?? Number.NaN);
   if (zoom > 0) shown.zoom = clamp(zoom, 0.05, 60);
+  const pan = numbers(parts.get("pan"), 2);
+  if (pan) shown.pan = /** @type {[number, number]} */ (pan.map((part) => clamp(part, -20, 20)));
+  const from = numbers(parts.get("from"), 3);
+  if (from) shown.from = from;
   const [what, x, x0, x1, y, y0, y1] = parts.get("map")?.split(",") ?? [];
   const ends = [x0, x1, y0, y1].map(Number);
   if (y1 !== undefined && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3]) {
     shown.map = { what, x: [x, ends[0], ends[1]], y: [y, ends[2], ends[3]] };
   }
   return shown;
+}
+
+/**
+ * So many numbers, or nothing.
+ * @param {string | null} text
+ * @param {number} count
+ */
+function numbers(text, count) {
+  const found = (text ?? "").split(",").map(Number);
+  return text && found.length === count && found.every(Number.isFinite) ? found : null;
 }
 
 // The two links that an address holds.

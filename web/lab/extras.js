@@ -5,12 +5,13 @@ import { Challenges } from "./challenges.js";
 import { h } from "./dom.js";
 import { Grips } from "./grips.js";
 import { icon } from "./icons.js";
+import { languageMenu } from "./languages.js";
 import { Present } from "./present.js";
 import { Sound } from "./sound.js";
 import { Table } from "./table.js";
 import { teachDialog } from "./teach.js";
 import { Visit } from "./visit.js";
-import { current, keep, LANGUAGES, repeat, speak, t, untranslated } from "./words.js";
+import { current, repeat, t, untranslated } from "./words.js";
 
 export class Extras {
   // what the page says, for tests and for those who look in from outside
@@ -119,30 +120,18 @@ export class Extras {
   }
 
   languages() {
-    const select = h(
-      "select",
-      {
-        class: "language",
-        "aria-label": "Language",
-        onchange: () => {
-          keep(select.value);
-          speak(select.value);
-          this.spoken();
-          repeat(this.lab.root);
-          this.lab.show();
-        },
-      },
-      Object.entries(LANGUAGES).map(([code, name]) =>
-        h("option", { value: code, lang: code }, document.createTextNode(name)),
-      ),
-    );
-    select.value = current();
-    return select;
+    return languageMenu(() => {
+      this.spoken();
+      repeat(this.lab.root);
+      this.lab.show();
+    });
   }
 
   spoken() {
     this.lab.root.lang = current();
-    if (this.lab.hosted) document.documentElement.lang = current();
+    if (!this.lab.hosted) return;
+    document.documentElement.lang = current();
+    document.title = t("hophoop lab: play with the hopping hoop");
   }
 
   /** Another picture is on the screen. */

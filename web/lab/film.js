@@ -37,6 +37,8 @@ export class Film {
     this.story = header.story;
     /** @type {boolean} */
     this.shortened = header.shortened;
+    /** @type {string} that more digits would have to decide what comes, if they would */
+    this.doubt = header.doubt ?? "";
     /** @type {Record<string, Column>} */
     this.columns = reply.arrays;
     /** @type {Float64Array} */

@@ -81,7 +81,7 @@ export class Pull {
    * @param {Grip} grip
    * @param {Film} film
    * @param {number} time
-   * @param {import("./stage2d.js").Scene} view
+   * @param {import("./scene2d.js").Scene} view
    * @param {Point} at
    */
   constructor(grip, film, time, view, at) {

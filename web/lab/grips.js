@@ -104,7 +104,7 @@ export class Grips {
     if (!lab.clock.playing) this.tell(film);
   }
 
-  /** @param {import("./stage2d.js").Scene} view */
+  /** @param {import("./scene2d.js").Scene} view */
   onPlane(view) {
     const foot = view.point(view.pose.x, 0);
     const right = Math.min(foot[0] + Math.max(1.9 * view.film.radius * view.scale, 90), view.width - 30);

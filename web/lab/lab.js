@@ -3,19 +3,19 @@
 import { Address, written } from "./address.js";
 import { Clock } from "./clock.js";
 import { Controls } from "./controls.js";
-import { h, once, say } from "./dom.js";
+import { once, say } from "./dom.js";
 import { Extras } from "./extras.js";
 import { Header } from "./header.js";
 import { helpDialog } from "./help.js";
 import { Hoops } from "./hoops.js";
 import { listen, SingleKeys } from "./keys.js";
+import { layOut, prepareRoot } from "./page.js";
 import { MotionMap } from "./map.js";
 import { Motions } from "./motions.js";
 import { Notice } from "./notice.js";
 import { PhasePlane } from "./phase.js";
 import { Plots } from "./plots.js";
 import { Share } from "./share.js";
-import { keepInSight } from "./sticky.js";
 import { Stage } from "./stage.js";
 import { Story, Theory } from "./story.js";
 import { Theme } from "./theme.js";
@@ -41,7 +41,7 @@ export class Lab {
     this.backend = backend;
     this.hosted = hosted;
     this.onmotion = onmotion;
-    this.prepareRoot();
+    prepareRoot(root, hosted);
     const { colors } = setup;
     this.known = setup.presets;
     this.address = hosted ? new Address(this) : null;
@@ -95,7 +95,7 @@ export class Lab {
       theme: () => this.theme.toggle(),
       help: () => this.help.showModal(),
     });
-    this.layOut(panels);
+    this.sticky = layOut(this, panels);
     this.extras = new Extras(this);
     this.requested = false; // a picture
     this.surrounding = false; // diagrams and words, which follow the picture
@@ -117,59 +117,6 @@ export class Lab {
     });
     this.deaf = listen(this, hosted);
     this.sizes = new ResizeObserver(() => this.show());
-  }
-
-  prepareRoot() {
-    this.root.classList.add("hophoop");
-    if (this.hosted) return;
-    this.root.classList.add("embedded");
-    // Jupyter would take the same keys to delete cells and to restart the kernel
-    this.root.dataset.lmSuppressShortcuts = "true";
-    this.root.dataset.pSuppressShortcuts = "true";
-  }
-
-  /** @param {string[] | null} panels */
-  layOut(panels) {
-    const { root, notice } = this;
-    /** @type {(name: string) => boolean} */
-    const want = (name) => !panels || panels.includes(name);
-    const side = h(
-      "aside",
-      { class: "side", "aria-label": "Parameters" },
-      this.hoops.element,
-      notice.message,
-      this.controls.element,
-    );
-    const player = h("div", { class: "player" }, this.stage.element, this.timeline.element, this.transport.element);
-    this.sticky = this.hosted ? keepInSight(player, () => this.request()) : null;
-    const skip = h("a", { class: "skip button", href: "#hh-player" }, "Skip to the player");
-    if (this.hosted) this.timeline.element.id = "hh-player";
-    skip.onclick = (event) => {
-      event.preventDefault(); // what stands behind the # of the address is the lab's own
-      this.timeline.element.focus();
-    };
-    const middle = h(
-      "div",
-      { class: "middle" },
-      this.sticky?.edge,
-      player,
-      h("div", { class: "words" }, this.story.element, want("theory") && this.theory.element),
-      want("map") && this.map.element,
-    );
-    const why = h("div", { class: "why" }, want("plots") && this.plots.element, want("plots") && this.phase.element);
-    root.replaceChildren(
-      h(
-        "div",
-        { class: "page" },
-        this.hosted && skip,
-        this.header.element,
-        h("div", { class: "columns" }, want("controls") && side, middle, why),
-      ),
-      notice.toast,
-      this.share.dialog,
-      this.help,
-    );
-    root.classList.toggle("no-controls", !want("controls"));
   }
 
   /**
@@ -243,19 +190,13 @@ export class Lab {
   // The link to what is shown: the motions, the time, the view, the map.
   link() {
     const { clock, stage, map } = this;
-    return this.motions.link(
-      written({ time: clock.time, options: stage.options, zoom: stage.flat.zoom, map: map.shown() }),
-    );
+    return this.motions.link(written({ time: clock.time, ...stage.view(), map: map.shown() }));
   }
 
   /** @param {import("./address.js").Shown} shown what a link says of it */
-  restore({ time, options, zoom, map }) {
-    if (options) {
-      const { three, ...others } = options;
-      Object.assign(this.stage.options, others);
-      if (three) this.toggle("three");
-    }
-    if (zoom) this.stage.flat.zoom = zoom;
+  restore({ time, map, options, ...view }) {
+    if (options?.three) this.toggle("three");
+    this.stage.restore({ options, ...view });
     if (map) this.map.restore(map);
     if (time) this.clock.seek(time);
   }

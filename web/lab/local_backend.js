@@ -4,8 +4,6 @@ import * as model from "../model/index.js";
 
 const REGION_COLUMNS = 360;
 const REGION_ROWS = 240;
-/** @type {[number, number, number, number]} */
-const WINDOW = [0, 2 * Math.PI, -12, 12];
 
 /** Files that need no Python. @type {Record<string, string>} */
 const OWN_FILES = {
@@ -41,11 +39,12 @@ export class LocalBackend {
   async call(name, body, signal) {
     signal?.throwIfAborted();
     if (name === "setup") return { header: model.tables.setup, arrays: {} };
-    const checked = model.asked(body, this.mechanics);
+    const { checked, ...options } = model.requested(name, body, this.mechanics);
     if (name === "film") return this.film(checked, signal);
     if (name === "samples") {
       const given = model.given(model.within(checked));
-      return { header: { window: body.window }, arrays: await this.kernel.columns(given, signal, body.window) };
+      const { window } = options;
+      return { header: { window }, arrays: await this.kernel.columns(given, signal, window) };
     }
     if (name === "code") {
       return { header: { python: model.pythonCode(checked), toml: model.toToml(checked) }, arrays: {} };
@@ -55,13 +54,13 @@ export class LocalBackend {
       return { header: { thresholds: model.thresholds(checked, known) }, arrays: {} };
     }
     if (name === "regions") {
-      const window = body.window ?? WINDOW;
+      const { window } = options;
       const given = model.given(checked);
       const arrays = await this.kernel.regions(given, window, REGION_COLUMNS, REGION_ROWS, signal);
       return { header: { window }, arrays };
     }
-    if (name === "map") return this.map(checked, body, signal);
-    throw new model.InputError(`call = '${name}' is not one that the page answers.`);
+    if (name === "map") return this.map(checked, /** @type {any} */ (options), signal);
+    throw new TypeError(`The page does not answer ${name}.`);
   }
 
   /**
@@ -75,9 +74,11 @@ export class LocalBackend {
       ? await this.kernel.film(given, signal)
       : { motion: await this.kernel.motion(given, signal), columns: await this.kernel.columns(given, signal) };
     // where the digits of doubles do not decide what happens, Python asks for more
-    if (motion.doubt && this.server) return this.server.call("film", { query: model.toQuery(checked) }, signal);
+    const { doubt } = motion;
+    if (doubt !== null && this.server) return this.server.call("film", { query: model.toQuery(checked) }, signal);
     const omega = await this.turning(given, motion, signal);
-    return { header: model.headerOf(checked, motion, omega, this.mechanics), arrays: columns };
+    const header = model.headerOf(checked, motion, omega, this.mechanics);
+    return { header: doubt === null ? header : { ...header, doubt: model.doubtText(doubt) }, arrays: columns };
   }
 
   /**
@@ -97,13 +98,13 @@ export class LocalBackend {
 
   /**
    * @param {Checked} checked
-   * @param {any} body
+   * @param {{ x: import("../model/limits.js").Axis, y: import("../model/limits.js").Axis, what: string }} asked
    * @param {AbortSignal} [signal]
    * @returns {Promise<Reply>}
    */
-  async map(checked, { x, y, what = "sequence" }, signal) {
+  async map(checked, { x, y, what }, signal) {
     const span = model.spanOf(what);
-    const base = model.checkMap(checked, { x, y, what });
+    const base = model.withinMap(checked, { x, y, what });
     const cells = await model.cellsOf(base, { x, y }, this.mechanics, signal);
     return model.mapReply({ x, y, what }, await this.kernel.map(cells, what, span, signal));
   }

@@ -82,3 +82,7 @@ const page = document.getElementById("hophoop-lab");
 if (page) startPage(page);
 
 export default { render };
+
+// for the page that makes tags
+export { languageMenu } from "./languages.js";
+export { adopt, current, repeat, t, untranslated } from "./words.js";

@@ -1,17 +1,12 @@
 // The (θ, θ̇) plane: which mode follows at each point without slip, and the motion's way through it.
 
-import { faded, hoopInk, parsed } from "./colors.js";
-import { fitted, h, once, pen } from "./dom.js";
-import { clamp, niceStep, tickText, ticks } from "./numbers.js";
-import { swatch } from "./plot.js";
+import { hoopInk } from "./colors.js";
+import { fitted, h, once } from "./dom.js";
+import { clamp, niceStep } from "./numbers.js";
+import { axes, hatch, pictureOf } from "./phase_picture.js";
+import { BOTTOM, LEFT, RIGHT, TOP } from "./plot_axes.js";
+import { swatch } from "./swatch.js";
 import { zoomable, zoomHint } from "./zoom.js";
-import { t } from "./words.js";
-
-const LEFT = 52;
-const RIGHT = 10;
-const TOP = 8;
-const BOTTOM = 30;
-const LETTERS = "RSKHM?";
 
 export class PhasePlane {
   /** @type {Film[]} */
@@ -76,7 +71,7 @@ export class PhasePlane {
     this.body.addEventListener("pointerdown", (event) => this.seek(event));
     this.pinched = zoomable(this.body, {
       zoom: (factor, at) => this.box && this.zoomAbout(at ? this.point(at) : this.middle(), 1 / factor),
-      home: () => this.zoomTo(null),
+      home: () => this.home(),
       keys: true,
     });
     this.range = [0, 2 * Math.PI];
@@ -103,13 +98,13 @@ export class PhasePlane {
 
   // The part that is zoomed into, as fine as the whole.
   async sharpen() {
-    if (!this.pictures || !this.window) return;
     this.sharpening?.abort();
+    if (!this.pictures || this.isWhole()) return;
     this.sharpening = new AbortController();
     try {
       const part = await this.painted(
         this.films[this.active].scenario,
-        [...this.range, ...this.window],
+        [...this.range, this.bottom(), this.top()],
         this.sharpening.signal,
       );
       this.pictures = [this.pictures[0], part];
@@ -126,10 +121,12 @@ export class PhasePlane {
    */
   async painted(scenario, window, signal) {
     const { header, arrays } = await this.backend.call("regions", { scenario, window }, signal);
+    // an answer may be on its way already when it is given up
+    signal?.throwIfAborted();
     return {
       window: header.window,
       paradox: arrays.paradox,
-      picture: this.paint(arrays.modes, arrays.paradox.length),
+      picture: pictureOf(arrays.modes, arrays.paradox.length, this.colors.modes),
     };
   }
 
@@ -148,12 +145,24 @@ export class PhasePlane {
     return Math.ceil((Math.max(most, 1) * 1.12) / step) * step;
   }
 
-  /** @param {number[] | null} range */
-  zoomTo(range) {
-    this.range = range ?? [0, 2 * Math.PI];
+  home() {
+    this.range = [0, 2 * Math.PI];
     this.window = null;
-    this.pictures?.splice(1);
+    this.wholeAgain();
     this.redraw();
+  }
+
+  // Whether all is in sight that was computed for the whole.
+  isWhole() {
+    const [low, high] = this.range;
+    const wide = high - low >= 2 * Math.PI - 1e-9;
+    return wide && (!this.window || this.window[1] - this.window[0] >= 2 * this.reach() - 1e-9);
+  }
+
+  // No finer part, nor one that is still being computed.
+  wholeAgain() {
+    this.sharpening?.abort();
+    this.pictures?.splice(1);
   }
 
   /**
@@ -185,9 +194,10 @@ export class PhasePlane {
     const down = Math.max(om - (om - this.bottom()) * factor, -reach);
     const up = Math.min(om + (this.top() - om) * factor, reach);
     this.range = [low, high];
-    this.window = high - low < 2 * Math.PI - 1e-9 || up - down < 2 * reach - 1e-9 ? [down, up] : null;
+    this.window = [down, up];
+    if (this.isWhole()) this.wholeAgain();
+    else this.soon();
     this.redraw();
-    this.soon();
   }
 
   bottom() {
@@ -225,27 +235,6 @@ export class PhasePlane {
     return TOP + (1 - (rate - this.bottom()) / (this.top() - this.bottom())) * this.box.height;
   }
 
-  /**
-   * @param {Column} codes by rows
-   * @param {number} columns
-   */
-  paint(codes, columns) {
-    const rows = codes.length / columns;
-    const { modes } = this.colors;
-    const picture = h("canvas", { width: columns, height: rows });
-    const image = new ImageData(columns, rows);
-    for (let row = 0; row < rows; row++) {
-      for (let column = 0; column < columns; column++) {
-        const letter = LETTERS[codes[row * columns + column]];
-        const color = parsed(modes[letter] ?? "#6E6E6E");
-        const place = 4 * ((rows - 1 - row) * columns + column);
-        image.data.set([...color, 255], place);
-      }
-    }
-    pen(picture).putImageData(image, 0, 0);
-    return picture;
-  }
-
   redraw() {
     if (!this.films) return;
     const { colors, look } = this;
@@ -267,11 +256,11 @@ export class PhasePlane {
         context.drawImage(picture, place[0], place[1], place[2], place[3]);
         context.globalAlpha = 1;
       }
-      this.hatch(context);
+      hatch(context, this, this.pictures[0].paradox);
     }
     for (const [lane, film] of this.films.entries()) this.way(context, film, lane);
     context.restore();
-    this.axes(context, width, height);
+    axes(context, this, width, height);
     if (this.keyed !== look.dark) {
       this.keyed = look.dark;
       const names = Object.entries(colors.mode_names).filter(([letter]) => "RSKH".includes(letter));
@@ -280,37 +269,6 @@ export class PhasePlane {
       );
     }
     this.cursor(this.clock.time);
-  }
-
-  /**
-   * Columns in which slip meets the paradox, hatched one way for spin and the other for skid.
-   * @param {CanvasRenderingContext2D} context
-   */
-  hatch(context) {
-    const { paradox } = this.pictures[0];
-    const columns = paradox.length;
-    context.strokeStyle = faded(this.look.dark ? "#ffffff" : "#000000", 0.28);
-    context.lineWidth = 1;
-    for (let from = 0; from < columns; from++) {
-      if (!paradox[from]) continue;
-      let to = from;
-      while (to < columns && paradox[to] === paradox[from]) to++;
-      const left = this.x((from * 2 * Math.PI) / columns);
-      const right = this.x((to * 2 * Math.PI) / columns);
-      context.save();
-      context.beginPath();
-      context.rect(left, TOP, right - left, this.box.height);
-      context.clip();
-      context.beginPath();
-      const way = paradox[from];
-      for (let c = -this.box.height; c < right - left + this.box.height; c += 7) {
-        context.moveTo(left + c, way > 0 ? TOP + this.box.height : TOP);
-        context.lineTo(left + c + this.box.height, way > 0 ? TOP : TOP + this.box.height);
-      }
-      context.stroke();
-      context.restore();
-      from = to;
-    }
   }
 
   /**
@@ -345,46 +303,6 @@ export class PhasePlane {
     }
     context.stroke();
     context.setLineDash([]);
-  }
-
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {number} width
-   * @param {number} height
-   */
-  axes(context, width, height) {
-    const { look } = this;
-    context.font = `11px ${look.font}`;
-    context.strokeStyle = look.soft;
-    context.fillStyle = look.soft;
-    context.lineWidth = 1;
-    context.strokeRect(LEFT + 0.5, TOP + 0.5, this.box.width - 1, this.box.height - 1);
-    context.textAlign = "center";
-    const low = (this.range[0] * 180) / Math.PI;
-    const high = (this.range[1] * 180) / Math.PI;
-    const step = high - low > 200 ? 45 : niceStep(high - low, 6);
-    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9; k++) {
-      const x = this.x((k * step * Math.PI) / 180);
-      context.beginPath();
-      context.moveTo(x, TOP + this.box.height);
-      context.lineTo(x, TOP + this.box.height + 4);
-      context.stroke();
-      context.fillText(tickText(k * step, step), x, TOP + this.box.height + 15);
-    }
-    context.textAlign = "right";
-    context.fillText(t("angle θ within a turn [°]"), width - RIGHT, height - 3);
-    context.textBaseline = "middle";
-    const span = this.top() - this.bottom();
-    for (const value of ticks(this.bottom(), this.top(), 5)) {
-      context.fillText(tickText(value, niceStep(span, 5)), LEFT - 6, this.y(value));
-    }
-    context.textBaseline = "alphabetic";
-    context.save();
-    context.translate(11, TOP + 0.5 * this.box.height);
-    context.rotate(-Math.PI / 2);
-    context.textAlign = "center";
-    context.fillText("θ̇ [rad/s]", 0, 0);
-    context.restore();
   }
 
   /** @param {number} time */

@@ -2,17 +2,13 @@
 
 import { faded, hoopInk, readable } from "./colors.js";
 import { fitted, h } from "./dom.js";
-import { clamp, niceStep, show, tickText, ticks } from "./numbers.js";
+import { clamp, show } from "./numbers.js";
+import { BOTTOM, grid, heightsOf, LEFT, RIGHT, TOP } from "./plot_axes.js";
 import { follow } from "./pointer.js";
 import { QUANTITIES } from "./quantities.js";
+import { DASHES, swatch } from "./swatch.js";
 import { t } from "./words.js";
 import { zoomable } from "./zoom.js";
-
-const LEFT = 52;
-const RIGHT = 10;
-const TOP = 8;
-const BOTTOM = 30;
-const DASHES = { solid: [], dash: [6, 4], dot: [2, 3], long: [14, 4], mixed: [8, 3, 2, 3] };
 
 /** @typedef {Curve & { film: Film, lane: number, number: number }} Drawn */
 
@@ -111,7 +107,7 @@ export class Plot {
     );
     this.heights = this.limits ?? this.findHeights(drawn);
     if (this.shared.axis === "time") this.bands(context, films[active], colors);
-    this.grid(context, look, width, height);
+    grid(context, this, width, height);
     context.save();
     context.beginPath();
     context.rect(LEFT, TOP, this.box.width, this.box.height);
@@ -163,22 +159,7 @@ export class Plot {
           seen.push(values[i]);
       }
     }
-    if (!seen.length) return [0, 1];
-    const sorted = Float64Array.from(seen).sort();
-    let [low, high] = [sorted[0], sorted[sorted.length - 1]];
-    // a force that grows without bound must not flatten all else
-    const [almostLow, almostHigh] = [
-      sorted[Math.floor(0.02 * sorted.length)],
-      sorted[Math.ceil(0.98 * sorted.length) - 1],
-    ];
-    const usual = Math.max(almostHigh - almostLow, 1e-12);
-    if (high > almostHigh + 4 * usual) high = almostHigh + 0.6 * usual;
-    if (low < almostLow - 4 * usual) low = almostLow - 0.6 * usual;
-    low = Math.min(low, 0);
-    high = Math.max(high, 0);
-    if (this.symmetric) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
-    const margin = 0.06 * (high - low) || 1;
-    return [low < 0 ? low - margin : low, high + margin];
+    return heightsOf(seen, this.symmetric);
   }
 
   /**
@@ -194,57 +175,6 @@ export class Plot {
       context.fillStyle = faded(colors.modes[phase.mode], 0.14);
       context.fillRect(from, TOP, to - from, this.box.height);
     }
-  }
-
-  /**
-   * @param {CanvasRenderingContext2D} context
-   * @param {Look} look
-   * @param {number} width
-   * @param {number} height
-   */
-  grid(context, look, width, height) {
-    context.font = `11px ${look.font}`;
-    context.strokeStyle = look.line;
-    context.fillStyle = look.soft;
-    context.lineWidth = 1;
-    let tall = Math.max(this.box.height / 28, 4);
-    // one number alone gives no scale
-    while (ticks(this.heights[0], this.heights[1], tall).length < 3 && tall < 12) tall += 1;
-    const step = niceStep(this.heights[1] - this.heights[0], tall);
-    context.textAlign = "right";
-    context.textBaseline = "middle";
-    for (const value of ticks(this.heights[0], this.heights[1], tall)) {
-      const y = Math.round(this.y(value)) + 0.5;
-      context.globalAlpha = Math.abs(value) < 1e-9 * step ? 1 : 0.55;
-      context.beginPath();
-      context.moveTo(LEFT, y);
-      context.lineTo(width - RIGHT, y);
-      context.stroke();
-      context.globalAlpha = 1;
-      context.fillText(tickText(value, step), LEFT - 6, y);
-    }
-    const wide = this.box.width / 70;
-    const across = niceStep(this.range[1] - this.range[0], wide);
-    context.textAlign = "center";
-    context.textBaseline = "alphabetic";
-    const { name, unit: inUnit } = QUANTITIES[this.shared.axis];
-    const unit = inUnit ? `${t(name)} [${inUnit}]` : t(name);
-    for (const value of ticks(this.range[0], this.range[1], wide)) {
-      const x = this.x(value);
-      context.beginPath();
-      context.moveTo(x, TOP + this.box.height);
-      context.lineTo(x, TOP + this.box.height + 4);
-      context.stroke();
-      context.fillText(tickText(value, across), x, TOP + this.box.height + 15);
-    }
-    context.textAlign = "right";
-    context.fillText(unit, width - RIGHT, height - 3);
-    context.save();
-    context.translate(11, TOP + 0.5 * this.box.height);
-    context.rotate(-Math.PI / 2);
-    context.textAlign = "center";
-    context.fillText(t(this.unit), 0, 0);
-    context.restore();
   }
 
   /**
@@ -437,26 +367,4 @@ export class Plot {
     this.shared.range = range && range[1] - range[0] > 1e-9 ? range : null;
     this.shared.changed();
   }
-}
-
-/**
- * @param {string | undefined} color
- * @param {Curve["dash"]} dash
- */
-export function swatch(color, dash = "solid") {
-  const element = h("i", { class: "swatch", "aria-hidden": "true" });
-  element.style.borderTopColor = color ?? "var(--ink)";
-  element.style.borderTopStyle = { solid: "solid", dash: "dashed", dot: "dotted", long: "none", mixed: "none" }[dash];
-  if (dash === "long" || dash === "mixed") {
-    // what no border can draw
-    let at = 0;
-    const parts = DASHES[dash].map((size, k) => {
-      at += size;
-      return `${k % 2 ? "transparent" : (color ?? "var(--ink)")} ${at - size}px ${at}px`;
-    });
-    element.style.height = "2.5px";
-    element.style.width = "28px";
-    element.style.background = `repeating-linear-gradient(90deg, ${parts.join(", ")})`;
-  }
-  return element;
 }

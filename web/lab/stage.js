@@ -84,6 +84,17 @@ export class Stage {
   }
 
   /**
+   * The picture in space with other numbers of pixels, until it is drawn again.
+   * @param {import("./lab.js").Lab} lab
+   * @param {number} ratio pixels for one of the page
+   */
+  sharp(lab, ratio) {
+    const { look, inks } = lab.theme;
+    this.deep?.draw(lab.films(), lab.clock.time, this.options, look, inks, false, ratio);
+    return this.space;
+  }
+
+  /**
    * @param {Film[]} films
    * @param {number} active
    * @param {number} time
@@ -133,6 +144,25 @@ export class Stage {
       show();
       throw error;
     }
+  }
+
+  /**
+   * What is drawn, and from where it is looked at.
+   * @returns {import("./address.js").Shown}
+   */
+  view() {
+    const { options, flat, deep } = this;
+    return { options, zoom: flat.zoom, pan: flat.pan(), from: deep?.from() };
+  }
+
+  /** @param {import("./address.js").Shown} view of which some may be as it is */
+  restore({ options, zoom, pan, from }) {
+    if (options) {
+      const { three, ...others } = options;
+      Object.assign(this.options, others);
+    }
+    this.flat.look(zoom, pan);
+    if (from) this.deep?.look(from);
   }
 
   /** @param {number} factor 0 for the view as it was */

@@ -59,6 +59,22 @@ export class Stage3D {
     this.onview();
   }
 
+  /** From where it is looked at: azimuth, height, distance; nothing where as usual. @returns {number[] | undefined} */
+  from() {
+    const { azimuth, height, distance } = this.turned;
+    const usual = azimuth === HOME.azimuth && height === HOME.height && distance === HOME.distance;
+    return usual ? undefined : [azimuth, height, distance];
+  }
+
+  /** @param {number[]} from */
+  look([azimuth, height, distance]) {
+    this.turned = {
+      azimuth: clamp(azimuth, -1.5, 1.5),
+      height: clamp(height, 0.02, 1.45),
+      distance: clamp(distance, 1.6, 60),
+    };
+  }
+
   /** @param {PointerEvent} event */
   drag(event) {
     const start = { ...this.turned, x: event.clientX, y: event.clientY };
@@ -91,10 +107,11 @@ export class Stage3D {
    * @param {Look} look
    * @param {Colors} colors
    * @param {boolean} running
+   * @param {number} [wanted] pixels of the picture for one of the page; as many as the screen has by default
    */
-  draw(films, time, options, look, colors, running) {
+  draw(films, time, options, look, colors, running, wanted) {
     const { canvas, space } = this;
-    const ratio = Math.min(globalThis.devicePixelRatio || 1, 2) * (running ? this.quality() : 1);
+    const ratio = wanted ?? Math.min(globalThis.devicePixelRatio || 1, 2) * (running ? this.quality() : 1);
     const box = canvas.getBoundingClientRect();
     canvas.width = Math.max(Math.round(box.width * ratio), 1);
     canvas.height = Math.max(Math.round(box.height * ratio), 1);

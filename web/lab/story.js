@@ -16,6 +16,7 @@ export class Story {
   constructor(clock) {
     this.clock = clock;
     this.summary = h("p", { class: "summary" });
+    this.doubt = h("p", { class: "hint", hidden: true });
     this.list = h("ol", { class: "story-list" });
     this.heading = h("h2", {}, "What happens");
     this.live = h("div", { class: "spoken", role: "status", "aria-live": "polite" });
@@ -24,6 +25,7 @@ export class Story {
       { class: "story", "aria-label": "The motion in words" },
       this.heading,
       this.summary,
+      this.doubt,
       this.list,
       this.live,
     );
@@ -46,6 +48,8 @@ export class Story {
         i + 1 < films.length ? h("br") : "",
       ]),
     );
+    this.doubt.hidden = !this.film.doubt;
+    say(this.doubt, this.film.doubt);
     this.items = this.film.story.map((sentence) =>
       h(
         "li",

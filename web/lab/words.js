@@ -199,6 +199,22 @@ export function name(element, name, text) {
 }
 
 /**
+ * Translate what a document holds already, in English; from now on it follows the language.
+ * @param {Element} root
+ */
+export function adopt(root) {
+  const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    const text = (node.nodeValue ?? "").replace(/\s+/g, " ");
+    if (text.trim()) sources.set(node, text);
+  }
+  for (const element of root.querySelectorAll("[aria-label]")) {
+    name(element, "aria-label", element.getAttribute("aria-label") ?? "");
+  }
+  repeat(root);
+}
+
+/**
  * Say again what stands below an element, in the language that is spoken now.
  * @param {Element} root
  */

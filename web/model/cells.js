@@ -1,43 +1,16 @@
 // A map as the page asks for it: the cells that the kernel computes, and what its numbers are called.
 
-import { InputError, TooMuch } from "./check.js";
 import { classColor, classText } from "./classes.js";
 import { given } from "./given.js";
-import { contradiction, known } from "./paths.js";
-import { labText, within } from "./request.js";
+import { middles } from "./limits.js";
 import { Broken } from "./rules.js";
 import { fitted, sectionsWith } from "./scenario.js";
 import { tables } from "./tables.js";
 
 const BREATH = 8; // milliseconds after which the page may do something else
-const { cell: CELL, laws, events: MOST_EVENTS, quantities } = tables.map;
+const { cell: CELL, laws, quantities } = tables.map;
 
-/** @typedef {{ path: string, from: number, to: number, cells: number }} Axis */
-
-/**
- * The middle of each cell of an axis.
- * @param {Axis} axis
- */
-const middles = ({ from, to, cells }) =>
-  Array.from({ length: cells }, (_, k) => from + (k + 0.5) * ((to - from) / cells));
-
-/**
- * The scenario of a map, and what is asked of it.
- * @param {Checked} checked
- * @param {{ x: Axis, y: Axis, what: string }} asked
- */
-export function checkMap(checked, { x, y }) {
-  known(x.path);
-  known(y.path);
-  if (x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
-  const cells = x.cells * y.cells;
-  if (cells > tables.limits.cells) throw new TooMuch(labText("too_many_cells", { cells, most: tables.limits.cells }));
-  if (checked.contact.model !== "rigid") throw new InputError(labText("rigid_maps"));
-  const pair = contradiction([y.path, x.path]);
-  if (pair) throw new InputError(labText("two_axes", { one: pair[0], other: pair[1] }));
-  const { contact, ...rest } = within(checked);
-  return { ...rest, contact: { ...contact, max_events: Math.min(contact.max_events, MOST_EVENTS) } };
-}
+/** @typedef {import("./limits.js").Axis} Axis */
 
 /**
  * Every cell as the kernel takes it; one whose values do not go together is marked. The page breathes in between.
@@ -134,10 +107,7 @@ function numbersOf(cell, mechanics) {
  * @param {string} what
  * @returns {string}
  */
-export function spanOf(what) {
-  if (Object.hasOwn(quantities, what)) return quantities[what].span;
-  throw new InputError(`what = ${what} must be one of ${Object.keys(quantities).join(", ")}.`);
-}
+export const spanOf = (what) => quantities[what].span;
 
 /**
  * A map as the page shows it.

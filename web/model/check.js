@@ -49,9 +49,19 @@ export function findings(float = () => false, above = "") {
  * @param {Record<string, any>} [values]
  */
 export function refuse(found, path, value, kind, values) {
+  refuseAs(found, path, value, say(kind, values));
+}
+
+/**
+ * @param {Findings} found
+ * @param {string} path
+ * @param {any} value
+ * @param {string} allowed what would be, in words
+ */
+export function refuseAs(found, path, value, allowed) {
   const shown = typeof value === "bigint" ? String(value) : pythonText(value, found.float(path));
   const where = found.above + path || texts.whole_scenario;
-  found.said.push(say("finding", { path: where, shown: shortened(shown), allowed: say(kind, values) }));
+  found.said.push(say("finding", { path: where, shown: shortened(shown), allowed }));
 }
 
 /**
@@ -60,9 +70,10 @@ export function refuse(found, path, value, kind, values) {
  * @param {any} data
  * @param {string} path
  * @param {Findings} found
+ * @param {Record<string, (value: any, path: string, found: Findings) => any>} [own] readers of further kinds of fields
  * @returns {{ values: Record<string, any>, given: Set<string> } | null}
  */
-export function readFields(model, data, path, found) {
+export function readFields(model, data, path, found, own = {}) {
   const { fields, place } = scenario.models[model];
   if (!isTable(data)) {
     refuse(found, path, data, "table");
@@ -78,7 +89,9 @@ export function readFields(model, data, path, found) {
   const values = {};
   for (const [name, field] of Object.entries(fields)) {
     if (field.kind === "section") continue;
-    if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
+    const read = own[field.kind];
+    if (Object.hasOwn(data, name) && read) values[name] = read(data[name], `${path}.${name}`, found);
+    else if (Object.hasOwn(data, name)) values[name] = readValue(field, data[name], `${path}.${name}`, found);
     else if (field.required) found.said.push(say("missing", { path: `${found.above}${path}.${name}` }));
     else values[name] = number(field.default);
   }

@@ -1,12 +1,13 @@
 // Everything that a page without Python answers apart from numbers.
 
-export { cellsOf, checkMap, mapReply, spanOf } from "./cells.js";
+export { cellsOf, mapReply, spanOf } from "./cells.js";
 export { pythonCode, toToml } from "./code.js";
 export { InputError, TooMuch } from "./check.js";
 export { resultText, tableText, timesOf } from "./files.js";
 export { given, stateOf } from "./given.js";
 export { headerOf, resultOf } from "./header.js";
-export { asked, within } from "./request.js";
+export { doubtText, within, withinMap } from "./limits.js";
+export { asked, requested } from "./request.js";
 export { fromDict, fromQuery, toDict, toQuery, withValues } from "./scenario.js";
 export { tables } from "./tables.js";
 export { thresholds } from "./theory.js";

@@ -38,13 +38,33 @@ export function contradiction(known) {
 /** What the page's own numbers may be called. @type {Set<string>} */
 const PATHS = new Set(tables.scenario.paths);
 
+/** @type {Set<string>} */
+const WORDS = new Set(tables.map.words);
+const PART = /^hoop\.parts\.\d+\.(\w+)$/;
+
+/** Fields of a hoop's parts, by name. @type {Record<string, { kind: string }>} */
+const PART_FIELDS = Object.assign(
+  Object.create(null),
+  ...Object.values(tables.scenario.parts).map((/** @type {any} */ name) => tables.scenario.models[name].fields),
+);
+
 /**
- * Refuse a path that no scenario has.
+ * A path that no scenario has, in a sentence.
+ * @param {string} path
+ * @returns {string | null}
+ */
+export function unknownPath(path) {
+  if (PATHS.has(path) || (PART.exec(path)?.[1] ?? "") in PART_FIELDS) return null;
+  return say("no_parameter", { path, known: [...PATHS].join(", ") });
+}
+
+/**
+ * Whether what stands at a known path is a number.
  * @param {string} path
  */
-export function known(path) {
-  if (PATHS.has(path) || /^hoop\.parts\.\d+\.\w+$/.test(path)) return;
-  throw new InputError(say("no_parameter", { path, known: [...PATHS].join(", ") }));
+export function isNumberPath(path) {
+  const part = PART.exec(path);
+  return part ? PART_FIELDS[part[1]].kind !== "word" : !WORDS.has(path);
 }
 
 /**

@@ -2,26 +2,25 @@
 
 import { findings, InputError, isTable, refuse, TooMuch, whole } from "./check.js";
 import { contradiction } from "./paths.js";
+import { labText } from "./limits.js";
+import { readOptions, strange } from "./options.js";
 import { fromQuery, read, withValues } from "./scenario.js";
 import { tables } from "./tables.js";
-import { fill, jsonText, Shown } from "./text.js";
+import { jsonText, Shown } from "./text.js";
 
-const { lab, limits } = tables;
-
-/**
- * A sentence of the lab's, filled.
- * @param {string} name
- * @param {Record<string, any>} [values]
- */
-export const labText = (name, values = {}) => fill(lab[name], values);
+const { limits } = tables;
 
 /**
- * The scenario that is meant; where two changes say one thing, the later one counts.
- * @param {{ scenario?: any, query?: any, changes?: any }} body
+ * What a call asks for: the scenario that is meant – where two changes say one thing, the later one counts – and its options.
+ * @param {string} name of the call
+ * @param {Record<string, any>} body
  * @param {Mechanics} mechanics
- * @returns {Checked}
+ * @returns {Record<string, any> & { checked: Checked }}
  */
-export function asked({ scenario, query = null, changes = [] }, mechanics) {
+export function requested(name, body, mechanics) {
+  const unknown = strange(name, body);
+  if (unknown) throw new InputError(unknown);
+  const { scenario, query = null, changes = [] } = body;
   const found = findings();
   let checked = null;
   if (scenario !== undefined && !isTable(scenario)) refuse(found, "scenario", scenario, "table");
@@ -29,7 +28,9 @@ export function asked({ scenario, query = null, changes = [] }, mechanics) {
   if (query !== null && typeof query !== "string") refuse(found, "query", query, "word");
   if (!Array.isArray(changes)) refuse(found, "changes", changes, "list");
   else found.said.push(...changes.filter((change) => !isPair(change)).map(notPair));
+  const options = readOptions(name, body, found);
   if (found.said.length) throw new InputError(whole(found.said));
+  bounded(changes.length, options);
   if (query !== null || !checked) checked = fromQuery(query ?? "", mechanics);
   let values = new Map();
   for (const [path, value] of changes) {
@@ -39,7 +40,28 @@ export function asked({ scenario, query = null, changes = [] }, mechanics) {
     }
     values.set(path, value);
   }
-  return values.size ? withValues(checked, values, mechanics) : checked;
+  return { ...options, checked: values.size ? withValues(checked, values, mechanics) : checked };
+}
+
+/**
+ * The scenario that is meant.
+ * @param {{ scenario?: any, query?: any, changes?: any }} body
+ * @param {Mechanics} mechanics
+ * @returns {Checked}
+ */
+export const asked = (body, mechanics) => requested("film", body, mechanics).checked;
+
+/**
+ * Refuse what is more than the lab reads.
+ * @param {number} pairs
+ * @param {Record<string, any>} options
+ */
+function bounded(pairs, { x, y }) {
+  if (pairs > limits.changes) throw new TooMuch(labText("too_many_changes", { pairs, most: limits.changes }));
+  if (!x) return;
+  if (x.path === y.path) throw new InputError(labText("equal_axes", { path: x.path }));
+  const cells = x.cells * y.cells;
+  if (cells > limits.cells) throw new TooMuch(labText("too_many_cells", { cells, most: limits.cells }));
 }
 
 /** @param {any} change */
@@ -47,17 +69,3 @@ const isPair = (change) => Array.isArray(change) && change.length === 2 && typeo
 
 /** @param {any} change */
 const notPair = (change) => labText("not_a_pair", { change: new Shown(jsonText(change).slice(0, 60)) });
-
-/**
- * The scenario with its events bounded; what is more than a page computes is refused.
- * @param {Checked} checked
- * @returns {Checked}
- */
-export function within(checked) {
-  const { duration, hoop, contact } = checked;
-  if (duration > limits.duration) throw new TooMuch(labText("too_long", { duration, most: limits.duration }));
-  const parts = hoop.parts?.length ?? 0;
-  if (parts > limits.parts) throw new TooMuch(labText("too_many_parts", { parts, most: limits.parts }));
-  if (contact.max_events <= limits.events) return checked;
-  return { ...checked, contact: { ...contact, max_events: limits.events } };
-}

@@ -4,6 +4,9 @@ import { qrcode } from "./qr.js";
 
 const site = new URL("../", import.meta.url);
 
+// the words of the lab, and its choice of a language
+const { adopt, current, languageMenu, repeat, t } = await import(new URL("lab.js", import.meta.url).href);
+
 /** @param {string} id */
 const find = (id) => /** @type {any} */ (document.getElementById(id));
 
@@ -28,7 +31,7 @@ function show() {
   const tag =
     `<script type="module" src="${new URL("static/hophoop-motion.js", site).href}"></script>\n` +
     `<hophoop-motion scenario="${escaped(query)}"${panels.length ? ` panels="${panels.join(" ")}"` : ""}></hophoop-motion>`;
-  const frame = `<iframe src="${escaped(link)}" title="A hopping hoop" width="100%" height="700" loading="lazy"></iframe>`;
+  const frame = `<iframe src="${escaped(link)}" title="${escaped(t("A hopping hoop"))}" width="100%" height="700" loading="lazy"></iframe>`;
   find("tag").value = tag;
   find("frame").value = frame;
   find("link").textContent = link;
@@ -43,10 +46,24 @@ function show() {
 /** @param {any} event */
 async function copy({ target }) {
   await navigator.clipboard.writeText(find(target.dataset.copies).value);
-  find("said").textContent = "Copied.";
+  find("said").textContent = t("Copied.");
 }
 
+function spoken() {
+  document.documentElement.lang = current();
+  document.title = find("title").textContent;
+  find("said").textContent = "";
+  show();
+}
+
+adopt(document.body);
+find("language").append(
+  languageMenu(() => {
+    repeat(document.body);
+    spoken();
+  }),
+);
 find("scenario").value = location.search.slice(1);
 for (const input of document.querySelectorAll("input")) input.addEventListener("change", show);
 for (const button of document.querySelectorAll("button[data-copies]")) button.addEventListener("click", copy);
-show();
+spoken();

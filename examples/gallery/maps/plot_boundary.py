@@ -14,4 +14,4 @@ border = hh.maps.boundary(
 )
 figure, ax = plt.subplots(figsize=(6, 3.6), layout="constrained")
 ax.plot(border.x, border.y, color="black")
-ax.set(xlabel="friction μ", ylabel="least speed that hops (m/s)")
+ax.set(xlabel="Friction μ", ylabel="Least speed $v_0$ that hops (m/s)")

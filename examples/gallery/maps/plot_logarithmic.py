@@ -2,7 +2,8 @@
 Axes that are not even
 ======================
 
-Logarithmic axes show light rings and little friction. ``words_of`` turns the codes of a map into words.
+Logarithmic axes show little friction, and a logit axis loads with hardly any ring. ``words_of`` turns the codes of a map into
+words.
 """
 
 import hophoop as hh
@@ -15,4 +16,7 @@ dataset = hh.maps.sweep(
     },
 )
 print(hh.maps.words_of(dataset["sequence"])[:8])
-hh.plots.motion_map(dataset)
+ax = hh.plots.motion_map(dataset, names=False, painleve=False)
+ax.set_yscale("logit")
+ax.set_yticks([0.1, 0.5, 0.9, 0.99, 0.999], ["0.1", "0.5", "0.9", "0.99", "0.999"])
+ax.set_yticks([], minor=True)

@@ -16,6 +16,8 @@ from hophoop.trajectory import Trajectory
 
 STEPS = ("time", "angle")
 USUAL_RATE = 60.0
+HOLD = 1.2  # how long a film stays on the last state of a motion that cannot go on [s of film]
+NO_FURTHER = {"jammed": "jammed", "undetermined": "no answer", "event_limit": "stopped"}  # status: what the film says
 # Points of a trace a unit of time √(R/g); at the reference hoop some 310 a second.
 TRACE_DENSITY = 100
 MAX_TRACE_POINTS = 200_000
@@ -91,10 +93,13 @@ class Clock:
         For each motion, its time at each frame [s].
     rate : ndarray, shape (frames,)
         Seconds of motion a second of film [1].
+    still : ndarray, shape (frames,)
+        How long the film has stayed on the end of a motion that cannot go on [s of film].
     """
 
     times: tuple[Floats, ...]
     rate: Floats
+    still: Floats
 
     @property
     def count(self) -> int:
@@ -105,7 +110,8 @@ class Clock:
 def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
     """The instant of each motion that each frame shows.
 
-    A motion that has ended holds its last state. In step in angle, the first motion runs as in step in
+    A motion that has ended holds its last state; where none goes on, because mechanics says nothing more, the film stays
+    there for a while. In step in angle, the first motion runs as in step in
     time, and each other one shows the first instant at which it has turned as far.
 
     Parameters
@@ -132,11 +138,36 @@ def clock(motions: Sequence[Trajectory], timing: Timing) -> Clock:
     if not timing.start <= end <= longest * (1 + 1e-12):
         raise ValueError(f"end = {end!r} must be from start = {timing.start!r} to the motion's end at {longest!r} s.")
     times, rate = _film_times(leaders, timing, min(end, longest))
+    still = np.zeros(len(times))
+    if end >= longest and all(motion.status in NO_FURTHER for motion in leaders if motion.duration == longest):
+        held = np.arange(math.ceil(HOLD * timing.frame_rate)) / timing.frame_rate
+        times, still = np.append(times, np.full(held.size, longest)), np.append(still, held)
+        rate = np.append(rate, np.full(held.size, rate[-1]))
     if timing.step == "time":
-        return Clock(tuple(np.minimum(times, motion.duration) for motion in motions), rate)
+        return Clock(tuple(np.minimum(times, motion.duration) for motion in motions), rate, still)
     turned = turned_at(motions[0], times)
     shown = (times, *(times_at_turn(other, turned) for other in motions[1:]))
-    return Clock(shown, rate)
+    return Clock(shown, rate, still)
+
+
+def ended(motion: Trajectory, t: float, last: bool) -> str:
+    """What a film says instead of the mode, once a motion has ended: empty before.
+
+    Parameters
+    ----------
+    motion : Trajectory
+    t : float
+        Time that is shown [s].
+    last : bool
+        Whether it is the first or the last picture, where a motion that could go on has not ended yet.
+
+    Returns
+    -------
+    word : str
+    """
+    if t < motion.duration:
+        return ""
+    return NO_FURTHER.get(motion.status, "" if last else "ended")
 
 
 def _film_times(motions: Sequence[Trajectory], timing: Timing, end: float) -> tuple[Floats, Floats]:
@@ -269,6 +300,8 @@ def extent(motion: Trajectory, start: float = 0.0, end: float | None = None) -> 
     around = np.linspace(0.0, 2.0 * math.pi, 24, endpoint=False)
     weight = motion.scenario.hoop.mass * motion.scenario.plane.gravity
     forces = np.hypot(*np.moveaxis(poses.normal_force, -1, 0))
+    if motion.status == "jammed":  # in the instant of a jam the force is without bound
+        forces = forces[poses.t < motion.duration]
     # A compliant contact answers an impact with a peak of a few samples: it is not what the scale is for.
     usual = float(np.quantile(forces, 0.995)) if motion.scenario.contact.model != "rigid" else float(forces.max())
     return Extent(

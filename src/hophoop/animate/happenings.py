@@ -58,7 +58,7 @@ def draw_happenings(
     canvas: Canvas,
     theme: Theme,
     found: Sequence[Happening],
-    now: tuple[float, float],
+    now: tuple[float, float, float],
     to_pixels: ToPixels,
     radius: float,
     below: float,
@@ -71,7 +71,7 @@ def draw_happenings(
     theme : Theme
     found : sequence of Happening
     now : tuple of float
-        Time of the motion [s], and seconds of motion a second of film [1].
+        Time of the motion [s], seconds of motion a second of film [1], and how long the film has stayed there [s of film].
     to_pixels : callable
         From the world to the canvas; None where a point cannot be seen.
     radius : float
@@ -80,12 +80,12 @@ def draw_happenings(
         How far under the plane words stand [pixels].
     """
     u = canvas.unit
-    t, rate = now
+    t, rate, still = now
     past = [one for one in found if one.t <= t][-MOST:]
     seen = [(one, spot) for one in past if (spot := to_pixels(one.place)) is not None]
     last = None
     for one, spot in seen:
-        age = (t - one.t) / rate
+        age = (t - one.t) / rate + still
         if age < FLASH:
             share = age / FLASH
             canvas.disc(spot, (0.08 + SPREAD * share) * radius, None, theme.ink, 3.0 * (1.0 - share) + 0.6, 1.0 - share)

@@ -9,13 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle
-from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, extent, trace
+from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, ended, extent, trace
 from hophoop.animate.happenings import Happening, draw_happenings, happenings
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
 from hophoop.animate.parts import LOAD, draw_parts
-from hophoop.animate.scaling import force_levels
+from hophoop.animate.scaling import arrow, force_levels
 from hophoop.animate.themes import Theme, theme_of
 from hophoop.animate.views import BELOW, View, followed, followed_scale, grid, held, held_scale, project
 from hophoop.animate.words import (
@@ -276,10 +276,13 @@ class Film2D:
         tops = project(matrix, to_world(marks, np.zeros_like(marks), slope))
         ends = project(matrix, to_world(marks, np.full_like(marks, -0.09 * radius), slope))
         below = project(matrix, to_world(marks, np.full_like(marks, -0.24 * radius), slope))
+        taken = np.array([one.along for one in actor.found if one.t <= actor.times[k]])
         for place, top, end, under in zip(marks, tops, ends, below, strict=True):
             if left - 40 < top[0] < left + width + 40:
                 canvas.line(np.array([top, end]), theme.muted, 1.2)
-                if BELOW * radius * view.scale > 24.0 * canvas.unit:
+                apart = float(np.min(np.abs(taken - place), initial=np.inf)) * view.scale
+                # not under the sign of what has happened there
+                if BELOW * radius * view.scale > 24.0 * canvas.unit and apart > 26.0 * canvas.unit:
                     canvas.text(
                         under[0],
                         under[1],
@@ -330,14 +333,15 @@ class Film2D:
                 (poses.friction_force[i], colors.FRICTION_FORCE),
             ):
                 if alpha == 1.0:
-                    canvas.arrow(contact, contact + force * self.newton(k), theme.shown(color), theme.background, 7.0)
+                    way = arrow(force, self.newton(k), self._full)
+                    canvas.arrow(contact, contact + way, theme.shown(color), theme.background, 7.0)
         if actor.tag:
             draw_tag(canvas, theme, center, actor.tag)
 
     def _draw_happenings(self, actor: _Actor, k: int) -> None:
         matrix = actor.view.matrix(k)
         size = actor.motion.scenario.hoop.radius * actor.view.scale
-        now = float(actor.times[k]), float(self.clock.rate[k])
+        now = float(actor.times[k]), float(self.clock.rate[k]), float(self.clock.still[k])
         draw_happenings(self.canvas, self.theme, actor.found, now, lambda place: project(matrix, place), size, 0.42 * size)
 
     def _mixed(self, shades: Floats, alpha: float) -> Floats:
@@ -376,11 +380,11 @@ class Film2D:
             place = left + 22.0 * u, bottom + height + 8.0 * u
         else:
             place = 22.0 * u, self.look.size[1] - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
-        ended = actor.times[k] >= actor.motion.duration and 0 < k < self.count - 1
+        said = ended(actor.motion, float(actor.times[k]), k in (0, self.count - 1))
         overlay = several and self.look.layout == "overlay"
         extra = actor.label if overlay else speed_words(poses, k % BLOCK)
         room = width - 30.0 * u if several and not overlay else self.layout.words[2]
-        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, ended, extra, room, actor.tag)
+        draw_state(self.canvas, self.theme, place, poses, k % BLOCK, said, extra, room, actor.tag)
 
     def _draw_heading(self) -> None:
         """What stays: labels and keys."""

@@ -12,6 +12,7 @@ from hophoop.poses import Floats
 from hophoop.trajectory import Trajectory
 
 AROUND = 0.6  # how far before and after a picture the scale looks [s of film]
+LONGEST = 4.0  # arrows of full length: what grows without bound, as in a jam, leaves the picture and goes no further
 LEAST = 0.03  # of the greatest force: smaller ones keep the scale of that, so that none of them looks like a great one
 
 
@@ -53,3 +54,24 @@ def force_levels(motions: Sequence[Trajectory], clock: Clock, fps: float, most: 
     level = np.exp(np.interp(np.arange(greatest.size), felt, np.log(greatest[felt])))
     kernel = np.ones(2 * reach + 1) / (2 * reach + 1)
     return np.maximum(np.convolve(level, kernel, mode="valid"), forces)
+
+
+def arrow(force: Floats, newton: float, full: float) -> Floats:
+    """A force as an arrow, at most `LONGEST` times as long as one of full length.
+
+    Parameters
+    ----------
+    force : ndarray, shape (2,)
+        [N].
+    newton : float
+        Length of a newton's arrow, in any unit of length.
+    full : float
+        Full length, in the same unit.
+
+    Returns
+    -------
+    arrow : ndarray, shape (2,)
+        From its tail, in the same unit.
+    """
+    way = force * newton
+    return np.asarray(way * min(1.0, LONGEST * full / max(float(np.hypot(*way)), 1e-300)))

@@ -13,12 +13,12 @@ import numpy as np
 
 from hophoop._extras import need
 from hophoop.animate.canvas import Bytes, Canvas
-from hophoop.animate.frames import Extent, Timing, Trace, clock, extent, follow, trace
+from hophoop.animate.frames import Extent, Timing, Trace, clock, ended, extent, follow, trace
 from hophoop.animate.happenings import Happening, draw_happenings, happenings
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look3D, labels_of
 from hophoop.animate.plane3d import plane_meshes
-from hophoop.animate.scaling import force_levels
+from hophoop.animate.scaling import arrow, force_levels
 from hophoop.animate.shapes3d import (
     FORCE_LENGTH,
     HEAVY,
@@ -346,7 +346,8 @@ class Film3D:
         meshes["spoke"].points = np.array([center, load])
         if self.look.forces:
             for name, force in (("normal", poses.normal_force[k]), ("friction", poses.friction_force[k])):
-                self._point(actors, name, contact, place_3d(force * self.newton(k), 0.0))
+                way = arrow(force, self.newton(k), FORCE_LENGTH * self._radius)
+                self._point(actors, name, contact, place_3d(way, 0.0))
         if self.look.traces:
             past = int(np.searchsorted(actor.trace.t, poses.t[k]))
             for name, spot in (("load trace", load), ("heavy trace", heavy)):
@@ -431,17 +432,18 @@ class Film3D:
         if not several:
             draw_label(canvas, theme, (22.0 * u, height - 32.0 * u), self.actors[0].label, room)
         for row, actor in enumerate(self.actors):
-            ended = actor.poses.t[k] >= actor.motion.duration and 0 < k < self.count - 1
+            said = ended(actor.motion, float(actor.poses.t[k]), k in (0, self.count - 1))
             extra = actor.label if several else speed_words(actor.poses, k)
             place = 22.0 * u, height - ((40.0 if several else 64.0) + HEAD_LINE * row) * u
-            draw_state(canvas, theme, place, actor.poses, k, ended, extra, room, actor.tag)
+            draw_state(canvas, theme, place, actor.poses, k, said, extra, room, actor.tag)
             if actor.tag:
                 draw_tag(canvas, theme, self._display(actor.poses.center[k], actor.lane), actor.tag)
             # on the track's near side, where the ring does not hide it
             near = actor.lane - 0.35 * self._radius
             canvas.clip((0.0, self.layout.foot, self.look.size[0], height - self.layout.head - self.layout.foot))
+            now = float(actor.poses.t[k]), float(self.clock.rate[k]), float(self.clock.still[k])
             draw_happenings(
-                canvas, theme, actor.found, (float(actor.poses.t[k]), float(self.clock.rate[k])),
+                canvas, theme, actor.found, now,
                 partial(self._seen, lane=near), self._radius * metre, 34.0 * u,
             )  # fmt: skip
             canvas.clip(None)

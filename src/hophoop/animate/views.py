@@ -90,16 +90,20 @@ def followed(
     """A view that goes along with the hoop; `places` are its centre's, along the plane, at each frame."""
     left, bottom, width, height = rectangle
     half = 0.5 * width / scale / math.cos(slope)
-    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
-    if high - low <= 2.0 * half:
-        along = np.full(1, 0.5 * (low + high))
-    else:
-        along = np.clip(follow(np.arange(len(places)) / fps, places, CALM), low + half, high - half)
-        # However fast it goes, the hoop stays in the picture.
-        room = max(half - BESIDE * radius, 0.0)
-        along = np.clip(along, places - room, places + room)
     used = scale * (extent.height + (2.0 + BELOW + ABOVE) * radius)
     floor = bottom + 0.3 * (height - used) + BELOW * radius * scale
+    low, high = extent.along[0] - BESIDE * radius, extent.along[1] + BESIDE * radius
+    if slope == 0.0 and high - low <= 2.0 * half:
+        along = np.full(1, 0.5 * (low + high))
+    else:
+        along = follow(np.arange(len(places)) / fps, places, CALM)
+        if slope == 0.0:
+            along = np.clip(along, low + half, high - half)
+        # However fast it goes, the hoop stays in the picture, and on a slope the plane below it.
+        room = max(half - BESIDE * radius, 0.0)
+        if slope != 0.0:
+            room = min(room, 0.7 * (floor - bottom) / scale / abs(math.sin(slope)))
+        along = np.clip(along, places - room, places + room)
     return View(rectangle, scale, slope, to_world(along, np.zeros_like(along), slope), (left + 0.5 * width, floor))
 
 

@@ -17,7 +17,7 @@ from hophoop.animate.frames import Clock, Timing, clock, extent, trace
 from hophoop.animate.gltf import glb
 from hophoop.animate.happenings import happenings
 from hophoop.animate.look import Look3D, labels_of, nice
-from hophoop.animate.scaling import force_levels
+from hophoop.animate.scaling import LONGEST, force_levels
 from hophoop.animate.shapes3d import FORCE_LENGTH, LANE
 from hophoop.animate.themes import theme_of
 from hophoop.animate.words import shades_of
@@ -112,7 +112,7 @@ def scene_data(
     force = max(size.force for size in extents) or 1.0
     hoops = []
     for i, motion in enumerate(motions):
-        hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1))))
+        hoops.append(_hoop(motion, shown.times[i], names[i], LANE * radius * (i - 0.5 * (len(motions) - 1)), force))
         hoops[-1]["traces"] = _traces(motion, timing.start, ends[i]) if look.traces else None
         hoops[-1]["tag"] = chr(ord("A") + i % 26) if len(motions) > 1 else ""
     levels = force_levels(motions, shown, timing.frame_rate, force)
@@ -150,7 +150,8 @@ def scene_data(
     }
 
 
-def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[str, Any]:
+def _hoop(motion: Trajectory, times: Floats, label: str, lane: float, most: float) -> dict[str, Any]:
+    bound = LONGEST * most
     poses = poses_of(motion, times)
     hoop = motion.scenario.hoop
     return {
@@ -167,8 +168,8 @@ def _hoop(motion: Trajectory, times: Floats, label: str, lane: float) -> dict[st
         "angle": poses.angle,
         "velocity": poses.velocity,
         "omega": np.nan_to_num(poses.omega, posinf=0.0, neginf=0.0),
-        "normalForce": np.nan_to_num(poses.sample.normal_force, posinf=0.0),
-        "frictionForce": np.nan_to_num(poses.sample.friction_force, posinf=0.0, neginf=0.0),
+        "normalForce": np.clip(np.nan_to_num(poses.sample.normal_force, posinf=0.0), -bound, bound),
+        "frictionForce": np.clip(np.nan_to_num(poses.sample.friction_force, posinf=0.0, neginf=0.0), -bound, bound),
     }
 
 

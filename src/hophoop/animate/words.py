@@ -53,14 +53,15 @@ def draw_state(
     place: tuple[float, float],
     poses: Poses,
     i: int,
-    ended: bool,
+    ended: str,
     extra: str,
     room: float = math.inf,
     tag: str = "",
 ) -> None:
     """The mode in words, time and angle, and one thing more, in a line from a place on [pixels].
 
-    What would reach beyond `room` pixels is left out. A tag is the letter that the hoop has in the picture.
+    A motion that has ended says so in a word of its own. What would reach beyond `room` pixels is left out. A tag is the
+    letter that the hoop has in the picture.
     """
     u = canvas.unit
     x, y = place
@@ -70,7 +71,7 @@ def draw_state(
         draw_tag(canvas, theme, spot, tag, colors.mode_color(word))
     else:
         canvas.disc(spot, 7.0 * u, colors.mode_color(word), theme.ink, 0.8)
-    said = "ended" if ended else PARTICIPLES[word]
+    said = ended or PARTICIPLES[word]
     if 22.0 * u + canvas.text_width(said, 18.0, "bold") <= room:
         canvas.text(x + 22.0 * u, y, said, theme.ink, 18.0, weight="bold")
     turned = f"θ = {math.degrees(poses.angle[i]):.1f}°"
@@ -101,6 +102,14 @@ def speed_words(poses: Poses, i: int) -> str:
 def minus(words: str) -> str:
     """A text with the minus sign instead of the hyphen."""
     return words.replace("-", "−")
+
+
+def newtons(amount: float) -> str:
+    """A force in the unit in which it is short, such as 50 MN in a jam."""
+    for least, size, unit in ((1e6, 1e6, "MN"), (1e4, 1e3, "kN")):
+        if amount >= least:
+            return f"{amount / size:g} {unit}"
+    return f"{amount:g} N"
 
 
 def pace_words(rate: float) -> str:
@@ -196,7 +205,7 @@ def draw_force_key(canvas: Canvas, theme: Theme, layout: Layout, newton: float, 
         canvas.text(x - 8.0 * u, level, words, theme.ink, KEY_FONT, "right", vertical="center")
         tail = np.array([x, level])
         canvas.arrow(tail, tail + np.array([amount * newton, 0.0]), theme.shown(color), theme.background, 7.0)
-    canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, f"{amount:g} N", theme.ink, 12.0, "center")
+    canvas.text(x + 0.5 * amount * newton, y + 13.0 * u, newtons(amount), theme.ink, 12.0, "center")
 
 
 _TRACE_KEY = (

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import re
 
-from hophoop.plots.style import ON_COLOR
+from hophoop.plots.style import ON_COLOR, ON_PAPER
 from hophoop.vocabulary import colors
 
 PAPER, INK = "#14171B", "#ECEEF0"  # of the dark page
 GRAY_LEVEL = 12  # parts of red, green and blue that differ by less are a gray
+A_SCALE = 24  # more colours than these are those of a scale, whose bar is a picture: they stay as they are beside it
 _INK = re.compile(r"(fill|stroke): (#[0-9a-fA-F]{6})")
 
 
 def for_both(svg: str) -> str:
     """An SVG of Matplotlib whose colours are variables, with a value for light pages and one for dark ones.
+
+    A drawing whose colours fade into white paper keeps its paper.
 
     Parameters
     ----------
@@ -24,10 +27,13 @@ def for_both(svg: str) -> str:
     svg : str
     """
     body = svg[svg.index("<svg") :]
+    if f'id="{ON_PAPER}"' in body:
+        return body
     found = sorted({match[2].lower() for match in _INK.finditer(body)} | {"#000000"})
     body = _INK.sub(lambda match: f"{match[1]}: var(--i{match[2][1:].lower()})", body)
     light = "".join(f"--i{color[1:]}:{color};" for color in found)
-    dark = "".join(f"--i{color[1:]}:{in_the_dark(color)};" for color in found)
+    scale = sum(not _gray(color) for color in found) > A_SCALE
+    dark = "".join(f"--i{color[1:]}:{color if scale and not _gray(color) else in_the_dark(color)};" for color in found)
     style = (
         f"<style>svg{{{light}fill:var(--i000000)}}"
         f"@media (prefers-color-scheme:dark){{svg{{{dark}}}}}"
@@ -40,9 +46,18 @@ def for_both(svg: str) -> str:
 
 def in_the_dark(color: str) -> str:
     """A colour of a light page as a dark one shows it: grays change sides, other colours get light enough."""
-    parts = [int(color[i : i + 2], 16) for i in (1, 3, 5)]
-    if max(parts) - min(parts) > GRAY_LEVEL:
+    if not _gray(color):
         return colors.on_dark(color)
-    share = sum(parts) / (3 * 255.0)
-    dark, light = ([int(end[i : i + 2], 16) for i in (1, 3, 5)] for end in (PAPER, INK))
+    share = sum(_parts(color)) / (3 * 255.0)
+    dark, light = _parts(PAPER), _parts(INK)
     return "#" + "".join(f"{round(b + share * (a - b)):02X}" for a, b in zip(dark, light, strict=True))
+
+
+def _gray(color: str) -> bool:
+    parts = _parts(color)
+    return max(parts) - min(parts) <= GRAY_LEVEL
+
+
+def _parts(color: str) -> list[int]:
+    """Red, green and blue, from 0 to 255."""
+    return [int(color[i : i + 2], 16) for i in (1, 3, 5)]

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from datetime import date
 from html import escape
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from string import Template
 
@@ -74,7 +75,7 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], r
     runs = runs or Runs()
     here = files("hophoop.article")
     story = here.joinpath("story.html").read_text(encoding="utf-8")
-    style = here.joinpath("report.css").read_text(encoding="utf-8")
+    style = _math_font(here) + here.joinpath("report.css").read_text(encoding="utf-8")
     numbered = {name: k + 1 for k, name in enumerate(figures_of(story))}
     drawn = {figure.name: figure for figure in FIGURES if figure.name in numbered}
     shown = {name: _figure(figure, numbered[name], folder) for name, figure in drawn.items()}
@@ -100,6 +101,12 @@ def page(statements: Sequence[Statement], folder: Path, films: Sequence[Path], r
         f"<title>The hopping hoop, computed</title><style>{style}</style></head><body><main>\n"
         f"{body}\n{_footer()}\n</main></body></html>\n"
     )
+
+
+def _math_font(here: Traversable) -> str:
+    """The font of the formulas, in the page itself: not every reader has one for mathematics."""
+    code = base64.b64encode(here.joinpath("fonts", "hoop-math.woff2").read_bytes()).decode("ascii")
+    return f'@font-face {{ font-family: "Hoop Math"; src: url(data:font/woff2;base64,{code}) format("woff2"); }}\n'
 
 
 def figures_of(story: str) -> list[str]:

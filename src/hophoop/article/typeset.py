@@ -10,8 +10,6 @@ DISPLAYED = re.compile(r"\\\[(.+?)\\\]", re.DOTALL)
 INLINE = re.compile(r"\\\((.+?)\\\)", re.DOTALL)
 
 FUNCTION = re.compile("<mi>(cos|sin)</mi>")
-DOTTED = re.compile("<mover><mi>([^<]+)</mi><mo>&#x0(02D9|00A8);</mo></mover>")
-DOTS = {"02D9": "\u0307", "00A8": "\u0308"}
 BEFORE = re.compile("(</mi>|</msup>|</msub>)<mi>(cos|sin)</mi>")
 
 
@@ -40,8 +38,7 @@ def mathml(latex: str, displayed: bool) -> str:
     """One formula as an element of a page."""
     convert = need("latex2mathml.converter", "plots").convert
     made: str = convert(latex.strip(), display="block" if displayed else "inline")
-    # dots as parts of the letter: where a reader has no font for mathematics, accents lie on it or far above it
-    made = DOTTED.sub(lambda match: f"<mi class='dotted'>{match[1]}{DOTS[match[2]]}</mi>", made)
+    made = made.replace("<mover>", "<mover accent='true'>")  # close to its letter
     # names of functions stand off from what is beside them
     made = FUNCTION.sub(r"<mi>\1</mi><mspace width='0.17em'/>", made)
     return BEFORE.sub(r"\1<mspace width='0.17em'/><mi>\2</mi>", made)

@@ -54,7 +54,8 @@ def fit(
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="Fit also slope, scale, tilt, origin_y, row_delay, marker_angle or marker_ratio; may be repeated.",
+            help="Fit also rolling_resistance, slope, scale, tilt, origin_y, row_delay, marker_angle or marker_ratio; "
+            "may be repeated.",
             rich_help_panel=MODEL,
         ),
     ] = None,

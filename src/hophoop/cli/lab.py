@@ -27,15 +27,23 @@ def lab(
         Path | None,
         typer.Option(metavar="DIR", help="Write the lab as a folder of files for any web host instead of serving it."),
     ] = None,
+    docs: Annotated[
+        str | None,
+        typer.Option(
+            metavar="URL", help="With --export: where this documentation is, for teachers; an address or a path like ../."
+        ),
+    ] = None,
 ) -> None:
     """Play with the hoop in a browser."""
     if export is not None:
         from hophoop.lab import site
 
-        typer.echo(site.summary(export, site.export(export)))
+        typer.echo(site.summary(export, site.export(export, docs or "")))
         return
     from hophoop.scenario import InputError, Scenario
 
+    if docs is not None:
+        raise InputError("--docs needs --export: it stands in the pages of that folder.")
     found = fit_in(file)
     if found is None:
         if film is not None:

@@ -19,6 +19,9 @@ def plan(
         float, typer.Option(help="Standard deviation of each coordinate in a frame, m.", rich_help_panel=FILM)
     ] = 2e-4,
     sigma_angle: Annotated[float, typer.Option(help="The same of the angle, rad.", rich_help_panel=FILM)] = 2e-3,
+    sigma_scale: Annotated[
+        float, typer.Option(help="The same of the scale over the scale, one for all frames; 0 if known.", rich_help_panel=FILM)
+    ] = 1e-3,
     no_marker: Annotated[
         bool, typer.Option("--no-marker", help="There is no marker, so no angle.", rich_help_panel=FILM)
     ] = False,
@@ -39,10 +42,11 @@ def plan(
     from hophoop.cli.fit import finite, table
     from hophoop.fitting import plan as make
 
-    with named_options({"rate": "--rate", "sigma": "--sigma", "sigma_angle": "--sigma-angle"}):
+    with named_options({"rate": "--rate", "sigma": "--sigma", "sigma_angle": "--sigma-angle", "sigma_scale": "--sigma-scale"}):
         found = make(
-            scenario, rate, sigma, None if no_marker else sigma_angle, tuple(free or ()), tuple(fixed or ()), hoop_known
-        )
+            scenario, rate, sigma, None if no_marker else sigma_angle, tuple(free or ()), tuple(fixed or ()), hoop_known,
+            sigma_scale,
+        )  # fmt: skip
     if json:
         typer.echo(json_text.dumps(finite(asdict(found)), indent=1, ensure_ascii=False, allow_nan=False))
         return

@@ -1,4 +1,7 @@
-"""`hophoop prove`: enclosures of every event and a certificate of the sequence; `--check` verifies a certificate."""
+"""`hophoop prove`: enclosures of every event and a certificate of the sequence; `--check` verifies a certificate.
+
+`--boxes`, `--thresholds` and `--article` prove other things instead.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ from hophoop.cli._options import with_scenario
 if TYPE_CHECKING:
     from hophoop.prove import Proof
 
-OUTPUT = "Output"
+OUTPUT, INSTEAD = "Output", "Instead of one motion"
 
 
 @with_scenario
@@ -29,17 +32,51 @@ def prove(
         Path | None,
         typer.Option("--check", metavar="CERTIFICATE", help="Verify a certificate instead; no scenario is read."),
     ] = None,
-    out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Write the certificate as JSON.", rich_help_panel=OUTPUT)
+    boxes: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--boxes",
+            metavar="PATH=LEAST:GREATEST",
+            help="Prove a window of parameters box by box, each with one sequence in the first turn; may be repeated.",
+            rich_help_panel=INSTEAD,
+            show_default=False,
+        ),
     ] = None,
-    json: Annotated[bool, typer.Option("--json", help="Print the certificate as JSON.", rich_help_panel=OUTPUT)] = False,
+    depth: Annotated[int, typer.Option("--depth", help="How often a box is halved at most.", rich_help_panel=INSTEAD)] = 8,
+    seconds: Annotated[
+        float | None,
+        typer.Option("--seconds", help="Halve no more boxes after so long.", rich_help_panel=INSTEAD, show_default=False),
+    ] = None,
+    thresholds: Annotated[
+        str | None,
+        typer.Option(
+            "--thresholds",
+            metavar="KEY,…",
+            help="Prove critical speeds and thresholds: first_slip_speed, first_hop_speed, immediate_hop_speed, "
+            "painleve_friction, needed_friction or all.",
+            rich_help_panel=INSTEAD,
+            show_default=False,
+        ),
+    ] = None,
+    article: Annotated[
+        bool,
+        typer.Option("--article", help="Prove the article's inequalities and sequences.", rich_help_panel=INSTEAD),
+    ] = False,
+    out: Annotated[
+        Path | None, typer.Option("--out", metavar="FILE", help="Write what is proved as JSON.", rich_help_panel=OUTPUT)
+    ] = None,
+    json: Annotated[bool, typer.Option("--json", help="Print what is proved as JSON.", rich_help_panel=OUTPUT)] = False,
 ) -> None:
     """Prove which events a motion has, and enclose them; status 1 where something stays undecided."""
-    from hophoop.cli import NO_ANSWER, say
+    from hophoop.cli import NO_ANSWER, _proved, say
     from hophoop.cli._output import check_apart, check_folder
     from hophoop.prove import prove as proof_of
     from hophoop.scenario import InputError
 
+    kinds = {"--check": check is not None, "--boxes": bool(boxes), "--thresholds": thresholds is not None, "--article": article}
+    asked = [option for option, is_asked in kinds.items() if is_asked]
+    if len(asked) > 1:
+        raise InputError(f"{asked[0]} cannot be given together with {asked[1]}.")
     if check is not None:
         if file is not None or out is not None or json:
             raise InputError("--check takes a certificate alone, which holds its scenario.")
@@ -48,6 +85,15 @@ def prove(
     if out is not None:
         check_folder("--out", out)
         check_apart([out], file)
+    if boxes:
+        _proved.boxes(scenario, boxes, depth, seconds, out, json)
+        return
+    if thresholds is not None:
+        _proved.thresholds(scenario, thresholds, digits, out, json)
+        return
+    if article:
+        _proved.statements(out, json)
+        return
     proof = proof_of(scenario, digits, until)
     if out is not None and proof.proved:
         proof.save(out)

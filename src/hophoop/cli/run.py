@@ -152,7 +152,7 @@ def run(
         typer.Option(
             "--sensitivity",
             metavar="OF,…",
-            help="Say how quantities change with the parameters of --wrt, such as takeoff.angle,hop.height.",
+            help="Say, also in --json, how quantities change with the parameters of --wrt, such as takeoff.angle,hop.height.",
             rich_help_panel=OUTPUT,
             show_default=False,
         ),
@@ -201,8 +201,6 @@ def run(
     result = Path(json) if json not in (None, "-") else None
     if (sensitivity is None) != (wrt is None):
         raise InputError("--sensitivity and --wrt need each other: what changes, and with which parameters.")
-    if sensitivity is not None and json == "-":
-        raise InputError("--sensitivity cannot be given together with --json, which prints nothing else.")
     check_apart([path for path in (result, csv, save, plot) if path is not None], file)
 
     if digits is not None or check:
@@ -230,14 +228,15 @@ def run(
     derived = (
         motion.sensitivity(sensitivity.split(","), wrt.split(",")) if sensitivity is not None and wrt is not None else None
     )
+    more = {} if derived is None else {"sensitivity": derived.to_dict()}
     if json == "-":
-        text = json_text.dumps(motion.to_dict(), indent=2, ensure_ascii=False, allow_nan=False)
+        text = json_text.dumps(motion.to_dict() | more, indent=2, ensure_ascii=False, allow_nan=False)
         typer.echo(text)
     if csv is not None or result is not None:
         from hophoop import io
 
         if result is not None:
-            io.write_json(motion, result)
+            io.write_json(motion, result, more)
         if csv is not None:
             io.write_csv(motion, csv, motion.times(samples))
     if save is not None:

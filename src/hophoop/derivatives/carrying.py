@@ -5,22 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.derivatives.energies import COLUMNS, ENERGIES, energy_rates
 from hophoop.derivatives.layout import (
     BEFORE_OM,
     BEFORE_VN,
     BEFORE_VT,
     CARRIED,
-    EPS,
-    GN,
-    GT,
     IMPACT_N,
     IMPACT_T,
-    KAP,
     KEPT,
     OM,
     P_N,
@@ -38,9 +36,9 @@ from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.replay import replay
 from hophoop.derivatives.sampling import sample_changes
 from hophoop.numerics.collocation import ORDER
-from hophoop.physics.body import Body
+from hophoop.physics.body import Body, Event
 from hophoop.records.layout import EVENT, SEGMENT
-from hophoop.records.scratch import new_scratch
+from hophoop.records.scratch import new_scratch, thread_scratch
 from hophoop.records.state import start_state
 from hophoop.results import Motion
 from hophoop.rigid.kernel import run
@@ -68,9 +66,12 @@ DIRECT = {
     "impact_tangential": ("impact_tangential", IMPACT_T, ENERGY),
 }
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
-ENERGIES = ("kinetic", "potential", "total", "friction")
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
 SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOMENTUM: "N s", ENERGY: "J"}
+UNITS = tuple(SI)
+EXPONENTS = np.array(UNITS, float)
+UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
+BORDER, PLASTIC = int(Reason.BORDER), int(Reason.PLASTIC)
 
 
 def unit_of(field: str) -> str:
@@ -132,14 +133,13 @@ class Carried:
     @property
     def one_sided(self) -> list[int]:
         """The directions that may have another derivative towards smaller parameters."""
-        return [k for k, reason in enumerate(self.reasons) if reason < 0 or reason == Reason.BORDER]
+        return [k for k, reason in enumerate(self.reasons.tolist()) if reason < 0 or reason == BORDER]
 
     def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
         """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
-        unit = self.motion.units
-        size = unit.length ** exponents[0] * unit.time ** exponents[1] * unit.mass ** exponents[2]
-        by_units = np.asarray(exponents, float) @ self.directions.units
-        return Rated(size * value, size * (rates + np.asarray(value)[..., None] * by_units))
+        size, by_units = (each[UNITS.index(exponents)] for each in self._units)
+        steeper = value * by_units if np.ndim(value) == 0 else value[..., None] * by_units
+        return Rated(size * value, size * (rates + steeper))
 
     def at_event(self, index: int, field: str) -> Rated:
         """A number of an event.
@@ -154,18 +154,19 @@ class Carried:
         -------
         rated : Rated
         """
+        if field in DIRECT:
+            values, rates = self._at_events
+            place = DIRECT[field][1]
+            return Rated(float(values[index, place]), rates[index, place])
         row = self.motion.tables["events"][index]
         kept = self.at_events[index]
         if field in SUMS:
-            one, other = (self._direct(row, kept, name) for name in SUMS[field])
-            return self.in_si(one[0] + other[0], one[1] + other[1], SPEED)
-        if field not in ENERGIES:
-            return self.in_si(*self._direct(row, kept, field), DIRECT[field][2])
-        state = np.array([float(row[name]) for name in ("x", "height", "theta", "omega", "slip", "vy")])
-        state[2] += row["theta_low"]
-        losses = float(row["impact_normal"] + row["impact_tangential"])
+            (one, place, _), (other, beside, _) = (DIRECT[name] for name in SUMS[field])
+            return self.in_si(float(row[one] + row[other]), kept[place] + kept[beside], SPEED)
+        state = _state_of(row)
         if field == "friction":
-            return self.in_si(float(row["friction"]), self._friction(state, kept, losses)[1], ENERGY)
+            rates = self._friction(state, kept, float(row["impact_normal"] + row["impact_tangential"]))[1]
+            return self.in_si(float(row["friction"]), rates, ENERGY)
         return self.in_si(*self._energy(field, state, kept), ENERGY)
 
     def at_times(self, times: Floats, fields: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
@@ -193,7 +194,7 @@ class Carried:
         clock = -self.directions.units[1]
         sample_changes(
             motion.scenario.to_body(), segments, self.at_segments, self.directions.changes, clock,
-            motion.units.kernel_times(segments, times), left, states, out, new_scratch(), _local(),
+            motion.units.kernel_times(segments, times), left, states, out, thread_scratch(), _local(),
         )  # fmt: skip
         sample = motion.at(times, "left" if left else "right")
         losses = (sample.impact_normal + sample.impact_tangential) / motion.units.energy
@@ -213,53 +214,48 @@ class Carried:
             result[field] = (values, self.in_si(*found).rates)
         return result
 
-    def _direct(self, row: np.void, kept: Floats, field: str) -> tuple[float, Floats]:
-        column, place, _ = DIRECT[field]
-        return float(row[column]), kept[place]
+    @cached_property
+    def _at_events(self) -> tuple[Floats, Floats]:
+        """All that is kept of all events, in SI units: values and derivatives."""
+        events = self.motion.tables["events"]
+        sizes, by_units = self._units
+        values = np.empty(self.at_events.shape[:2])
+        for column, place, _ in DIRECT.values():
+            values[:, place] = events[column]
+        of_row = sizes[UNIT_OF_ROW]
+        return of_row * values, of_row[:, None] * (self.at_events + values[..., None] * by_units[UNIT_OF_ROW])
 
     def _energy(self, field: str, state: Floats, rates: Floats) -> tuple[Any, Floats]:
-        """Kinetic, potential or both, of (x, height, θ, θ̇, v_t, v_n) at one time or many."""
-        value: Any = 0.0
-        slope: Any = 0.0
-        for name, part in (("kinetic", _kinetic), ("potential", _potential)):
-            if field in (name, "total"):
-                more, steeper = part(self.motion.scenario.to_body(), state, rates, self.directions.changes)
-                value = value + more
-                slope = slope + steeper
-        return value, slope
+        """Kinetic, potential or both, of the state at one time or many."""
+        return energy_rates(field, self._body, state, rates, self.directions.changes)
 
     def _friction(self, state: Floats, rates: Floats, losses: Any) -> tuple[Any, Floats]:
         """What slip has lost: what has gone of the energy, less what impacts have lost."""
-        row = self.motion.tables["events"][0]
-        first = np.array([row[name] for name in ("x", "height", "theta", "omega", "slip", "vy")])
-        begin = self._energy("total", first, self.at_events[0])
-        now = self._energy("total", state, rates)
-        return begin[0] - now[0] - losses, begin[1] - now[1] - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :]
+        begin, begin_rates = self._begin
+        now, now_rates = self._energy("total", state, rates)
+        return begin - now - losses, begin_rates - now_rates - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :]
+
+    @cached_property
+    def _body(self) -> Body:
+        return self.motion.scenario.to_body()
+
+    @cached_property
+    def _begin(self) -> tuple[Any, Floats]:
+        """The energy at the start."""
+        return self._energy("total", _state_of(self.motion.tables["events"][0]), self.at_events[0])
+
+    @cached_property
+    def _units(self) -> tuple[Floats, Floats]:
+        """Sizes of UNITS and their logarithmic rates."""
+        unit = self.motion.units
+        sizes = [unit.length**length * unit.time**time * unit.mass**mass for length, time, mass in UNITS]
+        return np.array(sizes), EXPONENTS @ self.directions.units
 
 
-def _kinetic(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[Floats, Floats]:
-    th, om, vt, vn = (state[..., i, None] for i in range(2, 6))
-    s, c = np.sin(th), np.cos(th)
-    dth, dom = rates[..., TH, :], rates[..., OM, :]
-    along = vt + om * (1.0 + body.eps * c)
-    up = vn - body.eps * om * s
-    d_along = rates[..., VT, :] + dom * (1.0 + body.eps * c) + om * (changes[EPS] * c - body.eps * s * dth)
-    d_up = rates[..., VN, :] - changes[EPS] * om * s - body.eps * (dom * s + om * c * dth)
-    value = 0.5 * (along**2 + up**2 + body.kap * om**2)
-    return value[..., 0], along * d_along + up * d_up + 0.5 * changes[KAP] * om**2 + body.kap * om * dom
-
-
-def _potential(body: Body, state: Floats, rates: Floats, changes: Floats) -> tuple[Floats, Floats]:
-    x, y, th = (state[..., i, None] for i in range(3))
-    s = np.sin(th)
-    dth = rates[..., TH, :]
-    fallen = -2.0 * np.sin(0.5 * th) ** 2
-    drop = y + body.eps * fallen
-    ahead = x + body.eps * s
-    d_drop = rates[..., Y, :] + changes[EPS] * fallen - body.eps * s * dth
-    d_ahead = rates[..., X, :] + changes[EPS] * s + body.eps * np.cos(th) * dth
-    value = body.gn * drop - body.gt * ahead
-    return value[..., 0], changes[GN] * drop + body.gn * d_drop - changes[GT] * ahead - body.gt * d_ahead
+def _state_of(row: np.void) -> Floats:
+    state = np.array([row[name] for name in COLUMNS])
+    state[2] += row["theta_low"]
+    return state
 
 
 def _local() -> Floats:
@@ -292,7 +288,7 @@ def doubtful_from(motion: Motion) -> float:
     return math.inf if math.isnan(scratch.doubt[0]) else float(scratch.doubt[0])
 
 
-def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
+def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool = False) -> Carried:
     """Go through a motion again with its derivatives with respect to some parameters.
 
     Parameters
@@ -302,6 +298,8 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
     paths : sequence of str
     sign : float, default 1
         −1 for how it changes when the parameters become smaller, told as if they became larger [1].
+    edges : bool, default False
+        Keep also how states change with a restitution that is 0 and becomes larger, behind a landing.
 
     Returns
     -------
@@ -329,14 +327,29 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0) -> Carried:
     duration = scenario.duration / motion.units.time
     replay(
         scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration,
-        at_events, at_segments, reasons, failed, new_scratch(), _local(),
+        at_events, at_segments, reasons, failed, thread_scratch(), _local(),
     )  # fmt: skip
-    doubt = doubtful_from(motion)
+    for k in np.flatnonzero(reasons == PLASTIC).tolist():
+        _end_at_landing(motion, int(failed[k]), at_events[:, :, k], at_segments[:, :, k], edges)
+    doubt = motion.doubt
     if doubt < math.inf:
         at_events[events["t"] > doubt] = math.nan
         at_segments[segments["t"] >= doubt] = math.nan
         first = int(np.searchsorted(events["t"], doubt, side="right"))
         sooner = (failed < 0) | (failed > first)
         failed[sooner] = first
-        reasons[sooner] = int(Reason.BORDER)
+        reasons[sooner] = BORDER
     return Carried(motion, given, sign * at_events, sign * at_segments, reasons, failed)
+
+
+def _end_at_landing(motion: Motion, landing: int, at_events: Floats, at_segments: Floats, edges: bool) -> None:
+    """Take away what is not so with any restitution: velocities behind the first bounce, later events, shares of the loss."""
+    events, segments = motion.tables["events"], motion.tables["segments"]
+    at_events[landing, [OM, VT, VN, P_N, P_T, IMPACT_N, IMPACT_T]] = math.nan
+    later = landing + 1
+    ends = edges and later < len(events) and events["kind"][-1] == Event.END
+    at_events[later : len(events) - ends] = math.nan
+    at_events[later:, [P_N, P_T, IMPACT_N, IMPACT_T]] = math.nan
+    behind = segments["t"] >= events["t"][landing]
+    at_segments[behind] = math.nan if not edges else at_segments[behind]
+    at_segments[np.ix_(behind, [IMPACT_N, IMPACT_T])] = math.nan

@@ -9,7 +9,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.layout import CARRIED, END, EPS, GN, GT, KAP, MU_K, MU_S, OM, PARAMETERS, REST, TH, VN, VT, X, Y
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
 from hophoop.scenario.scenario import time_unit
@@ -214,19 +213,20 @@ _LOWEST = {
 _HIGHEST = {"hoop.load_fraction": 1.0, "hoop.eccentricity": 1.0, "plane.restitution": 1.0}
 
 
-def allowed_sides(scenario: Scenario, path: str) -> tuple[bool, bool]:
+def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bool]:
     """Whether the parameter may be smaller, and whether it may be larger, than it is.
 
     Parameters
     ----------
     scenario : Scenario
     path : str
+    value : float
+        Of the parameter [its unit].
 
     Returns
     -------
     smaller, larger : bool
     """
-    value = value_of(scenario, path)
     smaller = not value <= _LOWEST.get(path, -math.inf)
     larger = not value >= _HIGHEST.get(path, math.inf)
     plane = scenario.plane
@@ -254,38 +254,40 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
         As `change_of`.
     """
     hoop, plane = scenario.hoop, scenario.plane
-    count = len(paths)
-    changes = np.zeros((PARAMETERS, count))
-    start = np.zeros((CARRIED, count))
-    units = np.zeros((3, count))
+    changes, starts, units = [], [], []
     given = scenario.start.state(hoop)
     length, second = hoop.radius, time_unit(hoop, plane)
-    weight = 1.0 if plane.gravity > 0.0 else 0.0
     sine, cosine = math.sin(plane.slope), math.cos(plane.slope)
-    for k, path in enumerate(paths):
+    gravity, mass = plane.gravity, hoop.mass
+    for path in paths:
         change = change_of(scenario, path)
         by_length = change.radius / length
         by_time = 0.5 * by_length
-        if plane.gravity > 0.0:
-            by_time -= 0.5 * change.gravity / plane.gravity
-            changes[GN, k] = -weight * sine * change.slope
-            changes[GT, k] = weight * cosine * change.slope
+        if gravity > 0.0:
+            by_time -= 0.5 * change.gravity / gravity
+            normal, tangential = -sine * change.slope, cosine * change.slope
         else:
-            changes[GN, k] = cosine * change.gravity
-            changes[GT, k] = sine * change.gravity
-        units[:, k] = by_length, by_time, change.mass / hoop.mass
-        changes[EPS, k] = change.eccentricity
-        changes[KAP, k] = change.inertia_ratio
-        changes[MU_S, k] = change.mu_static
-        changes[MU_K, k] = change.mu_kinetic
-        changes[REST, k] = change.restitution
-        changes[END, k] = (change.duration - scenario.duration * by_time) / second
+            normal, tangential = cosine * change.gravity, sine * change.gravity
         by_speed = by_length - by_time
         more = change.start
-        start[X, k] = (more.get("x", 0.0) - given.x * by_length) / length
-        start[Y, k] = (more.get("height", 0.0) - given.height * by_length) / length
-        start[TH, k] = more.get("angle", 0.0)
-        start[OM, k] = (more.get("omega", 0.0) + given.omega * by_time) * second
-        start[VT, k] = (more.get("slip", 0.0) - given.slip * by_speed) * second / length
-        start[VN, k] = (more.get("vy", 0.0) - given.vy * by_speed) * second / length
-    return Directions(changes, start, units)
+        units.append((by_length, by_time, change.mass / mass))
+        changes.append(  # as EPS, KAP, MU_S, MU_K, GN, GT, REST, END
+            (
+                change.eccentricity, change.inertia_ratio, change.mu_static, change.mu_kinetic, normal, tangential,
+                change.restitution, (change.duration - scenario.duration * by_time) / second,
+            )
+        )  # fmt: skip
+        starts.append(  # as T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T
+            (
+                0.0,
+                (more.get("x", 0.0) - given.x * by_length) / length,
+                (more.get("height", 0.0) - given.height * by_length) / length,
+                more.get("angle", 0.0),
+                (more.get("omega", 0.0) + given.omega * by_time) * second,
+                (more.get("slip", 0.0) - given.slip * by_speed) * second / length,
+                (more.get("vy", 0.0) - given.vy * by_speed) * second / length,
+                0.0,
+                0.0,
+            )
+        )
+    return Directions(*(np.array(rows).T.copy() for rows in (changes, starts, units)))

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -43,6 +45,7 @@ AT_TIMES = tuple(name for name in FIELDS if not name.startswith(("before", "impu
 PASSING = (Event.TURN, Event.APEX, Event.KANE_GAIN, Event.REST)
 
 
+@lru_cache(maxsize=256)
 def unit_of_quantity(name: str) -> str:
     """SI unit of a quantity by its name.
 
@@ -85,14 +88,12 @@ def quantity(motion: Motion, name: str) -> Callable[[Carried], Rated]:
     known = MAPPED.get(name, name)
     if known in _WAYS:
         return _way if known == "distance" else _lost
-    match = _AT.fullmatch(known)
+    match = _AT.fullmatch(known) if known.startswith("at(") else None
     if match:
         return _at_time(motion, name, match["time"], match["field"])
-    match = _NAME.fullmatch(known)
-    if not match:
+    what, place, field = _parsed(known) or ("", 0, "")
+    if not what:
         raise InputError(f"of = {name!r} is no quantity; there are {_known()}.")
-    what, field = match["what"], match["field"]
-    place = int(match["place"] or 0)
     if what == "hop":
         if field not in HOP:
             raise InputError(f"of = {name!r}: a hop has {', '.join(HOP)}.")
@@ -104,6 +105,12 @@ def quantity(motion: Motion, name: str) -> Callable[[Carried], Rated]:
     found = np.flatnonzero(motion.tables["events"]["kind"] == EVENT_NAMES.index(what))
     index = _chosen(name, what, found, place)
     return lambda carried: carried.at_event(index, field)
+
+
+@lru_cache(maxsize=256)
+def _parsed(name: str) -> tuple[str, int, str] | None:
+    match = _NAME.fullmatch(name)
+    return (match["what"], int(match["place"] or 0), match["field"]) if match else None
 
 
 def _known() -> str:
@@ -145,7 +152,15 @@ def hops_of(motion: Motion) -> list[tuple[int, int, int]]:
     hops : list of (int, int, int)
         Indices of the events that a flight begins, is highest and ends with; −1 where there is none.
     """
-    events = motion.tables["events"]
+    if motion not in _hops:
+        _hops[motion] = _find_hops(motion.tables["events"])
+    return _hops[motion]
+
+
+_hops: WeakKeyDictionary[Motion, list[tuple[int, int, int]]] = WeakKeyDictionary()
+
+
+def _find_hops(events: np.ndarray) -> list[tuple[int, int, int]]:
     kinds, heights, times = (events[name].tolist() for name in ("kind", "height", "t"))
     before, after = (events[name].tolist() for name in ("before_mode", "after_mode"))
     hops: list[tuple[int, int, int]] = []

@@ -59,7 +59,9 @@ START, BOUNCE_LIMIT, JAM, SKIM_START, REST, END_EVENT = (
 )
 PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
 GRAZE, BORDER, CONTACT, SINGULAR = (int(why) for why in (Reason.GRAZE, Reason.BORDER, Reason.CONTACT, Reason.SINGULAR))
-MASSLESS, FRICTIONLESS, ENDED = (int(why) for why in (Reason.MASSLESS, Reason.FRICTIONLESS, Reason.ENDED))
+MASSLESS, FRICTIONLESS, ENDED, PLASTIC = (
+    int(why) for why in (Reason.MASSLESS, Reason.FRICTIONLESS, Reason.ENDED, Reason.PLASTIC)
+)
 
 
 @apart_jit
@@ -91,6 +93,17 @@ def end_rolling(body, row, before, rates, changes, z, reasons):
 
 
 @apart_jit
+def stays_with_small_bounces(row):
+    """Whether the motion behind a landing with e = 0 is the same to first order in a small e.
+
+    The bounces last a time of order e, at whose end the same quantities are zero as without them, N and F having done what
+    their impulses do. So the state differs by the order e², where the contact goes on and its slip keeps its direction.
+    """
+    mode = row["after_mode"]
+    return row["collision"] == 1 and mode != FLIGHT and mode != SKIM and (mode == ROLL or row["slip"] != 0.0)
+
+
+@apart_jit
 def collide_changes(body, rest, row, before, changes, z, kept, reasons):
     """All directions through an impact."""
     s, c = sine_cosine(before.th, before.th_low)
@@ -119,6 +132,9 @@ def collide_changes(body, rest, row, before, changes, z, kept, reasons):
         if reason == SIDED:
             if reasons[k] == NONE:
                 reasons[k] = SIDED
+        elif reason == PLASTIC and stays_with_small_bounces(row):
+            if reasons[k] <= 0:
+                reasons[k] = PLASTIC
         elif reason != NONE:
             fail(z, reasons, k, reason)
 
@@ -224,7 +240,8 @@ def replay(body, events, segments, changes, z, t_end, at_events, at_segments, re
     at_segments : ndarray, shape (segments, CARRIED, directions)
         Filled; what is there for a segment belongs to its begin.
     reasons : ndarray of int, shape (directions,)
-        Filled with why there is no derivative from some event on, −1 where it holds for one side only, else 0.
+        Filled with why there is no derivative from some event on, −1 where it holds for one side only, else 0. After a
+        landing with e = 0 the states go on, as they change with larger e; the events there are others.
     failed : ndarray of int, shape (directions,)
         Filled with the event from which on there is none.
     scratch : records.Scratch

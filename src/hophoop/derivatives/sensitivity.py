@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -112,12 +113,20 @@ class Sensitivity:
 
     def __str__(self) -> str:
         width = max(len(name) for name in self.of)
-        lines = []
-        for i, of in enumerate(self.of):
-            for k, wrt in enumerate(self.wrt):
-                number = f"{self.derivatives[i, k]:+.9g} {_over(self.units[i], self.wrt_units[k])}"
-                lines.append(f"{of:<{width}}  by {wrt}: {(self.reasons[i][k] and 'none, ' + self.reasons[i][k]) or number}")
-        return "\n".join(lines)
+        return "\n".join(
+            f"{of:<{width}}  by {wrt}: {self._told(i, k)}" for i, of in enumerate(self.of) for k, wrt in enumerate(self.wrt)
+        )
+
+    def _told(self, i: int, k: int) -> str:
+        unit = _over(self.units[i], self.wrt_units[k])
+        if not self.reasons[i][k]:
+            return f"{self.derivatives[i, k]:+.9g} {unit}"
+        sides = [
+            f"; towards {side} values {table[i, k]:+.9g} {unit}"
+            for side, table in (("smaller", self.smaller), ("larger", self.larger))
+            if np.isfinite(table[i, k])
+        ]
+        return "".join([f"none, {self.reasons[i][k]}", *sides])
 
 
 def _number(value: float) -> float | None:
@@ -126,6 +135,11 @@ def _number(value: float) -> float | None:
 
 def _over(unit: str, by: str) -> str:
     return unit if by == "1" else f"{unit}/({by})"
+
+
+@lru_cache(maxsize=256)
+def _unit_of_parameter(path: str) -> str:
+    return parameter(path).unit
 
 
 def names_of(given: str | Sequence[str], what: str) -> tuple[str, ...]:
@@ -172,7 +186,7 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
         If a name is unknown, the motion has no such event, or its contact is compliant.
     """
     quantities, paths = names_of(of, "of"), names_of(wrt, "wrt")
-    larger = carry(motion, paths)
+    larger = carry(motion, paths, edges=True)
     reads = [quantity(motion, name) for name in quantities]
     rated = [read(larger) for read in reads]
     values = np.array([each.value for each in rated])
@@ -182,31 +196,29 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
     if sides:
         smaller = carry(motion, [paths[k] for k in sides], -1.0)
         downward[:, sides] = np.array([read(smaller).rates for read in reads])
-    for k, path in enumerate(paths):
-        down, up = allowed_sides(motion.scenario, path)
+    at = [value_of(motion.scenario, path) for path in paths]
+    sided = [allowed_sides(motion.scenario, path, value) for path, value in zip(paths, at, strict=True)]
+    for k, (down, up) in enumerate(sided):
         if not down:
             downward[:, k] = np.nan
         if not up:
             upward[:, k] = np.nan
     same = np.abs(upward - downward) <= AGREE * np.maximum(np.abs(upward), np.abs(downward))
     derivatives = np.where(same, upward, np.nan)
-    reasons = tuple(
-        tuple(
-            "" if same[i, k] else _reason(motion, path, larger, k, upward[i, k], downward[i, k]) for k, path in enumerate(paths)
-        )
-        for i in range(len(quantities))
-    )
+    neither = (np.isnan(upward) & np.isnan(downward)).tolist()
+    reasons = [[""] * len(paths) for _ in quantities]
+    for k in np.flatnonzero(~same.all(axis=0)).tolist():
+        own = _reason(larger, k)
+        at_edge = not all(sided[k])
+        for i in np.flatnonzero(~same[:, k]).tolist():
+            reasons[i][k] = EDGE if at_edge and not neither[i][k] else own
     return Sensitivity(
-        motion.scenario, quantities, paths, values, np.array([value_of(motion.scenario, path) for path in paths]),
-        derivatives, downward, upward, reasons,
-        tuple(unit_of_quantity(name) for name in quantities), tuple(parameter(path).unit for path in paths),
+        motion.scenario, quantities, paths, values, np.array(at),
+        derivatives, downward, upward, tuple(map(tuple, reasons)),
+        tuple(unit_of_quantity(name) for name in quantities), tuple(_unit_of_parameter(path) for path in paths),
     )  # fmt: skip
 
 
-def _reason(motion: Motion, path: str, carried: Carried, k: int, upward: float, downward: float) -> str:
-    if not all(allowed_sides(motion.scenario, path)) and not (np.isnan(upward) and np.isnan(downward)):
-        return EDGE
+def _reason(carried: Carried, k: int) -> str:
     reason = int(carried.reasons[k])
-    if reason > 0:
-        return REASONS[Reason(reason)]
-    return SIDED
+    return REASONS[Reason(reason)] if reason > 0 else SIDED

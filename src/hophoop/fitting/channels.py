@@ -14,6 +14,26 @@ from hophoop.tracking.scatter import spread, third_differences
 Floats = NDArray[np.float64]
 
 
+LONGEST = 0.98  # correlation of errors from a frame to the next at most
+PLACE_ERROR = 0.01  # of a place in a film, by where in the picture it is: coding, background, sensor, lens [pixel]
+PATCH = 40.0  # how far the hoop goes until that is another one [pixel]
+
+
+class Lasting(NamedTuple):
+    """Errors of which a share fades from frame to frame: neighbours n frames apart correlate by share × fade^n."""
+
+    share: float
+    fade: float
+
+    @property
+    def frames(self) -> float:
+        """How many frames say as much as one would whose errors do not last [1]."""
+        return 1.0 + 2.0 * self.share * self.fade / (1.0 - self.fade)
+
+
+NONE = Lasting(0.0, 0.0)
+
+
 class Channel(NamedTuple):
     """One quantity that was measured."""
 
@@ -21,6 +41,7 @@ class Channel(NamedTuple):
     rows: NDArray[np.int64]  # of the track
     values: Floats
     errors: Floats
+    lasting: Lasting = NONE  # how its errors last, whatever the residuals say
 
 
 def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple[Channel, ...]:
@@ -62,10 +83,22 @@ def channels_of(track: Track, sigma: tuple[float | None, float | None]) -> tuple
         if not (np.isfinite(own) & (own > 0)).all():
             usual = scatter(t[rows], values[rows])
             own = np.where(np.isfinite(own) & (own > 0), own, usual)
-        result.append(Channel(name, rows, values[rows], own))
+        result.append(Channel(name, rows, values[rows], own, _by_place(track, name, float(np.median(own)))))
     if sum(len(channel.rows) for channel in result) < 12:
         raise InputError("The track knows the hoop in too few frames to fit anything.")
     return tuple(result)
+
+
+def _by_place(track: Track, name: str, error: float) -> Lasting:
+    """The share of a film's errors that goes with the place in the picture, and so lasts until the hoop is elsewhere."""
+    view = track.view
+    steps = np.hypot(*np.diff(track.pixel, axis=0).T)
+    if view is None or not np.isfinite(steps).any():
+        return NONE
+    size = PLACE_ERROR / view.scale
+    if name == "angle":
+        size /= track.radius * (view.marker_ratio if np.isfinite(view.marker_ratio) else 1.0)
+    return Lasting(min((size / error) ** 2, 1.0), min(float(np.exp(-np.nanmean(steps) / PATCH)), LONGEST))
 
 
 def scatter(t: Floats, values: Floats) -> float:

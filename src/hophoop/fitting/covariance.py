@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.fitting.channels import Channel
+from hophoop.fitting.channels import LONGEST, NONE, Channel, Lasting
 from hophoop.fitting.losses import influence, influence_slope
 from hophoop.fitting.problem import Problem
 
@@ -16,22 +14,6 @@ Floats = NDArray[np.float64]
 FEWEST = 30  # residuals of which the correlation of neighbours is taken
 CERTAIN = 3.0  # standard deviations from which it is believed
 FIRST = 5  # lags that tell whether there is any
-LONGEST = 0.98  # correlation from a frame to the next at most
-
-
-class Lasting(NamedTuple):
-    """Errors of which a share fades from frame to frame: neighbours n frames apart correlate by share × fade^n."""
-
-    share: float
-    fade: float
-
-    @property
-    def frames(self) -> float:
-        """How many frames say as much as one would whose errors do not last [1]."""
-        return 1.0 + 2.0 * self.share * self.fade / (1.0 - self.fade)
-
-
-NONE = Lasting(0.0, 0.0)
 
 
 def covariance_of(problem: Problem, jacobian: Floats, residuals: Floats, soft: bool) -> Floats:
@@ -87,14 +69,14 @@ def memories(problem: Problem, pulls: Floats) -> dict[str, Lasting]:
     Returns
     -------
     memories : dict of Lasting
-        By quantity; no share where they are not alike beyond what chance has, or fewer than 30 [1].
+        By quantity; where they are not alike beyond what chance has, or fewer than 30, what is known of the channel [1].
     """
     result, begin = {}, 0
     for channel in problem.channels:
         own = np.full(int(channel.rows[-1] - channel.rows[0]) + 1, np.nan)
         own[channel.rows - channel.rows[0]] = pulls[begin : begin + len(channel.rows)]
         begin += len(channel.rows)
-        result[channel.name] = _lasting(own)
+        result[channel.name] = max(_lasting(own), channel.lasting, key=lambda one: one.frames)
     return result
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ from hophoop.fitting.judging import WORDS, correlations, lacking, least_static_f
 from hophoop.fitting.limits import at_end, least_friction, one_sided
 from hophoop.fitting.losses import influence
 from hophoop.fitting.parameters import PARAMETERS, REFUSED, STARTS
-from hophoop.fitting.problem import Problem, defaults, problem_of
+from hophoop.fitting.problem import Problem, defaults, problem_of, shared_errors
 from hophoop.fitting.result import Fit
 from hophoop.fitting.solving import Choice, Solution, best_of, solve
 from hophoop.scenario import Hoop, InputError, Plane
@@ -48,7 +49,9 @@ def fit(
     fixed : dict, optional
         Parameters that are known, and their values [SI units].
     free : sequence of str, optional
-        Parameters to fit beside the usual ones: slope, scale, tilt, origin_y, row_delay, marker_angle, marker_ratio.
+        Parameters to fit beside the usual ones: rolling_resistance, slope, scale, tilt, origin_y, row_delay, marker_angle,
+        marker_ratio. Slope, scale, tilt and origin_y are fitted anyway where the track is of a film, within what the film says
+        of them; named here, the frames alone tell them.
     bounds : dict, optional
         Least and greatest values of parameters [SI units].
     tied : dict, optional
@@ -96,6 +99,9 @@ def fit(
     if start == "auto" and (kind := start_kind(problem)) != "rolling":
         problem = problem_of(track, hoop, kind, plane, (sigma, sigma_angle))
     choice = _choice(problem, track, fixed or {}, free, bounds or {}, tied or {})
+    # what was asked for is told by the frames alone
+    priors = {name: prior for name, prior in shared_errors(track).items() if name in choice.free and name not in free}
+    problem = replace(problem, priors=priors)
     found = guess(problem, choice.values)
     first = {name: found[name] if name in choice.free else value for name, value in choice.values.items()}
     if len(choice.free) >= problem.count:
@@ -115,6 +121,7 @@ def fit(
         "free": list(choice.free),
         "bounds": {name: list(limits) for name, limits in choice.bounds.items()},
         "tied": dict(choice.tied),
+        "priors": {name: list(prior) for name, prior in priors.items()},
     }
     return _told(problem, choice, solution, blind, track, settings)
 
@@ -171,8 +178,16 @@ def _told(
     motion = problem.motion(solution.values)
     letters = set(motion.sequence)
     slips, lands = bool(letters & {"S", "K"}), bool(motion.find("impact"))
+    there = {"restitution": lands, "mu_kinetic": slips, "mu_excess": slips}
     for name in blind:
         limits[name] = ("", float("nan"))
+        ends = choice.limits(name)
+        if there.get(name, True) and solution.values[name] in ends:
+            # what changes nothing at first, such as a restitution of 0, may do so further on
+            side = -1 if solution.values[name] == ends[0] else 1
+            limit = one_sided(problem, choice, solution, name, side, soft)
+            if limit != ends[0 if side > 0 else 1]:
+                limits[name] = ("≤" if side < 0 else "≥", limit)
     if not slips and {"mu_kinetic", "mu_excess"} & set(blind):
         least = least_static_friction(motion)
         if not choice.tied:
@@ -182,7 +197,7 @@ def _told(
     if not lands and "restitution" in blind:
         notes.append("There is no impact in the film, so that it says nothing about restitution.")
     for name in blind:
-        if name not in ("mu_kinetic", "mu_excess", "restitution"):
+        if name not in ("mu_kinetic", "mu_excess", "restitution") and not limits[name][0]:
             notes.append(f"The film says nothing about {name}.")
     pulls = influence(solution.residuals) if soft else solution.residuals
     for name, memory in memories(problem, pulls).items():
@@ -202,7 +217,7 @@ def _told(
         freedom,
         limits,
         shares(problem, solution, scale),
-        correlations(solution),
+        correlations(solution, set(problem.priors)),
         lacking(problem, motion, solution.residuals),
         tuple(notes),
         track,

@@ -287,7 +287,7 @@ def candidates(problem: Problem, first: dict[str, float], free: set[str], seed: 
             motion = problem.motion(values)
         except ValueError:
             continue
-        off = problem.distances(problem.places(motion, values))
+        off = problem.distances(problem.places(motion, values), values)
         # far off is far off: what matters is how much of the film agrees
         found.append(Candidate(values, motion.sequence, float(np.log1p(off**2).sum())))
     best: dict[str, list[Candidate]] = {}

@@ -39,15 +39,19 @@ def exact_slopes(problem: Problem, values: dict[str, float], names: tuple[str, .
         If there is no such motion.
     """
     motion = problem.motion(values)
-    result = np.full((problem.count, len(names)), np.nan)
+    measured = problem.count - len(problem.priors)
+    result = np.zeros((problem.count, len(names)))
     moved = [k for k, name in enumerate(names) if name in PATHS]
     if moved:
-        result[:, moved] = _of_motion(problem, motion, values, [PATHS[names[k]] for k in moved])
+        result[:measured, moved] = _of_motion(problem, motion, values, [PATHS[names[k]] for k in moved])
     other = [k for k in range(len(names)) if k not in moved]
     if other:
         places = problem.places(motion, values)
         for k in other:
-            result[:, k] = _of_camera(problem, motion, values, places, names[k])
+            result[:measured, k] = _of_camera(problem, motion, values, places, names[k])
+    for row, (name, prior) in enumerate(problem.priors.items(), measured):
+        if name in names:
+            result[row, names.index(name)] = -1.0 / prior.error
     return result
 
 

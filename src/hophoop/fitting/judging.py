@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from itertools import groupby
 from typing import Any
 
@@ -21,12 +22,14 @@ FEWEST = 16  # residuals of a phase that are tested
 DRAWS = 100
 
 
-def correlations(solution: Solution) -> list[tuple[str, str, float]]:
+def correlations(solution: Solution, known: Collection[str] = ()) -> list[tuple[str, str, float]]:
     """Pairs of parameters that the data can hardly tell apart, the strongest first.
 
     Parameters
     ----------
     solution : Solution
+    known : collection of str, optional
+        Parameters of which more is known than the data say; two of these are no pair.
 
     Returns
     -------
@@ -38,7 +41,10 @@ def correlations(solution: Solution) -> list[tuple[str, str, float]]:
         matrix = solution.covariance / np.outer(size, size)
     names = solution.free
     pairs = [
-        (names[i], names[j], float(matrix[i, j])) for i in range(len(names)) for j in range(i) if abs(matrix[i, j]) > CORRELATED
+        (names[i], names[j], float(matrix[i, j]))
+        for i in range(len(names))
+        for j in range(i)
+        if abs(matrix[i, j]) > CORRELATED and not {names[i], names[j]} <= set(known)
     ]
     return sorted(pairs, key=lambda pair: -abs(pair[2]))
 

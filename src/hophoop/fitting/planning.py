@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence, Set
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from hophoop.fitting.covariance import inverse
+from hophoop.fitting.guess import gathered
 from hophoop.fitting.judging import correlations, least_static_friction
+from hophoop.fitting.limits import at_end, one_sided
 from hophoop.fitting.parameters import PARAMETERS, REFUSED
-from hophoop.fitting.problem import Problem, defaults, problem_of
+from hophoop.fitting.problem import Prior, Problem, defaults, problem_of
 from hophoop.fitting.result import rounded
 from hophoop.fitting.solving import Choice, Solution, slopes, unseen
 from hophoop.scenario import InputError, Scenario
@@ -31,6 +33,8 @@ class Plan:
         The parameters of the motion [SI units].
     errors : dict of float
         Standard deviations that a fit would have [SI units].
+    limits : dict
+        Of each parameter at an end of its range "≤" or "≥", and how far it could be from it, at 95 % [its unit].
     unseen : tuple of str
         Parameters of which the film would say nothing.
     correlated : list
@@ -45,6 +49,7 @@ class Plan:
 
     values: dict[str, float]
     errors: dict[str, float]
+    limits: dict[str, tuple[str, float]]
     unseen: tuple[str, ...]
     correlated: list[tuple[str, str, float]]
     sequence: str
@@ -62,6 +67,9 @@ class Plan:
         for name, error in self.errors.items():
             unit = "" if PARAMETERS[name].unit == "1" else f" {PARAMETERS[name].unit}"
             result.append((name, rounded(self.values[name], error) + unit, PARAMETERS[name].meaning))
+        for name, (sign, limit) in self.limits.items():
+            unit = "" if PARAMETERS[name].unit == "1" else f" {PARAMETERS[name].unit}"
+            result.append((name, f"{sign} {limit:.2g}{unit}", PARAMETERS[name].meaning))
         result += [(name, "not seen", PARAMETERS[name].meaning) for name in self.unseen]
         if np.isfinite(self.least_static_friction):
             result.append(("mu_static", f"≥ {self.least_static_friction:.3g}", "static friction: the hoop never slips"))
@@ -74,7 +82,7 @@ class Plan:
         -------
         sentences : list of str
         """
-        said = [f"{self.frames} frames of the sequence {self.sequence}."]
+        said = [f"{self.frames} frames of the sequence {gathered(self.sequence)}."]
         said += [
             f"{first} and {second} could hardly be told apart (correlation {size:+.3f})."
             for first, second, size in self.correlated
@@ -90,6 +98,7 @@ def plan(
     free: Sequence[str] = (),
     fixed: Sequence[str] = (),
     hoop_known: bool = False,
+    sigma_scale: float = 1e-3,
 ) -> Plan:
     """The uncertainties that a fit to a film of a motion would have.
 
@@ -109,6 +118,9 @@ def plan(
         Parameters that are known.
     hoop_known : bool, default False
         Whether the hoop is known from its parts, so that only the contact and the start are fitted.
+    sigma_scale : float, default 1e-3
+        Standard deviation of the film's scale over the scale: the rim's radius in the picture is off by the same in all
+        frames, by 0.1 pixel of 100, say. With 0 the scale is known [1].
 
     Returns
     -------
@@ -131,6 +143,8 @@ def plan(
     for name, value in (("rate", rate), ("sigma", sigma), ("sigma_angle", 1.0 if sigma_angle is None else sigma_angle)):
         if not (np.isfinite(value) and value > 0):
             raise InputError(f"{name} = {value} must be a number above 0.")
+    if not (np.isfinite(sigma_scale) and sigma_scale >= 0):
+        raise InputError(f"sigma_scale = {sigma_scale} must be a number of at least 0.")
     motion = simulate(scenario)
     count = int(motion.duration * rate) + 1
     if not 12 <= count <= MOST_FRAMES:
@@ -145,17 +159,39 @@ def plan(
     for name in (*free, *fixed):
         if name in REFUSED or name not in problem.names:
             raise InputError(f"{name!r} is no parameter of this plan; it has {', '.join(problem.names)}.")
-    names = tuple(name for name in problem.names if (name in usual or name in free) and name not in fixed)
+    problem = replace(problem, priors=_shared(problem, sigma_scale, {*free, *fixed}))
+    chosen = {*usual, *free, *problem.priors} - set(fixed)
+    names = tuple(name for name in problem.names if name in chosen)
     choice = Choice(values, names, {}, {})
     blind = tuple(unseen(problem, choice))
-    seen = tuple(name for name in names if name not in blind)
-    jacobian = slopes(problem, choice, seen)
-    covariance = inverse(jacobian.T @ jacobian)
-    errors = {name: float(np.sqrt(covariance[k, k])) for k, name in enumerate(seen)}
-    solution = Solution(values, seen, covariance, 0.0, np.zeros(0))
+    seen = Choice(values, tuple(name for name in names if name not in blind), {}, {})
+    jacobian = slopes(problem, seen, seen.free)
+    whole = Solution(values, seen.free, inverse(jacobian.T @ jacobian), 0.0, np.zeros(0))
+    # at an end of its range a parameter has a limit and no spread, and its slope there may be next to nothing
+    ends = {name: side for name in seen.free if (side := at_end(seen, whole, name))}
+    inner = [k for k, name in enumerate(seen.free) if name not in ends]
+    covariance = inverse(jacobian[:, inner].T @ jacobian[:, inner])
+    solution = Solution(values, tuple(seen.free[k] for k in inner), covariance, 0.0, np.zeros(0))
+    errors = {name: float(np.sqrt(covariance[k, k])) for k, name in enumerate(solution.free)}
+    # what changes nothing at first, such as a restitution of 0, may do so further on
+    for name in blind:
+        if values[name] in choice.limits(name):
+            ends[name] = -1 if values[name] == choice.limits(name)[0] else 1
+    limits = {}
+    for name, side in ends.items():
+        limit = one_sided(problem, seen, whole, name, side, False)
+        if limit != seen.limits(name)[0 if side > 0 else 1]:  # else the data go with every value
+            limits[name] = ("≤" if side < 0 else "≥", limit)
+    blind = tuple(name for name in names if (name in blind or name in ends) and name not in limits)
     never = not set(motion.sequence) & {"S", "K"}
     least = least_static_friction(motion) if never else float("nan")
-    return Plan(values, errors, blind, correlations(solution), motion.sequence, count, least)
+    return Plan(values, errors, limits, blind, correlations(solution, set(problem.priors)), motion.sequence, count, least)
+
+
+def _shared(problem: Problem, sigma_scale: float, told: Set[str]) -> dict[str, Prior]:
+    """Priors of the scale and, since where that is off the plane is so too, R under the centre, of its height."""
+    priors = {"scale": Prior(1.0, sigma_scale), "origin_y": Prior(0.0, sigma_scale * problem.radius)} if sigma_scale else {}
+    return {name: prior for name, prior in priors.items() if name not in told}
 
 
 def _film(scenario: Scenario, t: np.ndarray, sigma: float, sigma_angle: float | None) -> Track:

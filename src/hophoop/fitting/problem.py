@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,13 @@ Floats = NDArray[np.float64]
 
 FAR = 1e4  # residual of a motion that cannot be, in standard deviations
 BEYOND = 1.0 + 1e-9  # by how much the motion is longer than the data
+
+
+class Prior(NamedTuple):
+    """What is known of a parameter beside the data of the frames."""
+
+    value: float  # [the parameter's unit]
+    error: float  # its standard deviation
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +50,8 @@ class Problem:
         A key of STARTS.
     plane : Plane
         Gravity and the law of impacts.
+    priors : mapping of str to Prior
+        What is known of parameters beside the channels; each counts as one more number that was measured.
     computed : list of int
         How many motions were computed so far [1].
     """
@@ -54,6 +64,7 @@ class Problem:
     general: bool
     start: str
     plane: Plane = field(default_factory=Plane)
+    priors: Mapping[str, Prior] = field(default_factory=dict)
     computed: list[int] = field(default_factory=lambda: [0])
 
     @property
@@ -68,7 +79,7 @@ class Problem:
     @property
     def count(self) -> int:
         """Numbers that were measured [1]."""
-        return sum(len(channel.values) for channel in self.channels)
+        return sum(len(channel.values) for channel in self.channels) + len(self.priors)
 
     @property
     def data(self) -> Floats:
@@ -209,15 +220,17 @@ class Problem:
             motion = self.motion(values)
         except ValueError:
             return np.full(self.count, FAR)
-        return self.distances(self.places(motion, values))
+        return self.distances(self.places(motion, values), values)
 
-    def distances(self, places: dict[str, Floats]) -> Floats:
-        """Data less places, in standard deviations.
+    def distances(self, places: dict[str, Floats], values: dict[str, float]) -> Floats:
+        """Data less places, and what is known of parameters less their values, in standard deviations.
 
         Parameters
         ----------
         places : dict of ndarray
             As `places` gives them [m or rad].
+        values : dict
+            All of `names`.
 
         Returns
         -------
@@ -225,6 +238,7 @@ class Problem:
             [1]
         """
         parts = [(channel.values - places[channel.name][channel.rows]) / channel.errors for channel in self.channels]
+        parts.append(np.array([(prior.value - values[name]) / prior.error for name, prior in self.priors.items()]))
         return np.nan_to_num(np.concatenate(parts), nan=FAR, posinf=FAR, neginf=-FAR)
 
 
@@ -273,6 +287,28 @@ def problem_of(track: Track, hoop: Hoop | str, start: str, plane: Plane, sigma: 
     )
 
 
+def shared_errors(track: Track) -> dict[str, Prior]:
+    """What a film says of its scale and its plane, which is off by the same in all frames.
+
+    The height of the centre over the plane is R in contact, so that where the scale is off, so is the plane.
+
+    Parameters
+    ----------
+    track : Track
+
+    Returns
+    -------
+    priors : dict of Prior
+        By parameter; none where the track is not of a film.
+    """
+    view, found = track.view, {}
+    if view is not None and track.placed:
+        height = float(np.hypot(view.height_error, view.scale_error * track.radius))
+        found = {"scale": Prior(1.0, view.scale_error), "origin_y": Prior(0.0, height), "tilt": Prior(0.0, view.rise_error)}
+        found["slope"] = Prior(track.slope, track.slope_error)
+    return {name: prior for name, prior in found.items() if np.isfinite(prior).all()}
+
+
 def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]]:
     """Values that parameters have before anything is fitted, and which of them are free unless said otherwise.
 
@@ -298,6 +334,7 @@ def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]
         values["marker_ratio"] = track.view.marker_ratio
     free = {name for name in problem.names if name in ("gamma", "eccentricity", "inertia_ratio", *STARTS[problem.start])}
     free |= {"mu_kinetic", "mu_excess", "restitution"}
+    free |= set(shared_errors(track))
     if not track.placed:
         free |= {"tilt", "origin_y"} & set(problem.names)
     if "x" not in measured and "marker_x" not in measured:

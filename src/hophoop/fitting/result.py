@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from html import escape
 from pathlib import Path
@@ -18,7 +18,7 @@ from hophoop.fitting.guess import gathered
 from hophoop.fitting.judging import WORDS
 from hophoop.fitting.parameters import PARAMETERS
 from hophoop.fitting.posterior import Posterior, posterior_from_dict
-from hophoop.fitting.problem import Problem, problem_of
+from hophoop.fitting.problem import Prior, Problem, problem_of
 from hophoop.fitting.solving import Choice
 from hophoop.scenario import Hoop, InputError, Plane, Scenario
 from hophoop.tracking import Track
@@ -61,7 +61,7 @@ class Fit:
     track : Track
         The data.
     settings : dict
-        How it was fitted: start, hoop, gravity, law, soft, sigma, sigma_angle, free, bounds, tied.
+        How it was fitted: start, hoop, gravity, law, soft, sigma, sigma_angle, free, bounds, tied, priors.
     calls : int
         How many motions were computed [1].
     posterior : Posterior or None
@@ -131,7 +131,8 @@ class Fit:
         how = self.settings
         hoop = Hoop(**how["hoop"]) if isinstance(how["hoop"], dict) else how["hoop"]
         plane = Plane(gravity=how["gravity"], impact_law=how["law"])
-        return problem_of(self.track, hoop, how["start"], plane, (how["sigma"], how["sigma_angle"]))
+        problem = problem_of(self.track, hoop, how["start"], plane, (how["sigma"], how["sigma_angle"]))
+        return replace(problem, priors={name: Prior(*pair) for name, pair in how.get("priors", {}).items()})
 
     @cached_property
     def choice(self) -> Choice:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop._extras import need
-from hophoop.fitting.covariance import Lasting, memories
+from hophoop.fitting.channels import Lasting
+from hophoop.fitting.covariance import memories
 from hophoop.fitting.guess import gathered
 from hophoop.fitting.losses import influence, soften
 from hophoop.fitting.posterior import Posterior

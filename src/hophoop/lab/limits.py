@@ -129,10 +129,7 @@ def within(scenario: Scenario, limits: Limits = USUAL) -> Scenario:
     if isinstance(scenario.contact, Compliant):
         steps = _steps(scenario, scenario.contact)
         if steps > limits.steps:
-            raise TooMuch(
-                f"contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of "
-                f"integration and must need at most {limits.steps:.0e} in the lab."
-            )
+            raise TooMuch(LAB["too_stiff"].format(steps=steps, most=limits.steps))
     if scenario.contact.max_events > limits.events:
         return scenario.replace("contact.max_events", limits.events)
     return scenario

@@ -16,6 +16,7 @@ from hophoop.lab.limits import Limits, TooMuch, turns_of, within
 from hophoop.maps.evaluate import CHUNK_CELLS
 from hophoop.scenario import Compliant, InputError, Rigid, Scenario, parameter
 from hophoop.scenario.base import Count, Frozen, Number, refuse
+from hophoop.scenario.paths import contradiction
 from hophoop.vocabulary.classes import class_color, class_text
 from hophoop.vocabulary.sentences import LAB
 
@@ -36,23 +37,25 @@ MAP_QUANTITIES: dict[str, tuple[str, str]] = {
 _one_at_a_time = threading.Lock()
 
 MAP_EVENTS = 2000
+COSTLY = ("duration", "radius", "gravity", "slope", "vx", "vy", "omega")  # what `turns_of` takes other values of
 FLIGHT_TURNS = 2000.0  # a longer flight costs no more: it is looked at near the plane only
 
 
-def _number_path(path: str) -> str:
+def number_path(path: str) -> str:
+    """Refuse a path that is none of a number."""
     try:
         known = parameter(path)
     except InputError as error:
         raise refuse(str(error)) from None
     if known.unit == "":
-        raise PydanticCustomError("value", "must be a number's path, not that of a word")
+        raise PydanticCustomError("value", LAB["number_path"])
     return path
 
 
 class Axis(Frozen):
     """One axis of a map."""
 
-    path: Annotated[str, AfterValidator(_number_path)] = Field(description="A parameter, such as plane.mu")
+    path: Annotated[str, AfterValidator(number_path)] = Field(description="A parameter, such as plane.mu")
     low: Number = Field(alias="from", description="Where it starts, in SI units")
     high: Number = Field(alias="to", description="Where it ends, in SI units")
     cells: Annotated[Count, Field(ge=1, le=4096)] = Field(48, description="How many cells")
@@ -130,7 +133,7 @@ def bounded(
     Raises
     ------
     ValueError
-        If its contact is compliant.
+        If its contact is compliant, or its axes say one thing in two ways.
     TooMuch
         If it would take too long.
     """
@@ -143,6 +146,8 @@ def bounded(
         base = base.replace("contact.max_events", MAP_EVENTS)
     values = {axis.path: axis.middles()[inside[axis.path]] for axis in (y, x)}
     _bounded(base, x, y, values, span, limits)
+    if pair := contradiction([y.path, x.path]):
+        raise InputError(LAB["two_axes"].format(one=pair[0], other=pair[1]))
     return base, inside, values
 
 
@@ -173,21 +178,16 @@ def _bounded(base: Scenario, x: Axis, y: Axis, values: dict[str, np.ndarray], sp
             given[path.rpartition(".")[2]] = cells
     if span == "first_revolution":  # a turn, and the flight after it
         speed = np.abs(given.get("vx", base.start.state(base.hoop).vx))
-        turns = 1.0 + np.minimum(speed**2 / (10.0 * base.plane.gravity * base.hoop.radius + 1e-300), FLIGHT_TURNS)
+        with np.errstate(over="ignore"):  # a flight without gravity has no end
+            flight = speed**2 / (10.0 * base.plane.gravity * base.hoop.radius + 1e-300)
+        turns = 1.0 + np.minimum(flight, FLIGHT_TURNS)
         total = float(np.sum(np.broadcast_to(turns, down.shape)))
     else:
-        known = {
-            key: cells for key, cells in given.items() if key in ("duration", "radius", "gravity", "slope", "vx", "vy", "omega")
-        }
+        known = {key: cells for key, cells in given.items() if key in COSTLY}
         each = turns_of(base, **known)
         if np.any(each > limits.turns):
             worst = float(np.max(each))
-            raise TooMuch(
-                f"A cell of this map is about {worst:.0e} revolutions and must be at most {limits.turns:.0e} in the lab."
-            )
+            raise TooMuch(LAB["cell_turns"].format(turns=worst, most=limits.turns))
         total = float(np.sum(np.broadcast_to(each, down.shape)))
     if total > limits.map_turns:
-        raise TooMuch(
-            f"x and y make {down.size} cells of about {total:.2g} revolutions in all, and must be at most "
-            f"{limits.map_turns:.0e} in the lab; take fewer cells, lower speeds or a shorter duration."
-        )
+        raise TooMuch(LAB["map_turns"].format(cells=down.size, turns=total, most=limits.map_turns))

@@ -49,7 +49,12 @@ def style() -> str:
 @cache
 def _assets() -> dict[str, tuple[bytes, str, str]]:
     """Name → content, type and tag."""
-    kinds = {".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8", ".svg": "image/svg+xml"}
+    kinds = {
+        ".js": "text/javascript; charset=utf-8",
+        ".css": "text/css; charset=utf-8",
+        ".svg": "image/svg+xml",
+        ".txt": "text/plain; charset=utf-8",
+    }
     found = {}
     for path, content in site_files().items():
         folder, _, name = path.rpartition("/")

@@ -21,13 +21,15 @@ from hophoop.scenario.paths import contradiction
 from hophoop.scenario.sentences import findings_sentence
 from hophoop.vocabulary.sentences import LAB
 
+WIDEST = 1e300  # what a window may hold: the difference of two such numbers is one as well
+
 
 def _among(names: Iterable[str]) -> Callable[[str], str]:
     known = tuple(names)
 
     def check(name: str) -> str:
         if name not in known:
-            raise PydanticCustomError("value", "must be one of {known}", {"known": ", ".join(known)})
+            raise PydanticCustomError("value", LAB["one_of"], {"known": ", ".join(known)})
         return name
 
     return check
@@ -48,14 +50,23 @@ def _pair(change: Any) -> Any:
 
 def _rising(window: tuple[float, float, float, float]) -> tuple[float, float, float, float]:
     left, right, bottom, top = window
-    if not (left < right and bottom < top and max(map(abs, window)) < 1e300):
-        raise PydanticCustomError("value", "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising")
+    if not (left < right and bottom < top and max(map(abs, window)) < WIDEST):
+        raise PydanticCustomError("value", LAB["window"])
     return window
 
 
-def _four(window: Any) -> Any:
-    if not (isinstance(window, list | tuple) and len(window) == 4):
-        raise PydanticCustomError("value", "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s]")
+def _of_length(length: int, sentence: str) -> Callable[[Any], Any]:
+    def check(numbers: Any) -> Any:
+        if not (isinstance(numbers, list | tuple) and len(numbers) == length):
+            raise PydanticCustomError("value", LAB[sentence])
+        return numbers
+
+    return check
+
+
+def _times(window: tuple[float, float]) -> tuple[float, float]:
+    if not 0.0 <= window[0] < window[1]:
+        raise PydanticCustomError("value", LAB["times"])
     return window
 
 
@@ -71,7 +82,8 @@ FileName = Annotated[
 ]
 Samples = Annotated[Count, Field(ge=0), AfterValidator(not_one)]
 Change = Annotated[tuple[str, Any], BeforeValidator(_pair)]
-Window = Annotated[tuple[Number, Number, Number, Number], BeforeValidator(_four), AfterValidator(_rising)]
+Window = Annotated[tuple[Number, Number, Number, Number], BeforeValidator(_of_length(4, "window")), AfterValidator(_rising)]
+Times = Annotated[tuple[Number, Number], BeforeValidator(_of_length(2, "times")), AfterValidator(_times)]
 
 
 class SetupRequest(Frozen):
@@ -114,7 +126,7 @@ class ScenarioRequest(Frozen):
             If it is.
         """
         if len(self.changes) > limits.changes:
-            raise TooMuch(f"changes has {len(self.changes)} pairs and must have at most {limits.changes} in the lab.")
+            raise TooMuch(LAB["too_many_changes"].format(pairs=len(self.changes), most=limits.changes))
 
 
 class SimulateRequest(ScenarioRequest):
@@ -135,16 +147,10 @@ class SimulateRequest(ScenarioRequest):
             raise TooMuch(f"samples = {self.samples} must be at most {limits.samples} in the lab.")
 
 
-def _times(window: tuple[float, float]) -> tuple[float, float]:
-    if not 0.0 <= window[0] < window[1]:
-        raise PydanticCustomError("value", "must be two times, from and to [s], rising from 0")
-    return window
-
-
 class SamplesRequest(ScenarioRequest):
     """Asks for a part of a motion, as densely as the player shows it."""
 
-    window: Annotated[tuple[Number, Number], AfterValidator(_times)] = Field(description="Times from and to [s]")
+    window: Times = Field(description="Times from and to [s]")
 
 
 class RegionsRequest(ScenarioRequest):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import html
 import json
 from functools import cache
 from importlib.resources import files
@@ -19,7 +20,7 @@ POLICY = (
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; "
     "media-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; base-uri 'none'; form-action 'none'"
 )
-STATIC = ("lab.js", "kernel.js", "motion_element.js", "embed.js", "style.css", "embed.css", "icon.svg")
+STATIC = ("lab.js", "kernel.js", "motion_element.js", "embed.js", "style.css", "embed.css", "icon.svg", "licences.txt")
 # Names that pages and embedding sites use; the others are as they are.
 NAMES = {"style.css": "lab.css", "motion_element.js": "hophoop-motion.js", "site.html": "index.html"}
 PAGES = ("site.html", "embed.html")
@@ -36,8 +37,13 @@ def packed_module() -> bytes:
     return gzip.compress((files("hophoop.module") / MODULE).read_bytes(), 9, mtime=0)
 
 
-def site_files() -> dict[str, bytes]:
+def site_files(docs: str = "") -> dict[str, bytes]:
     """The files of the site by their path.
+
+    Parameters
+    ----------
+    docs : str, default ''
+        Where the documentation is, for teachers: an address, or a path from the site; nowhere by default.
 
     Returns
     -------
@@ -48,7 +54,8 @@ def site_files() -> dict[str, bytes]:
     made[f"static/{MODULE}"] = (files("hophoop.module") / MODULE).read_bytes()
     for name in PAGES:
         page = static_bytes(name).replace(b"{policy}", POLICY.encode())
-        made[NAMES.get(name, name)] = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it
+        page = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it
+        made[NAMES.get(name, name)] = page.replace(b"<title>", _place_of(docs) + b"<title>", 1)
     made["manifest.webmanifest"] = json.dumps(_manifest(), ensure_ascii=False, indent=1).encode()
     digest = hashlib.sha256()
     for name, content in sorted(made.items()):
@@ -59,6 +66,13 @@ def site_files() -> dict[str, bytes]:
         worker.replace("{version}", digest.hexdigest()[:16]).replace('"{files}"', listed).encode()
     )  # fmt: skip
     return made
+
+
+def _place_of(docs: str) -> bytes:
+    """What tells the page where the documentation is."""
+    if not docs:
+        return b""
+    return f'<meta name="hophoop-docs" content="{html.escape(docs.rstrip("/"))}/">\n'.encode()
 
 
 def _manifest() -> dict[str, object]:
@@ -74,13 +88,15 @@ def _manifest() -> dict[str, object]:
     }
 
 
-def export(folder: Path) -> list[Path]:
+def export(folder: Path, docs: str = "") -> list[Path]:
     """Write the lab as a folder of files.
 
     Parameters
     ----------
     folder : Path
         A new one, an empty one, or one that holds an earlier export.
+    docs : str, default ''
+        Where the documentation is, for teachers: an address, or a path from the folder; nowhere by default.
 
     Returns
     -------
@@ -93,7 +109,7 @@ def export(folder: Path) -> list[Path]:
     OSError
         If it cannot be written.
     """
-    made = site_files()
+    made = site_files(docs)
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--export {folder} must be a folder.")
     if folder.is_dir() and any(folder.iterdir()) and not (folder / "service-worker.js").is_file():

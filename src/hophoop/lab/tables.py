@@ -16,15 +16,17 @@ from pydantic import AfterValidator, BeforeValidator
 from pydantic.fields import FieldInfo
 
 from hophoop.export import SCHEMA
+from hophoop.lab.calls import CALLS
 from hophoop.lab.files import SAMPLES_PER_SECOND
 from hophoop.lab.film import SHOWN
 from hophoop.lab.limits import USUAL
-from hophoop.lab.motion_map import MAP_EVENTS, MAP_QUANTITIES
+from hophoop.lab.motion_map import FLIGHT_TURNS, MAP_EVENTS, MAP_QUANTITIES, Axis, number_path
+from hophoop.lab.requests import WIDEST, RegionsRequest
 from hophoop.lab.setup import setup
 from hophoop.maps import QUANTITIES
 from hophoop.maps.kernel import CELL
 from hophoop.physics.body import MODE_LETTERS, ImpactLaw
-from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, paths
+from hophoop.scenario import Compliant, Disk, Hoop, Plane, PointMass, Rigid, Ring, Rod, Scenario, Start, base, parameter, paths
 from hophoop.scenario.base import Frozen
 from hophoop.scenario.parts import TOUCH
 from hophoop.scenario.paths import ENDS
@@ -40,6 +42,7 @@ _KINDS = {base._number: "number", base._friction: "friction", base._whole: "whol
 # Attributes of an annotation, and pydantic's names for what they forbid.
 _LIMITS = {"gt": "greater_than", "ge": "greater_than_equal", "lt": "less_than", "le": "less_than_equal"}
 _PARTS = (Ring, Disk, PointMass, Rod)
+_BOUNDS = ("duration", "events", "parts", "samples", "cells", "turns", "map_turns", "steps", "changes")
 
 
 def tables() -> dict[str, Any]:
@@ -79,13 +82,20 @@ def tables() -> dict[str, Any]:
             "cell": CELL,
             "laws": {law.name.lower(): int(law) for law in ImpactLaw},
             "events": MAP_EVENTS,
+            "flight_turns": FLIGHT_TURNS,
+            # what a cell may hold, and what is no number
+            "allowed": {path: _range(allowed) for path, allowed in RANGES.items()},
+            "words": [path for path in paths() if parameter(path).unit == ""],
             "quantities": {
                 name: {"label": label, "span": span, "unit": QUANTITIES[name].unit, "words": QUANTITIES[name].words}
                 for name, (label, span) in MAP_QUANTITIES.items()
             },
         },
         "lab": LAB,
-        "limits": {name: getattr(USUAL, name) for name in ("duration", "events", "parts", "samples", "cells")},
+        "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
+        # what a call takes
+        "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},
+        "regions": {"widest": WIDEST, "usual": list(RegionsRequest.model_fields["window"].default)},
         "table": {"rate": SAMPLES_PER_SECOND, "variables": {name: unit for name, (unit, _) in VARIABLES.items()}},
         "shown": SHOWN,
     }
@@ -100,7 +110,7 @@ def _scenario() -> dict[str, Any]:
         "start": [Start],
         "contact": [Rigid, Compliant],
     }
-    described = (Scenario, Hoop, Plane, Start, Rigid, Compliant, *_PARTS)
+    described = (Scenario, Hoop, Plane, Start, Rigid, Compliant, *_PARTS, Axis)
     shown = {"hoop.mass": "kg", "hoop.inertia_ratio": "", "plane.slope": "rad"}
     return {
         "sections": {name: [model.__name__ for model in models] for name, models in sections.items()},
@@ -121,7 +131,7 @@ def _scenario() -> dict[str, Any]:
 
 
 def _fields(model: type[Frozen]) -> dict[str, dict[str, Any]]:
-    return {name: _field(field) for name, field in model.model_fields.items()}
+    return {field.alias or name: _field(field) for name, field in model.model_fields.items()}
 
 
 def _field(field: FieldInfo) -> dict[str, Any]:
@@ -137,6 +147,8 @@ def _field(field: FieldInfo) -> dict[str, Any]:
     for item in metadata:
         if isinstance(item, BeforeValidator) and item.func in _KINDS:
             made["kind"] = _KINDS[item.func]
+        elif isinstance(item, AfterValidator) and item.func is number_path:
+            made["kind"] = "number_path"
         elif isinstance(item, AfterValidator) and isinstance(inside := getattr(item.func, "__self__", None), Inside):
             made["range"] = _range(inside.allowed, inside.unit)
         else:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hophoop._jit import inline_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit, lean_jit
 from hophoop.numerics.collocation import NODES, ORDER, antiderivative
 from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import SMALL, small_turn_deficits, turn, versine_of
@@ -21,7 +21,8 @@ WIDEST = 0.9  # rad
 LEVELS = 96  # widths WIDEST · 2^(−k/2)
 WIDTHS = WIDEST * 0.5 ** (np.arange(LEVELS) / 2)
 _offsets = WIDTHS[:, None] * (1.0 + NODES[None, :]) / 2
-SINES = np.sin(_offsets)
+SINES = np.sin(_offsets)[None] * np.array([-1.0, 1.0])[:, None, None]  # backwards and forwards
+HALVES = np.repeat(WIDTHS[:, None] / 2, ORDER, axis=1)
 VERSINES = 2.0 * np.sin(_offsets / 2) ** 2
 FAR_SINES = np.sin(WIDTHS)
 FAR_VERSINES = 2.0 * np.sin(WIDTHS / 2) ** 2
@@ -74,6 +75,22 @@ class Totals(NamedTuple):
 
 
 @inline_jit
+def rows_are_known(work):
+    """Always true; a compiler that has seen it knows how far the rows are apart, and takes several nodes at a time."""
+    return work.shape[1] == ORDER
+
+
+@apart_jit
+def fill_narrow(way, half, sines, versines, stretch):
+    """`fill_geometry` of panels narrower than the tables go."""
+    for i in range(ORDER):
+        offset = half * (1.0 + NODES[i])
+        sines[i] = way * offset
+        versines[i] = 0.5 * offset * offset
+        stretch[i] = half
+
+
+@inline_jit
 def fill_geometry(panel, work):
     """Rows A and B: sin φ and 1 − cos φ of φ = θ − θ_ref at the nodes; STRETCH: abs(dθ/dξ)."""
     sines = work[A]
@@ -81,20 +98,19 @@ def fill_geometry(panel, work):
     stretch = work[STRETCH]
     if panel.kind == LINEAR:
         way = panel.way
-        half = 0.5 * panel.extent
         if panel.level >= LEVELS:
-            for i in range(ORDER):
-                offset = half * (1.0 + NODES[i])
-                sines[i] = way * offset
-                versines[i] = 0.5 * offset * offset
-                stretch[i] = half
+            fill_narrow(way, 0.5 * panel.extent, sines, versines, stretch)
             return
-        table = SINES[panel.level]
+        # one loop a row: each becomes a single move of memory, and what reads the row next need not wait for its parts
+        table = SINES[1 if way > 0.0 else 0, panel.level]
         other = VERSINES[panel.level]
+        halves = HALVES[panel.level]
         for i in range(ORDER):
-            sines[i] = way * table[i]
+            sines[i] = table[i]
+        for i in range(ORDER):
             versines[i] = other[i]
-            stretch[i] = half
+        for i in range(ORDER):
+            stretch[i] = halves[i]
         return
     way = panel.way
     mirrored = 1.0

@@ -22,6 +22,7 @@ from hophoop.panels.panel import (
     angle_at,
     chord,
     fill_geometry,
+    rows_are_known,
 )
 from hophoop.physics.contact import cone_weights, inertia_at_height, load_height, rolling_forces
 
@@ -53,6 +54,8 @@ def solve_roll(body, panel, work):
 
     The row A holds D θ̇², which is smooth also where it turns negative beyond a turning point.
     """
+    if not rows_are_known(work):
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     fill_geometry(panel, work)
     s0 = panel.sine
     c0 = panel.cosine
@@ -77,8 +80,7 @@ def solve_roll(body, panel, work):
         cosines[i] = c0 + dc
         energies[i] = energy
         us[i] = u
-    for i in range(ORDER):
-        rates[i] = stretch[i] / math.sqrt(max(us[i], 0.0))  # infinite beyond a turning point
+        rates[i] = stretch[i] / math.sqrt(u if u > 0.0 else 0.0)  # infinite beyond a turning point
     size = tail(rates, 0.0)
     if not size <= RESOLVED:
         return Totals(size, 0.0, us[ORDER - 1], 0.0, 0.0, math.nan, 0.0)

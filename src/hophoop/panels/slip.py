@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit
-from hophoop.numerics.collocation import ORDER, antiderivative, exponentials, integrals, remainders, tail, total
+from hophoop.numerics.collocation import ORDER, antiderivative, exponentials, integrals, remainders, smallest, tail, total
 from hophoop.numerics.trigonometry import rotated
 from hophoop.panels.panel import (
     ARM,
@@ -27,6 +27,7 @@ from hophoop.panels.panel import (
     Totals,
     U,
     fill_geometry,
+    rows_are_known,
 )
 from hophoop.physics.contact import contact_arms
 
@@ -59,6 +60,8 @@ def solve_slip(body, panel, work):
 
     Where the panel reaches beyond a turning point only the row U is meaningful, and the tail is infinite.
     """
+    if not rows_are_known(work):
+        return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
     fill_geometry(panel, work)
     sigma = panel.sigma
     s0 = panel.sine
@@ -78,7 +81,6 @@ def solve_slip(body, panel, work):
     height0 = contact_arms(body, s0, c0)[0]
     arm0 = panel.arm
     stiffness0 = panel.stiffness
-    lowest = math.inf
     for i in range(ORDER):
         # as changes from `ref`: near p_σ = 0 rounding would else be all that the panel shows
         ds, dc = rotated(s0, c0, damping[i], drive[i])
@@ -87,7 +89,6 @@ def solve_slip(body, panel, work):
         turned = eps * (ds + signed_mu * dc)
         arm = arm0 + turned
         stiffness = stiffness0 + eps * (ds * arm + s0 * turned)
-        lowest = min(lowest, stiffness)
         share = 2.0 * arm / stiffness * stretch[i]
         sines[i] = s
         cosines[i] = c
@@ -96,9 +97,9 @@ def solve_slip(body, panel, work):
         stiffnesses[i] = stiffness
         damping[i] = -eps * c * share
         drive[i] = body.gn * share
-    if not lowest > 0.0:
+    least = smallest(stiffnesses)
+    if not least > 0.0:
         return Totals(math.inf, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
-    least = lowest
     size = tail(damping, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
@@ -108,14 +109,11 @@ def solve_slip(body, panel, work):
         drive[i] /= growth[i]
     driven = from_reference(panel, drive, integral)
     us = work[U]
-    lowest = math.inf
     for i in range(ORDER):
-        u = growth[i] * (panel.u + integral[i])
-        lowest = min(lowest, u)
-        us[i] = u
+        us[i] = growth[i] * (panel.u + integral[i])
     growth_far = math.exp(exponent)
     u_far = growth_far * (panel.u + driven)
-    if not (lowest > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
+    if not (smallest(us) > 0.0 and (panel.kind == ARRIVE or u_far > 0.0)):
         return Totals(math.inf, 0.0, u_far, 0.0, 0.0, growth_far, 0.0)
     rates = work[RATE]
     normals = work[NORMAL]

@@ -57,7 +57,10 @@ def shown_words(sample: Sample) -> NDArray[np.str_]:
 
 
 def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> Sample:
-    """The motion sampled densely, each event's instant from the left and from the right."""
+    """The motion sampled densely, each event's instant from the left and from the right.
+
+    In the instant of a jam, where the force is without bound, it has no value.
+    """
     end = motion.duration if end is None else min(end, motion.duration)
     unit = time_unit(motion.scenario.hoop, motion.scenario.plane)
     count = int(min(MOST, max(FEWEST, DENSITY * (end - start) / unit)))
@@ -69,6 +72,9 @@ def curve(motion: Trajectory, start: float = 0.0, end: float | None = None) -> S
     columns = {
         field.name: np.concatenate([getattr(before, field.name), getattr(after, field.name)])[order] for field in fields(Sample)
     }
+    if motion.status == "jammed":
+        for name in ("normal_force", "friction_force"):
+            columns[name] = np.where(columns["t"] < motion.duration, columns[name], np.nan)
     return Sample(**columns)
 
 

@@ -15,7 +15,7 @@ from hophoop.maps import Border, words_of
 from hophoop.maps.axes import ordered
 from hophoop.maps.cells import make_cells
 from hophoop.maps.kernel import CELL
-from hophoop.plots.style import SMALL, new_axes
+from hophoop.plots.style import ON_COLOR, SMALL, new_axes
 from hophoop.scenario import Hoop, InputError, Scenario, describe
 from hophoop.vocabulary import colors
 from hophoop.vocabulary.classes import class_color
@@ -29,7 +29,7 @@ else:
 
 SIZE = (8.2, 5.4)
 LABELLED = 0.012  # share of the map from which on a region gets its name written into it
-NOT_ALLOWED_COLOR = "#FFFFFF"
+NOT_ALLOWED_COLOR = "#FFFFFF00"  # the page shows through
 
 
 def motion_map(
@@ -87,7 +87,7 @@ def motion_map(
         raise InputError("the map's axes must be numbers.")
     ax = new_axes(ax, SIZE)
     if "flag_meanings" in array.attrs:
-        _classes(ax, quantity, x, y, array.values, words_of(array), most, names)
+        _classes(ax, quantity, x, y, array.values, words_of(array), most)
     else:
         _field(ax, x, y, array)
     for border in borders:
@@ -98,6 +98,8 @@ def motion_map(
             getattr(ax, f"set_{axis.axis_name}scale")("log")
     ax.set_xlim(x[0], x[-1])
     ax.set_ylim(y[0], y[-1])
+    if names and "flag_meanings" in array.attrs:
+        _names(ax, quantity, x, y, array.values, words_of(array))
     if painleve:
         _painleve(ax, dataset, x, y)
     title = _title(dataset, (up, across))
@@ -131,7 +133,7 @@ def _mesh(ax: Axes, x: Any, y: Any, values: Any, **options: Any) -> Any:
     return ax.pcolormesh(x, y, values, shading="nearest", rasterized=True, **options)
 
 
-def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int, names: bool) -> None:
+def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str], most: int) -> None:
     matplotlib_colors = need("matplotlib.colors", "plots")
     paint = [class_color(word, quantity) for word in words]
     scale = matplotlib_colors.ListedColormap([NOT_ALLOWED_COLOR, *paint])
@@ -140,10 +142,6 @@ def _classes(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words
     shares = counts / codes.size
     order = [int(k) for k in np.argsort(-shares, kind="stable") if counts[k]]
     _legend(ax, [(words[k], paint[k], float(shares[k])) for k in order], most, bool((codes < 0).any()))
-    if names:
-        for k in order:
-            if shares[k] >= LABELLED:
-                _name(ax, x, y, codes == k, words[k], paint[k])
 
 
 def _legend(ax: Axes, entries: list[tuple[str, str, float]], most: int, outside: bool) -> None:
@@ -160,10 +158,12 @@ def _legend(ax: Axes, entries: list[tuple[str, str, float]], most: int, outside:
         handles.append(patch(facecolor="none", label=f"{len(rest)} more, together {_percent(together)}"))
     if outside:
         handles.append(patch(facecolor="white", edgecolor="black", linewidth=0.4, label="not allowed"))
-    ax.legend(
+    legend = ax.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.01), frameon=False, fontsize=SMALL,
         handlelength=1.3, handleheight=1.1, labelspacing=0.35, borderaxespad=0.0,
     )  # fmt: skip
+    for drawn, (name, _, _) in zip(legend.get_patches(), shown, strict=False):
+        drawn.set_gid(f"{ON_COLOR}-legend-{name}")  # the colour of its region, on every page
 
 
 def _percent(share: float) -> str:
@@ -171,16 +171,26 @@ def _percent(share: float) -> str:
     return f"{percent:.1f} %" if percent >= 0.1 else (f"{percent:.2g} %" if percent >= 0.01 else "< 0.01 %")
 
 
+def _names(ax: Axes, quantity: str, x: Any, y: Any, codes: NDArray[Any], words: list[str]) -> None:
+    for k, word in enumerate(words):
+        if np.mean(codes == k) >= LABELLED:
+            _name(ax, x, y, codes == k, word, class_color(word, quantity))
+
+
 def _name(ax: Axes, x: Any, y: Any, mask: NDArray[np.bool_], word: str, color: str) -> None:
-    """The class's name where its region is widest, if there is room."""
+    """The class's name where its region is widest, if the picture has room there: its axes need not be even."""
     depth = _depth(mask)
     i, j = np.unravel_index(int(np.argmax(depth)), depth.shape)
+    reach = int(depth[i, j])
+    rows, columns = (np.clip([k - reach, k + reach], 0, n - 1) for k, n in ((i, y.size), (j, x.size)))
+    corners = (ax.transData + ax.transAxes.inverted()).transform(np.stack([x[columns], y[rows]], axis=-1))
+    wide, high = np.abs(corners[1] - corners[0])
     # a letter is about 1.3 % of the picture's width, and half as deep again
-    if 2.0 * depth[i, j] / mask.shape[1] < 0.013 * len(word) * 0.8 or 2.0 * depth[i, j] / mask.shape[0] < 0.035:
+    if wide < 0.013 * len(word) * 0.8 or high < 0.035:
         return
     red, green, blue = need("matplotlib.colors", "plots").to_rgb(color)
     ink = "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else "black"
-    ax.text(x[j], y[i], word, ha="center", va="center", fontsize=SMALL, color=ink)
+    ax.text(x[j], y[i], word, ha="center", va="center", fontsize=SMALL, color=ink, gid=f"{ON_COLOR}-{word}")
 
 
 def _depth(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
@@ -199,6 +209,7 @@ def _depth(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
 def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
     values = array.values.astype(float)
     ax.set_facecolor(colors.LIGHT_GRAY)
+    ax.patch.set_gid(f"{ON_COLOR}-ground")
     mesh = _mesh(ax, x, y, np.ma.masked_invalid(values), cmap="viridis")
     unit = array.attrs.get("units", "1")
     label = array.attrs.get("long_name", array.name)
@@ -207,28 +218,33 @@ def _field(ax: Axes, x: Any, y: Any, array: Any) -> None:
     bar.outline.set_visible(False)
     if np.isnan(values).any():
         patch = need("matplotlib.patches", "plots").Patch(facecolor=colors.LIGHT_GRAY, label="none")
-        ax.legend(handles=[patch], loc="upper left", fontsize=SMALL, framealpha=0.85, edgecolor="none")
+        legend = ax.legend(handles=[patch], loc="upper left", fontsize=SMALL, framealpha=0.85, edgecolor="none")
+        legend.set_gid(f"{ON_COLOR}-none")
 
 
 def _border(ax: Axes, border: Border, across: str) -> None:
     first, second = (border.x, border.y) if border.window.x == across else (border.y, border.x)
-    ax.plot(first, second, color="black", lw=0.7, solid_capstyle="round", zorder=3)
+    name = f"{ON_COLOR}-border-{len(ax.get_lines())}"
+    ax.plot(first, second, color="black", lw=0.7, solid_capstyle="round", zorder=3, gid=name)
 
 
 def _painleve(ax: Axes, dataset: Any, x: Any, y: Any) -> None:
     excess = _painleve_excess(dataset)
     if excess is not None and (excess > 0).any() and (excess < 0).any():
         line = ax.contour(x, y, excess, levels=[0.0], colors="black", linewidths=1.1, linestyles="dashed", zorder=4)
+        line.set_gid(f"{ON_COLOR}-painleve")
         halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
         place = _free_place(ax, np.concatenate([path.vertices for path in line.get_paths()]))
         for text in ax.clabel(line, fmt={0.0: "Painlevé"}, fontsize=SMALL, inline_spacing=6, manual=[place]):
             text.set_path_effects([halo])
+            text.set_gid(f"{ON_COLOR}-painleve-name")
     if "painleve" in dataset:
         met = dataset["painleve"].values == 1
         if met.any():
             hatched = ax.contourf(x, y, met.astype(float), levels=[0.5, 1.5], colors="none", hatches=["////"], zorder=4)
             hatched.set_edgecolor((0.0, 0.0, 0.0, 0.55))
             hatched.set_linewidth(0.0)
+            hatched.set_gid(f"{ON_COLOR}-paradox")
 
 
 def _free_place(ax: Axes, points: NDArray[np.float64]) -> tuple[float, float]:

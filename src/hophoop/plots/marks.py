@@ -140,10 +140,14 @@ def _draw(ax: Axes, cluster: Cluster, low: float, point: float, width: float) ->
     transform = ax.get_xaxis_transform()
     style: dict[str, Any] = {"color": colors.BLACK, "transform": transform, "clip_on": False, "zorder": 5}
     across = [low + point * place for place in cluster.places]
+    alone = list(zip(across, cluster.kinds, strict=True))
     if cluster.dense:
-        ax.plot([across[0], across[-1]], [LEVEL, LEVEL], "-|", ms=6, lw=1.4, **style)
-    else:
-        for place, kind in zip(across, cluster.kinds, strict=True):
-            ax.plot([place], [LEVEL], MARKED[kind], ms=MARKER, **style)
+        # the line spans what the label counts: the rise before the first impact of a row is no part of it
+        row = [place for place, kind in alone if kind == "impact"]
+        first, last = (row[0], row[-1]) if len(row) > 1 else (across[0], across[-1])
+        ax.plot([first, last], [LEVEL, LEVEL], "-|", ms=6, lw=1.4, **style)
+        alone = [(place, kind) for place, kind in alone if not first - MARKER * point < place < last + MARKER * point]
+    for place, kind in alone:
+        ax.plot([place], [LEVEL], MARKED[kind], ms=MARKER, **style)
     middle = low + point * center_of_label(cluster, width)
     ax.text(middle, ABOVE, cluster.words, transform=transform, ha="center", va="bottom", fontsize=FONT)

@@ -10,7 +10,7 @@ import numpy as np
 from hophoop._extras import need
 from hophoop.plots.curves import curve
 from hophoop.plots.path import _ground
-from hophoop.plots.style import new_axes
+from hophoop.plots.style import ON_PAPER, new_axes
 from hophoop.poses import Floats, Poses, poses_of, rim_speeds, times_at_turn, turned_at
 from hophoop.trajectory import Trajectory
 from hophoop.vocabulary import colors, labels
@@ -79,9 +79,12 @@ def strobe(
     low, high = way.center.min(axis=0) - 1.25 * radius, way.center.max(axis=0) + 1.25 * radius
     if slope == 0.0:
         low[1] = -0.3 * radius
+    else:  # the plane below the lowest hoop
+        low[1] = min(low[1], -max(low[0] * math.tan(slope), high[0] * math.tan(slope)) - 0.1 * radius)
     height = WIDTH * (high[1] - low[1]) / (high[0] - low[0]) + (1.6 if color == "speed" else 1.1)
     ax = new_axes(ax, (WIDTH, float(np.clip(height, 2.4, 9.0))))
     _ground(ax, slope, float(low[0]), float(high[0]), radius)
+    ax.set_gid(ON_PAPER)
     ax.set_aspect("equal")
     ax.set_xlim(low[0], high[0])
     ax.set_ylim(low[1], high[1])
@@ -91,10 +94,9 @@ def strobe(
         ax.spines[side].set_visible(False)
     _draw_hoops(ax, motion, flashes, color)
     _draw_traces(ax, way)
-    if forces:
-        _draw_forces(ax, motion, flashes)
+    greatest = _draw_forces(ax, motion, flashes) if forces else None
     _say_times(ax, flashes, radius, float(high[0] - low[0]))
-    _legend(ax, flashes, color)
+    _legend(ax, flashes, color, greatest)
     return ax
 
 
@@ -185,7 +187,8 @@ def _draw_traces(ax: Axes, way: Poses) -> None:
         ax.plot(line[:, 0], line[:, 1], color=ink, lw=width, ls=dashes, zorder=6)
 
 
-def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> None:
+def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> float:
+    """Arrows at the contact; returns the force of the longest one [N]."""
     hoop = motion.scenario.hoop
     greatest = max(float(np.hypot(*flashes.normal_force.T).max()), hoop.mass * motion.scenario.plane.gravity)
     scale = 1.2 * hoop.radius / (greatest or 1.0)
@@ -197,10 +200,12 @@ def _draw_forces(ax: Axes, motion: Trajectory, flashes: Poses) -> None:
             flashes.contact[:, 0], flashes.contact[:, 1], scale * force[:, 0], scale * force[:, 1], color=ink,
             angles="xy", scale_units="xy", scale=1.0, width=0.0035, zorder=8,
         )  # fmt: skip
+    return greatest
 
 
 def _say_times(ax: Axes, flashes: Poses, radius: float, width: float) -> None:
     """The time over each hoop, as far as there is room."""
+    halo = need("matplotlib.patheffects", "plots").withStroke(linewidth=2.5, foreground="white")
     room = 0.055 * width
     last = -math.inf
     digits = max(0, min(4, -math.floor(math.log10(max(float(np.diff(flashes.t).min(initial=1.0)), 1e-9)))))
@@ -219,11 +224,12 @@ def _say_times(ax: Axes, flashes: Poses, radius: float, width: float) -> None:
             va="bottom",
             fontsize=8,
             color=colors.GRAY,
+            path_effects=[halo],
             zorder=9,
         )
 
 
-def _legend(ax: Axes, flashes: Poses, color: str) -> None:
+def _legend(ax: Axes, flashes: Poses, color: str, greatest: float | None) -> None:
     line = need("matplotlib.lines", "plots").Line2D
     handles = [
         line([], [], color=colors.LOAD, lw=1.1, marker="o", ms=5, label="load"),
@@ -238,7 +244,14 @@ def _legend(ax: Axes, flashes: Poses, color: str) -> None:
             line([], [], color=colors.mode_color(word), lw=0, marker="o", ms=9, mfc="none", mew=2, label=word)
             for word in words
         ]  # fmt: skip
+    if greatest is not None:
+        for ink, label in (
+            (colors.NORMAL_FORCE, f"normal force, to {greatest:.3g} N"),
+            (colors.FRICTION_FORCE, "friction, to the same scale"),
+        ):
+            handles.append(line([], [], color=ink, lw=2.0, marker=">", ms=6, label=label))
+    rows = 1 if len(handles) <= 7 else 2
     ax.legend(
-        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=len(handles), frameon=False,
+        handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=-(-len(handles) // rows), frameon=False,
         fontsize=9, handlelength=2.2, columnspacing=1.4,
     )  # fmt: skip

@@ -23,6 +23,7 @@ SIZE = (7.2, 4.0)
 LINE = 1.8
 SMALL = 8.5
 ON_COLOR = "on-color"  # id of what lies on a colour and keeps its ink where a page is dark
+ON_PAPER = "on-paper"  # id of axes whose colours fade into white paper, so that the whole picture keeps it
 
 
 def new_axes(ax: Axes | None, size: tuple[float, float] = SIZE) -> Axes:

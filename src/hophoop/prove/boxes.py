@@ -8,6 +8,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from hophoop.physics.body import MODE_LETTERS, Mode
 from hophoop.precise.problem import Problem
@@ -104,6 +105,24 @@ class ProvedMap:
         sequences : list of str
         """
         return sorted({cell.sequence for cell in self.cells if cell.proved}, key=self.share, reverse=True)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The boxes as JSON.
+
+        Returns
+        -------
+        result : dict
+            Shares of the window [1] and the boxes, with least and greatest values [SI units].
+        """
+        return {
+            "share": self.share(),
+            "sequences": {sequence: self.share(sequence) for sequence in self.sequences()},
+            "cells": [
+                {"ranges": {path: list(ends) for path, ends in cell.ranges.items()}, "proved": cell.proved}
+                | ({"sequence": cell.sequence, "ending": cell.ending} if cell.proved else {"why": cell.why})
+                for cell in self.cells
+            ],
+        }
 
 
 def prove_box(scenario: Scenario, ranges: Ranges) -> Box:
@@ -203,6 +222,6 @@ def _check(ranges: Ranges) -> None:
         raise InputError("ranges = {} must name at least one parameter.")
     for path, (low, high) in ranges.items():
         if path not in FREE:
-            raise InputError(f"ranges has {path}, which must be one of {', '.join(FREE)}.")
+            raise InputError(f"ranges holds {path}, which must be one of {', '.join(FREE)}.")
         if not low < high:
             raise InputError(f"{path} = {low:g} to {high:g} must be a range with its least value first.")

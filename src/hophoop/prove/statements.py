@@ -14,7 +14,7 @@ from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Jet, arb, coefficients, order, pi, precision, series
 from hophoop.prove.extremes import highest
 from hophoop.prove.model import Model
-from hophoop.prove.proof import Proof, prove
+from hophoop.prove.proof import Proof, ProvedEvent, prove
 from hophoop.prove.search import exact
 from hophoop.prove.thresholds import Rolling, first_slip, needed_friction
 from hophoop.scenario import Hoop, Plane, Scenario, Start
@@ -147,8 +147,13 @@ def _of_motions() -> Iterator[tuple[str, str, bool]]:
     yield "landing", "After the landing there is pure rolling.", rolls
     again = rolls and any(event.kind == "slip_start" for event in proof.events[impact:])
     yield "landing_slips", "After the landing there is slip again within 3 s of the start.", again
+    yield from _of_energies(proof)
     flight = [event.omega for event in proof.events if event.kind in ("takeoff", "apex")]
     yield "constant_rotation", "In flight the angular velocity is constant.", len(flight) == 2 and flight[0] == flight[1]
+    yield (
+        "massless_slips", "Hoops with γ = 0.9 on μ = 1 and γ = 0.99 on μ = 10 and 100 slip before the load is down.",
+        all(_slips_on_the_way_down(gamma, mu) for gamma, mu in ((0.9, 1.0), (0.99, 10.0), (0.99, 100.0))),
+    )  # fmt: skip
     proof = prove(_scenario(0.1, 0.3, 6.0), DIGITS)
     turns = [event for event in proof.events if event.kind == "turn"]
     highest_angle = max(
@@ -162,3 +167,38 @@ def _of_motions() -> Iterator[tuple[str, str, bool]]:
     )
     slips = sum(event.kind == "slip_start" for event in proof.events)
     yield "low_friction_slips", "With that friction it slips at least three times in 6 s.", proof.proved and slips >= 3
+
+
+def _slips_on_the_way_down(gamma: float, mu: float) -> bool:
+    scenario = _scenario(0.1, mu, 6.0).with_values({"hoop.load_fraction": gamma})
+    events = prove(scenario, DIGITS, until="revolution").events
+    slips = [event for event in events if event.kind == "slip_start"]
+    return bool(slips) and Fraction(slips[0].angle.middle) / DEGREE < 179
+
+
+def _energies(event: ProvedEvent) -> tuple[Ball, Ball]:
+    """(kinetic, potential) energy of the article's hoop just after an event; potential is 0 with the load up [J]."""
+    th, height, vx, vy, om = (
+        arb(str(one.middle), str(one.radius)) for one in (event.angle, event.height, event.vx, event.vy, event.omega)
+    )
+    load, s, c = arb(GAMMA), th.sin(), th.cos()
+    kinetic = ((vx + load * om * c) ** 2 + (vy - load * om * s) ** 2 + (1 - load**2) * om**2) / 2
+    return kinetic, arb(GRAVITY) * (height + load * (c - 1))
+
+
+def _of_energies(proof: Proof) -> Iterator[tuple[str, str, bool]]:
+    """Statements on the energy of the hop: from the states just after its events, in which it is lost in slip and impact."""
+    with precision(BITS):
+        found = {event.kind: _energies(event) for event in proof.events if event.kind in ("start", "takeoff", "impact")}
+        in_flight = _energies(prove(_scenario(3.1, 1.0, 1.3), DIGITS).events[-1])[1]
+        kept = {kind: kinetic + potential for kind, (kinetic, potential) in found.items()}
+        impact_loss, slip_loss = kept["takeoff"] - kept["impact"], kept["start"] - kept["takeoff"]
+        yield (
+            "positive_potential",
+            "In the hop the potential energy is above zero for a while: at 1.3 s, and neither at take-off nor landing.",
+            bool(in_flight > 0) and bool(found["takeoff"][1] < 0) and bool(found["impact"][1] < 0),
+        )  # fmt: skip
+        yield (
+            "impact_loss", "The landing loses more than three times as much energy as all slip before it.",
+            bool(impact_loss > 3 * slip_loss) and bool(slip_loss > 0),
+        )  # fmt: skip

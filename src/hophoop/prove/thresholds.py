@@ -18,6 +18,7 @@ from hophoop.scenario import InputError, Scenario
 GUARD_DIGITS = 12
 BITS_A_MARGIN = 2.5  # of precision, for each bit that the speed is nearer to the border
 START = 1e-9  # relative, on both sides of the double, for the border of the hop
+KEYS = ("first_slip_speed", "first_hop_speed", "immediate_hop_speed", "painleve_friction", "needed_friction")
 
 
 @dataclass(frozen=True)
@@ -174,7 +175,8 @@ def thresholds(scenario: Scenario, digits: int = 30, keys: Collection[str] | Non
     digits : int, default 30
         From 1 to 200 [1].
     keys : collection of str, optional
-        Which ones; by default all: first_slip_speed, first_hop_speed, immediate_hop_speed, painleve_friction, needed_friction.
+        Some of KEYS, by default all: first_slip_speed, first_hop_speed, immediate_hop_speed, painleve_friction,
+        needed_friction.
 
     Returns
     -------
@@ -186,24 +188,33 @@ def thresholds(scenario: Scenario, digits: int = 30, keys: Collection[str] | Non
     ValueError
         If digits is out of its range, the hoop is massless, or there is no gravity.
     """
+    return decided(scenario, digits, KEYS if keys is None else keys)[0]
+
+
+def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[list[ProvedNumber], dict[str, str]]:
+    """`thresholds`, and why each of the others that were asked for is not proved, as a clause."""
     check_digits(digits)
     problem = Problem.of(scenario)
     if problem.massless or not problem.gravity:
         raise InputError("Thresholds are proved for a hoop with mass in its ring, under gravity.")
     found: dict[str, ProvedNumber] = {}
+    reasons = dict.fromkeys(keys, "the start is not a rolling one with the load up")
     for share in (1, 2):  # of precision: more where it was not enough
         with precision(int(share * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
             model = Model(problem)
             for key, statement, unit, scale, value in _numbers(scenario, problem, model, digits):
-                if key in found or (keys is not None and key not in keys):
+                if key not in reasons:
                     continue
                 try:
                     number = value() * scale
-                except Undecided:
+                except Undecided as undecided:
+                    reasons[key] = str(undecided)
                     continue
+                reasons[key] = f"{digits} digits of it could not be shown"
                 if number.rad() < abs(number) * arb(10) ** -digits:
                     found[key] = ProvedNumber(key, statement, unit, enclosure(number, arb(1), digits))
-    return list(found.values())
+                    del reasons[key]
+    return list(found.values()), reasons
 
 
 def _numbers(

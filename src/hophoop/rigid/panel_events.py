@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit
-from hophoop.numerics.collocation import NODES, ORDER, antiderivative, coefficients, extremes, left_value
+from hophoop.numerics.collocation import NODES, ORDER, PARTS, antiderivative, coefficients, extremes, left_value
 from hophoop.numerics.roots import NOT_FOUND, first_fall
 from hophoop.panels.panel import (
     ARRIVE,
@@ -94,11 +94,11 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     work = scratch.work
     for i in range(ORDER):
         work[A, i] = body.gn - body.eps * work[COSINE, i] * work[U, i]
-        value = panel.sigma * work[SLIP, i]
-        if fresh:
-            for _ in range(zeros):
-                value /= 0.5 * (1.0 + NODES[i])
-        work[B, i] = value
+        work[B, i] = panel.sigma * work[SLIP, i]
+    if fresh:
+        for _ in range(zeros):
+            for i in range(ORDER):
+                work[B, i] /= PARTS[i]
     lift, near_lift = fall_of(work[A], fresh, 0.0, scratch)
     # without friction v_t comes back to zero at each hilltop, if it was zero at one, and touches it only
     rounding = graze_rounding(body, state) if body.mu_k == 0.0 else 0.0

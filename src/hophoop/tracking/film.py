@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
+from hophoop.tracking.camera import RADIUS_ERROR
 from hophoop.tracking.following import Follower, Rows
 from hophoop.tracking.ground import Ground, given_line, ground_line
 from hophoop.tracking.hints import Hints
@@ -108,10 +109,14 @@ def _assembled(rows: Rows, known: Learned, hints: Hints, radius: float, source: 
     view = View(
         camera, scale, float(origin[0]), float(origin[1]), line.angle,
         None if known.marker is None else (known.marker.blue, known.marker.red), ratio,
-        hints.exposure, hints.row_delay, hints.rate,
+        hints.exposure, hints.row_delay, hints.rate, RADIUS_ERROR / size, line.height_error / scale, line.angle_error,
     )  # fmt: skip
-    slope = hints.slope if hints.slope is not None else hints.level - line.angle
-    others: dict[str, Any] = {"radius": radius, "slope": slope, "placed": True, "view": view, "source": source}
+    given = hints.slope is not None
+    others: dict[str, Any] = {
+        "radius": radius, "placed": True, "view": view, "source": source,
+        "slope": hints.slope if given else hints.level - line.angle,
+        "slope_error": float("nan") if given else line.angle_error,
+    }  # fmt: skip
     return track_of(np.array(rows.t), columns, state, notes=_notes(rows, state, known, line, hints), **others)
 
 

@@ -11,6 +11,9 @@ Floats = NDArray[np.float64]
 
 LOW = 0.15  # share of the frames that lies under the first line
 LEAST_WAY = 0.7  # way of the centre that tells a direction, over the radius
+LEAST_OFF = 0.02  # of a centre from the line, below which lens and sensor say more [pixel]
+ALIKE = 10  # frames in a row whose centres are off by the same [1]
+CLICK = 1.0  # how far a point of the ground that was given may be off [pixel]
 
 
 class Ground(NamedTuple):
@@ -21,6 +24,8 @@ class Ground(NamedTuple):
     angle: float  # by which it rises to the right [rad]
     frames: int  # in contact, from which it comes; 0 where it was given
     told: bool  # whether the direction could be told
+    height_error: float  # of y [rectified pixels]
+    angle_error: float  # nan where the direction was not told [rad]
 
 
 def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
@@ -61,7 +66,11 @@ def ground_line(points: Floats, errors: Floats, radius: float) -> Ground:
             break
         near = now
     angle = float(np.arctan(line[1])) if told else 0.0
-    return Ground(middle, float(line[0]), angle, int(near.sum()), told)
+    count = int(near.sum())
+    off = (y - design @ line)[near]
+    height_error = max(float(np.sqrt((off**2).mean())), LEAST_OFF) * np.sqrt(ALIKE / count)
+    angle_error = height_error / float(np.std(x[near])) if told else float("nan")
+    return Ground(middle, float(line[0]), angle, count, told, float(height_error), angle_error)
 
 
 def given_line(first: Floats, second: Floats, radius: float) -> Ground:
@@ -83,4 +92,4 @@ def given_line(first: Floats, second: Floats, radius: float) -> Ground:
     along = second - first
     angle = float(np.arctan2(along[1], along[0]))
     raised = first + radius * np.array([-np.sin(angle), np.cos(angle)])
-    return Ground(float(raised[0]), float(raised[1]), angle, 0, True)
+    return Ground(float(raised[0]), float(raised[1]), angle, 0, True, CLICK, float(np.sqrt(2.0) * CLICK / np.hypot(*along)))

@@ -20,7 +20,7 @@ h1 { font-size: 1.7rem; line-height: 1.25; overflow-wrap: anywhere; } h2 { font-
 a { color: inherit; } footer { color: var(--soft); margin-top: 2rem; }
 .stills { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(320px, 100%), 1fr)); gap: 0.8rem; }
 figure { margin: 0; } figure img, video { width: 100%; display: block; } figcaption { font-size: 0.85rem; color: var(--soft); }
-.plot { overflow-x: auto; } svg { width: 100%; min-width: 600px; height: auto; display: block; margin: 0.4rem 0 1rem; }
+svg { width: 100%; height: auto; display: block; margin: 0.4rem 0 1rem; } svg.narrow { display: none; }
 svg text { font: 13px system-ui, sans-serif; fill: var(--soft); } svg text.name { fill: var(--ink); font-weight: 600; }
 table { border-collapse: collapse; margin: 1rem 0; }
 td, th { text-align: left; padding: 0.2rem 1.2rem 0.2rem 0; vertical-align: top; }
@@ -30,12 +30,13 @@ td.value { font-variant-numeric: tabular-nums; white-space: nowrap; } th { borde
 code { overflow-wrap: anywhere; }
 summary { cursor: pointer; } details { margin: 0.5rem 0; }
 @media (max-width: 600px) {
+  svg.wide { display: none; } svg.narrow { display: block; }
   body { margin: 1rem auto; } thead { display: none; }
   tr { display: grid; grid-template-columns: 1fr auto; border-top: 1px solid var(--line); }
   td { padding: 0.1rem 0; } td:nth-child(3) { grid-column: 1 / -1; color: var(--soft); font-size: 0.9rem; }
 }
 """
-WIDE, TALL, LEFT, FOOT, HEAD = 900, 170, 70, 20, 22
+WIDE, NARROW, TALL, LEFT, FOOT, HEAD = 900, 420, 170, 70, 20, 22
 
 
 class Curve(NamedTuple):
@@ -62,8 +63,13 @@ def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, floa
 
     Returns
     -------
-    svg : str
+    html : str
+        The plot twice, of which a page shows the one that is as wide as it is.
     """
+    return "".join(_drawn(curves, label, ribbon, zero, wide) for wide in (WIDE, NARROW))
+
+
+def _drawn(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, float, str]], zero: bool, wide: int) -> str:
     known = np.concatenate([curve.values[np.isfinite(curve.values)] for curve in curves])
     low, high = (float(round(one, 9)) for one in (known.min(), known.max()))
     if high - low < 1e-9:
@@ -72,24 +78,25 @@ def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, floa
     span = max(max(float(curve.t[-1]) for curve in curves) - begin, 1e-9)
 
     def across(t: Floats) -> Floats:
-        return LEFT + (t - begin) / span * (WIDE - LEFT - 8)
+        return LEFT + (t - begin) / span * (wide - LEFT - 8)
 
     def down(values: Floats) -> Floats:
         return HEAD + 4 + (high - values) / (high - low) * (TALL - FOOT - HEAD - 12)
 
     foot = TALL - FOOT
     parts = [
-        f"<rect x='{LEFT}' y='{HEAD}' width='{WIDE - LEFT - 4}' height='{foot - HEAD - 4}' fill='none' stroke='var(--line)'/>",
+        f"<rect x='{LEFT}' y='{HEAD}' width='{wide - LEFT - 4}' height='{foot - HEAD - 4}' fill='none' stroke='var(--line)'/>",
         f"<text x='{LEFT}' y='14' class='name'>{escape(label)}</text>",
         f"<text x='2' y='{HEAD + 10}'>{high:.4g}</text><text x='2' y='{foot - 6}'>{low:.4g}</text>",
-        f"<text x='{LEFT}' y='{TALL - 4}'>{begin:.3g} s</text><text x='{WIDE - 56}' y='{TALL - 4}'>{begin + span:.3g} s</text>",
+        f"<text x='{LEFT}' y='{TALL - 4}'>{begin:.3g} s</text>",
+        f"<text x='{wide - 4}' y='{TALL - 4}' text-anchor='end'>{begin + span:.3g} s</text>",
     ]
     for first, last, colour in ribbon:
         a, b = across(np.array([first, last])).tolist()
         parts.append(f"<rect x='{a:.1f}' y='{foot - 4}' width='{max(b - a, 1):.1f}' height='5' fill='{colour}'/>")
     if zero and low < 0 < high:
         level = float(down(np.array(0.0)))
-        parts.append(f"<line x1='{LEFT}' x2='{WIDE - 4}' y1='{level:.1f}' y2='{level:.1f}' stroke='var(--line)'/>")
+        parts.append(f"<line x1='{LEFT}' x2='{wide - 4}' y1='{level:.1f}' y2='{level:.1f}' stroke='var(--line)'/>")
     for curve in curves:
         there = np.isfinite(curve.values)
         places = list(zip(across(curve.t[there]).tolist(), down(curve.values[there]).tolist(), strict=True))
@@ -100,4 +107,5 @@ def plot(curves: Sequence[Curve], label: str, ribbon: Sequence[tuple[float, floa
             dots = "".join(f"<circle cx='{a:.1f}' cy='{b:.1f}' r='1.6'/>" for a, b in places)
             parts.append(f"<g fill='{curve.colour}'>{dots}</g>")
     words = escape(label, quote=True)
-    return f"<div class='plot'><svg viewBox='0 0 {WIDE} {TALL}' role='img' aria-label='{words}'>{''.join(parts)}</svg></div>"
+    name = "wide" if wide == WIDE else "narrow"
+    return f"<svg class='{name}' viewBox='0 0 {wide} {TALL}' role='img' aria-label='{words}'>{''.join(parts)}</svg>"

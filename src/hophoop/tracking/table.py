@@ -19,6 +19,7 @@ from hophoop.tracking.camera import Camera
 Floats = NDArray[np.float64]
 
 SCHEMA = "hophoop-track/1"
+HEAD = ("radius", "slope", "slope_error")  # numbers of a track that are one for all frames
 FOUND, UNMARKED, LOST = "found", "no marker", "lost"
 
 
@@ -45,6 +46,12 @@ class View:
         From a row of the picture to the next [s].
     rate : float or None
         Frames a second that were given instead of the file's times [Hz].
+    scale_error : float
+        Standard deviation of the scale over the scale: what is off in the rim's radius is so in all frames [1].
+    height_error : float
+        Of the height of the plane, at x = 0 [m].
+    rise_error : float
+        Of the rise [rad].
     """
 
     camera: Camera
@@ -57,6 +64,9 @@ class View:
     exposure: float = 0.0
     row_delay: float = 0.0
     rate: float | None = None
+    scale_error: float = float("nan")
+    height_error: float = float("nan")
+    rise_error: float = float("nan")
 
     def to_picture(self, points: Floats, radius: float) -> Floats:
         """Pixels of points of the plane.
@@ -144,6 +154,8 @@ class Track:
         Of the rim [m]; nan where the data do not say.
     slope : float
         Of the plane, downhill to the right, if the camera was level [rad]; nan where the data do not say.
+    slope_error : float
+        Its standard deviation, if the camera was level [rad]; nan where it was given, or is not known.
     placed : bool
         Whether x runs along the plane and y is the height above it; otherwise the fit has to find out.
     view : View or None
@@ -166,6 +178,7 @@ class Track:
     state: tuple[str, ...]
     radius: float = float("nan")
     slope: float = float("nan")
+    slope_error: float = float("nan")
     placed: bool = False
     view: View | None = None
     source: str = ""
@@ -186,7 +199,7 @@ class Track:
         """
         columns = {name: _plain(self._column(name)) for name in COLUMNS if np.isfinite(self._column(name)).any()}
         head: dict[str, Any] = {"schema": SCHEMA, "source": self.source, "placed": self.placed, "notes": list(self.notes)}
-        head |= {name: value for name in ("radius", "slope") if np.isfinite(value := getattr(self, name))}
+        head |= {name: value for name in HEAD if np.isfinite(value := getattr(self, name))}
         if self.view is not None:
             view = {key: value for key, value in asdict(self.view).items() if value is not None and value == value}
             head["view"] = view
@@ -327,7 +340,7 @@ def track_from_dict(data: Any, name: str) -> Track:
             if "chroma" in parts:
                 parts["chroma"] = tuple(parts["chroma"])
             view = View(**parts)
-        others = {key: float(data[key]) for key in ("radius", "slope") if key in data}
+        others = {key: float(data[key]) for key in HEAD if key in data}
         return track_of(
             columns.pop("t"),
             columns,

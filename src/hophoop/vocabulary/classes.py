@@ -104,7 +104,7 @@ def class_text(name: str, quantity: str = SEQUENCE) -> str:
     Examples
     --------
     >>> class_text("RKH"), class_text("event_limit", "ending")
-    ('roll → slip + → hop', 'event limit')
+    ('roll → slip + → flight', 'event limit')
     """
     if quantity != SEQUENCE:
         return words.plain(name)

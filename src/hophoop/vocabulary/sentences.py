@@ -89,10 +89,29 @@ LAB: Final[dict[str, str]] = {
         "duration = {duration:g} s at this speed and radius is about {turns:.0e} revolutions and must be at most {most:.0e} "
         "in the lab; the library itself has no such limit."
     ),
+    "too_stiff": (
+        "contact.stiffness, contact.slip_speed and duration need about {steps:.0e} steps of integration and must need at "
+        "most {most:.0e} in the lab."
+    ),
+    "too_many_changes": "changes has {pairs} pairs and must have at most {most} in the lab.",
     "too_many_cells": "x.cells times y.cells = {cells} must be at most {most} in the lab.",
     "equal_axes": "x.path and y.path are both {path!r} and must differ.",
     "two_axes": "{one} and {other} cannot both be axes: they say the same thing in two ways.",
     "rigid_maps": "contact.model = 'compliant' must be 'rigid' for a map.",
+    "cell_turns": "A cell of this map is about {turns:.0e} revolutions and must be at most {most:.0e} in the lab.",
+    "map_turns": (
+        "x and y make {cells} cells of about {turns:.2g} revolutions in all, and must be at most {most:.0e} in the lab; take "
+        "fewer cells, lower speeds or a shorter duration."
+    ),
+    "doubt": (
+        "What comes after {time} s hangs on more digits than the numbers of this page have; hophoop lab and Python take as "
+        "many as it needs."
+    ),
     "not_a_pair": "changes holds {change}, which is not a pair of path and value.",
+    # one value, after the field and how it was given
+    "window": "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",
+    "times": "must be two times, from and to [s], rising from 0",
+    "number_path": "must be a number's path, not that of a word",
+    "one_of": "must be one of {known}",
 }
 """What the lab refuses; filled as `str.format` does."""

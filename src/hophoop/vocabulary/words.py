@@ -22,9 +22,9 @@ PARTICIPLES: Final = {
     ROLL: "rolling", SPIN: "spinning", SKID: "skidding", FLIGHT: "in flight", SKIM: "skimming",
 }  # fmt: skip
 
-LETTERS: Final = {"R": ROLL, "S": "slip −", "K": "slip +", "H": "hop", "M": SKIM, "+": "…"}
+LETTERS: Final = {"R": ROLL, "S": "slip −", "K": "slip +", "H": FLIGHT, "M": SKIM, "+": "…"}
 """What the letters of a sequence stand for where the direction is not known: slip by the sign of v_t."""
-LETTERS_SENTENCE: Final = "R roll, S slip with v_t < 0, K slip with v_t > 0, H hop (flight), M skim"
+LETTERS_SENTENCE: Final = "R roll, S slip with v_t < 0, K slip with v_t > 0, H flight (a hop), M skim"
 
 
 def mode_word(letter: str, omega: float) -> str:

@@ -76,6 +76,10 @@ def test_the_film_lies_under_the_hoop(browser, served, filmed, tmp_path):
     page.goto(served)
     page.wait_for_selector("[data-ready]")
     page.wait_for_selector("video.backdrop", state="attached")
+    # the words over it have a ground of their own, to be read on any film
+    for place in (".legend", ".readout"):
+        ground = page.evaluate(f"getComputedStyle(document.querySelector('{place}')).backgroundColor")
+        assert ground != "rgba(0, 0, 0, 0)", place
     for moment in (0.1, 0.35):
         page.evaluate(f"hophoopLab.clock.play(false); hophoopLab.clock.seek({moment})")
         page.wait_for_function(

@@ -5,16 +5,13 @@ import math
 import pytest
 
 import hophoop as hh
+from lab_page_tools import wait_for
 
 
 @pytest.fixture(scope="module")
 def address(site_address):
     """The page that computes by itself."""
     return site_address
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
 
 
 def middle(page, grip):

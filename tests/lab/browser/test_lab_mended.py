@@ -4,10 +4,7 @@ import pytest
 
 pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
-
+from lab_page_tools import wait_for
 
 SETTLED = "!lab.motions.lanes[0].busy && !lab.motions.lanes[0].pending && !lab.surrounding"
 
@@ -97,8 +94,16 @@ def test_back_goes_one_change_at_a_time_and_a_link_holds_what_is_seen(visit):
     page.wait_for_function("() => location.search === '?start.speed=2'")
     page.keyboard.press("f")
     page.evaluate("() => { hophoopLab.clock.seek(1.25); hophoopLab.map.axes.windows = { x: [1, 2], y: [0.5, 1] }; }")
+    canvas = page.locator(".stage canvas").first.bounding_box()
+    x, y = canvas["x"] + 0.85 * canvas["width"], canvas["y"] + 0.15 * canvas["height"]  # beside the hoop: the picture is moved
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x - 0.25 * canvas["width"], y + 0.1 * canvas["height"], steps=3)
+    page.mouse.up()
     link = page.evaluate("hophoopLab.link()")
-    other = visit(link.split("/", 3)[3])
+    assert "&pan=-0.25,0.1" in link
+    other = visit(link.split("/", 3)[3], viewport={"width": 1000, "height": 800})
+    assert other.evaluate("hophoopLab.stage.flat.pan()") == pytest.approx([-0.25, 0.1], abs=2e-3)
     shown = "[lab.clock.time, lab.stage.options.forces, lab.map.axes.windows.x[0], lab.map.axes.windows.y[1]]"
     assert other.evaluate(f"(() => {{ const lab = hophoopLab; return {shown}; }})()") == [1.25, False, 1, 1]
 

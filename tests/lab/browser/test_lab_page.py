@@ -1,48 +1,13 @@
 """The page in headless Chromium: what a visitor does, with no console error and nothing from elsewhere."""
 
-import base64
-import os
-from pathlib import Path
 from urllib.parse import urlsplit
 
-import numpy as np
 import pytest
 
 uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
 
 import hophoop as hh  # noqa: E402
-from hophoop.vocabulary.classes import class_text  # noqa: E402
-
-PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parents[2] / "results" / "lab"))
-
-
-def summary(page):
-    return page.locator(".summary").inner_text()
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
-
-
-def picture(page, name, **options):
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    page.screenshot(path=PICTURES / f"{name}.png", **options)
-
-
-def colors_on(page, selector):
-    """How many different colours a canvas shows."""
-    return page.evaluate(
-        """selector => {
-          const source = document.querySelector(selector);
-          const copy = document.createElement("canvas");
-          copy.width = 200; copy.height = 120;
-          const context = copy.getContext("2d");
-          context.drawImage(source, 0, 0, 200, 120);
-          const { data } = context.getImageData(0, 0, 200, 120);
-          return new Set(new Uint32Array(data.buffer)).size;
-        }""",
-        selector,
-    )
+from lab_page_tools import colors_on, picture, summary, wait_for  # noqa: E402
 
 
 def test_the_page_opens_with_the_hop(visit):
@@ -124,31 +89,6 @@ def test_the_film_between_frames_is_the_motion(visit):
             assert pose[name] == pytest.approx(getattr(sample, name)[i], abs=size), (name, times[i])
 
 
-def test_a_click_on_the_map_takes_that_motion(visit):
-    page = visit()
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "lab.map.level === 3")
-    assert colors_on(page, ".map-body canvas") > 8
-    box = page.locator(".map-body").bounding_box()
-    place = {"x": box["x"] + 62 + 0.55 * (box["width"] - 74), "y": box["y"] + 10 + 0.4 * (box["height"] - 46)}
-    page.mouse.move(**place)
-    told = page.locator(".map-body .tip").inner_text()
-    page.mouse.click(**place)
-    wait_for(page, "lab.motions.history.past.length === 1")
-    speed, mu = page.evaluate("[hophoopLab.film().values['start.speed'], hophoopLab.film().values['plane.mu']]")
-    assert speed == pytest.approx(0.55 * 5.0, abs=0.02)
-    assert mu == pytest.approx(0.6 * 1.5, abs=0.02)
-    words = {letter: class_text(letter, "sequence") for letter in "RSKH"}
-    sequence = page.evaluate("hophoopLab.film().sequence")
-    phases = told.rpartition(": ")[2].split(" → ")
-    assert [words[letter] for letter in sequence][: len(phases)] == phases
-    # and deep into it
-    for _ in range(6):
-        page.mouse.wheel(0, -400)
-    wait_for(page, "lab.map.axes.windows.x[1] - lab.map.axes.windows.x[0] < 1")
-    picture(page, "map", full_page=True)
-
-
 def test_a_link_opens_the_same_motion(visit):
     page = visit("?start.speed=2.9&plane.restitution=0.4")
     page.get_by_role("button", name="Compare two hoops").click()
@@ -228,61 +168,6 @@ def test_everything_has_a_name_for_a_screen_reader(visit):
     wait_for(page, "document.querySelector('.spoken').textContent === 'Rolls.'")
 
 
-def test_it_is_kept(visit, tmp_path):
-    page = visit("?start.speed=2.5")
-
-    def kept(item):
-        page.locator(".menu summary").click()
-        with page.expect_download() as download:
-            page.get_by_role("button", name=item).click()
-        return download.value.path().read_bytes()
-
-    assert hh.Scenario.loads(kept("Scenario (TOML)").decode()) == hh.Scenario(start=hh.Start.rolling(2.5))
-    assert kept("Picture (PNG)")[:8] == b"\x89PNG\r\n\x1a\n"
-    assert kept("States (CSV)").startswith(b"t [s],")
-    page.keyboard.press("p")
-    page.locator(".code-dialog[open]").wait_for()
-    assert "hh.Start.rolling(speed=2.5)" in page.locator(".code-dialog pre").first.inner_text()
-    page.keyboard.press("Escape")
-
-
-def decoded(block, name, folder):
-    """Size and frames of a film, as ffmpeg reads it."""
-    imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
-    path = folder / name
-    path.write_bytes(block)
-    reader = imageio_ffmpeg.read_frames(path)
-    size = next(reader)["size"]
-    return size, [np.frombuffer(frame, np.uint8) for frame in reader]
-
-
-@pytest.mark.parametrize("view", ["plane", "space"])
-def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
-    page = visit("?duration=1")
-    if view == "space":
-        page.keyboard.press("3")
-    page.locator(".menu summary").click()
-    with page.expect_download() as download:
-        page.get_by_role("button", name="Record a film here (WebM)").click()
-    size, shown = decoded(download.value.path().read_bytes(), "film.webm", tmp_path)
-    box = page.locator(".stage").bounding_box()
-    assert size == pytest.approx((box["width"], box["height"]), abs=2)
-    assert len(shown) > 8
-    # the hoop moves
-    assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80
-
-
-def test_a_film_is_made_by_the_server(visit, tmp_path):
-    page = visit("?duration=0.4")
-    page.locator(".menu summary").click()
-    with page.expect_download(timeout=120_000) as download:
-        page.get_by_role("button", name="Film (MP4)").click()
-    size, shown = decoded(download.value.path().read_bytes(), "film.mp4", tmp_path)
-    assert size == (960, 540)
-    assert len(shown) in (10, 11)  # 25 a second
-    assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80
-
-
 def test_two_hoops_are_told_apart(visit):
     page = visit("?start.speed=2")
     page.get_by_role("button", name="Compare two hoops").click()
@@ -303,94 +188,6 @@ def test_two_hoops_are_told_apart(visit):
     # the hop of B is marked and found while A is chosen
     page.keyboard.press("h")
     assert page.evaluate("hophoopLab.clock.time") == hh.simulate(hh.Scenario()).find("takeoff")[0].t
-
-
-def fingers(page):
-    """What puts fingers down, moves them and lifts them."""
-    session = page.context.new_cdp_session(page)
-
-    def touch(kind, *places):
-        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
-        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    return touch
-
-
-@pytest.mark.parametrize("selector", [".map-body", "[data-plot=forces] .plot-body", ".phase .plot-body", ".stage canvas"])
-def test_two_fingers_zoom_and_take_no_motion(visit, selector):
-    page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
-    target = page.locator(selector).first
-    target.scroll_into_view_if_needed()
-    wait_for(page, "!lab.surrounding")
-    width = """() => ({
-      map: hophoopLab.map.axes.windows.x[1] - hophoopLab.map.axes.windows.x[0],
-      plot: hophoopLab.plots.shared.range ? hophoopLab.plots.shared.range[1] - hophoopLab.plots.shared.range[0] : 6,
-      phase: hophoopLab.phase.range[1] - hophoopLab.phase.range[0],
-      stage: 1 / hophoopLab.stage.flat.zoom,
-    })"""
-    name = {".m": "map", "[d": "plot", ".p": "phase", ".s": "stage"}[selector[:2]]
-    before = page.evaluate(width)[name]
-    box = target.bounding_box()
-    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
-    touch = fingers(page)
-    touch("touchStart", (x - 20, y))
-    touch("touchStart", (x - 20, y), (x + 20, y))
-    for spread in range(25, 81, 5):
-        touch("touchMove", (x - spread, y), (x + spread, y))
-    touch("touchEnd", (x - 80, y))
-    touch("touchEnd")
-    after = page.evaluate(width)[name]
-    assert after == pytest.approx(before / 4, rel=0.15)
-    page.wait_for_timeout(300)
-    assert page.evaluate("hophoopLab.motions.history.past.length") == 0
-    assert page.evaluate("hophoopLab.film().query") == ""
-
-
-def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
-    page = visit()
-    box = page.locator(".stage").bounding_box()
-    page.mouse.move(box["x"] + 300, box["y"] + 200)
-    page.mouse.wheel(0, 300)
-    page.wait_for_function("() => scrollY > 100")
-    assert page.evaluate("hophoopLab.stage.flat.zoom") == 1
-    page.evaluate("scrollTo(0, 0)")
-    page.mouse.click(box["x"] + 300, box["y"] + 200)
-    page.mouse.wheel(0, -300)
-    page.wait_for_function("() => hophoopLab.stage.flat.zoom > 1.2")
-    assert page.evaluate("scrollY") == 0
-
-
-def test_the_plane_of_angle_and_rate_sharpens_where_it_is_zoomed(visit):
-    page = visit()
-    wait_for(page, "lab.phase.pictures?.length === 1")
-    page.locator(".phase .plot-body").scroll_into_view_if_needed()
-    page.locator(".phase .plot-body").focus()
-    page.keyboard.press("+")
-    page.keyboard.press("+")
-    wait_for(page, "Math.abs((lab.phase.pictures[1]?.window[0] ?? 0) - lab.phase.range[0]) < 1e-9")
-    window, shown = page.evaluate("[hophoopLab.phase.pictures[1].window, hophoopLab.phase.range]")
-    assert window[:2] == pytest.approx(shown)
-    page.keyboard.press("0")
-    wait_for(page, "lab.phase.pictures.length === 1")
-
-
-def test_the_map_of_a_compliant_hoop_is_that_of_rigid_contact(visit):
-    page = visit("?contact.model=compliant&duration=0.5")
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "lab.map.level === 3")
-    assert page.locator(".map-head .hint").inner_text() == "31104 motions, with rigid contact"
-
-
-def test_a_map_waits_for_its_kernel_and_says_so(visit, monkeypatch):
-    left = [(k, 187) for k in (150, 90, 0)]
-    monkeypatch.setattr("hophoop.lab.calls.maps_compiling", lambda: left.pop() if left else None)
-    # a browser that cannot run the page's own kernel asks the server
-    page = visit(script="delete globalThis.WebAssembly")
-    page.locator(".map-body").scroll_into_view_if_needed()
-    wait_for(page, "document.querySelector('.map-head .hint').textContent.includes('0 of 187 functions')")
-    wait_for(page, "lab.map.level === 3")
-    assert left == []
-    assert page.locator(".map-head .hint").inner_text() == "31104 motions"
 
 
 def test_energies_are_booked_as_in_every_plot(visit):
@@ -440,70 +237,3 @@ def test_the_picture_follows_the_hand(visit):
     )
     wait_for(page, f"!lab.motions.lanes[0].busy && lab.film().values['start.speed'] === {last}")
     assert page.evaluate("hophoopLab.latencies.length") > 5
-
-
-@pytest.mark.parametrize("alone", [True, False])
-def test_the_widget_is_the_same_player(visit, alone):
-    """With the page's own kernel, and with the notebook's where the page may not run it."""
-    pytest.importorskip("anywidget")
-    page = visit()
-    widget = hh.show(hh.simulate(hh.Scenario(duration=2.0)), panels=("controls", "plots"))
-    sent = []
-    widget.send = lambda content, buffers=None: sent.append((content, buffers))
-
-    def kernel(message):
-        widget._answer(widget, message, [])
-        content, buffers = sent.pop()
-        return {"content": content, "buffers": [base64.b64encode(part).decode() for part in buffers or []]}
-
-    page.expose_function("kernel", kernel)
-    page.expose_function("chosen", lambda query: setattr(widget, "query", query))
-    page.evaluate(
-        """async ({ film, setup, panels, module, worker }) => {
-          const bytes = (text) => {
-            const raw = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
-            return new DataView(raw.buffer);
-          };
-          const listeners = [];
-          const traits = { film: bytes(film), setup, panels, module: bytes(module), worker, query: "" };
-          const model = {
-            get: (name) => traits[name],
-            set: (name, value) => (traits[name] = value),
-            save_changes: () => chosen(traits.query),
-            on: (name, listener) => name === "msg:custom" && listeners.push(listener),
-            off: () => {},
-            send: async (message) => {
-              const { content, buffers } = await kernel(message);
-              for (const listener of listeners) listener(content, buffers.map(bytes));
-            },
-          };
-          const source = document.querySelector("script[type=module]").src;
-          const { default: widget } = await import(source);
-          document.body.replaceChildren();
-          const el = document.createElement("div");
-          document.body.append(el);
-          globalThis.leave = await widget.render({ model, el });
-        }""",
-        {
-            "film": base64.b64encode(widget.film).decode(),
-            "setup": widget.setup,
-            "panels": widget.panels,
-            "module": base64.b64encode(widget.module if alone else b"not a module").decode(),
-            "worker": widget.worker,
-        },
-    )
-    page.locator(".embedded[data-ready]").wait_for()
-    assert "hops at 315.6°" in summary(page)
-    assert page.locator(".map").count() == 0
-    page.locator("input[data-path='start.speed']").fill("2")
-    page.wait_for_function("() => document.querySelector('.summary').textContent === 'Rolls.'")
-    assert widget.motion.scenario.start.speed == 2.0
-    page.wait_for_timeout(200)
-    assert widget.query == "duration=2&start.speed=2"
-    # undo takes the notebook's motion back as well
-    page.get_by_role("button", name="Undo (z)").click()
-    page.wait_for_function("() => document.querySelector('.summary').textContent.includes('hops')")
-    page.wait_for_timeout(200)
-    assert widget.motion.scenario.start.speed == 3.1
-    picture(page, "widget")
-    page.evaluate("leave()")

@@ -2,6 +2,8 @@
 
 import pytest
 
+from lab_page_tools import wait_for
+
 LOCALES = {"de": "de-DE", "es": "es-MX", "fr": "fr-CA", "zh": "zh-TW"}
 
 
@@ -9,10 +11,6 @@ LOCALES = {"de": "de-DE", "es": "es-MX", "fr": "fr-CA", "zh": "zh-TW"}
 def address(site_address):
     """The page that computes by itself."""
     return site_address
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
 
 
 def test_the_browser_chooses_and_the_visitor_switches(visit):

@@ -10,6 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.lab import site
+from lab_page_tools import wait_for
 
 PATIENCE = 30_000
 
@@ -28,10 +29,6 @@ def folder(site_folder):
 @pytest.fixture(scope="module")
 def address(folder, site_address):
     return site_address
-
-
-def wait_for(page, expression):
-    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}", timeout=PATIENCE)
 
 
 def test_the_hop_is_computed_in_the_browser(visit):
@@ -110,6 +107,47 @@ def test_the_embed_page_makes_the_tag_and_the_code(browser, address):
     page.locator("#scenario").press("Tab")
     assert 'scenario="start.speed=2.5"' in page.locator("#tag").input_value()
     context.close()
+
+
+def test_the_embed_page_speaks_the_visitors_language(browser, address):
+    context = browser.new_context(locale="de-DE")
+    page = context.new_page()
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(f"{address}embed.html?plane.mu=0.5")
+    page.wait_for_function("() => document.querySelector('hophoop-motion')?.lab?.film()", timeout=PATIENCE)
+    assert page.title() == page.locator("#title").inner_text() == "Einen hüpfenden Reifen in die eigene Seite setzen"
+    assert page.evaluate("document.documentElement.lang") == "de"
+    assert 'title="Ein hüpfender Reifen"' in page.locator("#frame").input_value()
+    words = page.evaluate("import(new URL('static/lab.js', location.href)).then((lab) => [...lab.untranslated])")
+    assert words == []
+    page.locator("#language select").select_option("zh")
+    assert page.locator("#title").inner_text() == "把会跳的圆环放进您的网页"
+    assert "plane.mu=0.5" in page.locator("#tag").input_value()  # the motion stays
+    page.wait_for_function("() => document.querySelector('hophoop-motion')?.lab?.film()", timeout=PATIENCE)
+    assert errors == []
+    context.close()
+
+
+def test_what_doubles_do_not_decide_is_said(visit):
+    page = visit("?start.speed=3.616628264005025")
+    assert "hangs on more digits" in page.locator(".story .hint").inner_text()
+    page.evaluate("hophoopLab.motions.change([['start.speed', 3.1]], true)")
+    wait_for(page, "lab.film().values['start.speed'] === 3.1 && !lab.surrounding")
+    assert not page.locator(".story .hint").is_visible()
+
+
+def test_teachers_get_to_the_documentation_beside_it(visit, folder, tmp_path):
+    site.export(folder / "play", docs="../")
+    (folder / "teach").mkdir()
+    (folder / "teach" / "worksheet.html").write_text(
+        '<link rel="icon" href="data:,"><title>Worksheet</title>', encoding="utf-8"
+    )
+    page = visit("play/")
+    page.evaluate("hophoopLab.extras.teach.showModal()")
+    page.get_by_role("link", name="Worksheet").click()
+    page.wait_for_url("**/teach/worksheet.html")
+    assert page.title() == "Worksheet"
 
 
 def test_the_folder_may_stand_anywhere(folder: Path, browser, tmp_path):

@@ -1,0 +1,160 @@
+"""What `hophoop prove` prints of boxes, thresholds and the article's statements."""
+
+from __future__ import annotations
+
+import json as json_text
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from hophoop.prove import ProvedMap, ProvedNumber, ProvedStatement
+
+ALL = "all"
+
+
+def boxes(scenario: Any, texts: Sequence[str], depth: int, seconds: float | None, out: Path | None, json: bool) -> None:
+    """Prove a window of parameters box by box; the share that is proved, and of which sequences."""
+    import hophoop
+    from hophoop.cli._output import named_options
+    from hophoop.prove import prove_map
+
+    ranges = _ranges(texts)
+    with named_options({"ranges": "--boxes", "depth": "--depth"}):
+        found = prove_map(scenario, ranges, depth, seconds)
+    result = {
+        "schema": "hophoop-boxes/1",
+        "version": hophoop.__version__,
+        "scenario": scenario.to_dict(),
+        "ranges": {path: list(ends) for path, ends in ranges.items()},
+        **found.to_dict(),
+    }
+    _give(result, out, json)
+    if not json:
+        _print(_of_boxes(found))
+        left = sum(not cell.proved for cell in found.cells)
+        typer.echo(
+            f"proved  {100 * found.share():.4g} % of the window, in {len(found.cells) - left} boxes; {left} are undecided"
+        )
+
+
+def _ranges(texts: Sequence[str]) -> dict[str, tuple[float, float]]:
+    """`plane.mu=0.1:1.5` and so on."""
+    from hophoop.scenario import InputError
+
+    ranges: dict[str, tuple[float, float]] = {}
+    for text in texts:
+        path, _, rest = text.partition("=")
+        low, colon, high = rest.partition(":")
+        try:
+            ends = float(low), float(high)
+        except ValueError:
+            colon = ""
+        if not colon:
+            raise InputError(f"--boxes {text} must be PATH=LEAST:GREATEST, such as plane.mu=0.9:1.1.")
+        if path in ranges:
+            raise InputError(f"--boxes names {path} twice.")
+        ranges[path] = ends
+    return ranges
+
+
+def _of_boxes(found: ProvedMap) -> Table:
+    table = _table(("sequence", "boxes", "share of the window"))
+    for sequence in found.sequences():
+        count = sum(cell.proved and cell.sequence == sequence for cell in found.cells)
+        table.add_row(sequence, str(count), f"{100 * found.share(sequence):.4g} %")
+    return table
+
+
+def thresholds(scenario: Any, text: str, digits: int, out: Path | None, json: bool) -> None:
+    """Prove critical speeds and thresholds; status 1 where one of those asked for is not proved."""
+    import hophoop
+    from hophoop.cli import NO_ANSWER, say
+    from hophoop.prove.thresholds import KEYS, decided
+    from hophoop.scenario import InputError
+
+    wanted = list(KEYS) if text == ALL else text.split(",")
+    unknown = [key for key in wanted if key not in KEYS]
+    if unknown:
+        raise InputError(f"--thresholds has {unknown[0]!r}, which must be {ALL} or some of {', '.join(KEYS)}.")
+    numbers, reasons = decided(scenario, digits, wanted)
+    result = {
+        "schema": "hophoop-thresholds/1",
+        "version": hophoop.__version__,
+        "scenario": scenario.to_dict(),
+        "thresholds": [_as_json(number) for number in numbers],
+    }
+    _give(result, out, json)
+    if not json:
+        table = _table(("threshold", "proved", "unit", "which says"))
+        for number in numbers:
+            unit = "" if number.unit == "1" else number.unit
+            table.add_row(number.key, str(number.enclosure), unit, number.statement)
+        _print(table)
+    for key, why in reasons.items():
+        say(f"Undecided: {key}: {why}.")
+    if reasons:
+        raise typer.Exit(NO_ANSWER)
+
+
+def _as_json(number: ProvedNumber) -> dict[str, str]:
+    return {
+        "key": number.key,
+        "statement": number.statement,
+        "unit": number.unit,
+        "middle": str(number.enclosure.middle),
+        "radius": str(number.enclosure.radius),
+    }
+
+
+def statements(out: Path | None, json: bool) -> None:
+    """Prove the article's statements that are inequalities or sequences; status 1 where one is not proved."""
+    import hophoop
+    from hophoop.cli import NO_ANSWER
+    from hophoop.prove import statements as proved
+
+    found: list[ProvedStatement] = proved()
+    rows = [{"key": one.key, "statement": one.statement, "proved": one.proved} for one in found]
+    _give({"schema": "hophoop-statements/1", "version": hophoop.__version__, "statements": rows}, out, json)
+    if not json:
+        table = _table(("", "statement"))
+        for one in found:
+            table.add_row("proved" if one.proved else "undecided", one.statement)
+        _print(table)
+        typer.echo(f"proved  {sum(one.proved for one in found)} of {len(found)}")
+    if not all(one.proved for one in found):
+        raise typer.Exit(NO_ANSWER)
+
+
+def _give(result: dict[str, Any], out: Path | None, json: bool) -> None:
+    """Write and print what was found as JSON, as asked."""
+    if out is not None:
+        from hophoop._files import replacing
+
+        with replacing(out) as file:
+            file.write_text(json_text.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+    if json:
+        typer.echo(json_text.dumps(result, ensure_ascii=False))
+
+
+def _table(titles: Sequence[str]) -> Table:
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
+    for title in titles:
+        table.add_column(title, no_wrap=title in ("proved", "threshold", ""), overflow="fold")
+    return table
+
+
+def _print(table: Table) -> None:
+    from rich.console import Console
+
+    console = Console(highlight=False)
+    if not console.is_terminal:  # a pipe has no width of its own
+        console = Console(highlight=False, width=200)
+    console.print(table)

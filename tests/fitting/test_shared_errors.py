@@ -1,0 +1,141 @@
+"""What is off by the same in all frames of a film, or for a while: in the uncertainties, though no single frame knows of it."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.fitting.channels import LONGEST, NONE, PATCH, PLACE_ERROR, channels_of
+from hophoop.fitting.covariance import memories
+from hophoop.fitting.problem import Prior, defaults, problem_of, shared_errors
+from hophoop.fitting.solving import Choice, slopes
+from hophoop.tracking import Camera, View
+from hophoop.tracking.ground import given_line, ground_line
+from hophoop.tracking.table import track_from_dict, track_of
+
+pytestmark = pytest.mark.compiled
+
+RADIUS, RATE, PIXELS = 0.3, 240.0, 330.0
+SIGMA, SIGMA_ANGLE = 6e-5, 1e-3
+PLANE = hh.Plane(mu_static=0.55, mu_kinetic=0.45, restitution=0.3)
+TRUTH = {"gamma": 0.6, "mu_kinetic": 0.45, "mu_excess": 0.1, "restitution": 0.3}
+
+
+@pytest.fixture(scope="module")
+def hop():
+    return hh.simulate(hh.Hoop.ideal(0.6, radius=RADIUS), PLANE, hh.Start.rolling(1.9, angle=0.1), 1.01)
+
+
+def filmed(motion, off=0.0, seed=1, **view):
+    """A track as of a film whose scale is off: lengths come out too large by that, and the centre stands R over the plane."""
+    rng, n = np.random.default_rng(seed), int(motion.duration * RATE)
+    t = np.arange(n) / RATE
+    state = motion.at(t)
+    x, y = (1 + off) * state.x, (1 + off) * state.height + RADIUS
+    columns = {"x": x + rng.normal(0, SIGMA, n), "y": y + rng.normal(0, SIGMA, n)}
+    columns |= {"angle": state.angle + rng.normal(0, SIGMA_ANGLE, n), "sigma_angle": np.full(n, SIGMA_ANGLE)}
+    columns |= {"sigma_x": np.full(n, SIGMA), "sigma_y": np.full(n, SIGMA), "column": PIXELS * x, "row": 600 - PIXELS * y}
+    known = {"scale_error": 1e-3, "height_error": 3e-5, "rise_error": 3e-5, "marker_ratio": 0.8} | view
+    seen = View(Camera(1280, 720, 1150.0), PIXELS, 0.0, 0.0, 0.0, **known)
+    return track_of(t, columns, radius=RADIUS, slope=0.0, slope_error=known["rise_error"], placed=True, view=seen)
+
+
+@pytest.fixture(scope="module")
+def found(hop):
+    return hh.fit(filmed(hop, 5e-4))
+
+
+def test_a_scale_that_is_off_does_not_spoil_the_parameters(hop, found):
+    assert {"scale", "origin_y", "tilt", "slope"} <= set(found.free)
+    for name, value in TRUTH.items():
+        assert abs(found.values[name] - value) < 3 * found.error(name), name
+    assert found.values["scale"] == pytest.approx(1 + 5e-4, abs=3 * found.error("scale"))
+    assert found.error("scale") < 3e-4  # rolling tells it better than the rim does
+    # held, the scale makes another friction of it, and a small uncertainty
+    held = hh.fit(filmed(hop, 5e-4), fixed={"scale": 1.0, "origin_y": 0.0, "tilt": 0.0, "slope": 0.0})
+    assert abs(held.values["mu_excess"] - 0.1) > 5 * held.error("mu_excess")
+
+
+def test_a_plan_counts_with_the_scale(hop, found):
+    known, off = (hh.plan(hop.scenario, RATE, SIGMA, SIGMA_ANGLE, sigma_scale=size) for size in (0.0, 1e-3))
+    assert off.errors["mu_excess"] > 2 * known.errors["mu_excess"]
+    assert "scale" not in known.errors
+    assert off.errors["scale"] == pytest.approx(found.error("scale"), rel=0.6)
+    fixed = hh.plan(hop.scenario, RATE, SIGMA, SIGMA_ANGLE, fixed=("scale", "origin_y"))
+    assert fixed.errors == known.errors
+    with pytest.raises(ValueError, match="sigma_scale = -1"):
+        hh.plan(hop.scenario, sigma_scale=-1.0)
+
+
+def test_what_is_asked_for_is_told_by_the_frames_alone(hop):
+    track = filmed(hop)
+    fit = hh.fit(track, free=["scale"], fixed={"tilt": 0.0})
+    assert set(fit.settings["priors"]) == {"origin_y", "slope"}
+    # two numbers known beforehand are two that were measured
+    assert fit.freedom == 3 * len(track.t) + 2 - len(fit.free)
+
+
+def test_a_saved_fit_knows_what_was_known(found, tmp_path):
+    found.save(tmp_path / "fit.json")
+    back = hh.load_fit(tmp_path / "fit.json")
+    assert back.problem.priors == found.problem.priors == shared_errors(found.track)
+    assert (back.problem.residuals(back.values) == found.problem.residuals(found.values)).all()
+    track = track_from_dict(found.track.to_dict(), "a track")
+    assert (track.view, track.slope_error) == (found.track.view, found.track.slope_error)
+
+
+def test_where_the_scale_is_off_so_is_the_plane(hop):
+    priors = shared_errors(filmed(hop))
+    assert priors["scale"] == Prior(1.0, 1e-3)
+    assert priors["origin_y"] == Prior(0.0, pytest.approx(np.hypot(3e-4, 3e-5)))
+    given = dataclasses.replace(filmed(hop), slope_error=float("nan"))
+    assert set(shared_errors(given)) == {"scale", "origin_y", "tilt"}
+    assert shared_errors(dataclasses.replace(given, view=None)) == {}
+
+
+def test_slopes_of_what_is_known_are_those_of_differences(hop):
+    track = filmed(hop)
+    priors = shared_errors(track)
+    problem = dataclasses.replace(problem_of(track, "ideal", "rolling", PLANE, (None, None)), priors=priors)
+    values, free = defaults(problem, track)
+    assert set(priors) <= free
+    values |= TRUTH | {"angle0": 0.1, "speed": 1.9, "scale": 1.001, "slope": 1e-4}
+    names = ("speed", *priors)
+    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    assert jacobian.shape == (problem.count, 5)
+    step = 1e-6
+    for k, name in enumerate(names):
+        ends = [problem.residuals(values | {name: values[name] + sign * step})[-4:] for sign in (1, -1)]
+        assert jacobian[-4:, k] == pytest.approx((ends[0] - ends[1]) / (2 * step), rel=1e-6, abs=1e-6)
+
+
+def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
+    track = filmed(hop)
+    x, _, angle = channels_of(track, (None, None))
+    assert x.lasting.share == pytest.approx((PLACE_ERROR / PIXELS / SIGMA) ** 2)
+    assert angle.lasting.share == pytest.approx((PLACE_ERROR / PIXELS / (0.8 * RADIUS) / SIGMA_ANGLE) ** 2)
+    way = float(np.hypot(*np.diff(track.pixel, axis=0).T).sum())
+    # over the whole film they fade as often as the patches that the hoop passes
+    assert (len(track.t) - 1) * np.log(x.lasting.fade) == pytest.approx(-way / PATCH)
+    still = dataclasses.replace(track, pixel=np.zeros_like(track.pixel))
+    assert channels_of(still, (None, None))[0].lasting.fade == LONGEST
+    assert channels_of(dataclasses.replace(track, view=None), (None, None))[0].lasting == NONE
+    # what the residuals say counts where it is more
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    fresh = np.random.default_rng(5).normal(size=problem.count)
+    assert memories(problem, fresh)["x"] == x.lasting
+    slow = np.repeat(np.random.default_rng(5).normal(size=problem.count // 40 + 1), 40)[: problem.count]
+    assert memories(problem, slow)["x"].frames > 3 * x.lasting.frames
+
+
+def test_the_line_of_the_ground_knows_how_well_it_is_known():
+    """Errors that are alike for ten frames: over uncertainties they have the spread 1."""
+    rng, pulls = np.random.default_rng(7), []
+    for _ in range(60):
+        x = np.linspace(0, 600, 200)
+        line = ground_line(np.stack([x, 40 + np.repeat(rng.normal(0, 0.05, 20), 10)], axis=-1), np.full(200, 0.05), 100.0)
+        pulls.append([(line.y - 40) / line.height_error, line.angle / line.angle_error])
+    assert np.std(pulls, axis=0) == pytest.approx([1.0, 1.0], abs=0.35)
+    clicked = given_line(np.array([0.0, 10.0]), np.array([400.0, 10.0]), 50.0)
+    assert (clicked.height_error, clicked.angle_error) == pytest.approx((1.0, np.sqrt(2) / 400))

@@ -1,0 +1,63 @@
+"""Files and films that the served page keeps."""
+
+import numpy as np
+import pytest
+
+uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+
+import hophoop as hh  # noqa: E402
+
+
+def test_it_is_kept(visit, tmp_path):
+    page = visit("?start.speed=2.5")
+
+    def kept(item):
+        page.locator(".menu summary").click()
+        with page.expect_download() as download:
+            page.get_by_role("button", name=item).click()
+        return download.value.path().read_bytes()
+
+    assert hh.Scenario.loads(kept("Scenario (TOML)").decode()) == hh.Scenario(start=hh.Start.rolling(2.5))
+    assert kept("Picture (PNG)")[:8] == b"\x89PNG\r\n\x1a\n"
+    assert kept("States (CSV)").startswith(b"t [s],")
+    page.keyboard.press("p")
+    page.locator(".code-dialog[open]").wait_for()
+    assert "hh.Start.rolling(speed=2.5)" in page.locator(".code-dialog pre").first.inner_text()
+    page.keyboard.press("Escape")
+
+
+def decoded(block, name, folder):
+    """Size and frames of a film, as ffmpeg reads it."""
+    imageio_ffmpeg = pytest.importorskip("imageio_ffmpeg")
+    path = folder / name
+    path.write_bytes(block)
+    reader = imageio_ffmpeg.read_frames(path)
+    size = next(reader)["size"]
+    return size, [np.frombuffer(frame, np.uint8) for frame in reader]
+
+
+@pytest.mark.parametrize("view", ["plane", "space"])
+def test_a_film_is_recorded_in_the_page(visit, tmp_path, view):
+    page = visit("?duration=1")
+    if view == "space":
+        page.keyboard.press("3")
+    page.locator(".menu summary").click()
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Record a film here (WebM)").click()
+    size, shown = decoded(download.value.path().read_bytes(), "film.webm", tmp_path)
+    box = page.locator(".stage").bounding_box()
+    assert size == pytest.approx((box["width"], box["height"]), abs=2)
+    assert len(shown) > 8
+    # the hoop moves
+    assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80
+
+
+def test_a_film_is_made_by_the_server(visit, tmp_path):
+    page = visit("?duration=0.4")
+    page.locator(".menu summary").click()
+    with page.expect_download(timeout=120_000) as download:
+        page.get_by_role("button", name="Film (MP4)").click()
+    size, shown = decoded(download.value.path().read_bytes(), "film.mp4", tmp_path)
+    assert size == (960, 540)
+    assert len(shown) in (10, 11)  # 25 a second
+    assert np.abs(shown[0].astype(int) - shown[-1]).max() > 80

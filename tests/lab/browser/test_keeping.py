@@ -1,0 +1,99 @@
+"""What the page lets a visitor keep: pictures larger than the screen, and films recorded by the browser."""
+
+import io
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+
+pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+Image = pytest.importorskip("PIL.Image", reason="the extra 'films' is not installed")
+
+from lab_page_tools import wait_for  # noqa: E402
+
+TWO = "?duration=0.6#t=0.3&with=start.speed%3D2.5%26duration%3D0.6"
+
+
+@pytest.fixture(scope="module")
+def address(site_address):
+    """The page that computes by itself."""
+    return site_address
+
+
+def kept(page, name, path):
+    """What an item of the menu saves."""
+    page.locator(".menu summary", has_text="Keep").click()
+    with page.expect_download() as download:
+        page.get_by_role("button", name=name).click()
+    download.value.save_as(path)
+    return path
+
+
+def on_screen(page):
+    """The stage as it is, with the words that pictures have."""
+    shot = page.locator(".stage canvas:not([hidden])").screenshot()
+    return Image.open(io.BytesIO(shot)).convert("RGB")
+
+
+def difference(one, other):
+    """Mean difference of two pictures below the words, of 255, both at a quarter of the size on the screen."""
+    size = (other.width // 4, other.height // 4)
+    a, b = (np.asarray(picture.convert("RGB").resize(size, Image.Resampling.BOX), float) for picture in (one, other))
+    return float(np.abs(a - b)[20:, 40:-40].mean())
+
+
+def test_a_picture_has_more_pixels_than_the_screen(visit, tmp_path):
+    page = visit(TWO)
+    wait_for(page, "!lab.surrounding && lab.films().length === 2")
+    picture = Image.open(kept(page, "Picture (PNG)", tmp_path / "hoop.png"))
+    screen = on_screen(page)
+    assert picture.width == 3840
+    assert picture.height / picture.width == pytest.approx(screen.height / screen.width, abs=3e-3)
+    assert difference(picture, screen) < 3.0
+    # drawn at that size, not blown up: an edge of the ring is a few pixels wide
+    grey = np.asarray(picture.convert("L"), float)
+    assert np.abs(np.diff(grey, axis=1)).max() > 100
+
+
+def test_a_picture_in_space_has_more_pixels_too_and_the_screen_keeps_its_own(visit, tmp_path):
+    page = visit("?duration=1#t=0.5&show=tfc3&from=-0.5,0.31,6")
+    wait_for(page, "!lab.surrounding && lab.stage.options.three")
+    assert page.evaluate("hophoopLab.link()").endswith("&from=-0.5,0.31,6")
+    before = page.evaluate("hophoopLab.stage.canvas().width")
+    picture = Image.open(kept(page, "Picture (PNG)", tmp_path / "space.png"))
+    assert picture.width == 3840
+    assert difference(picture, on_screen(page)) < 4.0
+    assert page.evaluate("hophoopLab.stage.canvas().width") == before
+    page.locator(".menu summary", has_text="Keep").click()
+    page.get_by_role("button", name="Picture (SVG)").click()
+    page.wait_for_selector("text=A picture in space has no lines to keep")
+
+
+def test_a_picture_of_lines_is_what_the_screen_shows(visit, browser, tmp_path):
+    page = visit(TWO)
+    wait_for(page, "!lab.surrounding && lab.films().length === 2")
+    path = kept(page, "Picture (SVG)", tmp_path / "hoop.svg")
+    root = ElementTree.parse(path).getroot()
+    words = "".join(root.itertext())
+    assert "A: " in words
+    assert "t = 0.300 s" in words
+    screen = on_screen(page)
+    reader = browser.new_page(viewport={"width": screen.width, "height": screen.height})
+    reader.goto(path.as_uri())
+    assert difference(Image.open(io.BytesIO(reader.screenshot())), screen) < 3.0
+    reader.close()
+
+
+def test_a_film_of_two_hoops_is_recorded_in_the_browser(visit, tmp_path):
+    ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="the extra 'films' is not installed")
+    page = visit(TWO, viewport={"width": 1000, "height": 700})
+    wait_for(page, "!lab.surrounding && lab.films().length === 2")
+    film = kept(page, "Record a film", tmp_path / "hoop.webm")
+    frames = ffmpeg.read_frames(str(film), output_params=["-r", "20"])  # a browser's film tells no steady rate
+    width, height = next(frames)["size"]
+    pictures = [np.frombuffer(frame, np.uint8).reshape(height, width, 3).astype(float) for frame in frames]
+    assert len(pictures) >= 5
+    first, last = pictures[0], pictures[-1]
+    for part in (slice(30, height // 2), slice(height // 2 + 30, height)):  # A above, B below; both move
+        assert np.abs(first[part] - last[part]).mean() > 2.0
+    wait_for(page, "!lab.clock.playing && lab.afterFrame === null")

@@ -1,0 +1,77 @@
+"""The notebook widget in a browser: the same player."""
+
+import base64
+
+import pytest
+
+uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+
+import hophoop as hh  # noqa: E402
+from lab_page_tools import picture, summary  # noqa: E402
+
+
+@pytest.mark.parametrize("alone", [True, False])
+def test_the_widget_is_the_same_player(visit, alone):
+    """With the page's own kernel, and with the notebook's where the page may not run it."""
+    pytest.importorskip("anywidget")
+    page = visit()
+    widget = hh.show(hh.simulate(hh.Scenario(duration=2.0)), panels=("controls", "plots"))
+    sent = []
+    widget.send = lambda content, buffers=None: sent.append((content, buffers))
+
+    def kernel(message):
+        widget._answer(widget, message, [])
+        content, buffers = sent.pop()
+        return {"content": content, "buffers": [base64.b64encode(part).decode() for part in buffers or []]}
+
+    page.expose_function("kernel", kernel)
+    page.expose_function("chosen", lambda query: setattr(widget, "query", query))
+    page.evaluate(
+        """async ({ film, setup, panels, module, worker }) => {
+          const bytes = (text) => {
+            const raw = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0));
+            return new DataView(raw.buffer);
+          };
+          const listeners = [];
+          const traits = { film: bytes(film), setup, panels, module: bytes(module), worker, query: "" };
+          const model = {
+            get: (name) => traits[name],
+            set: (name, value) => (traits[name] = value),
+            save_changes: () => chosen(traits.query),
+            on: (name, listener) => name === "msg:custom" && listeners.push(listener),
+            off: () => {},
+            send: async (message) => {
+              const { content, buffers } = await kernel(message);
+              for (const listener of listeners) listener(content, buffers.map(bytes));
+            },
+          };
+          const source = document.querySelector("script[type=module]").src;
+          const { default: widget } = await import(source);
+          document.body.replaceChildren();
+          const el = document.createElement("div");
+          document.body.append(el);
+          globalThis.leave = await widget.render({ model, el });
+        }""",
+        {
+            "film": base64.b64encode(widget.film).decode(),
+            "setup": widget.setup,
+            "panels": widget.panels,
+            "module": base64.b64encode(widget.module if alone else b"not a module").decode(),
+            "worker": widget.worker,
+        },
+    )
+    page.locator(".embedded[data-ready]").wait_for()
+    assert "hops at 315.6°" in summary(page)
+    assert page.locator(".map").count() == 0
+    page.locator("input[data-path='start.speed']").fill("2")
+    page.wait_for_function("() => document.querySelector('.summary').textContent === 'Rolls.'")
+    assert widget.motion.scenario.start.speed == 2.0
+    page.wait_for_timeout(200)
+    assert widget.query == "duration=2&start.speed=2"
+    # undo takes the notebook's motion back as well
+    page.get_by_role("button", name="Undo (z)").click()
+    page.wait_for_function("() => document.querySelector('.summary').textContent.includes('hops')")
+    page.wait_for_timeout(200)
+    assert widget.motion.scenario.start.speed == 3.1
+    picture(page, "widget")
+    page.evaluate("leave()")

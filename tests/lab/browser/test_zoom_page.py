@@ -1,0 +1,62 @@
+"""Fingers and the wheel: one rule for all pictures of the page."""
+
+import pytest
+
+uvicorn = pytest.importorskip("uvicorn", reason="the extra 'lab' is not installed")
+
+from lab_page_tools import wait_for  # noqa: E402
+
+
+def fingers(page):
+    """What puts fingers down, moves them and lifts them."""
+    session = page.context.new_cdp_session(page)
+
+    def touch(kind, *places):
+        points = [{"x": x, "y": y, "id": number} for number, (x, y) in enumerate(places)]
+        session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    return touch
+
+
+@pytest.mark.parametrize("selector", [".map-body", "[data-plot=forces] .plot-body", ".phase .plot-body", ".stage canvas"])
+def test_two_fingers_zoom_and_take_no_motion(visit, selector):
+    page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    target = page.locator(selector).first
+    target.scroll_into_view_if_needed()
+    wait_for(page, "!lab.surrounding")
+    width = """() => ({
+      map: hophoopLab.map.axes.windows.x[1] - hophoopLab.map.axes.windows.x[0],
+      plot: hophoopLab.plots.shared.range ? hophoopLab.plots.shared.range[1] - hophoopLab.plots.shared.range[0] : 6,
+      phase: hophoopLab.phase.range[1] - hophoopLab.phase.range[0],
+      stage: 1 / hophoopLab.stage.flat.zoom,
+    })"""
+    name = {".m": "map", "[d": "plot", ".p": "phase", ".s": "stage"}[selector[:2]]
+    before = page.evaluate(width)[name]
+    box = target.bounding_box()
+    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
+    touch = fingers(page)
+    touch("touchStart", (x - 20, y))
+    touch("touchStart", (x - 20, y), (x + 20, y))
+    for spread in range(25, 81, 5):
+        touch("touchMove", (x - spread, y), (x + spread, y))
+    touch("touchEnd", (x - 80, y))
+    touch("touchEnd")
+    after = page.evaluate(width)[name]
+    assert after == pytest.approx(before / 4, rel=0.15)
+    page.wait_for_timeout(300)
+    assert page.evaluate("hophoopLab.motions.history.past.length") == 0
+    assert page.evaluate("hophoopLab.film().query") == ""
+
+
+def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
+    page = visit()
+    box = page.locator(".stage").bounding_box()
+    page.mouse.move(box["x"] + 300, box["y"] + 200)
+    page.mouse.wheel(0, 300)
+    page.wait_for_function("() => scrollY > 100")
+    assert page.evaluate("hophoopLab.stage.flat.zoom") == 1
+    page.evaluate("scrollTo(0, 0)")
+    page.mouse.click(box["x"] + 300, box["y"] + 200)
+    page.mouse.wheel(0, -300)
+    page.wait_for_function("() => hophoopLab.stage.flat.zoom > 1.2")
+    assert page.evaluate("scrollY") == 0

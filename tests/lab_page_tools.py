@@ -1,0 +1,35 @@
+"""What the tests of the lab's page in a browser share."""
+
+import os
+from pathlib import Path
+
+PICTURES = Path(os.environ.get("HOPHOOP_SCREENSHOTS", Path(__file__).parent / "results" / "lab"))
+
+
+def summary(page):
+    return page.locator(".summary").inner_text()
+
+
+def wait_for(page, expression):
+    page.wait_for_function(f"() => {{ const lab = hophoopLab; return {expression}; }}")
+
+
+def picture(page, name, **options):
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    page.screenshot(path=PICTURES / f"{name}.png", **options)
+
+
+def colors_on(page, selector):
+    """How many different colours a canvas shows."""
+    return page.evaluate(
+        """selector => {
+          const source = document.querySelector(selector);
+          const copy = document.createElement("canvas");
+          copy.width = 200; copy.height = 120;
+          const context = copy.getContext("2d");
+          context.drawImage(source, 0, 0, 200, 120);
+          const { data } = context.getImageData(0, 0, 200, 120);
+          return new Set(new Uint32Array(data.buffer)).size;
+        }""",
+        selector,
+    )
