@@ -6,7 +6,8 @@
 
 The first solution is the precise room's (Taylor series in whole numbers, two working precisions), asked anew for the state
 at every time of the grid; the second is the tests' oracle (Taylor series in mpmath of the equations rederived from the
-Lagrangian), which shares no line with it. The kernel in doubles is compared with both. Some ten minutes on one core.
+Lagrangian), which shares no line with it. The kernel in doubles is compared with both. Some ten minutes on one core;
+`prove_bench_truth.py` then proves a bound of the errors.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from hophoop.engines.task import task_of  # noqa: E402
 from oracles import precise as oracle  # noqa: E402
 from oracles.cases import Case  # noqa: E402
 
+TARGET = ROOT / "src/hophoop/engines/data/hophoop-bench-1.json"
 DIGITS = 30
 STATE = ("x", "height", "angle", "vx", "vy", "omega")
 NAMES = ("x", "y", "angle", "vx", "vy", "omega")
@@ -139,12 +141,16 @@ def main() -> None:
     """Write the truth and its checksum."""
     from hophoop.engines.measures import measures_of_truth
 
-    target = ROOT / "src/hophoop/engines/data/hophoop-bench-1.json"
     wanted = sys.argv[1:] or list(bench_scenarios())
-    scenarios = json.loads(target.read_text(encoding="utf-8"))["scenarios"] if sys.argv[1:] else {}
+    scenarios = json.loads(TARGET.read_text(encoding="utf-8"))["scenarios"] if sys.argv[1:] else {}
     scenarios |= {name: truth_of(bench) for name, bench in bench_scenarios().items() if name in wanted}
     for name, entry in scenarios.items():
         entry["measures"] = measures_of_truth(bench_scenarios()[name], entry)
+    write(scenarios)
+
+
+def write(scenarios: dict[str, Any]) -> None:
+    """The file and its checksum."""
     document = {
         "$schema": "hophoop-bench-1.schema.json",
         "benchmark": BENCHMARK,
@@ -157,9 +163,9 @@ def main() -> None:
         "scenarios": scenarios,
     }
     content = (json.dumps(document, indent=1, ensure_ascii=False) + "\n").encode()
-    target.write_bytes(content)
+    TARGET.write_bytes(content)
     digest = hashlib.sha256(content).hexdigest()
-    target.with_suffix(".sha256").write_text(f"{digest}  {target.name}\n")
+    TARGET.with_suffix(".sha256").write_text(f"{digest}  {TARGET.name}\n")
 
 
 if __name__ == "__main__":

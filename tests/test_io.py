@@ -67,6 +67,7 @@ def test_a_compliant_motion_too(compliant, tmp_path, name):
     assert_same_bits(compliant, hh.load(str(tmp_path / name)))
 
 
+@pytest.mark.long
 @given(
     st.floats(0.0, 0.99),
     st.floats(0.0, 2.0),
@@ -266,6 +267,7 @@ def test_a_table_that_is_missing_is_noticed(motion, tmp_path):
         hh.load(tmp_path / "half.nc")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_write_that_fails_leaves_the_old_file(motion, tmp_path, name, monkeypatch):
     motion.save(tmp_path / name)

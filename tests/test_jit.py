@@ -95,6 +95,7 @@ def test_short_calls_stay_interpreted(fresh):
 # Changing over
 
 
+@pytest.mark.long
 def test_a_long_call_changes_over_while_it_runs(fresh, monkeypatch):
     monkeypatch.setattr(policy, "PATIENCE_TO_COMPILE", 0.0)
     monkeypatch.setattr(policy, "PATIENCE_TO_LOAD", 0.0)
@@ -136,6 +137,7 @@ def test_what_python_raises_is_what_compiled_arithmetic_gives(fresh):
         small_kernels.quotient(1.0, 0.0)
 
 
+@pytest.mark.long
 def test_two_first_calls_at_once_compile_once(tmp_path):
     code = "import small_kernels, numpy; print(small_kernels.summed(1000, numpy.empty(1)))"
     path = os.pathsep.join([str(SOURCE), str(Path(__file__).parent)])

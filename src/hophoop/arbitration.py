@@ -22,13 +22,12 @@ LATEST = 100.0
 FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
-# Steps of all longer computations of one motion, some 2 ms each, so that it ends within 5 s. Motions beside a border need
-# less than a thousand; what needs more is left as the doubles have it.
-ALL_STEPS = 2000
-# Bits below 1 of the smallest number of a scenario up to which a step costs what it usually does; from there on it grows as
-# the fourth power of all bits. A scenario with numbers below 1e-30 is left as the doubles have it.
-USUAL_BITS, PLAIN_BITS, MOST_BITS = 20, 106, 100
+# Steps of all longer computations of one motion, some 0.8 ms each, so that it ends within 5 s; one with more bits counts for
+# several. What needs more is left as the doubles have it.
+ALL_STEPS = 5000
+MOST_BITS = 100  # below 1: a scenario with smaller numbers, below 1e-30, is left as the doubles have it
 CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
+MOST_TURNED = 10.0  # rad: by so much at most does a fast start turn in this time
 NO_SCRIPT = np.empty(0, EVENT)
 
 _LAST = (Event.REST, Event.JAM, Event.END)
@@ -49,14 +48,28 @@ def latest(scenario: Scenario) -> float:
     light = scenario.hoop.inertia_ratio
     if scenario.contact.model != "rigid" or light == 0.0 or not 0.0 < scenario.plane.mu_static < math.inf:
         return -1.0
+    return LATEST * min(1.0, math.sqrt(light / LIGHT), FAST / max(speed_of(scenario), FAST))
+
+
+def speed_of(scenario: Scenario) -> float:
+    """How fast a motion begins.
+
+    Parameters
+    ----------
+    scenario : Scenario
+
+    Returns
+    -------
+    speed : float
+        [√(g R)].
+    """
     given, radius = scenario.start.state(scenario.hoop), scenario.hoop.radius
     rate = (abs(given.vx) + abs(given.vy)) / radius + abs(given.omega)
-    speed = rate * time_unit(scenario.hoop, scenario.plane)
-    return LATEST * min(1.0, math.sqrt(light / LIGHT), FAST / max(speed, FAST))
+    return rate * time_unit(scenario.hoop, scenario.plane)
 
 
 def steps_allowed(scenario: Scenario) -> int:
-    """How many steps of the longer computation a motion may take, fewer where very small numbers make each cost more.
+    """How many steps of the longer computation a motion may take.
 
     Parameters
     ----------
@@ -66,13 +79,11 @@ def steps_allowed(scenario: Scenario) -> int:
     Returns
     -------
     steps : int
-        [1].
+        Of 106 bits, at both precisions together; one with more counts for several. 0 with numbers below 1e-30 [1].
     """
     from hophoop.precise.problem import Problem
 
-    bits = Problem.of(scenario).tiny()
-    beyond = max(0, bits - USUAL_BITS)
-    return 0 if bits > MOST_BITS else int(ALL_STEPS * (1.0 + beyond / (USUAL_BITS + PLAIN_BITS)) ** -4)
+    return 0 if Problem.of(scenario).tiny() > MOST_BITS else ALL_STEPS
 
 
 @dataclass
@@ -81,11 +92,11 @@ class Budget:
 
     Attributes
     ----------
-    steps : int
+    steps : float
         Of the longer computation [1].
     """
 
-    steps: int
+    steps: float
 
 
 def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -> np.ndarray:
@@ -107,28 +118,27 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
     """
     from hophoop.precise import solve
 
-    until = end + CLEAR
+    clear = min(CLEAR, MOST_TURNED / max(speed_of(scenario), 1.0))
+    until = end + clear
     last = scenario.duration / time_unit(scenario.hoop, scenario.plane)
     whole = steps_allowed(scenario)
     budget = Budget(whole) if budget is None else budget
-    if budget.steps <= 0 or whole == 0:
+    if whole == 0:
         return NO_SCRIPT
-    allowed = budget.steps
     for _ in range(8):
         try:
-            solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=allowed)
+            solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=budget.steps)
         except ArithmeticError:
             budget.steps = 0
             return NO_SCRIPT
-        budget.steps -= int(allowed - solution.body.steps_left)
-        allowed = max(budget.steps, 0)
+        budget.steps = solution.body.work.left
         records = list(solution.records)
         if solution.status != Status.COMPLETED:
             break
         before = [float(record.state.t) for record in records if record.kind != Event.END]
-        if not before or until >= last or until - before[-1] >= 0.5 * CLEAR:
+        if not before or until >= last or until - before[-1] >= 0.5 * clear:
             break
-        until = before[-1] + CLEAR
+        until = before[-1] + clear
     if solution.status != Status.COMPLETED:
         # what ends the motion is for the kernel to say: it goes on from the last event before
         while records and records[-1].kind in _LAST:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -42,3 +44,13 @@ def test_many_turns_cost_no_digits():
     start = hh.Start(angle=1e5, vx=1.0, omega=3.0)
     turned = hh.simulate(hh.Scenario(start=start, duration=1.0, contact=hh.Compliant()))
     assert abs(turned.ledger.residual) <= 1e-7 * turned.ledger.range
+
+
+def test_after_millions_of_turns_a_step_asks_for_the_digits_that_the_angle_has():
+    """θ = 10⁸ rad is known to 10⁻⁸: steps that asked for 10⁻⁹ shrank to noise, hundreds of thousands to a landing."""
+    path = Path(__file__).parents[1] / "data" / "once_open" / "5406.toml"
+    scenario = hh.Scenario.load(path).replace("contact.max_events", 22)
+    motion = hh.simulate(scenario)
+    assert abs(motion.events[-1].angle) > 1e8
+    assert len(motion.tables["segments"]) < 2_000
+    assert abs(motion.ledger.residual) <= 1e-7 * motion.ledger.range

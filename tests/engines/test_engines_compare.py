@@ -326,6 +326,7 @@ def test_bad_input(arguments, message):
     assert message in result.output
 
 
+@pytest.mark.long
 def test_a_report(tmp_path):
     pytest.importorskip("matplotlib")
     result = call("hophoop", "--scenario", "hop", "--out", str(tmp_path / "out"), "--no-film", "--quiet")

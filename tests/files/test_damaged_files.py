@@ -47,6 +47,7 @@ def check_damaged(motion, folder, name, count, least):
     assert came[REFUSED] > least
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", FORMATS)
 def test_a_damaged_file_is_the_same_motion_or_one_sentence(motion, tmp_path, name):
     check_damaged(motion, tmp_path, name, 24, 4)
@@ -194,6 +195,7 @@ def write(motion, path, times):
         io.save(motion, path, n=5)
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="needs fork; on Windows an open file cannot be replaced")
 @pytest.mark.parametrize("name", FORMATS)
 def test_readers_beside_two_writers_see_whole_motions(motion, shorter, tmp_path, name):

@@ -40,6 +40,7 @@ def sampled(rolling):
     return found
 
 
+@pytest.mark.long
 def test_where_all_is_linear_it_is_the_normal_distribution_of_the_fit(rolling, sampled):
     assert rolling.posterior is None
     assert set(sampled.posterior.names) == {"gamma", "mu_kinetic", "x0", "angle0", "speed"}
@@ -76,6 +77,7 @@ def test_a_sequence_has_the_share_of_the_samples_whose_friction_suffices(sampled
     assert sampled.shares == posterior.shares
 
 
+@pytest.mark.long
 def test_bounds_are_the_prior(rolling):
     bounded = hh.fit(rolled(0.9), fixed={"mu_excess": 0.0, "restitution": 0.0}, bounds={"mu_kinetic": (0.5, 0.7)})
     found = sample(bounded, 200).posterior
@@ -85,6 +87,7 @@ def test_bounds_are_the_prior(rolling):
     assert middle == pytest.approx(0.6, abs=0.04)
 
 
+@pytest.mark.long
 def test_what_is_tied_goes_along(rolling):
     tied = hh.fit(rolled(0.9), fixed={"restitution": 0.0, "mu_kinetic": 0.9}, tied={"mu_excess": "gamma / 10"})
     found = sample(tied, 40)

@@ -17,7 +17,7 @@ import hophoop as hh
 
 PATIENCE = 5.0  # s of the processor; the longest are decisions in more digits
 LEDGER, LEDGER_OF_LIGHT, LIGHT = 1e-9, 1e-8, 1e-6  # of the energy range, with rigid contact; with a ring below that κ
-LEDGER_OF_STEPS = 1e3  # times rtol, with compliant contact
+LEDGER_OF_STEPS, LEDGER_OF_STEP = 1e3, 0.1  # times rtol, with compliant contact: of a motion, and for each of its steps
 ROUGH = 100.0  # friction beyond which a compliant contact, as with a light ring, is a thousand times less exact
 TINY_FRICTION = 1e-12
 ROUNDING = 1e-9  # of the forces at work
@@ -61,7 +61,8 @@ def law_problems(motion: hh.Trajectory) -> list[str]:
     found += [f"{name} of an event is not finite" for name in STATE if not all(map(math.isfinite, _of(motion, name)))]
     allowed = LEDGER if hoop.inertia_ratio >= LIGHT or hoop.massless else LEDGER_OF_LIGHT
     if not rigid:
-        allowed = 1e-8 + LEDGER_OF_STEPS * (scenario.contact.rtol or 1e-9)
+        steps = len(motion.tables["segments"])
+        allowed = 1e-8 + (LEDGER_OF_STEPS + LEDGER_OF_STEP * steps) * (scenario.contact.rtol or 1e-9)
         if hoop.inertia_ratio < LIGHT or plane.mu_static > ROUGH:
             allowed *= LEDGER_OF_STEPS
     if not abs(ledger.residual) <= allowed * ledger.range:

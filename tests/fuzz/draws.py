@@ -164,6 +164,9 @@ def scenario(source: Source, share_compliant: int = 3, turns: float | None = Non
         "duration": source.choice([1.0, 6.0, of_range(source, RANGES["duration"], 6.0)]),
         "contact": contact(source, compliant, body, where),
     }
+    if not massless:  # drawn last, so that all else of an index is as it was before there was such a thing
+        resistance = [0.0, 0.0, 0.0, 0.0, source.between(0.0, 0.1), of_range(source, RANGES["plane.rolling_resistance"], 0.01)]
+        where["rolling_resistance"] = source.choice(resistance)
     if turns is not None:
         rate = abs(begin.get("omega", 0.0)) + (abs(begin.get("speed", 0.0)) + abs(begin.get("vx", 0.0))) / body["radius"]
         rate += 10.0 * math.sqrt(where["gravity"] / body["radius"])

@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import multiprocessing
 import sys
+import tomllib
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -102,3 +104,12 @@ def test_other_processes_give_the_same_bits(method, monkeypatch):
     alone = [answer(index) for index in indices]
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(method)) as pool:
         assert list(pool.map(answer, indices)) == alone
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+@pytest.mark.parametrize("index", [557, 744, 1019, 1327, 1391, 2470, 4033, 5406])
+def test_scenarios_of_a_night_that_once_failed(index):
+    """Their ledger was off, their mirror image had other events, or they took from 6 to 29 s of the processor."""
+    path = Path(__file__).parents[1] / "data" / "once_open" / f"{index}.toml"
+    check(tomllib.loads(path.read_text(encoding="utf-8")))

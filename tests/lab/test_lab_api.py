@@ -271,6 +271,7 @@ def test_serve_listens_on_loopback_unless_told_otherwise(monkeypatch):
 # Anything at all
 
 
+@pytest.mark.long
 def test_schemathesis_finds_nothing():
     schemathesis = pytest.importorskip("schemathesis", reason="schemathesis is not installed")
     from hypothesis import HealthCheck, Phase, given, settings

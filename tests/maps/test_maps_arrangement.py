@@ -167,6 +167,7 @@ def coarse():
     return survey(0.48, 16, 1e-5, 1e-3, 1e-3)
 
 
+@pytest.mark.long
 def test_neighbours_differ_by_one_coincidence(coarse):
     assert coarse.complete
     assert coarse.unexplained == []
@@ -174,6 +175,7 @@ def test_neighbours_differ_by_one_coincidence(coarse):
         assert set(across(skid)[1:-1]) <= set(coarse.strips)
 
 
+@pytest.mark.long
 def test_a_class_between_two_lines_is_not_lost():
     """Of RSKRSRK, at the bottom of this window, no line sees a whole stretch."""
     found = survey(0.8, 8, 1e-3, 1e-3, 1e-3).found

@@ -172,6 +172,7 @@ def test_counts_fall_with_the_width():
         assert before == 0
 
 
+@pytest.mark.long
 def test_a_narrow_class_in_forty_digits(script):
     entry = min(maps.catalogue(), key=lambda entry: entry.width)
     assert script.class_in_digits(0.75, entry.mu, entry.speed) == (entry.sequence, entry.ending)
@@ -184,6 +185,7 @@ def test_the_narrowest_classes_in_forty_digits(script):
             assert script.class_in_digits(gamma, entry.mu, entry.speed) == (entry.sequence, entry.ending)
 
 
+@pytest.mark.long
 def test_the_script_makes_it(script, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(script, "HOOPS", (0.02, 0.04))
     stored = HOOPS["0.02"]

@@ -65,6 +65,7 @@ def cluster(tmp_path):
             process.stderr.close()
 
 
+@pytest.mark.long
 def test_a_cluster_that_loses_a_worker_makes_the_same_bytes(tmp_path):
     local = tmp_path / "local.zarr"
     maps.sweep(None, AXES, QUANTITIES, out=local, chunk_cells=CHUNK)

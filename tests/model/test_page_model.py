@@ -186,6 +186,7 @@ def known_of(scenario: hh.Scenario) -> dict[str, Any]:
     return {name: "inf" if value == math.inf else value for name, value in known.items()}
 
 
+@pytest.mark.long
 def test_thresholds_are_told_alike():
     found = [preset.scenario for preset in presets.presets()]
     found += [random_scenarios.scenario_of(random_scenarios.draw(8, index)[1]) for index in range(24)]

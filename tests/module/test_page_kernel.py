@@ -99,6 +99,7 @@ def decided(answers: dict[str, Any]) -> list[tuple[hh.Scenario, hh.Trajectory, d
     return found
 
 
+@pytest.mark.long
 def test_what_is_told_of_a_motion_is_the_same(answers: dict[str, Any]) -> None:
     for _, motion, answer in decided(answers):
         told = motion.to_dict()
@@ -118,6 +119,7 @@ def test_what_is_told_of_a_motion_is_the_same(answers: dict[str, Any]) -> None:
             assert mine["energy"][name] == pytest.approx(value, abs=1e-9 * size, rel=1e-9), name
 
 
+@pytest.mark.long
 def test_columns_of_a_film_are_the_same(answers: dict[str, Any]) -> None:
     for _, motion, answer in decided(answers):
         mine = {name: np.array([float(each) for each in column]) for name, column in answer["columns"].items()}

@@ -98,3 +98,27 @@ def test_a_strike_at_the_edge_of_the_cone_sticks():
     body = Body(1.0, 0.0, 0.5, 0.25, 1.0, 0.0, 0.0, 2, False, 0.0)
     assert strike(body, 0.5, -1.0) == (0.0, 1.0, -0.5)
     assert strike(body, 0.75, -1.0) == (0.5, 1.0, -0.25)
+
+
+@pytest.mark.parametrize(("th", "om"), [(1.0, 0.5), (2.5, 3.0), (5.0, -0.8)])
+def test_without_gravity_the_load_goes_on_as_it_went(th, om):
+    """It reaches the plane after its height over its speed; one that does not sink never does."""
+    body = Body(1.0, 0.0, 0.5, 0.4, 0.0, 0.0, 0.0, 0, False, 0.0)
+    height, sink = 1.0 + math.cos(th), math.sin(th) * om
+    tau = skim_duration(body, math.cos(th), sink)
+    assert height - sink * tau == pytest.approx(0.0, abs=1e-15)
+    assert skim_duration(body, math.cos(th), 0.0) == math.inf
+
+
+@pytest.mark.parametrize("gravity", [1.0, 0.5])
+def test_with_gravity_it_falls(gravity):
+    body = Body(1.0, 0.0, 0.5, 0.4, gravity, 0.0, 0.0, 0, False, 0.0)
+    tau = skim_duration(body, math.cos(2.0), 0.3)
+    assert 1.0 + math.cos(2.0) - 0.3 * tau - 0.5 * gravity * tau * tau == pytest.approx(0.0, abs=1e-15)
+
+
+def test_a_load_that_rounding_lifts_above_the_top_stays_there():
+    """1 − cos θ would be −10⁻¹⁹: the top, with θ̇² = g as from rest there."""
+    body = Body(1.0, 0.0, 0.5, 0.4, 1.0, 0.0, 0.0, 0, False, 0.0)
+    _, th, _, om = skim_state(body, 0.0, 1e-9, 0.0, -1.5, 1, 1.5e-9)
+    assert (th, om) == (0.0, 1.0)

@@ -41,6 +41,7 @@ def same(ours, true, digits, names=("t", *STATE)):
 # Against the oracle, a Taylor solution written apart from this one
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", COUNTED)
 def test_reference_motions_to_all_digits_of_the_data(name):
     """25 digits are stored."""

@@ -93,6 +93,24 @@ def test_what_is_not_covered_stays_undecided():
     assert "massless" in proof.why
 
 
+def test_sixty_digits_of_the_hop():
+    """The checker finds the angle at the end of the time to as many digits as the prover."""
+    proof = prove(HOP, 60)
+    assert (proof.verdict, proof.digits_proved) == ("proved", 60), proof.why
+    assert all(event.x.radius < Fraction(1, 10**58) for event in proof.events)
+
+
+@pytest.mark.slow
+def test_a_jam_stays_undecided_and_says_where():
+    """The slip runs into p_σ = 0, where the contact force has no bound; what comes before it is proved."""
+    start = hh.Start(angle=-2.312, vx=30.37, omega=5.654)
+    scenario = hh.Scenario(plane=hh.Plane(mu_static=1.219, mu_kinetic=1.21), start=start, duration=1.0)
+    assert hh.simulate(scenario).status == "jammed"
+    proof = prove(scenario, 5)
+    assert (proof.verdict, [event.kind for event in proof.events]) == ("undecided", ["start"])
+    assert "p_σ = 0" in proof.why
+
+
 def test_bad_input_is_refused():
     for wrong in (0, 201, 1.5, True):
         with pytest.raises(ValueError, match="digits"):
@@ -139,6 +157,7 @@ def test_two_hundred_random_motions():
     assert found.count("undecided") <= 10
 
 
+@pytest.mark.long
 def test_every_sequence_of_the_catalogue_exists():
     """The kept certificates are accepted, and are about the classes of the catalogue, none left out."""
     classes = set()

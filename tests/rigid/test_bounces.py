@@ -47,6 +47,7 @@ def test_limit_of_a_disk(restitution, law):
     assert (after.height, after.vx, after.omega) == pytest.approx((0.0, 1.5, 2.0), rel=1e-11)
 
 
+@pytest.mark.long
 @pytest.mark.compiled
 def test_thousands_of_bounces_stay_exact():
     """e = 0.999: every one of some twenty thousand impacts at its time, against 40 digits."""

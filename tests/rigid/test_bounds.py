@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import json
 import math
+import time
 
 import numpy as np
 import pytest
 
 import hophoop as hh
+import hophoop.simulation
 from hophoop import arbitration
 from hophoop.numerics import roots
 from hophoop.panels import landing
 from hophoop.panels.panel import LEVELS, RESOLVED
+from hophoop.precise import contact
+from hophoop.precise.motion import Run
+from hophoop.precise.problem import Problem
+from hophoop.precise.series import Work, work_of_step
 from hophoop.records.scratch import MOST_PANELS, new_scratch
 from hophoop.records.state import start_state
 from hophoop.rigid import panel_choice
@@ -140,19 +146,71 @@ def test_a_search_for_roots_ends(monkeypatch):
 
 
 def test_the_longer_computation_has_a_budget():
-    """Steps of many digits: all of them for ordinary numbers, fewer with small ones, none below 1e-30."""
+    """Steps of many digits: more bits cost more of them, none below 1e-30."""
     ordinary = hh.Scenario()
     assert arbitration.steps_allowed(ordinary) == arbitration.ALL_STEPS
-    small = ordinary.replace("start.angle", 1e-20)
-    assert 0 < arbitration.steps_allowed(small) < arbitration.ALL_STEPS
     assert arbitration.steps_allowed(ordinary.replace("start.angle", 1e-100)) == 0
     for steps in (0, 5):
         budget = arbitration.Budget(steps)
         assert not arbitration.script_until(ordinary, 1.0, budget).size
         assert budget.steps == 0
+    left = []
+    for scenario in (ordinary, ordinary.replace("start.angle", 1e-20)):
+        budget = arbitration.Budget(arbitration.ALL_STEPS)
+        assert arbitration.script_until(scenario, 0.3, budget).size
+        left.append(budget.steps)
+    assert 0 < left[1] < left[0] < arbitration.ALL_STEPS
+
+
+@pytest.mark.parametrize("allowed", [100, 1000])
+def test_all_computations_share_one_budget(monkeypatch, allowed):
+    """A tie is solved for at three precisions, twice at each, and again for each decision: together within the budget."""
+    tied = hh.Scenario(
+        hoop=hh.Hoop(eccentricity=1.0, inertia_ratio=0.4),
+        plane=hh.Plane(gravity=791301.0, mu_static=0.6, mu_kinetic=0.0),
+        start=hh.Start.rolling(3.1, angle=1.8),
+        contact=hh.Rigid(max_events=40),
+    )
+    spent, asked = [], []
+    expand, decide = contact.expand, hophoop.simulation.script_until
+
+    def counted(body, *others):
+        spent.append(0.7 + (body.bits / 160.0) ** 3)
+        return expand(body, *others)
+
+    def noted(*arguments):
+        asked.append(arguments)
+        return decide(*arguments)
+
+    monkeypatch.setattr(contact, "expand", counted)
+    monkeypatch.setattr(hophoop.simulation, "script_until", noted)
+    monkeypatch.setattr(arbitration, "ALL_STEPS", allowed)
+    motion = hh.simulate(tied)
+    assert asked
+    assert 0.8 * allowed <= sum(spent) <= allowed + max(spent)  # the last one is refused
+    assert abs(motion.ledger.residual) <= 1e-12 * motion.ledger.range
+
+
+def test_a_step_of_more_bits_costs_what_it_takes():
+    """The count of work goes with the time of a step, to a factor of two."""
+    costs = []
+    for bits in (106, 351):
+        run = Run(Problem.of(hh.Scenario(duration=1.0)), bits, False, 1e-23, work=Work(math.inf))
+        counted = []
+        run.body.work.take = counted.append
+        began = time.process_time()
+        run.run()
+        costs.append((time.process_time() - began) / len(counted) / work_of_step(bits))
+    assert 0.5 < costs[1] / costs[0] < 2.0
+
+
+def test_a_fast_start_is_clear_of_doubt_after_a_turn_or_two():
+    """9e6 rad/s: a twentieth of √(R/g) would be 70,000 turns, more than any budget."""
+    scenario = hh.Scenario(plane=hh.Plane(gravity=0.0), start=hh.Start(vx=0.3, vy=-1.0, omega=9e6), duration=9.0)
     budget = arbitration.Budget(arbitration.ALL_STEPS)
-    assert arbitration.script_until(ordinary, 0.3, budget).size
-    assert 0 < budget.steps < arbitration.ALL_STEPS
+    script = arbitration.script_until(scenario, 0.0, budget)
+    assert script.size
+    assert script[-1]["t"] == pytest.approx(arbitration.MOST_TURNED / 9e6, rel=0.5)
 
 
 def solving(monkeypatch, change):

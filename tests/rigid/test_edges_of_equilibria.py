@@ -248,3 +248,17 @@ def test_two_doubles():
             turns, high, low = double_double.turns_and_rest(angle)
             assert abs(high) <= math.pi
             assert abs(2 * mp.pi * int(turns) + mpf(float(high)) + mpf(float(low)) - mpf(angle)) < 1e-29
+
+
+def test_turns_beyond_whole_doubles():
+    """2^50 to 2^60 turns: the rest is right to 40 digits, half a turn at most, and left is as right."""
+    random = np.random.default_rng(4)
+    with mp.workdps(60):
+        for power in np.linspace(50.0, 60.0, 300):
+            angle = 2 * math.pi * float(2.0**power) + random.uniform(-8.0, 8.0)
+            turns, high, low = double_double.turns_and_rest(angle)
+            nearest = mp.nint(mpf(angle) / (2 * mp.pi))
+            assert abs(mpf(float(high)) + mpf(float(low)) - (mpf(angle) - 2 * mp.pi * nearest)) < mpf(2.0**power) * 1e-31
+            assert abs(turns - int(nearest)) <= 2.0 ** (power - 53)
+            assert double_double.turns_and_rest(-angle) == (-turns, -high, -low)
+            assert abs(high) <= math.pi

@@ -34,6 +34,7 @@ def test_friction_that_runs_out_on_the_way_to_the_bottom():
         assert float(row["omega"]) == pytest.approx(float(record.state.om), rel=1e-10)
 
 
+@pytest.mark.long
 def test_slip_past_the_bottom():
     """The height of G there is 1 − ε and a little: written as 1 + ε cos θ it had no digits, and v_t lost 1e-11 a turn."""
     scenario = hh.Scenario(

@@ -126,6 +126,7 @@ def check(motion):
     assert np.abs(sample.total + lost - origin).max() <= 1e-10 * ledger.range, start
 
 
+@pytest.mark.long
 @settings(max_examples=150)
 @given(hoop=hoops(), plane=planes(), start=starts())
 @example(  # once a false jam: slip stops just before p_σ = 0

@@ -133,6 +133,7 @@ def test_no_decision_without_need(monkeypatch):
     hh.simulate(hh.Hoop.ideal(0.0), hh.Plane(), hh.Start.rolling(1.0))
 
 
+@pytest.mark.long
 def test_estimated_errors_are_those_that_occur():
     """Against 20 digits: at most ten times the estimate in 98 of 100, and not far below it as a rule."""
     from oracle_program import simulate

@@ -55,6 +55,7 @@ def test_times_are_those_of_the_file_and_the_middle_of_the_exposure(films):
     assert slow.t == pytest.approx(np.arange(film.frames) / 240.0, abs=1e-12)
 
 
+@pytest.mark.long
 def test_a_lens_out_of_axis_with_a_rolling_shutter(films, motion):
     path, film = films("tilted")
     track = tracked(film, path)
@@ -84,6 +85,7 @@ def test_a_rolling_shutter_is_put_right(films, motion):
     assert abs(np.nanmean(bad[1])) > 3 * abs(np.nanmean(good[1]))
 
 
+@pytest.mark.long
 def test_a_light_hoop_cut_by_the_edge_on_a_picture_that_is_not_level(films, motion):
     path, film = films("light")
     track = tracked(film, path)
@@ -118,6 +120,7 @@ def test_the_scale_comes_from_the_radius(films):
     assert two.centre == pytest.approx(2 * one.centre, nan_ok=True)
 
 
+@pytest.mark.long
 def test_hints_are_followed(films, motion):
     path, film = films("short")
     track = tracked(film, path, marker="red", ring="dark")

@@ -27,6 +27,7 @@ from hophoop.numerics.double_double import TWO_PI
 ITERATIONS = 10
 NEWTON = 1e-3  # of the tolerance: what Newton's iteration may leave
 FAILED = 1e300  # an error that no step may have
+ROUNDED = 2.0**-50  # of θ: after millions of radians a step is asked for no more than the digits that the angle still has
 
 
 @jit
@@ -167,6 +168,7 @@ def attempt(body, comp, regime, work, start, h, rtol):
     Leaves the stages, the integrals and the dense output in `work`; returns the error over the tolerance,
     FAILED where Newton's iteration does not converge.
     """
+    rtol = max(rtol, ROUNDED * abs(start[TH]))
     for m in range(SIZE):
         work.scale[m] = rtol * (work.atol[m] + abs(start[m]))
     if abs(start[TH]) > TWO_PI:  # after many turns an angle needs its digits within the turn

@@ -18,6 +18,8 @@ SPLITTER = 134217729.0  # 2^27 + 1
 # π to 49 digits, for the two parts of it and of 2π
 _PI = Fraction(3141592653589793238462643383279502884197169399375, 10**48)
 PI, TWO_PI = math.pi, 2.0 * math.pi
+MANY = 1099511627776.0  # 2^40: a quotient so large has too few digits after the point to be rounded
+WHOLE = 4503599627370496.0  # 2^52: from here on a double is a whole number, and a half more would be rounded
 PI_LOW = float(_PI - Fraction(PI))
 TWO_PI_LOW = 2.0 * PI_LOW
 
@@ -147,10 +149,30 @@ def arc_sine(a):
 
 
 @lean_jit
-def turns_and_rest(angle):
-    """(whole turns, rest as two doubles from −π to π) of an angle that is a double, taken as exact."""
-    turns = 1.0 * math.floor(angle / TWO_PI + 0.5)
+def _without(turns, angle):
+    """The angle less whole turns."""
     high, error = two_product(turns, TWO_PI)
-    rest = add((angle, 0.0), (-high, -error))
-    rest = add(rest, (-(turns * TWO_PI_LOW), 0.0))
-    return turns, rest[0], rest[1]
+    rest = add(angle, (-high, -error))
+    return add(rest, (-(turns * TWO_PI_LOW), 0.0))
+
+
+@lean_jit
+def turns_and_rest(angle):
+    """(whole turns, rest as two doubles from −π to π) of an angle that is a double, taken as exact.
+
+    The number of turns is a double as well: beyond 2^53 it is rounded, and the rest stays right.
+    """
+    turns = angle / TWO_PI
+    way = 1.0
+    if abs(turns) >= MANY:
+        way = math.copysign(1.0, angle)  # so that left and right are alike to the last bit
+        angle *= way
+        turns *= way
+    if turns < WHOLE:
+        turns = 1.0 * math.floor(turns + 0.5)
+    rest = _without(turns, (angle, 0.0))
+    if turns >= MANY:  # the quotient may be next to the right number
+        more = 1.0 * math.floor(rest[0] / TWO_PI + 0.5)
+        rest = _without(more, rest)
+        turns += more
+    return way * turns, way * rest[0], way * rest[1]

@@ -36,7 +36,7 @@ def skim_state(body, x, th, vt, om, way, tau):
         th_end -= 2.0 * math.pi
     s_end = math.sin(2.0 * half)
     rate = sink + body.gn * tau
-    if s_end > 0.0 and versine > 0.0:
+    if s_end > 0.0:
         om_end = way * rate / s_end
     else:
         om_end = way * math.sqrt(body.gn)

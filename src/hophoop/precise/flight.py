@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from hophoop.precise.phases import gap_series, take_step
+from hophoop.precise.phases import gap_series
 from hophoop.precise.problem import Body, Number, PreciseState
 from hophoop.precise.rules import free_opening
 from hophoop.precise.series import Judge, sign_changes, slope_at, stretched, value
@@ -30,13 +30,13 @@ def fly(body: Body, judge: Judge, state: PreciseState, lifted: bool, t_end: Numb
     apex: PreciseState | None = None
     highest = state.y
     while True:
-        take_step(body)
         opening = body.zero if known == 3 else free_opening(body, state.th, state.om)
         left = t_end - state.t
         if left <= 0:
             return Landing(state._replace(t=t_end), False, apex)
         exponent = _exponent(body, state, opening, left)
         bits = body.bits + max(0, -3 * exponent) + 16
+        body.work.take(bits)
         series = gap_series(body, state, opening, exponent, _order(body, state, exponent, bits), bits)
         scale = max(map(abs, series))
         judge_here = Judge(body.bits, judge.last)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from operator import mul
 
 from hophoop.precise.problem import Body, Fixed, Number, PreciseState
-from hophoop.precise.series import TooManySteps, integral, product
+from hophoop.precise.series import integral, product
 
 # The best order spends about this many bits a coefficient: terms that shrink by e² each.
 BITS_A_TERM = 2.9
@@ -56,16 +56,9 @@ def scaled(values: Sequence[int], exponent: int) -> list[int]:
     return [value >> -exponent for value in values]
 
 
-def take_step(body: Body) -> None:
-    """Count a step of contact or flight."""
-    body.steps_left -= 1
-    if body.steps_left < 0:
-        raise TooManySteps("the motion needs more steps than are allowed.")
-
-
 def expand(body: Body, sigma: int, state: PreciseState, exponent: int, order: int) -> Step | None:
     """Rolling (sigma = 0) or slip from a state; None where the coefficients grow beyond any use."""
-    take_step(body)
+    body.work.take(body.bits)
     fixed = body.fixed
     ctx = body.ctx
     cosine, sine = ctx.cos_sin(state.th)

@@ -11,7 +11,7 @@ from hophoop.physics.body import Status
 from hophoop.precise.contact import Stiff
 from hophoop.precise.motion import Record, Run
 from hophoop.precise.problem import Body, Number, PreciseState, Problem
-from hophoop.precise.series import MorePrecision
+from hophoop.precise.series import MorePrecision, Work
 from hophoop.scenario import InputError, Scenario
 
 LEAST_DIGITS, MOST_DIGITS = 15, 1000
@@ -97,7 +97,7 @@ def solve(
     until: Any = None,
     max_events: int | None = None,
     closing: float | None = None,
-    most_steps: int | None = None,
+    most_steps: float | None = None,
 ) -> Solution:
     """Compute a rigid motion to a number of digits.
 
@@ -114,8 +114,9 @@ def solve(
     closing : float, optional
         A sequence of bounces is closed when what is left of it takes less than this part of the time so far; by default
         10^(−digits − 3) [1].
-    most_steps : int, optional
-        Steps of contact after which each of the two computations is given up [1].
+    most_steps : float, optional
+        Steps of contact and flight that all computations may take together, at all their precisions: one with more than 106
+        bits counts for as many as take its time [1].
 
     Returns
     -------
@@ -137,8 +138,9 @@ def solve(
         closing_at = closing
     base = int((digits + GUARD) * BITS_A_DIGIT) + problem.tiny()
     best: Solution | None = None
+    work = Work(math.inf if most_steps is None else most_steps)
     for _ in range(MOST_TRIES):
-        runs = _pair(problem, base, closing_at, until, max_events, most_steps)
+        runs = _pair(problem, base, closing_at, until, max_events, work)
         if runs is None:  # what happens differs between the two: neither can be trusted
             base *= 2
             continue
@@ -171,15 +173,12 @@ def _levels(base: int) -> Iterator[tuple[int, bool]]:
     yield base * 3, True
 
 
-def _pair(
-    problem: Problem, base: int, closing: Any, until: Any, max_events: int | None, most_steps: int | None
-) -> tuple[Run, Run] | None:
+def _pair(problem: Problem, base: int, closing: Any, until: Any, max_events: int | None, work: Work) -> tuple[Run, Run] | None:
     """The motion at two working precisions; None where the events are not the same."""
     for bits, last in _levels(base):
         try:
-            rough, fine = (Run(problem, b, last, closing, until, max_events) for b in (bits, bits + SECOND))
+            rough, fine = (Run(problem, b, last, closing, until, max_events, work) for b in (bits, bits + SECOND))
             for run in (rough, fine):
-                run.body.steps_left = math.inf if most_steps is None else most_steps
                 run.run()
         except (MorePrecision, Stiff):
             if last:

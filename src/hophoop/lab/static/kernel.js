@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 0f35d1b487e691219d62c61e6e99cf9a */
-var r={sources:"9a23307b5da1d9470c2f05fb8f832046",module:"d0555ac24f977b01",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources f8b462284512e9dc230206a33ae575e5 */
+var r={sources:"315defddb4bcdcd88bdeb7750285b666",module:"f555452be29eacee",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
@@ -19,19 +19,19 @@ ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","r
 k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
 "no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
 "slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
-rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var k=n=>Object.fromEntries(n.map((e,t)=>[e,t])),ae=k(r.cell),y=k(r.heads),d=k(r.events),O=k(r.samples),M=k(r.numbers),S=k(r.words),U={newton:0,poisson:1,stronge:2};
+rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var k=n=>Object.fromEntries(n.map((e,t)=>[e,t])),ae=k(r.cell),y=k(r.heads),p=k(r.events),O=k(r.samples),M=k(r.numbers),S=k(r.words),U={newton:0,poisson:1,stronge:2};
 function v(n){let e=new Float64Array(r.cell.length),t={...Object.fromEntries(Object.entries(n).filter(([,s])=>typeof s=="number")),law:U[n.impact_law],strike:+(n.
 painleve==="impact"),ideal:Number(n.ideal),allowed:1};return r.cell.forEach((s,o)=>{e[o]=t[s]??0}),e}function N(n){let e=t=>t??Number.NaN;return Float64Array.of(
 r.laws.indexOf(n.law),r.friction_laws.indexOf(n.friction),e(n.stiffness),e(n.damping),e(n.restitution),e(n.slip_speed),e(n.tangential_stiffness),e(n.rtol))}var x=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let o=this.exports.malloc(t);if(!o)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:o,bytes:t}),
 o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,D=6e3,[fe,R,F]=[0,1,2],P={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(n,e,t){let{rows:s,count:o,duration:i}=e,[a,l]=(t??[0,i]).map(_=>Math.
-min(Math.max(_,0),i)),c=Math.min(Math.max(Math.ceil((l-a)*W),B),D),m=r.events.length,f=new Set;for(let _=0;_<=c&&i>0;_++)f.add(_===c?l:a+_*((l-a)/c));let p=new Set;
-for(let _=0;_<o;_++){let h=Math.min(s[_*m+d.t],i);h>=a&&h<=l&&p.add(h)}for(let _ of p)f.add(_);let g=Float64Array.from(f).sort(),b=Float64Array.from(p).filter(_=>_>
+amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function A(n,e,t){let{rows:s,count:o,duration:i}=e,[a,l]=(t??[0,i]).map(d=>Math.
+min(Math.max(d,0),i)),c=Math.min(Math.max(Math.ceil((l-a)*W),B),D),m=r.events.length,f=new Set;for(let d=0;d<=c&&i>0;d++)f.add(d===c?l:a+d*((l-a)/c));let _=new Set;
+for(let d=0;d<o;d++){let h=Math.min(s[d*m+p.t],i);h>=a&&h<=l&&_.add(h)}for(let d of _)f.add(d);let g=Float64Array.from(f).sort(),b=Float64Array.from(_).filter(d=>d>
 0).sort(),w=n.states(e,g,!1),u=n.states(e,b,!0);return V(g,w,b,u)}function V(n,e,t,s){let o=n.length+t.length,i=r.samples.length,a=new Float64Array(o),l=new Float64Array(
-o*i),c=0,m=0;for(let p=0;p<n.length;p++)m<t.length&&t[m]<=n[p]&&(a[c]=t[m],l.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=n[p],l.set(e.subarray(p*i,(p+1)*i),c*
-i),c++;let f={t:a};for(let[p,g]of Object.entries(P)){let b=new Float64Array(o);for(let w of g)for(let u=0;u<o;u++)b[u]+=l[u*i+O[w]];f[p]=b}return f.mode=C(l,o,f.
+o*i),c=0,m=0;for(let _=0;_<n.length;_++)m<t.length&&t[m]<=n[_]&&(a[c]=t[m],l.set(s.subarray(m*i,(m+1)*i),c*i),c++,m++),a[c]=n[_],l.set(e.subarray(_*i,(_+1)*i),c*
+i),c++;let f={t:a};for(let[_,g]of Object.entries(P)){let b=new Float64Array(o);for(let w of g)for(let u=0;u<o;u++)b[u]+=l[u*i+O[w]];f[_]=b}return f.mode=C(l,o,f.
 omega),f}function C(n,e,t){let s=r.samples.length,o=new Float64Array(e),i=0;for(let a=e-1;a>=0&&!i;a--)i=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){i=Math.sign(
 t[a])||i;let l=n[a*s+O.mode],c=l===R?-1:l===F?1:0;o[a]=c===0?l:c*i<0?R:F}return o}function T(n,e){let t=new Map,s=new Float64Array(e);for(let o=0;o<e;o++){let i=$(n.subarray(o*r.keys,(o+1)*r.keys));if(i===""){s[o]=Number.NaN;continue}let a=t.
 get(i);a===void 0&&(a=t.size,t.set(i,a)),s[o]=a}return{values:s,sequences:[...t.keys()]}}function $(n){let e="";for(let t of n){let s=t;for(let o=0;o<r.letters_a_key&&
@@ -53,11 +53,11 @@ olds",s,i?e.vx:Number.NaN,o);let a=t.floats(o,r.thresholds.length),l=m=>{let f=a
 le_2","jam_angle_3","jam_angle_4"].map(l);return{first_slip_speed:l("first_slip_speed"),first_hop_speed:l("first_hop_speed"),immediate_hop_speed:l("immediate_ho\
 p_speed"),needed_friction:l("needed_friction"),painleve_friction:l("painleve_friction"),painleve_angle:l("painleve_angle"),jam_angles:c.filter(m=>m!==null),stable_angle:l(
 "stable_angle"),massless_loss_angle:l("massless_loss_angle"),massless_loss_by_friction:l("massless_loss_by_friction")===1}}regions(e,[t,s,o,i],a,l){let{memory:c}=this,
-m=c.put("cell",v(e)),f=c.room("modes",a*l),p=c.room("sides",a);this.call("regions",m,t,s,o,i,a,l,f,p);let{buffer:g}=this.exports.memory;return{modes:new Uint8Array(
-g,f,a*l).slice(),paradox:Float32Array.from(new Int8Array(g,p,a))}}map({count:e,rows:t},s,o){let{memory:i}=this,a=i.put("cells",t),l=i.room("numbers",8*e*r.numbers.
-length),c=i.room("words",4*e*r.words.length),m=i.room("keys",8*e*r.keys),{angle:f,stop:p,timed:g}=r.spans[o],b=r.wanted[s];this.call("map_cells",a,e,f??Number.NaN,
-p,g,b,l,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*r.keys),e);let u=new Float64Array(e);if(s in S){let _=new Int32Array(
-w,c,e*r.words.length);for(let h=0;h<e;h++)u[h]=_[h*r.words.length+S[s]]}else{let _=i.floats(l,e*r.numbers.length);for(let h=0;h<e;h++)u[h]=_[h*r.numbers.length+
+m=c.put("cell",v(e)),f=c.room("modes",a*l),_=c.room("sides",a);this.call("regions",m,t,s,o,i,a,l,f,_);let{buffer:g}=this.exports.memory;return{modes:new Uint8Array(
+g,f,a*l).slice(),paradox:Float32Array.from(new Int8Array(g,_,a))}}map({count:e,rows:t},s,o){let{memory:i}=this,a=i.put("cells",t),l=i.room("numbers",8*e*r.numbers.
+length),c=i.room("words",4*e*r.words.length),m=i.room("keys",8*e*r.keys),{angle:f,stop:_,timed:g}=r.spans[o],b=r.wanted[s];this.call("map_cells",a,e,f??Number.NaN,
+_,g,b,l,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*r.keys),e);let u=new Float64Array(e);if(s in S){let d=new Int32Array(
+w,c,e*r.words.length);for(let h=0;h<e;h++)u[h]=d[h*r.words.length+S[s]]}else{let d=i.floats(l,e*r.numbers.length);for(let h=0;h<e;h++)u[h]=d[h*r.numbers.length+
 M[s]]}return{values:u}}ideal(e){let t=this.memory.room("answers",8*r.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){
 let s=this.memory.room("answers",8*r.thresholds.length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){let{memory:s}=this,o=s.
 put("parts",t.flatMap(Y)),i=s.room("answers",8*r.thresholds.length),a=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,o,t.length,i,a);let[l,c,m]=s.floats(
@@ -69,10 +69,10 @@ e);return n.shape==="ring"?[t,n.mass,n.inner_radius,n.outer_radius,0]:n.shape===
 n.mass,0,0,n.at]}var Z=["friction","impact_normal","impact_tangential","rolling_resistance"],ee=["kinetic","potential",...Z,"residual"],L=["x","height","angle",
 "vx","vy","omega"];function I({given:n,head:e,rows:t,count:s,duration:o}){let i=r.events.length,a=Array.from({length:s},(m,f)=>te(t.subarray(f*i,(f+1)*i))),l=a[s-
 1],c=Object.fromEntries([...ee,...n.contact?["spring","damping"]:[]].map(m=>[m,e[y[m]]]));return{status:r.statuses[e[y.status]],sequence:se(a),duration:o,events:a,
-final:{t:l.t,mode:l.to,...Object.fromEntries(L.map(m=>[m,l[m]]))},energy:c,doubt:j(e[y.doubt_from])}}function te(n){let e=r.kinds[n[d.kind]],t=n[d.from_mode],s={
-t:n[d.t],kind:e,from:t<0?null:r.letters[t],to:r.letters[n[d.to_mode]]};for(let o of L)s[o]=j(n[d[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(
-o=>[o,j(n[d[`before_${o}`]])])),s.impulse={normal:n[d.impulse_normal],tangential:n[d.impulse_tangential]},n[d.collision]===0&&(s.collision=!1),e==="kane_gain"&&
-(s.gain=n[d.gain]),n[d.stable]>=0&&(s.stable=n[d.stable]===1),s}function se(n){let e=n.filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,o)=>e[o+1].t>s.t?s.
+final:{t:l.t,mode:l.to,...Object.fromEntries(L.map(m=>[m,l[m]]))},energy:c,doubt:j(e[y.doubt_from])}}function te(n){let e=r.kinds[n[p.kind]],t=n[p.from_mode],s={
+t:n[p.t],kind:e,from:t<0?null:r.letters[t],to:r.letters[n[p.to_mode]]};for(let o of L)s[o]=j(n[p[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(
+o=>[o,j(n[p[`before_${o}`]])])),s.impulse={normal:n[p.impulse_normal],tangential:n[p.impulse_tangential]},n[p.collision]===0&&(s.collision=!1),e==="kane_gain"&&
+(s.gain=n[p.gain]),n[p.stable]>=0&&(s.stable=n[p.stable]===1),s}function se(n){let e=n.filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,o)=>e[o+1].t>s.t?s.
 to:"").join("")||(n.at(-1)?.to??"")}var z;function ne(n){let e=new Set,t=s=>{ArrayBuffer.isView(s)?e.add(s.buffer):s&&typeof s=="object"&&!Array.isArray(s)&&Object.values(s).forEach(t)};return t(n),
 [...e]}function oe({data:{number:n,compiled:e,call:t,values:s}}){try{if(e){z=new E(e);return}let o=z[t](...s);self.postMessage({number:n,answer:o},{transfer:ne(
 o)})}catch(o){self.postMessage({number:n,error:o.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",oe);export{E as HoopModule};

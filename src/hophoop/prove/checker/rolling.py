@@ -100,10 +100,14 @@ class Rolling:
         speed = self.square(first.union(last)).sqrt()
         require(bool(self.way * (last - first) > speed * missing), "the angle at the end of the time is in its bracket")
         found = first + self.way * speed * missing
-        middle = found.mid()  # once more from there
-        missing = t - self.duration(self.begin.th, middle, self.from_turn, False)
-        around = found + symmetric(found.rad())
-        return found.intersection(middle + self.way * self.square(around).sqrt() * missing)
+        while True:  # once more from there, until it does not get narrower: the digits double each time
+            middle = found.mid()
+            missing = t - self.duration(self.begin.th, middle, self.from_turn, False)
+            around = found + symmetric(found.rad())
+            narrower = found.intersection(middle + self.way * self.square(around).sqrt() * missing)
+            if not 2 * narrower.rad() < found.rad():
+                return narrower
+            found = narrower
 
 
 def roll(equations: Equations, state: State, record: dict[str, Any], until: str, origin: Ball) -> State:
