@@ -5,6 +5,9 @@ from __future__ import annotations
 # fmt: off
 _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "an equality of two rounded numbers, where both sides give the same or the model has a tie": (
+        ("impact", "singular_angle", "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)", "near = abs(distance) < 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)"),
+        ("impact", "singular_angle", "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)", "near = abs(distance) <= 1e-5 * abs(slope) and opening < 1e-5 * (body.gn + body.eps * u)"),
+        ("modes", "next_mode", "if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 0 or body.strike):", "if rho != 0.0 and stiffness + body.eps * s * rho >= 0.0 and (opening < 0 or body.strike):"),
         ("compliant", "first_regime", "return 1 if bristle_force > 0.0 else -1", "return 1 if bristle_force >= 0.0 else -1"),
         ("compliant", "first_regime", "return 1 if vt > 0.0 else -1", "return 1 if vt >= 0.0 else -1"),
         ("compliant", "ratio_restitution", "if ratio < 1.0:", "if ratio <= 1.0:"),
@@ -20,7 +23,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("contact", "load_height", "return s * s / (1.0 - c) if c < 0.0 else 1.0 + c", "return s * s / (1.0 - c) if c <= 0.0 else 1.0 + c"),
         ("impact", "impulse_ratio", "if abs(stick) <= body.mu_s:", "if abs(stick) < body.mu_s:"),
         ("impact", "impulse_ratio", "return (-body.mu_k if stick < 0.0 else body.mu_k), False", "return (-body.mu_k if stick <= 0.0 else body.mu_k), False"),
-        ("impact", "impact", "if not collision and compression and not stick and kn < 1e-9:", "if not collision and compression and not stick and kn <= 1e-9:"),
         ("impact", "impact", "length = -vn / kn if kn > 0.0 else math.inf", "length = -vn / kn if kn >= 0.0 else math.inf"),
         ("impact", "impact", "length = (target - vn) / kn if kn > 0.0 else math.inf", "length = (target - vn) / kn if kn >= 0.0 else math.inf"),
         ("impact", "impact", "if length <= step:", "if length < step:"),
@@ -40,7 +42,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("modes", "can_roll", "if normal > tie and margin > tie:", "if normal > tie and margin >= tie:"),
         ("modes", "can_roll", "if normal < -tie or margin < -tie:", "if normal <= -tie or margin < -tie:"),
         ("modes", "can_roll", "if normal < -tie or margin < -tie:", "if normal < -tie or margin <= -tie:"),
-        ("modes", "can_start_slip", "if stiffness <= 0.0:", "if stiffness < 0.0:"),
         ("modes", "can_start_slip", "if load < -tie or sigma * slip < -tie:", "if load <= -tie or sigma * slip < -tie:"),
         ("modes", "can_start_slip", "if load < -tie or sigma * slip < -tie:", "if load < -tie or sigma * slip <= -tie:"),
         ("modes", "can_start_slip", "if load > tie and sigma * slip > tie:", "if load >= tie and sigma * slip > tie:"),
@@ -49,8 +50,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("modes", "next_mode", "if a * normal >= b * abs(friction):", "if a * normal > b * abs(friction):"),
         ("modes", "next_mode", "return slip_mode(-1 if friction > 0.0 else 1)", "return slip_mode(-1 if friction >= 0.0 else 1)"),
         ("modes", "next_mode", "sigma = 1 if vt > 0.0 else -1", "sigma = 1 if vt >= 0.0 else -1"),
-        ("modes", "next_mode", "if stiffness > 0.0:", "if stiffness >= 0.0:"),
-        ("modes", "next_mode", "return INDETERMINATE if stiffness < 0.0 else FLIGHT", "return INDETERMINATE if stiffness <= 0.0 else FLIGHT"),
     ),
     "where a search begins or how it goes on, which finds the same root": (
         ("compliant", "damping_ratio", "low, high = 0.0, 1.0", "low, high = -1.0, 1.0"),
@@ -107,6 +106,11 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("modes", "frictionless_mode", "drive = s * bend if s != 0.0 else om * c * bend", "drive = s * bend if s != 0.0 else om * c / bend"),
     ),
     "only the sign counts, and the number is never 0": (
+        ("modes", "next_mode", "return slip_mode(-1 if friction > 0.0 else 1)", "return slip_mode(- 2 if friction > 0.0 else 1)"),
+        ("modes", "next_mode", "return slip_mode(-1 if friction > 0.0 else 1)", "return slip_mode(- 0 if friction > 0.0 else 1)"),
+        ("modes", "next_mode", "return slip_mode(-1 if friction > 0.0 else 1)", "return slip_mode(-1 if friction > 0.0 else 2)"),
+        ("modes", "frictionless_mode", "drive = motion_slipping(body, s, c, om, 0)[2]", "drive = motion_slipping(body, s, c, om, 1)[2]"),
+        ("modes", "frictionless_mode", "drive = motion_slipping(body, s, c, om, 0)[2]", "drive = motion_slipping(body, s, c, om, -1)[2]"),
         ("massless", "skim_state", "th_end = turns + 2.0 * half if way > 0 else turns + 2.0 * math.pi - 2.0 * half", "th_end = turns + 2.0 * half if way >= 0 else turns + 2.0 * math.pi - 2.0 * half"),
         ("massless", "skim_state", "th_end = turns + 2.0 * half if way > 0 else turns + 2.0 * math.pi - 2.0 * half", "th_end = turns + 2.0 * half if way > -1 else turns + 2.0 * math.pi - 2.0 * half"),
         ("massless", "skim_state", "if way < 0 and s == 0.0 and c > 0.0:", "if way <= 0 and s == 0.0 and c > 0.0:"),
@@ -115,27 +119,19 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("massless", "skim_state", "if way < 0 and s == 0.0 and c > 0.0:", "if way < 0 and s == 0.0 and c > -1.0:"),
         ("modes", "slip_mode", "return SKID if sigma > 0 else SPIN", "return SKID if sigma >= 0 else SPIN"),
         ("modes", "slip_mode", "return SKID if sigma > 0 else SPIN", "return SKID if sigma > -1 else SPIN"),
-        ("modes", "can_start_slip", "if load < -tie or sigma * slip < -tie:", "if load < -tie or sigma / slip < -tie:"),
-        ("modes", "can_start_slip", "if load > tie and sigma * slip > tie:", "if load > tie and sigma / slip > tie:"),
-        ("modes", "can_start_slip", "return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0", "return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma / leading_sign(series_v, scale) > 0"),
         ("modes", "frictionless_mode", "return slip_mode(1 if drive > 0.0 else -1)", "return slip_mode( 2 if drive > 0.0 else -1)"),
         ("modes", "frictionless_mode", "return slip_mode(1 if drive > 0.0 else -1)", "return slip_mode(1 if drive > 0.0 else - 2)"),
         ("modes", "frictionless_mode", "return slip_mode(1 if drive > 0.0 else -1)", "return slip_mode(1 if drive > 0.0 else - 0)"),
     ),
     "the size of a tolerance, of which the order counts": (
+        ("modes", "can_start_slip", "return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0", "return leading_sign(series_n, scale / body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0"),
+        ("modes", "can_start_slip", "return leading_sign(series_n, scale * body.kap / stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0", "return leading_sign(series_n, scale * body.kap * stiffness) > 0 and sigma * leading_sign(series_v, scale) > 0"),
         ("impact", "singular_angle", "if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):", "if slope != 0.0 and abs(distance) <= 1e-10 / abs(slope):"),
         ("impact", "singular_angle", "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)", "near = abs(distance) <= 1e-5 / abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)"),
         ("impact", "singular_angle", "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)", "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 / (body.gn + body.eps * u)"),
         ("impact", "singular_angle", "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps * u)", "near = abs(distance) <= 1e-5 * abs(slope) and opening <= 1e-5 * (body.gn + body.eps / u)"),
         ("jets", "leading_sign", "if abs(value) > ZERO * scale:", "if abs(value) > ZERO / scale:"),
-        ("modes", "can_roll", "tie = TIE * (body.gn + abs(body.gt) + u)", "tie = TIE * (body.gn - abs(body.gt) + u)"),
-        ("modes", "can_roll", "tie = TIE * (body.gn + abs(body.gt) + u)", "tie = TIE * (body.gn + abs(body.gt) - u)"),
-        ("modes", "can_roll", "tie = TIE * (body.gn + abs(body.gt) + u)", "tie = TIE / (body.gn + abs(body.gt) + u)"),
-        ("modes", "can_roll", "scale = body.gn + abs(body.gt) + u", "scale = body.gn - abs(body.gt) + u"),
-        ("modes", "can_roll", "scale = body.gn + abs(body.gt) + u", "scale = body.gn + abs(body.gt) - u"),
         ("modes", "can_start_slip", "scale = body.gn + abs(body.gt) + u", "scale = body.gn - abs(body.gt) + u"),
-        ("modes", "can_start_slip", "scale = body.gn + abs(body.gt) + u", "scale = body.gn + abs(body.gt) - u"),
-        ("modes", "can_start_slip", "tie = TIE * scale", "tie = TIE / scale"),
     ),
     "where one of two formulas takes over from the other, and both hold": (
         ("flight", "", "MANY_TURNS = 1_000.0", "MANY_TURNS = 1001.0"),
@@ -144,6 +140,42 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "an even function": (
         ("energy", "kinetic_energy", "height = 2.0 * np.cos(0.5 * th) ** 2 - sine * th_low  # 1 + cos θ, with all its digits also near θ = π", "height = 2.0 * np.cos( -0.5 * th) ** 2 - sine * th_low # 1 + cos θ, with all its digits also near θ = π"),
         ("energy", "potential_energy", "drop = y - 2.0 * body.eps * np.sin(0.5 * th) ** 2", "drop = y - 2.0 * body.eps * np.sin( -0.5 * th) ** 2"),
+    ),
+    "a short cut: what comes after it gives the same answer": (
+        ("modes", "can_roll", "if normal > tie and margin > tie:", "if normal <= tie and margin > tie:"),
+        ("modes", "can_roll", "if normal > tie and margin > tie:", "if not normal > tie and margin > tie:"),
+        ("modes", "can_roll", "if normal < -tie or margin < -tie:", "if normal < -tie and margin < -tie:"),
+        ("modes", "can_start_slip", "if load < -tie or sigma * slip < -tie:", "if load < -tie and sigma * slip < -tie:"),
+        ("impact", "impact", "if rest == 0.0 or (body.law == NEWTON and not collision):", "if rest == 0.0 and (body.law == NEWTON and not collision):"),
+        ("impact", "impact", "if rest == 0.0 or (body.law == NEWTON and not collision):", "if rest == -1.0 or (body.law == NEWTON and not collision):"),
+    ),
+    "a further piece of the impact that has no length": (
+        ("impact", "impact", "break", "continue"),
+        ("impact", "impact", "if vn > 0.0:  # the jerk along the plane alone lifts the hoop", "if vn >= 0.0: # the jerk along the plane alone lifts the hoop"),
+    ),
+    "a case that never comes: f_n and its first derivative vanish together only at the top, where the second is negative": (
+        ("modes", "opening_sign", "return 1 if second > 0.0 else -1", "return 2 if second > 0.0 else -1"),
+        ("modes", "opening_sign", "return 1 if second > 0.0 else -1", "return 0 if second > 0.0 else -1"),
+        ("modes", "opening_sign", "return 1 if second > 0.0 else -1", "return 1 if second > 1.0 else -1"),
+    ),
+    "a case that never comes: restitution begins in stick, or in slip that is pushed off": (
+        ("impact", "impact", "length = (target - vn) / kn if kn > 0.0 else math.inf", "length = (target - vn) / kn if kn > -1.0 else math.inf"),
+        ("impact", "impact", "if not collision and compression and kn < 1e-9:", "if not collision or compression and kn < 1e-9:"),
+    ),
+    "a case that never comes: where p_σ = 0 friction always slows the slip": (
+        ("impact", "singular_slip", "stop = -vt / rate if vt * rate < 0.0 else math.inf", "stop = -vt / rate if vt * rate < 1.0 else math.inf"),
+    ),
+    "a collision so near to p_σ = 0 that a part in 10⁹ of v_n is all that changes": (
+        ("impact", "impact", "if not collision and compression and kn < 1e-9:", "if not collision and compression or kn < 1e-9:"),
+        ("impact", "impact", "if not collision and compression and kn < 1e-9:", "if not collision and compression and kn <= 1e-9:"),
+        ("impact", "impact", "if not collision and compression and kn < 1e-9:", "if collision and compression and kn < 1e-9:"),
+    ),
+    "a number that a slope never is": (
+        ("impact", "singular_angle", "if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):", "if slope != 1.0 and abs(distance) <= 1e-10 * abs(slope):"),
+        ("impact", "singular_angle", "if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):", "if slope != -1.0 and abs(distance) <= 1e-10 * abs(slope):"),
+    ),
+    "the sign of a zero": (
+        ("resistance", "resistance_arm", "if body.resist == 0.0:", "if body.resist == -1.0:"),
     ),
 }
 # fmt: on

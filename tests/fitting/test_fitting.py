@@ -111,6 +111,12 @@ def test_a_plan_has_limits_of_what_is_at_an_end_of_its_range():
     assert max(plan.errors.values()) < 0.1  # nothing that cannot be told has a spread
 
 
+def test_a_plan_names_bounces_in_a_row_once(hop):
+    plan = hh.plan(hop.scenario, rate=60.0)
+    assert "HHH" in plan.sequence
+    assert f"{plan.frames} frames of the sequence RKRSH+KR." in plan.sentences()
+
+
 def test_a_fit_has_a_limit_of_what_has_no_slope_at_the_end_of_its_range():
     """A landing so low that a small restitution changes nothing: a greater one does."""
     fit = hh.fit(

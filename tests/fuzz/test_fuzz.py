@@ -18,13 +18,13 @@ from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from fuzz.checks import digest, outcome
+from fuzz.checks import PATIENCE, digest, outcome
 from fuzz.draws import Seeded, scenario
 
 TURNS = 200.0  # so short that thousands of them take half a minute
 ONE_IN = 8  # is compliant
-# s of the processor that one may take here: five decisions in more digits have taken 26. The night counts what takes over 5.
-LONGEST = 60.0
+# s of the processor that one may take here, on any machine. The night counts what takes over 5.
+LONGEST = 20.0
 
 
 class Drawn:
@@ -112,4 +112,5 @@ def test_other_processes_give_the_same_bits(method, monkeypatch):
 def test_scenarios_of_a_night_that_once_failed(index):
     """Their ledger was off, their mirror image had other events, or they took from 6 to 29 s of the processor."""
     path = Path(__file__).parents[1] / "data" / "once_open" / f"{index}.toml"
-    check(tomllib.loads(path.read_text(encoding="utf-8")))
+    keys = tomllib.loads(path.read_text(encoding="utf-8"))
+    assert outcome(keys, patience=2.0 * PATIENCE).problems == ()  # of a machine that other work shares

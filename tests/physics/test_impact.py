@@ -206,3 +206,86 @@ def test_how_near_counts_as_there(sigma, th, side):
         for off, found in ((0.9e-5, True), (1.1e-5, False)):
             for sign in (1.0, -1.0):
                 assert at(1e-9, u + sign * off * parts / pull)[0] == found
+
+
+def _without_collision(body, th, sigma, law, rest, p_sigma=None, vt=0.7):
+    """The impact without collision piece by piece, from the response to impulses: slip until it stops, stick, restitution."""
+    along, up = responses(body, th)
+    mu = sigma * body.mu_k
+    rate_t, rate_n, rate_om = (up[k] - mu * along[k] for k in range(3))
+    rate_n = rate_n if p_sigma is None else p_sigma
+    hold = -up[0] / along[0]
+    stick_n, stick_om = (up[k] + hold * along[k] for k in (1, 2))
+    slipping = -sigma * vt / rate_t
+    low = rate_n * slipping
+    sticking = -low / stick_n
+    work_n = 0.5 * low * slipping + 0.5 * low * sticking
+    work_t = -mu * 0.5 * sigma * vt * slipping
+    if law == LAWS["newton"]:
+        back = 0.0
+    elif law == LAWS["poisson"]:
+        back = rest * (slipping + sticking)
+    else:
+        back = math.sqrt(-2.0 * rest * rest * work_n / stick_n)
+    vn = stick_n * back
+    p_n = slipping + sticking + back
+    p_t = -mu * slipping + hold * (sticking + back)
+    spin = rate_om * slipping + stick_om * (sticking + back)
+    return 0.0, vn, spin, p_n, p_t, -(work_n + 0.5 * vn * back), -work_t
+
+
+@pytest.mark.parametrize("law", LAWS.values())
+@pytest.mark.parametrize("rest", [0.0, 0.4, 1.0])
+def test_the_impact_without_collision(law, rest):
+    """v_n = 0 and p_σ < 0: v_n goes negative until the slip has stopped, then the law of restitution ends it."""
+    tried = 0
+    for sigma in (1, -1):
+        for th in (-1.5, -1.2, 1.2, 1.5):
+            if without_response(STEEP, th, sigma) > -1e-3:
+                continue
+            body = STEEP._replace(law=law)
+            found = impact.impact(body, rest, math.sin(th), math.cos(th), sigma * 0.7, 0.0)
+            assert found == pytest.approx(_without_collision(body, th, sigma, law, rest), rel=1e-12, abs=1e-13)
+            assert (found[1] > 0.0) == (rest > 0.0 and law != LAWS["newton"])
+            known = impact.impact(body, rest, math.sin(th), math.cos(th), sigma * 0.7, 0.0, -0.3)
+            assert known == pytest.approx(_without_collision(body, th, sigma, law, rest, -0.3), rel=1e-12, abs=1e-13)
+            tried += 1
+    assert tried == 4
+
+
+@pytest.mark.parametrize("known", [0.0, 1e-12, math.nan])
+def test_the_impact_without_collision_where_p_sigma_is_zero_but_for_rounding(known):
+    """The slip has to stop; v_n stays 0 meanwhile, also where p_σ is computed a little above 0."""
+    body = Body(0.5, 0.25 + 1e-12, 1.0, 1.0, 1.0, 0.0, 0.0, 1, False, 0.0)
+    found = impact.impact(body, 0.5, -1.0, 0.0, 0.3, 0.0, known)
+    assert found == pytest.approx(_without_collision(body, -0.5 * math.pi, 1, 1, 0.5, 0.0, 0.3), rel=1e-9, abs=1e-12)
+    assert found[1] > 0.0  # Poisson bounces
+
+
+@pytest.mark.parametrize("rest", [0.0, 1.0])
+def test_infinite_friction_that_throws_the_rim_up(rest):
+    """What stops the slip is an impulse along the plane alone; where it lifts the rim there is no other."""
+    body = Body(0.75, 0.1, math.inf, math.inf, 1.0, 0.0, 0.0, 2, False, 0.0)
+    thrown = 0
+    for th in (1.2, -1.2, 2.0, -2.0):
+        for vt in (0.7, -0.7, 3.0):
+            along, _ = responses(body, th)
+            push = -vt / along[0]
+            up = along[1] * push - 0.02
+            if up <= 0.0:
+                continue
+            found = impact.impact(body, rest, math.sin(th), math.cos(th), vt, -0.02)
+            assert found == pytest.approx((0.0, up, along[2] * push, 0.0, push, 0.0, -0.5 * vt * push), rel=1e-12, abs=1e-14)
+            thrown += 1
+    assert thrown == 6
+
+
+def test_a_jam_that_is_there_already_takes_no_impulse():
+    """θ̇ a little beyond where f_n = 0, as rounding may leave it: the jam is here, and not an impulse ago."""
+    sigma, th = PLACES[0]
+    s, c = math.sin(th), math.cos(th)
+    edge = math.sqrt(STEEP.gn / (STEEP.eps * c))
+    along, up = responses(STEEP, th)
+    way = math.copysign(1.0, up[2] - sigma * STEEP.mu_k * along[2])
+    found = impact.singular_slip(STEEP, s, c, True, 0.0, sigma * 0.7, way * edge * (1.0 + 1e-12), 0.0)
+    assert found == (True, sigma * 0.7, way * edge * (1.0 + 1e-12), 0.0, 0.0)

@@ -316,3 +316,62 @@ def test_the_edge_of_the_cone_at_many_turns_a_second():
             assert modes.can_start_slip(body, th, om, sigma) == (sigma * (ax - alpha) > 0.0)
         seen.add((friction > 0.0, margin > 0.0))
     assert len(seen) == 4
+
+
+def test_the_sign_of_what_opens_is_one():
+    """By f_n, by its first derivative, and at the top by its second, which is −g²/ε there."""
+    body = Body(0.8, 0.3, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+    assert modes.opening_sign(body, 0.3, 0.0) == -1
+    assert modes.opening_sign(body, 0.3, 3.0) == 1
+    for gravity in (1.0, 0.2):
+        at = body._replace(gn=gravity)
+        for th, way, expected in ((0.5, 1.0, -1), (0.5, -1.0, 1), (0.0, 1.0, -1)):
+            assert modes.opening_sign(at, th, way * math.sqrt(gravity / (0.8 * math.cos(th)))) == expected
+
+
+def test_nothing_presses_where_there_is_no_gravity_and_no_rotation():
+    floating = Body(0.8, 0.3, 0.5, 0.4, 0.0, 0.0, 0.0, 2, False, 0.0)
+    assert modes.can_roll(floating, 0.3, 0.0) is False
+    assert modes.opening_sign(floating, 0.3, 0.0) == 0
+    for mu in (0.5, 0.0):
+        assert modes.next_mode(floating._replace(mu_s=mu, mu_k=mu), 0.3, 0.0, 0.0, 0.0) == FLIGHT
+    # a wall: it falls along it, and N stays 0
+    wall = floating._replace(gt=1.0)
+    for sigma in (-1, 1):
+        assert modes.can_start_slip(wall, 0.3, 0.0, sigma) is False
+
+
+@pytest.mark.parametrize("slope", [0.5, -0.5])
+def test_a_disk_rolls_at_the_edge_of_the_cone_for_ever(slope):
+    """One of the two margins is zero in every order, which is no reason to slip."""
+    body = Body(0.0, 1.0, 0.25, 0.25, 1.0, slope, 0.0, 2, False, 0.0)
+    assert modes.can_roll(body, 0.3, 1.0) is True
+
+
+def test_without_friction_a_hilltop_is_left_to_the_side_where_it_stands():
+    """θ = 10⁻²⁰: the coming slip is beyond what forces tell, but its sign is not."""
+    body = Body(0.5, 0.4, 0.0, 0.0, 1.0, 0.0, 0.0, 2, False, 0.0)
+    found = [modes.next_mode(body, th, 0.0, 0.0, 0.0) for th in (1e-20, -1e-20)]
+    alphas = [accelerations(body, math.copysign(1e-3, th), 0.0, 1) for th in (1e-20, -1e-20)]
+    assert found == [SKID if ax - alpha > 0.0 else SPIN for ax, _, alpha, _, _ in alphas]
+
+
+def test_where_rounding_hides_which_of_roll_and_slip_there_is(monkeypatch):
+    """What the tests of both refuse is told by the cone alone; without f_n < 0 it flies, and μ = ∞ leaves it open."""
+    rule = getattr(modes.next_mode, "py_func", modes.next_mode)
+    monkeypatch.setattr(modes, "can_roll", lambda *_: False)
+    monkeypatch.setattr(modes, "can_start_slip", lambda *_: False)
+    seen = set()
+    for body, random in bodies(400, 11):
+        th, om = 6.0 * random.random() - 3.0, 1.5 * random.normal()
+        _, _, _, friction, normal = accelerations(body, th, om, "roll")
+        found = rule(body, th, 0.0, om, 0.0)
+        stiff = rule(body._replace(mu_s=math.inf, mu_k=math.inf), th, 0.0, om, 0.0)
+        if accelerations(body, th, om, "free")[1] > 0.0:
+            assert found == stiff == FLIGHT
+        elif body.mu_s * normal >= abs(friction):
+            assert (found, stiff) == (ROLL, modes.UNDECIDED)
+        else:
+            assert (found, stiff) == (SPIN if friction > 0.0 else SKID, modes.UNDECIDED)
+        seen.add((found, abs(friction) < 1.0))
+    assert len(seen) >= 7

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from hophoop.physics import contact, jets, painleve, resistance
-from newton_euler import BODIES, STATES
+from hophoop.physics import contact, jets, modes, painleve, resistance
+from newton_euler import BODIES, STATES, responses
 
-FS = (0.03, 0.4)
+FS = (0.03, 0.4, 1.0)
 
 
 def accelerations(body, th, om, mode, rho):
@@ -59,6 +59,10 @@ def test_without_resistance_it_is_as_without(body, th, om):
         plain = contact.slip_motion(body, s, c, u, sigma)
         assert resistance.resisted_slip(body, s, c, u, sigma, 0.0) == pytest.approx(plain, rel=1e-13)
         assert resistance.motion_slipping(body, s, c, om, sigma) == plain
+        assert resistance.acceleration_in_contact(body, s, c, om, sigma) == plain[0]
+        assert resistance.stiffness_slipping(body, s, c, om, sigma) == contact.slip_stiffness(body, s, c, sigma)
+    assert resistance.forces_rolling(body, s, c, om) == contact.rolling_forces(body, s, c, u)
+    assert resistance.acceleration_in_contact(body, s, c, om, 0) == contact.rolling_acceleration(body, s, c, u)
 
 
 @pytest.mark.parametrize("body", BODIES)
@@ -111,6 +115,11 @@ def test_series_of_the_candidate_motion(body, sigma, th, om):
     assert slip[1] == pytest.approx((ahead[1] - behind[1]) / (2.0 * step), rel=1e-6, abs=1e-6)
 
 
+def test_a_hoop_that_floats_and_does_not_turn_needs_no_couple():
+    body = BODIES[0]._replace(gn=0.0, gt=0.0, resist=0.2)
+    assert resistance.resistance_arm(body, math.sin(1.0), math.cos(1.0), 0.0, 0) == 0.0
+
+
 @pytest.mark.parametrize(("eps", "kap"), [(0.75, 0.4375), (0.99, 0.0199), (0.3, 0.9), (1.0, 1e-4)])
 def test_the_most_resistance_is_where_rolling_loses_its_inertia(eps, kap):
     most = resistance.most_resistance(eps, kap)
@@ -118,3 +127,51 @@ def test_the_most_resistance_is_where_rolling_loses_its_inertia(eps, kap):
     inertia = 1.0 + kap + eps * eps + 2.0 * eps * np.cos(angles)
     for f, sign in ((0.999 * most, 1.0), (1.001 * most, -1.0)):
         assert sign * np.min(inertia - f * eps * np.sin(angles)) > 0.0
+
+
+def test_what_follows_slip_at_painleves_paradox():
+    """Where the couple alone makes p_σ negative an impact, which is without it, would change nothing: that is left open."""
+    random = np.random.default_rng(12)
+    seen = set()
+    for _ in range(3000):
+        mu = 0.5 + 2.0 * random.random()
+        base = BODIES[2]._replace(
+            eps=0.5 + 0.45 * random.random(), kap=0.05 + 0.2 * random.random(), mu_s=mu, mu_k=mu,
+            resist=random.choice([0.0, 0.4 * random.random(), 1.0]), strike=bool(random.integers(2)),
+        )  # fmt: skip
+        th, om, vt = 6.0 * random.random() - 3.0, 1.5 * random.normal(), random.choice([-1.0, 1.0])
+        sigma = int(vt)
+        rho = math.copysign(base.resist, om)
+        opening = contact.free_acceleration(base, math.sin(th), math.cos(th), om * om)[1]
+        along, up = responses(base, th)
+        without = up[1] - sigma * mu * along[1]
+        normal = accelerations(base, th, om, sigma, rho)[4]
+        stiffness = -opening / normal
+        if min(abs(without), abs(stiffness), abs(opening)) < 1e-6:
+            continue
+        if stiffness > 0.0:
+            expected = modes.slip_mode(sigma) if opening < 0.0 else modes.FLIGHT
+        elif without > 0.0 and (opening < 0.0 or base.strike):
+            expected = modes.UNDECIDED
+        else:
+            expected = modes.INCONSISTENT if opening < 0.0 else modes.INDETERMINATE
+        assert modes.next_mode(base, th, 0.0, om, vt) == expected
+        seen.add((expected, base.resist == 0.0, base.resist == 1.0, base.strike, without > 0.0))
+    # (what follows, whether p_σ without the couple is positive): each pair that there can be, with and without the couple
+    pairs = {(one[0], bool(one[4])) for one in seen if not one[1]}
+    slips = {(modes.SPIN, True), (modes.SKID, True), (modes.FLIGHT, True)}
+    paradoxes = {(modes.INCONSISTENT, False), (modes.INDETERMINATE, False)}
+    assert pairs >= slips | paradoxes | {(modes.UNDECIDED, True), (modes.INDETERMINATE, True)}
+    assert {(one[0], bool(one[4])) for one in seen if one[1]} == slips | paradoxes
+
+
+def test_a_paradox_that_nothing_presses_is_indeterminate():
+    body = BODIES[2]._replace(gn=0.0, mu_s=3.0, mu_k=3.0)
+    angles = [th for th in np.linspace(-3.0, 3.0, 61) if contact.slip_stiffness(body, math.sin(th), math.cos(th), 1) < -0.01]
+    assert angles
+    for th in angles:
+        assert modes.next_mode(body, th, 0.0, 0.0, 1.0) == modes.INDETERMINATE
+
+
+def test_a_disk_may_have_any_resistance():
+    assert resistance.most_resistance(0.0, 0.5) == math.inf

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from hophoop.fitting.covariance import inverse
+from hophoop.fitting.guess import gathered
 from hophoop.fitting.judging import correlations, least_static_friction
 from hophoop.fitting.limits import at_end, one_sided
 from hophoop.fitting.parameters import PARAMETERS, REFUSED
@@ -81,7 +82,7 @@ class Plan:
         -------
         sentences : list of str
         """
-        said = [f"{self.frames} frames of the sequence {self.sequence}."]
+        said = [f"{self.frames} frames of the sequence {gathered(self.sequence)}."]
         said += [
             f"{first} and {second} could hardly be told apart (correlation {size:+.3f})."
             for first, second, size in self.correlated
