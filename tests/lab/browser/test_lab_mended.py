@@ -188,7 +188,7 @@ def test_keys_can_be_switched_off_and_escape_leaves(visit):
     page.keyboard.press(" ")
     wait_for(page, "lab.clock.playing")
     again = page.context.new_page()
-    again.goto(page.url)
+    again.goto(page.url.partition("#")[0])  # the time of the film may stand behind it
     again.wait_for_selector("[data-ready]")
     again.keyboard.press("h")
     assert again.evaluate("hophoopLab.clock.time") == 0  # the choice is kept
