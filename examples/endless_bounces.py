@@ -26,7 +26,7 @@ def bounces(folder: Path) -> None:
     """The gap against time, and the time that each impact leaves to the limit."""
     figure, axes = plt.subplots(1, 2, figsize=(9.6, 3.9), layout="constrained")
     print("| e | impacts | limit (s) | then | slip there (m/s) | ledger's residual |")
-    for restitution, color, mark in ((0.5, colors.BLUE, "o"), (0.8, colors.VERMILION, "s"), (0.9, colors.BLACK, "^")):
+    for restitution, color, mark in ((0.5, colors.SERIES[1], "o"), (0.8, colors.SERIES[2], "s"), (0.9, colors.BLACK, "^")):
         plane = hh.Plane(mu=0.3, restitution=restitution)
         motion = hh.simulate(HOOP, plane, START, duration=4.0)
         (limit,) = motion.find("bounce_limit")

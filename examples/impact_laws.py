@@ -22,8 +22,8 @@ BODY = hh.Hoop(radius=1.0, mass=1.0, eccentricity=0.5, inertia_ratio=0.39)
 ANGLE = math.atan2(-0.8, 0.6)
 ARTICLE = hh.Hoop.ideal(0.75)
 LAWS = {
-    "newton": ("Newton", colors.VERMILION, "--", "s"),
-    "poisson": ("Poisson", colors.BLUE, "-.", "^"),
+    "newton": ("Newton", colors.SERIES[2], "--", "s"),
+    "poisson": ("Poisson", colors.SERIES[1], "-.", "^"),
     "stronge": ("Stronge", colors.BLACK, "-", "o"),
 }
 CASES = (
@@ -76,8 +76,8 @@ def along_the_impulse(folder: Path) -> None:
         compression = strike("stronge", 0.0, mu, vx).impulse_normal
         ax.axvspan(0.0, compression, color=colors.LIGHT_GRAY, alpha=0.5, lw=0)
         ax.text(0.5 * compression, 3.35, "compression", ha="center", fontsize=9, color=colors.GRAY)
-        ax.plot(path[:, 0], path[:, 1], color=colors.PURPLE, lw=1.8, ls="--", label="slip velocity $v_t$")
-        ax.plot(path[:, 0], path[:, 2], color=colors.GREEN, lw=1.8, label="separation $v_n$")
+        ax.plot(path[:, 0], path[:, 1], color=colors.SERIES[3], lw=1.8, ls="--", label="slip velocity $v_t$")
+        ax.plot(path[:, 0], path[:, 2], color=colors.SERIES[4], lw=1.8, label="separation $v_n$")
         worst = 0.0
         for law, (name, color, _, mark) in LAWS.items():
             end = ends[law]

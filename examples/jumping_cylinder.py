@@ -58,7 +58,7 @@ def jumps(folder: Path) -> None:
     figure, axes = plt.subplots(1, 2, figsize=(9.8, 4.2), layout="constrained", sharey=True)
     shares = np.linspace(0.1, 0.95, 171)
     print("| slope | μ | phases | leaves the plane at | from | θ̇ (rad/s) | time (s) | slips from | f_n/g there |")
-    for degrees, color, dashes in ((15, colors.BLUE, "-"), (30, colors.VERMILION, "--"), (45, colors.BLACK, "-.")):
+    for degrees, color, dashes in ((15, colors.SERIES[1], "-"), (30, colors.SERIES[2], "--"), (45, colors.BLACK, "-.")):
         for ax, mu in zip(axes, (1.0, 3.0), strict=True):
             places = []
             for share in shares:

@@ -44,7 +44,7 @@ def losses() -> None:
 def skimming(folder: Path) -> None:
     """Path of the load, and the contact force, of the massless hoop and of two light rims."""
     figure, axes = plt.subplots(1, 2, figsize=(10.0, 4.0), layout="constrained")
-    for gamma, color, dashes in ((0.9, colors.BLUE, "-."), (0.99, colors.VERMILION, "--"), (1.0, colors.BLACK, "-")):
+    for gamma, color, dashes in ((0.9, colors.SERIES[1], "-."), (0.99, colors.SERIES[2], "--"), (1.0, colors.BLACK, "-")):
         motion = roll(gamma, 1.0)
         end = next((event.t for event in motion.events if event.angle >= math.pi - 1e-9), motion.duration)
         sample = motion.at(np.linspace(0.3, end * (1 - 1e-9), 4000))
@@ -77,7 +77,7 @@ def skimming(folder: Path) -> None:
 def limit(folder: Path) -> None:
     """First slip, stick, second slip and hop of γ = 1 − 10⁻ᵏ beside the massless loss of contact."""
     figure, axes = plt.subplots(1, 2, figsize=(10.4, 4.2), layout="constrained")
-    cases = ((1.0, 1.0, "o", colors.BLUE), (1.0, 5.0, "s", colors.VERMILION), (3.0, 1.0, "^", colors.BLACK))
+    cases = ((1.0, 1.0, "o", colors.SERIES[1]), (1.0, 5.0, "s", colors.SERIES[2]), (3.0, 1.0, "^", colors.BLACK))
     for speed, mu, mark, color in cases:
         massless = math.degrees(roll(1.0, mu, speed).find("skim")[0].angle)
         print(f"v0 = {speed:g} m/s, μ = {mu:g}: the massless hoop loses contact at {massless:.9f}°")
@@ -135,7 +135,7 @@ def hops(folder: Path) -> None:
     immediate = math.sqrt(GRAVITY)
     figure, ax = plt.subplots(figsize=(7.2, 4.0), layout="constrained")
     print("| γ | first slip (m/s) | first hop (m/s) | hop at once (m/s) | difference (m/s) |")
-    for mu, mark, color in ((1.0, "o", colors.BLUE), (5.0, "s", colors.VERMILION)):
+    for mu, mark, color in ((1.0, "o", colors.SERIES[1]), (5.0, "s", colors.SERIES[2])):
         windows = []
         for k in range(1, 10):
             speeds = hh.theory.critical_speeds(hh.Hoop.ideal(1 - 10.0**-k), hh.Plane(mu=mu))

@@ -72,7 +72,7 @@ def contact_space(ax: Any, title: str, degrees: float, word: str) -> None:
         )
     else:
         ax.annotate("never meets\nthis edge", (-9.5, 9.5), (-15.5, 1.2), fontsize=9, arrowprops={"arrowstyle": "->", "lw": 0.6})
-    ax.set(xlim=(-size, size), ylim=(0, size), xlabel="friction F (N)", aspect="equal")
+    ax.set(xlim=(-size, size), ylim=(0, size), xlabel="Friction $F$ (N)", aspect="equal")
     ax.set_title(title, fontsize=10, loc="left")
 
 
@@ -81,7 +81,7 @@ def draw_contact_space(path: Path) -> None:
     figure, axes = plt.subplots(1, 3, figsize=(10.5, 2.9), sharey=True, layout="constrained")
     for ax, panel in zip(axes, PANELS, strict=True):
         contact_space(ax, *panel)
-    axes[0].set_ylabel("normal force N (N)")
+    axes[0].set_ylabel("Normal force $N$ (N)")
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncol=3, frameon=False, fontsize=9)
     figure.savefig(path)

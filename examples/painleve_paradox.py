@@ -27,10 +27,10 @@ def region(folder: Path) -> None:
     angles = np.linspace(1e-3, math.pi - 1e-3, 600)
     print("| γ | least μ | at | for a jam, μ below |")
     for gamma, color, dashes in (
-        (0.5, colors.BLUE, "-"),
+        (0.5, colors.SERIES[1], "-"),
         (0.75, colors.BLACK, "-"),
-        (0.9, colors.VERMILION, "--"),
-        (0.99, colors.GREEN, "-."),
+        (0.9, colors.SERIES[2], "--"),
+        (0.99, colors.SERIES[4], "-."),
     ):
         hoop = hh.Hoop.ideal(gamma)
         ax.plot(np.degrees(angles), hh.theory.painleve_threshold(angles, hoop), dashes, color=color, label=f"γ = {gamma:g}")
@@ -72,14 +72,14 @@ def towards_it(folder: Path) -> None:
         forces.append(float(sample.normal_force[0]))
         print(f"| 10⁻{'¹²³⁴⁵⁶⁷'[k]} | {stop.t:.3e} | {forces[-1]:.4e} | {impulse[-1]:.6f} | {stop.omega:.6f} |")
         if k < 3:
-            color, dashes = ((colors.BLUE, "-"), (colors.VERMILION, "--"), (colors.GREEN, "-."))[k]
+            color, dashes = ((colors.SERIES[1], "-"), (colors.SERIES[2], "--"), (colors.SERIES[4], "-."))[k]
             axes[0].plot(impulse, sample.slip, dashes, color=color, label=f"slip for {1e3 * stop.t:.3g} ms at {1 - share:g} μ*")
-    straight = {"color": colors.PURPLE, "lw": 4, "alpha": 0.5, "label": "impact without collision"}
+    straight = {"color": colors.SERIES[5], "lw": 4, "alpha": 0.5, "label": "impact without collision"}
     axes[0].plot([0.0, impact.impulse_normal], [2.0, 0.0], **straight)
     axes[0].set_xlabel("Normal impulse so far (N s)")
     axes[0].set_ylabel("Slip velocity (m/s)")
-    axes[1].loglog(below, 1e3 * np.array(lasts), "o", color=colors.BLUE, label="slip lasts (ms)")
-    axes[1].loglog(below, forces, "s", color=colors.VERMILION, label="normal force (N)")
+    axes[1].loglog(below, 1e3 * np.array(lasts), "o", color=colors.SERIES[1], label="slip lasts (ms)")
+    axes[1].loglog(below, forces, "s", color=colors.NORMAL_FORCE, label="normal force (N)")
     axes[1].set_xlabel("1 − μ/μ*")
     for ax in axes:
         ax.grid(alpha=0.15)
@@ -138,7 +138,7 @@ def search(folder: Path, cells: int) -> None:
         least = hh.theory.painleve_minimum([hh.Hoop.ideal(float(gamma)) for gamma in fine]).mu
         ax.plot(least, 1.0 - fine, color=colors.BLACK, lw=1.5, label="from here on p ≤ 0 at some angle")
         ax.plot(1.0 / fine, 1.0 - fine, "--", color=colors.BLACK, lw=1.5, label="up to here a jam: μ = 1/γ")
-        ax.plot([1.0], [0.25], "D", color=colors.VERMILION, ms=6, label="the article's hoop")
+        ax.plot([1.0], [0.25], "D", color=colors.SERIES[5], ms=6, label="the article's hoop")
         ax.set_title(title, fontsize="medium")
         ax.set_xscale("log")
         ax.set_yscale("log")

@@ -44,14 +44,14 @@ def main(folder: Path) -> None:
     figure, axes = plt.subplots(1, 2, figsize=(9.8, 4.0), layout="constrained")
     angles = np.linspace(0.0, math.pi, 800)
     normal = hh.theory.rolling_forces(angles, HOOP, v0=3.1).normal
-    axes[0].fill_between(np.degrees(angles), normal, 0.0, where=normal < 0.0, color=colors.ORANGE, alpha=0.5, lw=0)
+    axes[0].fill_between(np.degrees(angles), normal, 0.0, where=normal < 0.0, color=colors.GRAY, alpha=0.4, lw=0)
     axes[0].plot(np.degrees(angles), normal, color=colors.GRAY, lw=4.0, alpha=0.45, label="rolling, even where N < 0")
     axes[0].plot(math.degrees(end.angle), 0.0, "X", color="black", ms=8, label="μ = ∞ ends here")
     print("| μ | slips from | to | greatest slip (m/s) | lost there (J) | least N (N) | phases |")
     for mu, color, dashes in (
-        (3.0, colors.BLUE, "-"),
-        (10.0, colors.VERMILION, "--"),
-        (100.0, colors.PURPLE, ":"),
+        (3.0, colors.SERIES[1], "-"),
+        (10.0, colors.SERIES[2], "--"),
+        (100.0, colors.SERIES[3], ":"),
         (1000.0, colors.BLACK, "-."),
         (1e6, "", ""),
     ):

@@ -9,11 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import hophoop
-from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.body import MODE_LETTERS, Body, Mode, Status
-from hophoop.physics.contact import free_acceleration
-from hophoop.physics.modes import slip_direction
-from hophoop.physics.resistance import forces_rolling, motion_slipping, stiffness_slipping
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import State, whole_angle
@@ -21,6 +17,7 @@ from hophoop.records.writing import has_room, new_log
 from hophoop.results import EventRecord
 from hophoop.rigid.kernel import begin, step
 from hophoop.rigid.limits import limits_of
+from hophoop.rigid.margins import MARGINS, margins_of
 from hophoop.rigid.panel_events import CONE_AHEAD, CONE_BACK, FULL_ANGLE, LIFT, LIMIT, STILL, STOP, STUCK, TURNED
 from hophoop.rigid.phase import GOING, Phase
 from hophoop.rigid.script import repeat
@@ -207,29 +204,17 @@ def margins(body: Body, units: Units, mode: int, state: State) -> Margins:
     -------
     margins : Margins
     """
-    s, c = sine_cosine(state.th, state.th_low)
-    om = state.om
-    normal = friction = p_sigma = math.nan
-    mu = body.mu_s
-    sigma = slip_direction(mode)
-    if mode == Mode.ROLL:
-        friction, normal = forces_rolling(body, s, c, om)
-    elif sigma != 0 and body.kap > 0.0 and math.isfinite(body.mu_k):
-        normal = motion_slipping(body, s, c, om, sigma)[1]
-        friction = -sigma * body.mu_k * normal
-        p_sigma = stiffness_slipping(body, s, c, om, sigma) / body.kap
-        mu = body.mu_k
-    elif mode in (Mode.FLIGHT, Mode.SKIM):
-        friction = normal = 0.0
+    found = margins_of(body, mode, state.th, state.th_low, state.om, state.vt, state.y)
+    named = dict(zip(MARGINS, found, strict=True))
     force = units.of("normal_force")
     return Margins(
-        normal_force=normal * force,
-        friction_force=friction * force,
-        friction_limit=math.inf if math.isinf(mu) and normal > 0.0 else mu * normal * force if normal != 0.0 else 0.0,
-        free_acceleration=free_acceleration(body, s, c, om * om)[1] * units.length / units.time**2,
-        slip=state.vt * units.of("slip"),
-        height=state.y * units.length,
-        p_sigma=p_sigma,
+        normal_force=named["normal_force"] * force,
+        friction_force=named["friction_force"] * force,
+        friction_limit=named["friction_limit"] * force,
+        free_acceleration=named["free_acceleration"] * units.length / units.time**2,
+        slip=named["slip"] * units.of("slip"),
+        height=named["height"] * units.length,
+        p_sigma=named["p_sigma"],
     )
 
 

@@ -8,6 +8,7 @@ import pytest
 import hophoop as hh
 from animate_tools import darkest_spot, decoded, motion, places
 from hophoop.animate import film, picture
+from hophoop.animate.canvas import Canvas
 from hophoop.animate.frames import Timing, clock
 from hophoop.animate.look import Look
 from hophoop.animate.mpl import Film2D
@@ -263,3 +264,19 @@ def test_the_ring_shows_the_speed_of_its_points():
 def test_themes_have_their_background(theme):
     shown = picture(motion(), 0.5, Look(size=(320, 180), theme=theme))
     assert near(shown[175, 5, :3], THEMES[theme].background, 1)
+
+
+def test_words_of_two_hoops_in_one_view_do_not_lie_on_each_other(monkeypatch):
+    said = []
+    write = Canvas.text
+    monkeypatch.setattr(Canvas, "text", lambda self, x, y, words, *more, **named: (
+        said.append(words), write(self, x, y, words, *more, **named)))  # fmt: skip
+    other = hh.simulate(hh.Scenario(duration=2.0).with_values({"plane.mu": 0.5}))
+    shown = Film2D([motion(), other], Timing(fps=10), Look(size=SIZE, layout="overlay"))
+    said.clear()
+    shown.draw(13)
+    assert [words for words in said if "take-off" in words] == ["2 × take-off"]
+    side = Film2D([motion(), other], Timing(fps=10), Look(size=SIZE))
+    said.clear()
+    side.draw(13)
+    assert [words for words in said if "take-off" in words] == ["take-off", "take-off"]

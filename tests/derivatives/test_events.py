@@ -10,6 +10,7 @@ import hophoop as hh
 from hophoop._jit import forced
 from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.parameters import value_of
+from hophoop.maps import sweep
 from hophoop.physics.body import EVENT_NAMES
 from oracles.derivatives import CASES, FILE, PARTS, differences, scenario_of
 
@@ -126,6 +127,37 @@ def test_energies_and_times_follow_differences_of_doubles(name):
             true = (low - 8 * less + 8 * more - high) / (12 * step)
             assert rated[field][1][:, k] == pytest.approx(true, rel=2e-6, abs=2e-6), (path, field)
             assert rated[field][0] == pytest.approx(np.asarray(getattr(motion.at(times), field)), abs=1e-14)
+
+
+MAPPED = ("time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost")
+OF_HOPS = ("takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss")
+
+
+@pytest.mark.parametrize(
+    ("scenario", "names"),
+    [
+        (hh.Scenario(duration=1.95), (*MAPPED, *OF_HOPS)),
+        (hh.Scenario(plane=hh.Plane(mu=0.3), start=hh.Start.rolling(0.1), duration=4.0), MAPPED),  # it rolls back
+    ],
+)
+def test_quantities_of_maps_are_those_of_maps_and_follow_differences(scenario, names):
+    """Their values are those of a map's cell, their derivatives differences of such values of motions beside this one."""
+    path, step = "start.speed", 1e-4 * scenario.start.speed
+    values = scenario.start.speed + step * np.arange(-2, 3)
+    axes = {path: values, "plane.mu": [scenario.plane.mu, 2.0]}  # a map has two axes
+    cells = sweep(scenario, axes, list(names), "duration", progress=False).isel({"plane.mu": 0})
+    result = hh.simulate(scenario).sensitivity(names, path)
+    for k, name in enumerate(names):
+        low, less, same, more, high = cells[name].values.tolist()
+        assert result.values[k] == pytest.approx(same, rel=1e-12)
+        assert result.derivatives[k, 0] == pytest.approx((low - 8 * less + 8 * more - high) / (12 * step), rel=1e-6, abs=1e-7)
+
+
+def test_revolutions_to_rolling_need_a_motion_that_ends_in_rolling():
+    motion = hh.simulate(hh.Scenario(duration=0.5))
+    assert motion.sequence[-1] != "R"
+    with pytest.raises(ValueError, match="does not end in rolling"):
+        motion.sensitivity("revolutions_to_rolling", "start.speed")
 
 
 @pytest.mark.parametrize("name", ["hop", "slip_from_rest", "poisson", "jam", "massless_slides"])

@@ -3,6 +3,7 @@
 import itertools
 import json
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from oracles import hybrid
 from oracles.cases import Case
 
 SCENARIOS = engines.bench_scenarios()
+NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 SCORED = [name for name, bench in SCENARIOS.items() if bench.scored]
 
 
@@ -62,6 +64,33 @@ def test_two_solutions_agree_on_at_least_28_digits(document):
     for entry in document["scenarios"].values():
         assert min(entry["states"]["digits"]) >= 28
         assert min(event["digits"] for event in entry["events"]) >= 28
+
+
+def test_all_but_endless_bounces_have_a_proved_bound(document):
+    bounds = {name: entry["radius"] for name, entry in document["scenarios"].items()}
+    assert [name for name, bound in bounds.items() if bound is None] == ["bounces"]
+    assert all(float(bound) <= 2e-27 for bound in bounds.values() if bound)
+
+
+@pytest.mark.parametrize(("name", "place"), [("hop", 40), ("drop", 20), ("painleve", 12)])
+def test_numbers_lie_within_the_proved_bound(document, name, place):
+    """The events, and the state at one time, against enclosures of two digits more."""
+    pytest.importorskip("flint")
+    entry, scenario = document["scenarios"][name], SCENARIOS[name].scenario
+    bound = Fraction(entry["radius"])
+    columns = dict(zip(("t", "x", "y", "angle", "vx", "vy", "omega"), NUMBERS, strict=True))
+    proved = hh.prove.prove(scenario, 30).events
+    assert [event["kind"] for event in entry["events"]] == [event.kind for event in proved]
+    pairs = [
+        (event[column], getattr(one, field))
+        for event, one in zip(entry["events"], proved, strict=True)
+        for column, field in columns.items()
+    ]
+    time = float(entry["states"]["t"][place])
+    end = hh.prove.prove(scenario.replace("duration", time), 30).events[-1]
+    pairs += [(entry["states"][column][place], getattr(end, field)) for column, field in columns.items()]
+    for text, enclosure in pairs:
+        assert abs(Fraction(text) - Fraction(enclosure.middle)) <= bound + Fraction(enclosure.radius)
 
 
 @pytest.mark.parametrize("name", SCENARIOS)

@@ -129,6 +129,27 @@ def test_errors_last_as_long_as_the_hoop_is_in_one_place(hop):
     assert memories(problem, slow)["x"].frames > 3 * x.lasting.frames
 
 
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"scale": 0.0}, "a track has a view whose scale = 0 must be a number above 0"),
+        ({"scale_error": "much"}, "a track is not whole: could not convert string to float: 'much'"),
+        ({"scale_error": [1.0]}, "a track is not whole"),
+        ({"strange": 1.0}, "a track is not whole: .*strange"),
+        ({"camera": {"width": 1280, "height": 720, "focal": -1.0}}, "whose focal = -1 must be"),
+        ({"chroma": [1.0]}, "a track is not whole"),
+    ],
+)
+def test_a_view_that_is_none(hop, change, message):
+    data = filmed(hop).to_dict()
+    with pytest.raises(ValueError, match=message):
+        track_from_dict(data | {"view": data["view"] | change}, "a track")
+
+
+def test_errors_that_are_none_are_no_priors(hop):
+    assert set(shared_errors(filmed(hop, scale_error=0.0, height_error=0.0, rise_error=-1.0))) == set()
+
+
 def test_the_line_of_the_ground_knows_how_well_it_is_known():
     """Errors that are alike for ten frames: over uncertainties they have the spread 1."""
     rng, pulls = np.random.default_rng(7), []

@@ -13,6 +13,7 @@ from hophoop.maps.kernel import CELL, KEYS, NUMBERS, WORDS
 from hophoop.module.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.rigid.margins import MARGINS
 
 
 class Host:
@@ -82,10 +83,16 @@ class Host:
 
     def samples(self, segments: int, times: np.ndarray, left: bool = False) -> np.ndarray:
         """States of the motion that was computed last."""
-        width = len(SAMPLE_COLUMNS)
+        return self._rows("samples", len(SAMPLE_COLUMNS), segments, times, left)
+
+    def margins(self, segments: int, times: np.ndarray, left: bool = False) -> np.ndarray:
+        """What decides about the modes of the motion that was computed last."""
+        return self._rows("margins", len(MARGINS), segments, times, left)
+
+    def _rows(self, name: str, width: int, segments: int, times: np.ndarray, left: bool) -> np.ndarray:
         when, out = self.room(8 * times.size), self.room(8 * times.size * width)
         self.view(when, times.size)[:] = times
-        self.call("samples", self.cell, self.segments, segments, when, times.size, int(left), out)
+        self.call(name, self.cell, self.segments, segments, when, times.size, int(left), out)
         result = self.view(out, times.size * width).reshape(-1, width).copy()
         self.free(when)
         self.free(out)

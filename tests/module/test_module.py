@@ -16,6 +16,8 @@ from hophoop.maps.cells import make_cells
 from hophoop.maps.quantities import make_span
 from hophoop.module.layout import EVENT_COLUMNS, SAMPLE_COLUMNS, layout
 from hophoop.module.stamp import HERE, LAYOUT, MODULE, sources
+from hophoop.physics.body import Status
+from hophoop.records.scratch import MOST_PANELS
 
 pytest.importorskip("wasmtime")
 
@@ -100,6 +102,14 @@ def test_energies_add_up(host: Host) -> None:
         if math.isnan(heads["doubt_from"]):
             assert heads["kinetic"] == pytest.approx(ledger.kinetic, rel=1e-9, abs=1e-9 * ledger.range)
             assert abs(heads["residual"]) <= 1e-9 * ledger.range
+
+
+def test_a_motion_ends_by_its_budget_whatever_is_asked(host: Host) -> None:
+    heads, events = host.motion(cell_of(hh.Scenario(duration=1e6)))
+    assert heads["status"] == Status.EVENT_LIMIT
+    assert heads["panels"] <= MOST_PANELS + 1
+    assert 1e3 < heads["duration"] < 1e6  # what was computed is told
+    assert events[-1, 0] == heads["duration"]
 
 
 def test_states_are_the_same(host: Host) -> None:

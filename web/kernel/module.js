@@ -154,8 +154,36 @@ export class HoopModule {
    * @param {boolean} left just before an event
    */
   states(computed, times, left) {
+    return this.rows("samples", layout.samples.length, computed, times, left);
+  }
+
+  /**
+   * What decides about the mode at times of a motion with rigid contact, a column for each of `layout.margins`.
+   * @param {Given} given
+   * @param {Float64Array} times
+   * @param {boolean} [left] just before an event
+   * @returns {Record<string, Float64Array>}
+   */
+  margins(given, times, left = false) {
+    if (given.contact) throw new TypeError("A compliant contact has no such rules.");
+    const width = layout.margins.length;
+    const rows = this.rows("margins", width, this.compute(given), times, left);
+    return Object.fromEntries(
+      layout.margins.map((name, place) => [name, Float64Array.from(times, (_, k) => rows[k * width + place])]),
+    );
+  }
+
+  /**
+   * Rows of an entry that tells of times of the motion that was computed last.
+   * @param {string} name
+   * @param {number} width
+   * @param {Computed} computed
+   * @param {Float64Array} times
+   * @param {boolean} left just before an event
+   */
+  rows(name, width, computed, times, left) {
     const { memory } = this;
-    const size = times.length * layout.samples.length;
+    const size = times.length * width;
     const when = memory.put("times", times);
     const out = memory.room("states", 8 * Math.max(size, 1));
     const cell = memory.room("cell", 8);
@@ -163,7 +191,7 @@ export class HoopModule {
     if (computed.given.contact) {
       this.call("compliant_samples", cell, memory.room("contact", 8), memory.room("rows", 8), ...ask);
     } else {
-      this.call("samples", cell, memory.room("segments", 8), ...ask);
+      this.call(name, cell, memory.room("segments", 8), ...ask);
     }
     return memory.floats(out, size).slice();
   }

@@ -19,6 +19,7 @@ SPREAD = 0.45  # how far, in radii of the hoop
 MOST = 400  # of the last ones are drawn
 SIZE, FONT, LETTER = 5.0, 12.0, 7.4  # of marks and words, and width of a letter [units]
 
+Seen = tuple[str, Points]  # kind of an event, and its place in the picture [pixels]
 ToPixels = Callable[[Floats], Points | None]
 
 
@@ -62,8 +63,8 @@ def draw_happenings(
     to_pixels: ToPixels,
     radius: float,
     below: float,
-) -> None:
-    """Draw what has happened up to now.
+) -> list[Seen]:
+    """Draw the signs of what has happened up to now, whose words `say_happenings` writes.
 
     Parameters
     ----------
@@ -78,6 +79,11 @@ def draw_happenings(
         Of the hoop [pixels].
     below : float
         How far under the plane words stand [pixels].
+
+    Returns
+    -------
+    seen : list of (str, ndarray)
+        What each sign in the picture says, and its place on the plane [pixels].
     """
     u = canvas.unit
     t, rate, still = now
@@ -93,11 +99,28 @@ def draw_happenings(
             _mark(canvas, theme, one.kind, spot - np.array([0.0, 0.5 * below]), SIZE * u)
             canvas.line(np.array([spot, spot - np.array([0.0, 0.5 * below - SIZE * u])]), theme.ink, 1.0, 0.6)
             last = one.kind, spot[0]
-    seen.sort(key=lambda pair: float(pair[1][0]))
-    groups = clusters([float(spot[0]) / u for _, spot in seen], [one.kind for one, _ in seen], np.inf, LETTER)
-    height = float(np.mean([spot[1] for _, spot in seen])) if seen else 0.0
-    for group in groups:
-        level = float(np.interp(group.middle * u, [spot[0] for _, spot in seen], [spot[1] for _, spot in seen], height, height))
+    return [(one.kind, spot) for one, spot in seen]
+
+
+def say_happenings(canvas: Canvas, theme: Theme, seen: Sequence[Seen], below: float) -> None:
+    """Write what has happened, under the plane: the words of all hoops in a view at once, so that none lies on another.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    theme : Theme
+    seen : sequence of (str, ndarray)
+        As `draw_happenings` gives them [pixels].
+    below : float
+        How far under the plane words stand [pixels].
+    """
+    if not seen:
+        return
+    u = canvas.unit
+    ordered = sorted(seen, key=lambda pair: float(pair[1][0]))
+    across, up = (np.array([spot[k] for _, spot in ordered]) for k in (0, 1))
+    for group in clusters(list(across / u), [kind for kind, _ in ordered], np.inf, LETTER):
+        level = float(np.interp(group.middle * u, across, up))
         canvas.text(group.middle * u, level - below, group.words, theme.ink, FONT, "center", vertical="center")
 
 

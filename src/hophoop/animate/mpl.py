@@ -10,7 +10,7 @@ import numpy as np
 
 from hophoop.animate.canvas import Bytes, Canvas, Points, Rectangle
 from hophoop.animate.frames import Clock, Extent, Timing, Trace, clock, ended, extent, trace
-from hophoop.animate.happenings import Happening, draw_happenings, happenings
+from hophoop.animate.happenings import Happening, Seen, draw_happenings, happenings, say_happenings
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look, labels_of, nice
 from hophoop.animate.panels import Panels
@@ -41,6 +41,7 @@ TRACE_POINTS = 6000  # the last ones are drawn
 # Length of the greatest force's arrow, in radii
 FORCE_LENGTH = 1.3
 RING = 0.05  # width in radii
+WORDS_BELOW = 0.42  # of the plane: words about what happens, in radii of the hoop
 FADE = 0.45  # opacity of all but the first of motions in one view
 TAGS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"  # of motions in one view
 HEAD_LINE, VIEW_HEAD = 26.0, 58.0  # of further rows, and of a view's own words [units]
@@ -151,10 +152,14 @@ class Film2D:
                 self._draw_plane(actor, k)
                 canvas.clip(None)
         # the first of an overlay lies on top
+        seen: list[Seen] = []
         for actor in reversed(self.actors):
             canvas.clip(actor.view.rectangle)
             self._draw_hoop(actor, k)
-            self._draw_happenings(actor, k)
+            seen += self._draw_happenings(actor, k)
+            if not overlay or actor is self.actors[0]:
+                say_happenings(canvas, self.theme, seen, WORDS_BELOW * actor.motion.scenario.hoop.radius * actor.view.scale)
+                seen = []
             canvas.clip(None)
         for i, actor in enumerate(self.actors):
             self._draw_words(actor, k, i if overlay else 0)
@@ -338,11 +343,12 @@ class Film2D:
         if actor.tag:
             draw_tag(canvas, theme, center, actor.tag)
 
-    def _draw_happenings(self, actor: _Actor, k: int) -> None:
+    def _draw_happenings(self, actor: _Actor, k: int) -> list[Seen]:
         matrix = actor.view.matrix(k)
         size = actor.motion.scenario.hoop.radius * actor.view.scale
         now = float(actor.times[k]), float(self.clock.rate[k]), float(self.clock.still[k])
-        draw_happenings(self.canvas, self.theme, actor.found, now, lambda place: project(matrix, place), size, 0.42 * size)
+        below = WORDS_BELOW * size
+        return draw_happenings(self.canvas, self.theme, actor.found, now, lambda place: project(matrix, place), size, below)
 
     def _mixed(self, shades: Floats, alpha: float) -> Floats:
         # Pieces of the ring overlap, where opacity would add up: mixed with the background instead.

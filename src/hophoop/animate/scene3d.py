@@ -14,7 +14,7 @@ import numpy as np
 from hophoop._extras import need
 from hophoop.animate.canvas import Bytes, Canvas
 from hophoop.animate.frames import Extent, Timing, Trace, clock, ended, extent, follow, trace
-from hophoop.animate.happenings import Happening, draw_happenings, happenings
+from hophoop.animate.happenings import Happening, draw_happenings, happenings, say_happenings
 from hophoop.animate.layout import Layout, lay_out, state_width
 from hophoop.animate.look import Look3D, labels_of
 from hophoop.animate.plane3d import plane_meshes
@@ -442,10 +442,9 @@ class Film3D:
             near = actor.lane - 0.35 * self._radius
             canvas.clip((0.0, self.layout.foot, self.look.size[0], height - self.layout.head - self.layout.foot))
             now = float(actor.poses.t[k]), float(self.clock.rate[k]), float(self.clock.still[k])
-            draw_happenings(
-                canvas, theme, actor.found, now,
-                partial(self._seen, lane=near), self._radius * metre, 34.0 * u,
-            )  # fmt: skip
+            spot_of = partial(self._seen, lane=near)
+            seen = draw_happenings(canvas, theme, actor.found, now, spot_of, self._radius * metre, 34.0 * u)
+            say_happenings(canvas, theme, seen, 34.0 * u)
             canvas.clip(None)
         if self.look.forces:
             draw_force_key(canvas, theme, self.layout, self.newton(k) * metre, float(self.force_levels[k]))

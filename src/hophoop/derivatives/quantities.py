@@ -38,7 +38,6 @@ MAPPED = {
     "end_speed": "end.vx",
     "time": "end.t",
 }
-_WAYS = "distance", "energy_lost"
 _NAME = re.compile(r"(?P<what>[a-z_]+)(?:\[(?P<place>-?\d+)\])?\.(?P<field>[a-z_.]+)")
 _AT = re.compile(r"at\((?P<time>[^()]+)\)\.(?P<field>[a-z_]+)")
 AT_TIMES = tuple(name for name in FIELDS if not name.startswith(("before", "impulse")) and name != "t")
@@ -59,8 +58,8 @@ def unit_of_quantity(name: str) -> str:
     unit : str
     """
     name = MAPPED.get(name, name)
-    if name in _WAYS:
-        return "m" if name == "distance" else "J"
+    if name in WHOLE:
+        return WHOLE[name][1]
     field = name.split(").")[-1] if name.startswith("at(") else name.partition(".")[2]
     return HOP[field][1] if name.startswith("hop") else unit_of(field)
 
@@ -86,8 +85,10 @@ def quantity(motion: Motion, name: str) -> Callable[[Carried], Rated]:
         If there is no such quantity, or the motion has no such event.
     """
     known = MAPPED.get(name, name)
-    if known in _WAYS:
-        return _way if known == "distance" else _lost
+    if known in WHOLE:
+        if known == "revolutions_to_rolling" and _rolling_since(motion) < 0:
+            raise InputError(f"of = {name!r}: this motion does not end in rolling.")
+        return WHOLE[known][0]
     match = _AT.fullmatch(known) if known.startswith("at(") else None
     if match:
         return _at_time(motion, name, match["time"], match["field"])
@@ -114,7 +115,7 @@ def _parsed(name: str) -> tuple[str, int, str] | None:
 
 
 def _known() -> str:
-    return "takeoff.angle and the like, hop.height, at(0.8).angle, distance, energy_lost and " + ", ".join(MAPPED)
+    return "takeoff.angle and the like, hop.height, at(0.8).angle and " + ", ".join([*WHOLE, *MAPPED])
 
 
 def _chosen(name: str, what: str, found: np.ndarray, place: int) -> int:
@@ -214,3 +215,38 @@ def _way(carried: Carried) -> Rated:
 
 def _lost(carried: Carried) -> Rated:
     return carried.at_event(_last(carried), "friction") + _impact_loss(carried, _last(carried))
+
+
+def _way_rolled(carried: Carried) -> Rated:
+    """The lengths of what is rolled, between events; it turns round at events alone."""
+    rolled = carried.at_event(0, "x") - carried.at_event(0, "x")
+    for index, row in enumerate(carried.motion.tables["events"][:-1]):
+        if row["after_mode"] == Mode.ROLL:
+            piece = carried.at_event(index + 1, "x") - carried.at_event(index, "x")
+            rolled += piece if piece.value >= 0.0 else -piece
+    return rolled
+
+
+def _rolling_since(motion: Motion) -> int:
+    """The event at which the last phase began, where that is rolling, or −1."""
+    marks = [k for k, kind in enumerate(motion.tables["events"]["kind"].tolist()) if kind not in PASSING]
+    since = -1
+    for k in marks:
+        rolls = motion.tables["events"]["after_mode"][k] == Mode.ROLL
+        since = -1 if not rolls else k if since < 0 else since
+    return since
+
+
+def _revolutions(carried: Carried) -> Rated:
+    turned = carried.at_event(_rolling_since(carried.motion), "angle") - carried.at_event(0, "angle")
+    turned = turned if turned.value >= 0.0 else -turned
+    return Rated(turned.value / (2.0 * math.pi), turned.rates / (2.0 * math.pi))
+
+
+# Of the whole motion: how they are read, and their units; in maps they are called the same.
+WHOLE: dict[str, tuple[Callable[[Carried], Rated], str]] = {
+    "distance": (_way, "m"),
+    "distance_rolled": (_way_rolled, "m"),
+    "revolutions_to_rolling": (_revolutions, "1"),
+    "energy_lost": (_lost, "J"),
+}

@@ -306,7 +306,7 @@ def shared_errors(track: Track) -> dict[str, Prior]:
         height = float(np.hypot(view.height_error, view.scale_error * track.radius))
         found = {"scale": Prior(1.0, view.scale_error), "origin_y": Prior(0.0, height), "tilt": Prior(0.0, view.rise_error)}
         found["slope"] = Prior(track.slope, track.slope_error)
-    return {name: prior for name, prior in found.items() if np.isfinite(prior).all()}
+    return {name: prior for name, prior in found.items() if np.isfinite(prior).all() and prior.error > 0}
 
 
 def defaults(problem: Problem, track: Track) -> tuple[dict[str, float], set[str]]:

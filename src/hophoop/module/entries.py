@@ -17,6 +17,7 @@ COUNT, NUMBER = types.int64, types.float64
 ENTRIES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "motion": (motions.motion, (FLOATS, EVENTS, COUNT, SEGMENTS, COUNT, FLOATS, FLOATS)),
     "samples": (motions.samples, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
+    "margins": (motions.margins, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
     "compliance": (compliant.compliance, (FLOATS, FLOATS, FLOATS)),
     "compliant_motion": (
         compliant.compliant_motion,

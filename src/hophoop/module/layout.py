@@ -11,6 +11,7 @@ from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wa
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
 from hophoop.physics.compliant import FrictionLaw, NormalLaw
 from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.rigid.margins import MARGINS
 
 # What a motion is told with, besides its events: SI units, and counts.
 HEADS = (
@@ -66,6 +67,7 @@ def layout() -> dict[str, Any]:
         "heads": HEADS,
         "events": EVENT_COLUMNS,
         "samples": SAMPLE_COLUMNS,
+        "margins": MARGINS,
         "compliant": COMPLIANT,
         "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],
         "friction_laws": [law.name.lower() for law in FrictionLaw],

@@ -18,10 +18,11 @@ from hophoop.records.scratch import new_scratch
 from hophoop.records.times import kernel_times
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
+from hophoop.rigid.margins import MARGINS, margins_of
 from hophoop.rigid.sampling import sample
 
 FIELDS, HEAD_COUNT, EVENT_WIDTH, SAMPLE_WIDTH = len(CELL), len(HEADS), len(EVENT_COLUMNS), len(SAMPLE_COLUMNS)
-RAW_WIDTH = len(sampling.COLUMNS)
+RAW_WIDTH, MARGIN_WIDTH = len(sampling.COLUMNS), len(MARGINS)
 RESISTED = sampling.COLUMNS.index("rolling_resistance")
 SPIN, SKID = int(Mode.SPIN), int(Mode.SKID)
 
@@ -175,3 +176,30 @@ def samples(given, segments, count, times, n, left, out):
         rows[k, 14] = 0.0
         rows[k, 15] = kinetic(body, line[13], line[6], line[7], line[5], line[14]) * scales.energy
         rows[k, 16] = potential(body, line[1], line[2], line[13]) * scales.energy
+
+
+@jit
+def margins(given, segments, count, times, n, left, out):
+    """What decides about the mode at times in s, in the order of `rigid.margins.MARGINS` and in SI units, as `samples`."""
+    cells = carray(given, (FIELDS, 1))
+    pieces = carray(segments, (count,))
+    when = carray(times, (n,))
+    rows = carray(out, (n, MARGIN_WIDTH))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    speed = scales.length / scales.time
+    force = scales.energy / scales.length
+    asked = np.empty(n)
+    kernel_times(pieces["t"], pieces[count - 1]["t_end"], when, scales.time, asked)
+    raw = np.empty((n, RAW_WIDTH))
+    sample(body, pieces, asked, left != 0, raw)
+    for k in range(n):
+        line = raw[k]
+        found = margins_of(body, int(line[0]), line[13], line[14], line[6], line[7], line[2])
+        rows[k, 0] = found[0] * force
+        rows[k, 1] = found[1] * force
+        rows[k, 2] = found[2] * force
+        rows[k, 3] = found[3] * speed / scales.time
+        rows[k, 4] = found[4] * speed
+        rows[k, 5] = found[5] * scales.length
+        rows[k, 6] = found[6]

@@ -333,13 +333,7 @@ def track_from_dict(data: Any, name: str) -> Track:
         raise InputError(f"{name} is not a track of hophoop ({SCHEMA}).")
     try:
         columns = {key: np.array(values, dtype=float) for key, values in data["columns"].items() if key in COLUMNS}
-        view = None
-        if "view" in data:
-            parts = dict(data["view"])
-            parts["camera"] = Camera(**parts["camera"])
-            if "chroma" in parts:
-                parts["chroma"] = tuple(parts["chroma"])
-            view = View(**parts)
+        view = _view_from_dict(data["view"], name) if "view" in data else None
         others = {key: float(data[key]) for key in HEAD if key in data}
         return track_of(
             columns.pop("t"),
@@ -351,8 +345,29 @@ def track_from_dict(data: Any, name: str) -> Track:
             notes=tuple(str(note) for note in data["notes"]),
             **others,
         )
-    except (KeyError, TypeError, AttributeError) as error:
+    except InputError:
+        raise
+    except (KeyError, TypeError, AttributeError, ValueError) as error:
         raise InputError(f"{name} is not whole: {error}.") from None
+
+
+def _view_from_dict(data: Any, name: str) -> View:
+    parts: dict[str, Any] = {key: float(value) for key, value in data.items() if key not in ("camera", "chroma")}
+    if "chroma" in data:
+        blue, red = data["chroma"]
+        parts["chroma"] = (float(blue), float(red))
+    lens = dict(data["camera"])
+    wide, tall = int(lens.pop("width")), int(lens.pop("height"))
+    view = View(camera=Camera(wide, tall, **{key: float(value) for key, value in lens.items()}), **parts)
+    for key, value in {
+        "scale": view.scale,
+        "width": view.camera.width,
+        "height": view.camera.height,
+        "focal": view.camera.focal,
+    }.items():
+        if not (np.isfinite(value) and value > 0):
+            raise InputError(f"{name} has a view whose {key} = {value:g} must be a number above 0.")
+    return view
 
 
 def _plain(values: Floats) -> list[float | None]:

@@ -262,3 +262,53 @@ def test_forced_colours_are_the_systems(visit):
     assert look["paper"] == "#000000"
     assert look["ink"] == "#ffffff"
     assert look["dark"] is True
+
+
+def test_a_refused_click_on_the_map_is_said_in_sight(visit):
+    page = visit()
+    wait_for(page, SETTLED)
+    page.evaluate("scrollTo(0, document.querySelector('.map-body').getBoundingClientRect().top - 50)")
+    page.evaluate("hophoopLab.map.onmotion([['hoop.load_fraction', 1], ['plane.slope', 0.1]])")
+    page.wait_for_selector(".toast:visible")
+    toast = page.locator(".toast").bounding_box()
+    assert toast["y"] >= 0
+    assert toast["y"] + toast["height"] <= 900
+    assert "plane.slope" in page.locator(".toast").inner_text()
+
+
+def test_the_help_says_what_s_and_k_are(visit):
+    page = visit()
+    page.keyboard.press("?")
+    rows = page.locator("dialog[open] table").all_inner_texts()
+    letters = next(text for text in rows if "skid" in text)
+    assert "S\tspin\tslip: the rim turns too fast" in letters
+    assert "K\tskid\tslip: the rim slides ahead" in letters
+
+
+@pytest.mark.parametrize("why", ["given up", "too long"])
+def test_what_the_page_computes_stops_at_once(visit, why):
+    page = visit("?duration=1")
+    wait_for(page, SETTLED)
+    took, said, after = page.evaluate(
+        """async (why) => {
+          const { backend } = hophoopLab;
+          const crew = backend.kernel.motions;
+          const usual = crew.limit;
+          if (why === "too long") crew.limit = 150;
+          const giving = new AbortController();
+          // seconds of work
+          const asked = backend.call("film", { query: "contact.model=compliant&duration=200" }, giving.signal);
+          let due = performance.now() + 150;
+          if (why === "given up") setTimeout(() => { due = performance.now(); giving.abort(); }, 150);
+          let said = "";
+          try { await asked; } catch (error) { said = `${error.name} ${error.message}`; }
+          const took = performance.now() - due;
+          crew.limit = usual;
+          const { header } = await backend.call("film", { query: "duration=1" });
+          return [took, said, header.status];
+        }""",
+        why,
+    )
+    assert ("AbortError" if why == "given up" else "takes longer than 0.15 s") in said
+    assert took < 100
+    assert after == "completed"

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources f8b462284512e9dc230206a33ae575e5 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 9587fa451834ef6b19a1d433f40d2ec9 */
 var Ur=Object.create;var $n=Object.defineProperty;var Gr=Object.getOwnPropertyDescriptor;var Kr=Object.getOwnPropertyNames;var Vr=Object.getPrototypeOf,Jr=Object.prototype.hasOwnProperty;var Yr=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Zr=(s,e,t,o)=>{if(e&&typeof e=="object"||typeof e=="function")for(let n of Kr(e))!Jr.call(s,n)&&n!==t&&$n(s,n,{get:()=>e[n],enumerable:!(o=Gr(e,n))||o.enumerable});
 return s};var Qr=(s,e,t)=>(t=s!=null?Ur(Vr(s)):{},Zr(e||!s||!s.__esModule?$n(t,"default",{value:s,enumerable:!0}):t,s));var aa=Yr(Es=>{"use strict";Object.defineProperty(Es,"__esModule",{value:!0});function oa(s){return!s||typeof s=="string"?s:s+""}var Io=class{async svg2canvas(e,t,o){
 let n=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=o,i.getContext(
@@ -2357,27 +2357,28 @@ size=o,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.id
 resolve(new $o(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,o,n=[]){
 o?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Wo(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return o?.throwIfAborted(),o?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),o?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var _={sources:"315defddb4bcdcd88bdeb7750285b666",module:"f555452be29eacee",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var _={sources:"a6679562d6d3222646075ce401f394d8",module:"558121dfdefede26",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
 "omega","slip","before_vx","before_vy","before_omega","before_slip","impulse_normal","impulse_tangential","friction","impact_normal","impact_tangential","gain",
 "collision","stable","rolling_resistance"],samples:["mode","x","height","angle","vx","vy","omega","slip","friction_force","normal_force","friction","impact_norm\
-al","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],compliant:["law","friction_law","stiffness","damping","rest\
-itution","slip_speed","tangential_stiffness","rtol"],laws:["kelvin-voigt","hunt-crossley"],friction_laws:["tanh","linear","bristle"],chosen:["stiffness","tangen\
-tial_stiffness","slip_speed","depth","stiffness_si","slip_speed_si"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","n\
-eeded_friction_angle","painleve_friction","painleve_angle","jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_\
-loss_by_friction"],numbers:["time","end_angle","end_speed","distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_t\
-ime","takeoff_angle","hop_height","flight_time","flight_distance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","pa\
-inleve"],keys:4,letters_a_key:21,more:7,endings:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{
-angle:6.283185307179586,stop:3,timed:0},takeoff:{angle:null,stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,
-status:0,ending:0,first_event:0,hop:0,painleve:0,time:0,end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,
-takeoff_time:1,takeoff_angle:1,hop_height:1,flight_time:1,flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undet\
-ermined","event_limit"],ending:["duration","revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stic\
-k","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:[
-"no","yes"],painleve:["no","yes"]},shapes:["ring","disk","point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start",
-"slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","\
-rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var at=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Vg=at(_.cell),_e=at(_.heads),Y=at(_.events),Bo=at(_.samples),Pa=at(_.numbers),Ho=at(_.words),Wh={newton:0,poisson:1,
+al","impact_tangential","spring","damping","kinetic","potential","utilization","rolling_resistance"],margins:["normal_force","friction_force","friction_limit","\
+free_acceleration","slip","height","p_sigma"],compliant:["law","friction_law","stiffness","damping","restitution","slip_speed","tangential_stiffness","rtol"],laws:[
+"kelvin-voigt","hunt-crossley"],friction_laws:["tanh","linear","bristle"],chosen:["stiffness","tangential_stiffness","slip_speed","depth","stiffness_si","slip_s\
+peed_si"],thresholds:["first_slip_speed","first_hop_speed","immediate_hop_speed","needed_friction","needed_friction_angle","painleve_friction","painleve_angle",
+"jam_angle","jam_angle_2","jam_angle_3","jam_angle_4","stable_angle","massless_loss_angle","massless_loss_by_friction"],numbers:["time","end_angle","end_speed",
+"distance","distance_rolled","revolutions_to_rolling","energy_lost","greatest_utilization","takeoff_time","takeoff_angle","hop_height","flight_time","flight_dis\
+tance","landing_angle","landing_loss","doubt_until"],words:["status","ending","first_event","hop","painleve"],keys:4,letters_a_key:21,more:7,endings:["duration",
+"revolutions","reversal","takeoff","rest","jam","undetermined","event_limit"],spans:{first_revolution:{angle:6.283185307179586,stop:3,timed:0},takeoff:{angle:null,
+stop:2,timed:1},reversal:{angle:null,stop:1,timed:1},duration:{angle:null,stop:0,timed:1}},wanted:{sequence:0,status:0,ending:0,first_event:0,hop:0,painleve:0,time:0,
+end_angle:0,end_speed:0,distance:0,distance_rolled:0,revolutions_to_rolling:0,energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1,flight_time:1,
+flight_distance:1,landing_angle:1,landing_loss:1},codes:{status:["completed","at_rest","jammed","undetermined","event_limit"],ending:["duration","revolutions","\
+reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounc\
+e_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","\
+point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","t\
+urn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_res\
+t","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var at=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Vg=at(_.cell),_e=at(_.heads),Y=at(_.events),Bo=at(_.samples),Pa=at(_.numbers),Ho=at(_.words),Wh={newton:0,poisson:1,
 stronge:2};function rt(s){let e=new Float64Array(_.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,o])=>typeof o=="number")),law:Wh[s.impact_law],
 strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return _.cell.forEach((o,n)=>{e[n]=t[o]??0}),e}function Uo(s){let e=t=>t??Number.NaN;return Float64Array.
 of(_.laws.indexOf(s.law),_.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),e(s.rtol))}var Bs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let o=this.rooms.get(e);if(o&&o.bytes>=t)return o.place;o&&this.exports.free(o.place),this.
@@ -2404,34 +2405,36 @@ r,this.mostSegments,t,o)}computeCompliant(e,t,o,n){let{memory:i}=this,a=i.put("c
 c=i.room("rows",_.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,Qh,c,this.mostRows,o,n)}makeRoom(e,t){e.contact?this.
 mostRows=t:this.mostSegments*=4}motion(e){return Na(this.compute(e))}film(e){let t=this.compute(e);return{motion:Na(t),columns:Go(this,t)}}columns(e,t){return Go(
 this,this.compute(e),t)}samples(e,t){let o=this.states(this.compute(e),t,!1),n=_.samples.length;return Object.fromEntries(_.samples.map((i,a)=>[i,Float64Array.from(
-t,(r,l)=>o[l*n+a])]))}states(e,t,o){let{memory:n}=this,i=t.length*_.samples.length,a=n.put("times",t),r=n.room("states",8*Math.max(i,1)),l=n.room("cell",8),c=[e.
-segments,a,t.length,Number(o),r];return e.given.contact?this.call("compliant_samples",l,n.room("contact",8),n.room("rows",8),...c):this.call("samples",l,n.room(
-"segments",8),...c),n.floats(r,i).slice()}thresholds(e){let{memory:t}=this,o=t.put("cell",rt(e)),n=t.room("answers",8*_.thresholds.length),i=e.rolling&&e.angle===
-0;this.call("thresholds",o,i?e.vx:Number.NaN,n);let a=t.floats(n,_.thresholds.length),r=c=>{let u=a[_.thresholds.indexOf(c)];return Number.isNaN(u)?null:u},l=["\
-jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
-"immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==
-null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,o,n,
-i],a,r){let{memory:l}=this,c=l.put("cell",rt(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,o,n,i,a,r,u,h);let{buffer:d}=this.exports.memory;
-return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},o,n){let{memory:i}=this,a=i.put("cells",t),r=i.
-room("numbers",8*e*_.numbers.length),l=i.room("words",4*e*_.words.length),c=i.room("keys",8*e*_.keys),{angle:u,stop:h,timed:d}=_.spans[n],m=_.wanted[o];this.call(
-"map_cells",a,e,u??Number.NaN,h,d,m,r,l,c);let{buffer:g}=this.exports.memory;if(o==="sequence")return La(new BigUint64Array(g,c,e*_.keys),e);let f=new Float64Array(
-e);if(o in Ho){let w=new Int32Array(g,l,e*_.words.length);for(let b=0;b<e;b++)f[b]=w[b*_.words.length+Ho[o]]}else{let w=i.floats(r,e*_.numbers.length);for(let b=0;b<
-e;b++)f[b]=w[b*_.numbers.length+Pa[o]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*_.thresholds.length);return this.call("ideal_hoop",e,t),this.
-memory.floats(t,1)[0]}resistance(e,t){let o=this.memory.room("answers",8*_.thresholds.length);return this.call("resistance_limit",e,t,o),this.memory.floats(o,1)[0]}combine(e,t){
-let{memory:o}=this,n=o.put("parts",t.flatMap(tc)),i=o.room("answers",8*_.thresholds.length),a=o.room("reaches",8*t.length);this.call("hoop_of_parts",e,n,t.length,
-i,a);let[r,l,c]=o.floats(i,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...o.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
-"The contact is rigid.");let o=t.put("cell",rt(e)),n=t.put("contact",Uo(e.contact)),i=t.room("answers",8*_.thresholds.length);this.call("compliance",o,n,i);let a=t.
-floats(i,_.chosen.length),r=l=>a[_.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
-depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function tc(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=_.
-shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,
-0,s.at]:[t,s.mass,0,0,s.at]}var sc=["friction","impact_normal","impact_tangential","rolling_resistance"],oc=["kinetic","potential",...sc,"residual"],Ca=["x","he\
-ight","angle","vx","vy","omega"];function Na({given:s,head:e,rows:t,count:o,duration:n}){let i=_.events.length,a=Array.from({length:o},(c,u)=>nc(t.subarray(u*i,
-(u+1)*i))),r=a[o-1],l=Object.fromEntries([...oc,...s.contact?["spring","damping"]:[]].map(c=>[c,e[_e[c]]]));return{status:_.statuses[e[_e.status]],sequence:ic(a),
-duration:n,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(Ca.map(c=>[c,r[c]]))},energy:l,doubt:Ko(e[_e.doubt_from])}}function nc(s){let e=_.kinds[s[Y.kind]],
-t=s[Y.from_mode],o={t:s[Y.t],kind:e,from:t<0?null:_.letters[t],to:_.letters[s[Y.to_mode]]};for(let n of Ca)o[n]=Ko(s[Y[n]]);return o.before=Object.fromEntries([
-"vx","vy","omega"].map(n=>[n,Ko(s[Y[`before_${n}`]])])),o.impulse={normal:s[Y.impulse_normal],tangential:s[Y.impulse_tangential]},s[Y.collision]===0&&(o.collision=
-!1),e==="kane_gain"&&(o.gain=s[Y.gain]),s[Y.stable]>=0&&(o.stable=s[Y.stable]===1),o}function ic(s){let e=s.filter(o=>!ec.has(o.kind));return e.slice(0,-1).map(
-(o,n)=>e[n+1].t>o.t?o.to:"").join("")||(s.at(-1)?.to??"")}var Oa=1e4,Vo=256;function qa(s){let e=URL.createObjectURL(new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var Rt=class s{constructor(e,t){
+t,(r,l)=>o[l*n+a])]))}states(e,t,o){return this.rows("samples",_.samples.length,e,t,o)}margins(e,t,o=!1){if(e.contact)throw new TypeError("A compliant contact h\
+as no such rules.");let n=_.margins.length,i=this.rows("margins",n,this.compute(e),t,o);return Object.fromEntries(_.margins.map((a,r)=>[a,Float64Array.from(t,(l,c)=>i[c*
+n+r])]))}rows(e,t,o,n,i){let{memory:a}=this,r=n.length*t,l=a.put("times",n),c=a.room("states",8*Math.max(r,1)),u=a.room("cell",8),h=[o.segments,l,n.length,Number(
+i),c];return o.given.contact?this.call("compliant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}thresholds(e){
+let{memory:t}=this,o=t.put("cell",rt(e)),n=t.room("answers",8*_.thresholds.length),i=e.rolling&&e.angle===0;this.call("thresholds",o,i?e.vx:Number.NaN,n);let a=t.
+floats(n,_.thresholds.length),r=c=>{let u=a[_.thresholds.indexOf(c)];return Number.isNaN(u)?null:u},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(
+r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r("immediate_hop_speed"),needed_friction:r("needed_fri\
+ction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==null),stable_angle:r("stable_angle"),massless_loss_angle:r(
+"massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,o,n,i],a,r){let{memory:l}=this,c=l.put("cell",rt(e)),u=l.room(
+"modes",a*r),h=l.room("sides",a);this.call("regions",c,t,o,n,i,a,r,u,h);let{buffer:d}=this.exports.memory;return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.
+from(new Int8Array(d,h,a))}}map({count:e,rows:t},o,n){let{memory:i}=this,a=i.put("cells",t),r=i.room("numbers",8*e*_.numbers.length),l=i.room("words",4*e*_.words.
+length),c=i.room("keys",8*e*_.keys),{angle:u,stop:h,timed:d}=_.spans[n],m=_.wanted[o];this.call("map_cells",a,e,u??Number.NaN,h,d,m,r,l,c);let{buffer:g}=this.exports.
+memory;if(o==="sequence")return La(new BigUint64Array(g,c,e*_.keys),e);let f=new Float64Array(e);if(o in Ho){let w=new Int32Array(g,l,e*_.words.length);for(let b=0;b<
+e;b++)f[b]=w[b*_.words.length+Ho[o]]}else{let w=i.floats(r,e*_.numbers.length);for(let b=0;b<e;b++)f[b]=w[b*_.numbers.length+Pa[o]]}return{values:f}}ideal(e){let t=this.
+memory.room("answers",8*_.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){let o=this.memory.room("answers",8*_.
+thresholds.length);return this.call("resistance_limit",e,t,o),this.memory.floats(o,1)[0]}combine(e,t){let{memory:o}=this,n=o.put("parts",t.flatMap(tc)),i=o.room(
+"answers",8*_.thresholds.length),a=o.room("reaches",8*t.length);this.call("hoop_of_parts",e,n,t.length,i,a);let[r,l,c]=o.floats(i,3);return{mass:r,eccentricity:l,
+inertia_ratio:c,reaches:[...o.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let o=t.put("cell",
+rt(e)),n=t.put("contact",Uo(e.contact)),i=t.room("answers",8*_.thresholds.length);this.call("compliance",o,n,i);let a=t.floats(i,_.chosen.length),r=l=>a[_.chosen.
+indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),automatic:{stiffness:r("s\
+tiffness_si"),slip_speed:r("slip_speed_si")}}}};function tc(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=_.shapes.indexOf(e);return s.shape==="ring"?
+[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,s.mass,0,0,s.at]}var sc=["f\
+riction","impact_normal","impact_tangential","rolling_resistance"],oc=["kinetic","potential",...sc,"residual"],Ca=["x","height","angle","vx","vy","omega"];function Na({
+given:s,head:e,rows:t,count:o,duration:n}){let i=_.events.length,a=Array.from({length:o},(c,u)=>nc(t.subarray(u*i,(u+1)*i))),r=a[o-1],l=Object.fromEntries([...oc,
+...s.contact?["spring","damping"]:[]].map(c=>[c,e[_e[c]]]));return{status:_.statuses[e[_e.status]],sequence:ic(a),duration:n,events:a,final:{t:r.t,mode:r.to,...Object.
+fromEntries(Ca.map(c=>[c,r[c]]))},energy:l,doubt:Ko(e[_e.doubt_from])}}function nc(s){let e=_.kinds[s[Y.kind]],t=s[Y.from_mode],o={t:s[Y.t],kind:e,from:t<0?null:
+_.letters[t],to:_.letters[s[Y.to_mode]]};for(let n of Ca)o[n]=Ko(s[Y[n]]);return o.before=Object.fromEntries(["vx","vy","omega"].map(n=>[n,Ko(s[Y[`before_${n}`]])])),
+o.impulse={normal:s[Y.impulse_normal],tangential:s[Y.impulse_tangential]},s[Y.collision]===0&&(o.collision=!1),e==="kane_gain"&&(o.gain=s[Y.gain]),s[Y.stable]>=
+0&&(o.stable=s[Y.stable]===1),o}function ic(s){let e=s.filter(o=>!ec.has(o.kind));return e.slice(0,-1).map((o,n)=>e[n+1].t>o.t?o.to:"").join("")||(s.at(-1)?.to??
+"")}var Oa=1e4,Vo=256;function qa(s){let e=URL.createObjectURL(new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}var Rt=class s{constructor(e,t){
 this.mechanics=new Hs(e),this.motions=new At(t,e,2,Oa);let o=navigator.hardwareConcurrency||2;this.maps=new At(t,e,Math.max(1,Math.min(o-1,8)),Oa)}static async load(e){
 let t=new URL(`hophoop.wasm?${_.module}`,e),o=await fetch(t);if(!o.ok)throw new Error(`The kernel is not there: ${t.pathname} gives ${o.status}.`);let i=await(o.
 headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(o):WebAssembly.compile(await o.arrayBuffer())),a=new URL(`kernel.js?${_.module}`,e);
