@@ -21,7 +21,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("impact", "impact", "if length <= step:", "if length < step:"),
         ("impact", "singular_slip", "sigma = 1.0 if vt > 0.0 else -1.0", "sigma = 1.0 if vt >= 0.0 else -1.0"),
         ("impact", "singular_slip", "stop = -vt / rate if vt * rate < 0.0 else math.inf", "stop = -vt / rate if vt * rate <= 0.0 else math.inf"),
-        ("impact", "singular_slip", "limit = (math.copysign(math.sqrt(body.gn / outward), om) - om) / turn if outward > 0.0 else math.inf", "limit = (math.copysign(math.sqrt(body.gn / outward), om) - om) / turn if outward >= 0.0 else math.inf"),
         ("impact", "singular_slip", "if limit <= stop:", "if limit < stop:"),
         ("impact", "singular_angle", "if slope != 0.0 and abs(distance) <= 1e-10 * abs(slope):", "if slope != 0.0 and abs(distance) < 1e-10 * abs(slope):"),
         ("jets", "leading_sign", "if abs(value) > ZERO * scale:", "if abs(value) >= ZERO * scale:"),
