@@ -67,6 +67,7 @@ def test_slopes_are_those_of_finer_differences(name):
         assert size > 2.0, name
 
 
+@pytest.mark.slow
 def test_it_is_found_beside_friction_and_restitution():
     """All seven usual parameters and the couple, in a motion that slips, hops and bounces: pulls of several draws."""
     truth = {"gamma": 0.6, "mu_kinetic": 0.45, "mu_excess": 0.1, "restitution": 0.3, "rolling_resistance": 0.004}
