@@ -28,7 +28,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "tests"))
 from random_scenarios import BORDERS, draw_beside_a_border, scenario_of
 
 COLUMNS = ("motions", "decided in more digits", "undetermined", "checked", "refuted", "ledger above 1e-11")
-MOST_STEPS = 100_000  # of the longer computation, at 106 bits; what needs more, beside Painlevé's threshold, is not checked
+MOST_STEPS = 200_000  # of the longer computation, at 106 bits; what needs more, beside Painlevé's threshold, is not checked
 
 
 def letters(events: Iterable[tuple[str, str]]) -> str:

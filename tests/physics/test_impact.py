@@ -289,3 +289,46 @@ def test_a_jam_that_is_there_already_takes_no_impulse():
     way = math.copysign(1.0, up[2] - sigma * STEEP.mu_k * along[2])
     found = impact.singular_slip(STEEP, s, c, True, 0.0, sigma * 0.7, way * edge * (1.0 + 1e-12), 0.0)
     assert found == (True, sigma * 0.7, way * edge * (1.0 + 1e-12), 0.0, 0.0)
+
+
+def _pushed(body, th, sigma, rho):
+    """(v_t, v_n, θ̇) for a unit of normal impulse, with friction and the couple −ρ, which turns the hoop alone."""
+    along, up = responses(body, th)
+    turned = -rho / body.kap
+    more = (-(1.0 + body.eps * math.cos(th)) * turned, body.eps * math.sin(th) * turned, turned)
+    return [u - sigma * body.mu_k * a + m for u, a, m in zip(up, along, more, strict=True)]
+
+
+@pytest.mark.parametrize("sigma", [-1, 1])
+@pytest.mark.parametrize("vt", [0.02, 2.0])
+@pytest.mark.parametrize("om", [0.3, -0.3, 0.9, -0.9])
+@pytest.mark.parametrize("exact", [True, False])
+@pytest.mark.parametrize("f", [0.1, 1.0])
+def test_singular_slip_with_rolling_resistance(sigma, vt, om, exact, f):
+    """Where θ̇ = 0 the couple is another, and so is the end."""
+    body, vt, rho = STEEP._replace(mu_s=2.5, mu_k=2.5), sigma * vt, math.copysign(f, om)
+    grid = [0.01 * k for k in range(-300, 301)]
+    signs = [_pushed(body, th, sigma, rho)[1] > 0.0 for th in grid]
+    places = [k for k in range(len(grid) - 1) if signs[k] != signs[k + 1]]
+    assert places
+    for k in places:
+        th = brentq(lambda at: _pushed(body, at, sigma, rho)[1], grid[k], grid[k + 1], xtol=1e-15, rtol=1e-15)
+        rate, _, turn = _pushed(body, th, sigma, rho)
+        ends = {"stops": -vt / rate if vt * rate < 0 else math.inf}
+        if turn * om > 0:
+            pull = body.eps * math.cos(th)
+            ends["jams"] = max((math.copysign(math.sqrt(body.gn / pull), om) - om) / turn, 0.0) if pull > 0 else math.inf
+        else:
+            ends["turns"] = -om / turn
+        which = min(ends, key=ends.get)
+        p = ends[which]
+        jams, after, spun, p_n, loss = impact.singular_slip(body, math.sin(th), math.cos(th), exact, 0.0, vt, om, rho)
+        assert jams == (which == "jams")
+        assert p_n == pytest.approx(p, rel=1e-8)
+        assert spun == pytest.approx(om + turn * p, rel=1e-8, abs=1e-10)
+        assert after == pytest.approx(vt + rate * p, rel=1e-8, abs=1e-10)
+        assert loss == pytest.approx(sigma * body.mu_k * (vt * p + 0.5 * rate * p * p), rel=1e-8)
+        if which == "turns":
+            assert spun == 0.0
+        if which == "stops":
+            assert after == 0.0

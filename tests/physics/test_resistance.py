@@ -77,6 +77,9 @@ def test_at_rest_the_couple_holds_what_it_can(body, f):
             rho = resistance.resistance_arm(body, s, c, 0.0, sigma)
             assert abs(rho) <= f
             alpha = resistance.acceleration_in_contact(body, s, c, 0.0, sigma)
+            if sigma == 0:
+                forces = tuple(accelerations(body, th, 0.0, "roll", rho)[3:])
+                assert resistance.forces_rolling(body, s, c, 0.0) == pytest.approx(forces, rel=1e-11, abs=1e-12)
             if abs(need) <= f:
                 held += 1
                 assert rho == pytest.approx(need)
