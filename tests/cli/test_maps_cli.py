@@ -99,3 +99,15 @@ def test_no_memory_is_one_sentence(monkeypatch):
     done = call(*AXES, "--plot", "a.png")
     assert done.exit_code == 2
     assert "There is not enough memory: Unable to allocate 745. GiB." in done.output
+
+
+def test_what_was_stopped_before_it_began_keeps_nothing(monkeypatch, tmp_path):
+    def stopped(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("hophoop.maps.sweeping.sweep", stopped)
+    out = tmp_path / "map.zarr"
+    arguments = ("--axis", "plane.mu=0.5:1:2", "--axis", "start.speed=1:2:2", "--out", out, "--quiet")
+    assert call(*arguments).stderr == "Stopped.\n"
+    out.mkdir()
+    assert call(*arguments).stderr == f"Stopped; what is done is kept in {out}, and --resume goes on.\n"

@@ -113,7 +113,7 @@ def map(
             progress=not quiet,
         )
     except KeyboardInterrupt as error:
-        kept = f"; what is done is kept in {out}, and --resume goes on" if out is not None else ""
+        kept = f"; what is done is kept in {out}, and --resume goes on" if out is not None and out.exists() else ""
         typer.echo(f"Stopped{kept}.", err=True)
         raise typer.Exit(stopped_by(error)) from None
     if plot is not None:
