@@ -251,7 +251,7 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
             if not script.size:
                 break
             script, decisions = NO_SCRIPT, MOST  # the last of its events may lie beyond what the panels reach
-        elif decisions < MOST and scratch.doubt[1] <= latest(scenario):
+        elif decisions < MOST and not math.isnan(scratch.doubt[1]) and scratch.doubt[1] <= latest(scenario):
             # later doubts are decided together, so that each is not solved for from the start anew
             decisions += 1
             budget = Budget(steps_allowed(scenario)) if budget is None else budget
