@@ -52,4 +52,4 @@ if __name__ == "__main__":
         f"{wall:.2f} s a fit (target {TARGET:.0f} s), {work:.2f} s of processor time: that of {np.median(ratios):.0f} motions"
     )
     print(f"with 240 places each; {calls:.0f} motions were computed, beside their derivatives")
-    sys.exit(work > TARGET)
+    sys.exit(bool(work > TARGET))
