@@ -142,6 +142,8 @@ def test_statements_of_the_article():
         (["--boxes", "plane.mu=1:2", "--depth", "-1"], "--depth = -1"),
         (["--thresholds", "fastest"], "'fastest'"),
         (["--thresholds", "all", "--article"], "cannot be given together with --article"),
+        (["--v0", 3.1, "--depth", 3], "--depth needs --boxes"),
+        (["--article", "--seconds", 3], "--seconds needs --boxes"),
         (["--check", "a.json", "--boxes", "plane.mu=1:2"], "cannot be given together with --boxes"),
     ],
 )

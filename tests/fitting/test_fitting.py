@@ -7,14 +7,13 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from fitting_tools import PLANE, RADIUS, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
 from hophoop.fitting import report
 from hophoop.fitting.channels import Lasting, scatter
 from hophoop.fitting.covariance import covariance_of, memories
 from hophoop.fitting.guess import gathered, rates
-from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.judging import least_static_friction, runs
-from hophoop.fitting.losses import influence, influence_slope, soften, soften_slope
-from hophoop.fitting.parameters import PARAMETERS
+from hophoop.fitting.losses import soften
 from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.reporting import energies, places_in_film
 from hophoop.fitting.solving import Choice, slopes
@@ -23,42 +22,6 @@ from hophoop.tracking.table import track_of
 
 # a fit asks for hundreds of motions
 pytestmark = pytest.mark.compiled
-
-RADIUS = 0.3
-SIGMA, SIGMA_ANGLE = 1e-3, 3e-3
-TRUTH = {"gamma": 0.6, "mu_kinetic": 0.45, "mu_excess": 0.1, "restitution": 0.3, "x0": 0.0, "angle0": 0.1, "speed": 1.9}
-PLANE = hh.Plane(mu_static=0.55, mu_kinetic=0.45, restitution=0.3)
-
-
-def hopping(hoop=None, plane=PLANE, start=None, duration=1.01):
-    return hh.simulate(hoop or hh.Hoop.ideal(0.6, radius=RADIUS), plane, start or hh.Start.rolling(1.9, angle=0.1), duration)
-
-
-def filmed(motion, seed=1, rate=240.0, angle=True, sigma=SIGMA, sigma_angle=SIGMA_ANGLE, frames=None):
-    """A track as a film of a motion would give it."""
-    rng = np.random.default_rng(seed)
-    t = np.arange(frames or int(motion.duration * rate)) / rate
-    state, n = motion.at(t), len(t)
-    columns = {
-        "x": state.x + rng.normal(0, sigma, n),
-        "y": state.height + motion.scenario.hoop.radius + rng.normal(0, sigma, n),
-        "sigma_x": np.full(n, sigma),
-        "sigma_y": np.full(n, sigma),
-    }
-    if angle:
-        columns |= {"angle": state.angle + rng.normal(0, sigma_angle, n), "sigma_angle": np.full(n, sigma_angle)}
-    others = {"radius": motion.scenario.hoop.radius, "slope": motion.scenario.plane.slope, "placed": True, "source": "a film"}
-    return track_of(t, columns, **others)
-
-
-@pytest.fixture(scope="module")
-def hop():
-    return hopping()
-
-
-@pytest.fixture(scope="module")
-def found(hop):
-    return hh.fit(filmed(hop))
 
 
 def test_the_truth_is_found_within_its_uncertainties(found):
@@ -127,102 +90,6 @@ def test_a_fit_has_a_limit_of_what_has_no_slope_at_the_end_of_its_range():
     sign, limit = fit.limits["restitution"]
     assert sign == "≤"
     assert 0.02 < limit < 0.5
-
-
-def test_slopes_are_those_that_can_be_written_down(hop):
-    track = filmed(hop)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
-    values |= TRUTH
-    names = ("x0", "origin_y", "marker_angle")
-    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
-    n = len(track.t)
-    expected = np.zeros((3 * n, 3))
-    expected[:n, 0] = expected[n : 2 * n, 1] = -1 / SIGMA
-    expected[2 * n :, 2] = -1 / SIGMA_ANGLE
-    assert jacobian == pytest.approx(expected, rel=1e-12, abs=1e-9)
-
-
-def differences(problem, values, name, step):
-    """Derivative of the residuals from four motions, with an error of the fourth order in the step."""
-    at = {k: problem.residuals({**values, name: values[name] + k * step}) for k in (-2, -1, 1, 2)}
-    return (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
-
-
-STARTED = {
-    "rolling": hh.Start.rolling(1.9, angle=0.1),
-    "sliding": hh.Start(vx=2.0, omega=3.0, angle=0.4),
-    "flying": hh.Start(vx=1.0, height=0.05, vy=0.1, omega=4.0, angle=0.4),
-}
-
-
-@pytest.mark.parametrize("kind", STARTED)
-@pytest.mark.parametrize("marker", [False, True], ids=["centre", "marker"])
-def test_slopes_are_those_of_differences(kind, marker):
-    motion = hopping(start=STARTED[kind], duration=0.9)
-    track = filmed(motion)
-    rows = np.column_stack([np.full(len(track.t), np.nan), 300.0 - 100.0 * track.centre[:, 1]])
-    track = dataclasses.replace(track, pixel=rows)
-    if marker:
-        arrow = 0.2 * np.stack([np.sin(track.angle), np.cos(track.angle)], axis=-1)
-        none = np.full_like(track.centre, np.nan)
-        error = np.full(len(track.t), SIGMA)
-        track = dataclasses.replace(track, marker=track.centre + arrow, centre=none, marker_error=error)
-    problem = problem_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, (None, None))
-    values, _ = defaults(problem, track)
-    start, state = motion.scenario.start, motion.at(0.0)
-    values |= {name: value for name, value in TRUTH.items() if name in values}
-    values |= {"angle0": start.angle, "slope": 0.02, "scale": 1.01, "tilt": 0.03, "origin_y": 0.01, "row_delay": 1e-5}
-    values |= {"marker_angle": 0.05, "marker_ratio": 0.7}
-    known = {"vx0": state.vx, "vy0": state.vy, "omega0": state.omega, "height0": state.height, "eccentricity": 0.6}
-    values |= {name: value for name, value in known.items() if name in values} | (
-        {"inertia_ratio": 0.6} if "inertia_ratio" in values else {}
-    )
-    # rolling resistance has no derivatives; at 0 it is at the end of its range
-    names = tuple(name for name in problem.names if name != "rolling_resistance")
-    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
-    for k, name in enumerate(names):
-        expected = differences(problem, values, name, 1e-8 if name == "row_delay" else 2e-6)
-        size = np.abs(expected).max() + 1.0
-        # a frame within a step of an event is off in the differences
-        off = np.abs(jacobian[:, k] - expected) / size
-        assert np.sort(off)[-4] < 1e-6, name
-        if kind == "rolling" and (marker or name not in ("marker_angle", "marker_ratio")):
-            assert size > 2.0, name
-
-
-def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
-    track = filmed(hop)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
-    values |= TRUTH | {"restitution": 0.0}  # with any restitution it would bounce
-    assert np.isnan(exact_slopes(problem, values, ("restitution", "speed"))[-1, 0])
-    jacobian = slopes(problem, Choice(values, ("restitution", "speed"), {}, {}), ("restitution", "speed"))
-    step = PARAMETERS["restitution"].step
-    expected = (problem.residuals({**values, "restitution": step}) - problem.residuals(values)) / step
-    assert jacobian[:, 0] == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.abs(expected).max())
-    assert np.isfinite(jacobian).all()
-
-
-def test_slopes_go_along_with_what_is_tied(hop):
-    track = filmed(hop)
-    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
-    values, _ = defaults(problem, track)
-    values |= TRUTH
-    tied = Choice(values, ("mu_kinetic",), {}, {"mu_excess": "mu_kinetic / 4.5"})
-    alone = slopes(problem, Choice(values, ("mu_kinetic", "mu_excess"), {}, {}), ("mu_kinetic", "mu_excess"))
-    assert slopes(problem, tied, ("mu_kinetic",))[:, 0] == pytest.approx(alone[:, 0] + alone[:, 1] / 4.5, rel=1e-6, abs=1e-4)
-
-
-def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
-    off = np.array([-8.0, -2.0, -1e-3, 0.5, 3.0, 20.0])
-    step = 1e-6
-    rise = (soften(off + step, True) - soften(off - step, True)) / (2 * step)
-    assert soften_slope(off) == pytest.approx(rise, rel=1e-8)
-    assert soften(np.array([1e-9]), True) == pytest.approx([1e-9], rel=1e-15)
-    loss = (soften(off + step, True) ** 2 - soften(off - step, True) ** 2) / (4 * step)
-    assert influence(off) == pytest.approx(loss, rel=1e-7, abs=1e-9)
-    assert influence_slope(off) == pytest.approx((influence(off + step) - influence(off - step)) / (2 * step), rel=1e-7)
 
 
 # --- how uncertain ---------------------------------------------------------------------------------

@@ -4,29 +4,17 @@ import numpy as np
 import pytest
 
 import hophoop as hh
+from fitting_tools import RADIUS, filmed
 from hophoop.fitting.jacobian import exact_slopes
 from hophoop.fitting.problem import defaults, problem_of
 from hophoop.fitting.solving import Choice, slopes
-from hophoop.tracking.table import track_of
 
 pytestmark = pytest.mark.compiled
-
-RADIUS, SIGMA, SIGMA_ANGLE = 0.3, 1e-3, 3e-3
 
 
 def moving(resistance, speed=1.9, duration=1.01, angle=0.1, mu=(0.55, 0.45), restitution=0.3):
     plane = hh.Plane(mu_static=mu[0], mu_kinetic=mu[1], restitution=restitution, rolling_resistance=resistance)
     return hh.simulate(hh.Hoop.ideal(0.6, radius=RADIUS), plane, hh.Start.rolling(speed, angle=angle), duration)
-
-
-def filmed(motion, seed=1, rate=240.0):
-    rng, n = np.random.default_rng(seed), int(motion.duration * rate)
-    t = np.arange(n) / rate
-    state = motion.at(t)
-    columns = {"x": state.x + rng.normal(0, SIGMA, n), "y": state.height + RADIUS + rng.normal(0, SIGMA, n)}
-    columns |= {"angle": state.angle + rng.normal(0, SIGMA_ANGLE, n), "sigma_angle": np.full(n, SIGMA_ANGLE)}
-    columns |= {"sigma_x": np.full(n, SIGMA), "sigma_y": np.full(n, SIGMA)}
-    return track_of(t, columns, radius=RADIUS, slope=0.0, placed=True)
 
 
 # how it moves, and what the data then see

@@ -1,15 +1,12 @@
 """The lab as a server: what is refused before it begins, who may ask, what is sent, and how connections end."""
 
-import asyncio
 import gzip
-import os
 import signal
 import socket
 import subprocess
 import sys
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import pytest
@@ -24,15 +21,7 @@ from hophoop.lab import api, connections  # noqa: E402
 from hophoop.lab.guard import host_name  # noqa: E402
 from hophoop.lab.limits import USUAL, turns_of  # noqa: E402
 from hophoop.scenario import Scenario, Start  # noqa: E402
-
-POSIX = pytest.mark.skipif(os.name != "posix", reason="only POSIX has interrupts of one process")
-
-
-def alone(coroutine):
-    """Run in a thread of its own: the browser tests leave a running loop in this one."""
-    with ThreadPoolExecutor(1) as pool:
-        return pool.submit(asyncio.run, coroutine).result()
-
+from lab_tools import POSIX  # noqa: E402
 
 # What is refused before it begins
 

@@ -1,7 +1,6 @@
 """Processes that compute for the lab: work that ends when it is due, and waiting that is honest."""
 
 import asyncio
-import os
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -19,8 +18,7 @@ from hophoop.lab.limits import USUAL, TooBusy, TooMuch  # noqa: E402
 from hophoop.lab.worker import ANSWER, STOPPED, Ended, Job, Worker  # noqa: E402
 from hophoop.lab.workers import FILM, GRACE, HEAVY, LIGHT, Workers, while_there  # noqa: E402
 from hophoop.scenario import Scenario, Start  # noqa: E402
-
-POSIX = pytest.mark.skipif(os.name != "posix", reason="only POSIX has interrupts of one process")
+from lab_tools import POSIX  # noqa: E402
 
 
 def alone(coroutine):

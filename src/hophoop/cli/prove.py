@@ -42,7 +42,12 @@ def prove(
             show_default=False,
         ),
     ] = None,
-    depth: Annotated[int, typer.Option("--depth", help="How often a box is halved at most.", rich_help_panel=INSTEAD)] = 8,
+    depth: Annotated[
+        int | None,
+        typer.Option(
+            "--depth", help="How often a box is halved at most, 8 unless given.", rich_help_panel=INSTEAD, show_default=False
+        ),
+    ] = None,
     seconds: Annotated[
         float | None,
         typer.Option("--seconds", help="Halve no more boxes after so long.", rich_help_panel=INSTEAD, show_default=False),
@@ -77,6 +82,9 @@ def prove(
     asked = [option for option, is_asked in kinds.items() if is_asked]
     if len(asked) > 1:
         raise InputError(f"{asked[0]} cannot be given together with {asked[1]}.")
+    for option, value in (("--depth", depth), ("--seconds", seconds)):
+        if value is not None and not boxes:
+            raise InputError(f"{option} needs --boxes: it says how far a window is divided.")
     if check is not None:
         if file is not None or out is not None or json:
             raise InputError("--check takes a certificate alone, which holds its scenario.")
@@ -86,7 +94,7 @@ def prove(
         check_folder("--out", out)
         check_apart([out], file)
     if boxes:
-        _proved.boxes(scenario, boxes, depth, seconds, out, json)
+        _proved.boxes(scenario, boxes, 8 if depth is None else depth, seconds, out, json)
         return
     if thresholds is not None:
         _proved.thresholds(scenario, thresholds, digits, out, json)

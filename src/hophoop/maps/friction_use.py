@@ -53,6 +53,25 @@ def resisted_use(body, th, u, rho, step):
 
 
 @jit
+def greatest_between(body, th, u, rho, low, high, greatest):
+    """Greatest abs(F)/N between two ways on from a state of rolling, by golden section, if it is above `greatest`."""
+    part = 0.5 * (math.sqrt(5.0) - 1.0)
+    for _ in range(44):
+        a = high - part * (high - low)
+        b = low + part * (high - low)
+        if rho != 0.0:
+            at_a, at_b = resisted_use(body, th, u, rho, a), resisted_use(body, th, u, rho, b)
+        else:
+            at_a, at_b = friction_need(body, th, u, a), friction_need(body, th, u, b)
+        if at_a > at_b:
+            high = b
+        else:
+            low = a
+        greatest = max(greatest, at_a, at_b)
+    return greatest
+
+
+@jit
 def resisted_need(body, th0, om0, turned):
     """Greatest abs(F)/N of a rolling arc with rolling resistance: samples, then golden section beside the greatest."""
     rho = math.copysign(body.resist, turned)
@@ -71,20 +90,8 @@ def resisted_need(body, th0, om0, turned):
             low_u = u
         u = resisted_u(body, th, u, rho, step)
         th = th0 + step * i
-    low = 0.0
     high = 2.0 * step if abs(low_th + 2.0 * step - th0) <= abs(turned) else step
-    part = 0.5 * (math.sqrt(5.0) - 1.0)
-    for _ in range(44):
-        a = high - part * (high - low)
-        b = low + part * (high - low)
-        at_a = resisted_use(body, low_th, low_u, rho, a)
-        at_b = resisted_use(body, low_th, low_u, rho, b)
-        if at_a > at_b:
-            high = b
-        else:
-            low = a
-        greatest = max(greatest, at_a, at_b)
-    return greatest
+    return greatest_between(body, low_th, low_u, rho, 0.0, high, greatest)
 
 
 @jit
@@ -104,18 +111,7 @@ def greatest_need(body, th0, om0, turned):
             best = i
     low = step * max(best - 1, 0)
     high = step * min(best + 1, count)
-    part = 0.5 * (math.sqrt(5.0) - 1.0)
-    for _ in range(44):
-        a = high - part * (high - low)
-        b = low + part * (high - low)
-        at_a = friction_need(body, th0, u0, a)
-        at_b = friction_need(body, th0, u0, b)
-        if at_a > at_b:
-            high = b
-        else:
-            low = a
-        greatest = max(greatest, at_a, at_b)
-    return greatest
+    return greatest_between(body, th0, u0, 0.0, low, high, greatest)
 
 
 @jit

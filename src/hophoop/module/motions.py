@@ -157,18 +157,23 @@ def write_state(body, scales, raw, row):
 
 
 @jit
+def sampled(body, scales, segments, times, left):
+    """The rows of `rigid.sampling.sample` at times in s."""
+    asked = np.empty(len(times))
+    kernel_times(segments["t"], segments[-1]["t_end"], times, scales.time, asked)
+    raw = np.empty((len(times), RAW_WIDTH))
+    sample(body, segments, asked, left != 0, raw)
+    return raw
+
+
+@jit
 def samples(given, segments, count, times, n, left, out):
     """The states of a motion at times in s, which its segments hold; `left` is 1 for just before an impact."""
     cells = carray(given, (FIELDS, 1))
-    pieces = carray(segments, (count,))
-    when = carray(times, (n,))
     rows = carray(out, (n, SAMPLE_WIDTH))
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
-    asked = np.empty(n)
-    kernel_times(pieces["t"], pieces[count - 1]["t_end"], when, scales.time, asked)
-    raw = np.empty((n, RAW_WIDTH))
-    sample(body, pieces, asked, left != 0, raw)
+    raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
     for k in range(n):
         line = raw[k]
         write_state(body, scales, line, rows[k])
@@ -182,17 +187,12 @@ def samples(given, segments, count, times, n, left, out):
 def margins(given, segments, count, times, n, left, out):
     """What decides about the mode at times in s, in the order of `rigid.margins.MARGINS` and in SI units, as `samples`."""
     cells = carray(given, (FIELDS, 1))
-    pieces = carray(segments, (count,))
-    when = carray(times, (n,))
     rows = carray(out, (n, MARGIN_WIDTH))
     scales = scales_of(cells, 0)
     body = body_of(cells, 0)
     speed = scales.length / scales.time
     force = scales.energy / scales.length
-    asked = np.empty(n)
-    kernel_times(pieces["t"], pieces[count - 1]["t_end"], when, scales.time, asked)
-    raw = np.empty((n, RAW_WIDTH))
-    sample(body, pieces, asked, left != 0, raw)
+    raw = sampled(body, scales, carray(segments, (count,)), carray(times, (n,)), left)
     for k in range(n):
         line = raw[k]
         found = margins_of(body, int(line[0]), line[13], line[14], line[6], line[7], line[2])

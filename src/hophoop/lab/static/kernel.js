@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 9587fa451834ef6b19a1d433f40d2ec9 */
-var a={sources:"a6679562d6d3222646075ce401f394d8",module:"558121dfdefede26",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 488c9f3dbd55187c9440a9f3978abe64 */
+var a={sources:"ce98659ca5af3db7426fbe80ac541422",module:"17fed78582449ad7",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",
@@ -20,7 +20,7 @@ reversal","takeoff","rest","jam","undetermined","event_limit"],first_event:["sta
 e_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],hop:["no","yes"],painleve:["no","yes"]},shapes:["ring","disk","\
 point_mass","radial_rod","tangential_rod"],part:["shape","mass","first","second","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","t\
 urn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate","jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_res\
-t","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var k=n=>Object.fromEntries(n.map((e,t)=>[e,t])),ae=k(a.cell),y=k(a.heads),d=k(a.events),O=k(a.samples),M=k(a.numbers),S=k(a.words),U={newton:0,poisson:1,stronge:2};
+t","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,compliant_segment_bytes:536};var k=n=>Object.fromEntries(n.map((e,t)=>[e,t])),ae=k(a.cell),y=k(a.heads),h=k(a.events),O=k(a.samples),M=k(a.numbers),S=k(a.words),U={newton:0,poisson:1,stronge:2};
 function v(n){let e=new Float64Array(a.cell.length),t={...Object.fromEntries(Object.entries(n).filter(([,s])=>typeof s=="number")),law:U[n.impact_law],strike:+(n.
 painleve==="impact"),ideal:Number(n.ideal),allowed:1};return a.cell.forEach((s,o)=>{e[o]=t[s]??0}),e}function A(n){let e=t=>t??Number.NaN;return Float64Array.of(
 a.laws.indexOf(n.law),a.friction_laws.indexOf(n.friction),e(n.stiffness),e(n.damping),e(n.restitution),e(n.slip_speed),e(n.tangential_stiffness),e(n.rtol))}var x=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
@@ -29,7 +29,7 @@ o}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){l
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
 amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function N(n,e,t){let{rows:s,count:o,duration:r}=e,[i,l]=(t??[0,r]).map(p=>Math.
 min(Math.max(p,0),r)),c=Math.min(Math.max(Math.ceil((l-i)*W),B),D),m=a.events.length,f=new Set;for(let p=0;p<=c&&r>0;p++)f.add(p===c?l:i+p*((l-i)/c));let _=new Set;
-for(let p=0;p<o;p++){let h=Math.min(s[p*m+d.t],r);h>=i&&h<=l&&_.add(h)}for(let p of _)f.add(p);let g=Float64Array.from(f).sort(),b=Float64Array.from(_).filter(p=>p>
+for(let p=0;p<o;p++){let d=Math.min(s[p*m+h.t],r);d>=i&&d<=l&&_.add(d)}for(let p of _)f.add(p);let g=Float64Array.from(f).sort(),b=Float64Array.from(_).filter(p=>p>
 0).sort(),w=n.states(e,g,!1),u=n.states(e,b,!0);return V(g,w,b,u)}function V(n,e,t,s){let o=n.length+t.length,r=a.samples.length,i=new Float64Array(o),l=new Float64Array(
 o*r),c=0,m=0;for(let _=0;_<n.length;_++)m<t.length&&t[m]<=n[_]&&(i[c]=t[m],l.set(s.subarray(m*r,(m+1)*r),c*r),c++,m++),i[c]=n[_],l.set(e.subarray(_*r,(_+1)*r),c*
 r),c++;let f={t:i};for(let[_,g]of Object.entries(P)){let b=new Float64Array(o);for(let w of g)for(let u=0;u<o;u++)b[u]+=l[u*r+O[w]];f[_]=b}return f.mode=C(l,o,f.
@@ -59,8 +59,8 @@ e"),massless_loss_by_friction:l("massless_loss_by_friction")===1}}regions(e,[t,s
 "sides",i);this.call("regions",m,t,s,o,r,i,l,f,_);let{buffer:g}=this.exports.memory;return{modes:new Uint8Array(g,f,i*l).slice(),paradox:Float32Array.from(new Int8Array(
 g,_,i))}}map({count:e,rows:t},s,o){let{memory:r}=this,i=r.put("cells",t),l=r.room("numbers",8*e*a.numbers.length),c=r.room("words",4*e*a.words.length),m=r.room(
 "keys",8*e*a.keys),{angle:f,stop:_,timed:g}=a.spans[o],b=a.wanted[s];this.call("map_cells",i,e,f??Number.NaN,_,g,b,l,c,m);let{buffer:w}=this.exports.memory;if(s===
-"sequence")return T(new BigUint64Array(w,m,e*a.keys),e);let u=new Float64Array(e);if(s in S){let p=new Int32Array(w,c,e*a.words.length);for(let h=0;h<e;h++)u[h]=
-p[h*a.words.length+S[s]]}else{let p=r.floats(l,e*a.numbers.length);for(let h=0;h<e;h++)u[h]=p[h*a.numbers.length+M[s]]}return{values:u}}ideal(e){let t=this.memory.
+"sequence")return T(new BigUint64Array(w,m,e*a.keys),e);let u=new Float64Array(e);if(s in S){let p=new Int32Array(w,c,e*a.words.length);for(let d=0;d<e;d++)u[d]=
+p[d*a.words.length+S[s]]}else{let p=r.floats(l,e*a.numbers.length);for(let d=0;d<e;d++)u[d]=p[d*a.numbers.length+M[s]]}return{values:u}}ideal(e){let t=this.memory.
 room("answers",8*a.thresholds.length);return this.call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){let s=this.memory.room("answers",8*a.thresholds.
 length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){let{memory:s}=this,o=s.put("parts",t.flatMap(Y)),r=s.room("answers",8*
 a.thresholds.length),i=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,o,t.length,r,i);let[l,c,m]=s.floats(r,3);return{mass:l,eccentricity:c,inertia_ratio:m,
@@ -72,9 +72,9 @@ stiffness:l("stiffness"),tangential_stiffness:l("tangential_stiffness"),slip_spe
 al","rolling_resistance"],ee=["kinetic","potential",...Z,"residual"],L=["x","height","angle","vx","vy","omega"];function I({given:n,head:e,rows:t,count:s,duration:o}){
 let r=a.events.length,i=Array.from({length:s},(m,f)=>te(t.subarray(f*r,(f+1)*r))),l=i[s-1],c=Object.fromEntries([...ee,...n.contact?["spring","damping"]:[]].map(
 m=>[m,e[y[m]]]));return{status:a.statuses[e[y.status]],sequence:se(i),duration:o,events:i,final:{t:l.t,mode:l.to,...Object.fromEntries(L.map(m=>[m,l[m]]))},energy:c,
-doubt:j(e[y.doubt_from])}}function te(n){let e=a.kinds[n[d.kind]],t=n[d.from_mode],s={t:n[d.t],kind:e,from:t<0?null:a.letters[t],to:a.letters[n[d.to_mode]]};for(let o of L)
-s[o]=j(n[d[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,j(n[d[`before_${o}`]])])),s.impulse={normal:n[d.impulse_normal],tangential:n[d.
-impulse_tangential]},n[d.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[d.gain]),n[d.stable]>=0&&(s.stable=n[d.stable]===1),s}function se(n){let e=n.
+doubt:j(e[y.doubt_from])}}function te(n){let e=a.kinds[n[h.kind]],t=n[h.from_mode],s={t:n[h.t],kind:e,from:t<0?null:a.letters[t],to:a.letters[n[h.to_mode]]};for(let o of L)
+s[o]=j(n[h[o]]);return s.before=Object.fromEntries(["vx","vy","omega"].map(o=>[o,j(n[h[`before_${o}`]])])),s.impulse={normal:n[h.impulse_normal],tangential:n[h.
+impulse_tangential]},n[h.collision]===0&&(s.collision=!1),e==="kane_gain"&&(s.gain=n[h.gain]),n[h.stable]>=0&&(s.stable=n[h.stable]===1),s}function se(n){let e=n.
 filter(s=>!X.has(s.kind));return e.slice(0,-1).map((s,o)=>e[o+1].t>s.t?s.to:"").join("")||(n.at(-1)?.to??"")}var z;function ne(n){let e=new Set,t=s=>{ArrayBuffer.isView(s)?e.add(s.buffer):s&&typeof s=="object"&&!Array.isArray(s)&&Object.values(s).forEach(t)};return t(n),
 [...e]}function oe({data:{number:n,compiled:e,call:t,values:s}}){try{if(e){z=new E(e);return}let o=z[t](...s);self.postMessage({number:n,answer:o},{transfer:ne(
 o)})}catch(o){self.postMessage({number:n,error:o.message})}}typeof self<"u"&&typeof window>"u"&&self.addEventListener("message",oe);export{E as HoopModule};

@@ -1,0 +1,113 @@
+"""Derivatives of what a fit leaves over, against differences and against what can be written down."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from fitting_tools import PLANE, SIGMA, SIGMA_ANGLE, TRUTH, filmed, hopping
+from hophoop.fitting.jacobian import exact_slopes
+from hophoop.fitting.losses import influence, influence_slope, soften, soften_slope
+from hophoop.fitting.parameters import PARAMETERS
+from hophoop.fitting.problem import defaults, problem_of
+from hophoop.fitting.solving import Choice, slopes
+
+# a fit asks for hundreds of motions
+pytestmark = pytest.mark.compiled
+
+
+def test_slopes_are_those_that_can_be_written_down(hop):
+    track = filmed(hop)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH
+    names = ("x0", "origin_y", "marker_angle")
+    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    n = len(track.t)
+    expected = np.zeros((3 * n, 3))
+    expected[:n, 0] = expected[n : 2 * n, 1] = -1 / SIGMA
+    expected[2 * n :, 2] = -1 / SIGMA_ANGLE
+    assert jacobian == pytest.approx(expected, rel=1e-12, abs=1e-9)
+
+
+def differences(problem, values, name, step):
+    """Derivative of the residuals from four motions, with an error of the fourth order in the step."""
+    at = {k: problem.residuals({**values, name: values[name] + k * step}) for k in (-2, -1, 1, 2)}
+    return (8 * (at[1] - at[-1]) - (at[2] - at[-2])) / (12 * step)
+
+
+STARTED = {
+    "rolling": hh.Start.rolling(1.9, angle=0.1),
+    "sliding": hh.Start(vx=2.0, omega=3.0, angle=0.4),
+    "flying": hh.Start(vx=1.0, height=0.05, vy=0.1, omega=4.0, angle=0.4),
+}
+
+
+@pytest.mark.parametrize("kind", STARTED)
+@pytest.mark.parametrize("marker", [False, True], ids=["centre", "marker"])
+def test_slopes_are_those_of_differences(kind, marker):
+    motion = hopping(start=STARTED[kind], duration=0.9)
+    track = filmed(motion)
+    rows = np.column_stack([np.full(len(track.t), np.nan), 300.0 - 100.0 * track.centre[:, 1]])
+    track = dataclasses.replace(track, pixel=rows)
+    if marker:
+        arrow = 0.2 * np.stack([np.sin(track.angle), np.cos(track.angle)], axis=-1)
+        none = np.full_like(track.centre, np.nan)
+        error = np.full(len(track.t), SIGMA)
+        track = dataclasses.replace(track, marker=track.centre + arrow, centre=none, marker_error=error)
+    problem = problem_of(track, "general" if kind == "sliding" else "ideal", kind, PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    start, state = motion.scenario.start, motion.at(0.0)
+    values |= {name: value for name, value in TRUTH.items() if name in values}
+    values |= {"angle0": start.angle, "slope": 0.02, "scale": 1.01, "tilt": 0.03, "origin_y": 0.01, "row_delay": 1e-5}
+    values |= {"marker_angle": 0.05, "marker_ratio": 0.7}
+    known = {"vx0": state.vx, "vy0": state.vy, "omega0": state.omega, "height0": state.height, "eccentricity": 0.6}
+    values |= {name: value for name, value in known.items() if name in values} | (
+        {"inertia_ratio": 0.6} if "inertia_ratio" in values else {}
+    )
+    # rolling resistance has no derivatives; at 0 it is at the end of its range
+    names = tuple(name for name in problem.names if name != "rolling_resistance")
+    jacobian = slopes(problem, Choice(values, names, {}, {}), names)
+    for k, name in enumerate(names):
+        expected = differences(problem, values, name, 1e-8 if name == "row_delay" else 2e-6)
+        size = np.abs(expected).max() + 1.0
+        # a frame within a step of an event is off in the differences
+        off = np.abs(jacobian[:, k] - expected) / size
+        assert np.sort(off)[-4] < 1e-6, name
+        if kind == "rolling" and (marker or name not in ("marker_angle", "marker_ratio")):
+            assert size > 2.0, name
+
+
+def test_slopes_where_the_motion_has_no_derivative_are_differences(hop):
+    track = filmed(hop)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH | {"restitution": 0.0}  # with any restitution it would bounce
+    assert np.isnan(exact_slopes(problem, values, ("restitution", "speed"))[-1, 0])
+    jacobian = slopes(problem, Choice(values, ("restitution", "speed"), {}, {}), ("restitution", "speed"))
+    step = PARAMETERS["restitution"].step
+    expected = (problem.residuals({**values, "restitution": step}) - problem.residuals(values)) / step
+    assert jacobian[:, 0] == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.abs(expected).max())
+    assert np.isfinite(jacobian).all()
+
+
+def test_slopes_go_along_with_what_is_tied(hop):
+    track = filmed(hop)
+    problem = problem_of(track, "ideal", "rolling", PLANE, (None, None))
+    values, _ = defaults(problem, track)
+    values |= TRUTH
+    tied = Choice(values, ("mu_kinetic",), {}, {"mu_excess": "mu_kinetic / 4.5"})
+    alone = slopes(problem, Choice(values, ("mu_kinetic", "mu_excess"), {}, {}), ("mu_kinetic", "mu_excess"))
+    assert slopes(problem, tied, ("mu_kinetic",))[:, 0] == pytest.approx(alone[:, 0] + alone[:, 1] / 4.5, rel=1e-6, abs=1e-4)
+
+
+def test_the_soft_loss_has_the_slopes_that_it_is_said_to_have():
+    off = np.array([-8.0, -2.0, -1e-3, 0.5, 3.0, 20.0])
+    step = 1e-6
+    rise = (soften(off + step, True) - soften(off - step, True)) / (2 * step)
+    assert soften_slope(off) == pytest.approx(rise, rel=1e-8)
+    assert soften(np.array([1e-9]), True) == pytest.approx([1e-9], rel=1e-15)
+    loss = (soften(off + step, True) ** 2 - soften(off - step, True) ** 2) / (4 * step)
+    assert influence(off) == pytest.approx(loss, rel=1e-7, abs=1e-9)
+    assert influence_slope(off) == pytest.approx((influence(off + step) - influence(off - step)) / (2 * step), rel=1e-7)
