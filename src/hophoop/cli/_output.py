@@ -21,6 +21,14 @@ def _refuse(sentence: str) -> Exception:
     return InputError(sentence)
 
 
+def console_of(width: int) -> Console:
+    """Where tables are printed; a pipe, which has no width of its own, gets one: a table that is cut is worth little."""
+    from rich.console import Console
+
+    console = Console(highlight=False)
+    return console if console.is_terminal else Console(highlight=False, width=width)
+
+
 def check_ending(option: str, path: Path, endings: tuple[str, ...]) -> None:
     """Refuse a name that does not tell a known format."""
     if not path.name.lower().endswith(endings):

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from hophoop.cli._output import console_of
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -152,9 +154,6 @@ def _table(titles: Sequence[str]) -> Table:
 
 
 def _print(table: Table) -> None:
-    from rich.console import Console
 
-    console = Console(highlight=False)
-    if not console.is_terminal:  # a pipe has no width of its own
-        console = Console(highlight=False, width=200)
+    console = console_of(200)
     console.print(table)

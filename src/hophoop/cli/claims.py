@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from hophoop.cli._output import console_of
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -79,7 +81,6 @@ def _as_json(found: Sequence[Finding]) -> dict[str, object]:
 
 def _print(found: Sequence[Finding]) -> None:
     from rich import box
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
@@ -92,9 +93,7 @@ def _print(found: Sequence[Finding]) -> None:
             "" if one.work == before else one.work, one.claim, one.theirs, one.ours, Text(one.verdict, COLORS[one.verdict])
         )
         before = one.work
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=150)
+    console = console_of(150)
     console.print(table)
 
 

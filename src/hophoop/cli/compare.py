@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from hophoop.cli._output import console_of
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -110,15 +112,12 @@ def _run(known: Sequence[Engine], scenarios: Any, dt: list[float] | None, ladder
 
 def _show(result: Any) -> None:
     from rich import box
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
     from hophoop.engines.tables import cells, heads, scenario_rows, summary
 
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=4000)
+    console = console_of(4000)
 
     def table(title: str, head: list[str], rows: list[list[str]]) -> None:
         shown = Table(box=box.SIMPLE_HEAD, title=title, title_justify="left", pad_edge=False)

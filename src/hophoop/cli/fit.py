@@ -7,6 +7,8 @@ from typing import Annotated, Any
 
 import typer
 
+from hophoop.cli._output import console_of
+
 OUTPUT, DATA, MODEL = "Output", "Data", "Model"
 
 
@@ -187,13 +189,10 @@ def finite(value: Any) -> Any:
 def table(rows: list[tuple[str, str, str]]) -> None:
     """Print parameters, values and meanings."""
     from rich import box
-    from rich.console import Console
     from rich.markup import escape
     from rich.table import Table
 
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=200)
+    console = console_of(200)
     shown = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for name in ("parameter", "value", "meaning"):
         shown.add_column(name, no_wrap=name != "meaning")

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from hophoop.cli._output import console_of
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -54,11 +56,8 @@ def run(scenario: Any, digits: int, check: bool, json: str | None, quiet: bool) 
 
 
 def _show(table: Table) -> None:
-    from rich.console import Console
 
-    console = Console(highlight=False)
-    if not console.is_terminal:  # a pipe has no width of its own; a table that is cut is worth little
-        console = Console(highlight=False, width=4000)
+    console = console_of(4000)
     console.print(table)
 
 

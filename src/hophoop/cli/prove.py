@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
+from hophoop.cli._output import console_of
 
 if TYPE_CHECKING:
     from hophoop.prove import Proof
@@ -137,7 +138,6 @@ def _verify(path: Path) -> None:
 def _show(proof: Proof) -> None:
     """The events with their enclosures."""
     from rich import box
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
@@ -147,9 +147,7 @@ def _show(proof: Proof) -> None:
         change = event.to_mode if event.from_mode in (None, event.to_mode) else f"{event.from_mode} → {event.to_mode}"
         numbers = (event.t, event.angle, event.x, event.vx, event.omega)
         table.add_row(event.kind.replace("_", " "), change, *map(str, numbers))
-    console = Console(highlight=False)
-    if not console.is_terminal:  # a pipe has no width of its own; a table that is cut is worth little
-        console = Console(highlight=False, width=4000)
+    console = console_of(4000)
     console.print(table)
     typer.echo(f"phases  {proof.sequence}\nverdict {proof.verdict}")
     if proof.proved:

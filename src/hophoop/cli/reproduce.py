@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from hophoop.cli._output import console_of
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -63,7 +65,6 @@ def reproduce(
 
 def _print(statements: Sequence[Statement]) -> None:
     from rich import box
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
@@ -72,7 +73,5 @@ def _print(statements: Sequence[Statement]) -> None:
         table.add_column(title, ratio=share, min_width=8)
     for one in statements:
         table.add_row(one.statement, one.article, one.ours, Text(one.verdict, COLORS[one.verdict]))
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=140)
+    console = console_of(140)
     console.print(table)

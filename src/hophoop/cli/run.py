@@ -12,6 +12,7 @@ import typer
 from typer.core import TyperCommand
 
 from hophoop.cli._options import with_scenario
+from hophoop.cli._output import console_of
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -266,14 +267,11 @@ def unanswered(duration: float, status: str) -> str:
 
 
 def _print(motion: Trajectory, everything: bool) -> None:
-    from rich.console import Console
 
     from hophoop.cli._output import fitted
 
     # a pipe has no width of its own; a table that is cut is worth little
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=120)
+    console = console_of(120)
     events = motion.events
     left_out = 0 if everything else max(0, len(events) - FIRST_ROWS - LAST_ROWS)
     table = _events(events, left_out)

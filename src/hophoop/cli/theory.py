@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from hophoop.cli._options import with_scenario
+from hophoop.cli._output import console_of
 
 if TYPE_CHECKING:
     from hophoop.theory import Quantity
@@ -28,7 +29,6 @@ def theory(
         typer.echo(json_text.dumps(as_json(scenario, rows), indent=2, ensure_ascii=False, allow_nan=False))
         return
     from rich import box
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
@@ -39,9 +39,7 @@ def theory(
         value = math.degrees(row.value) if degrees and row.value is not None else row.value
         unit = {"1": "", "rad": "°"}.get(row.unit, row.unit)
         table.add_row(row.words, "–" if value is None else f"{value:.9g}", unit, row.note)
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=120)
+    console = console_of(120)
     console.print(table)
 
 
