@@ -43,7 +43,10 @@ ROOMS = {
     "derivatives": Room(
         tuple(
             f"derivatives/{name}.py"
-            for name in ("conditions", "impact", "massless", "moving", "panels", "pieces", "replay", "sampling")
+            for name in (
+                *("conditions", "directions", "ending", "impact", "massless", "moving", "panels", "pieces", "replay"),
+                "sampling",
+            )
         ),
         ("tests/derivatives",),
     ),

@@ -156,6 +156,8 @@ interface Backend {
   file(name: string, query: string): Promise<Blob>;
   link(query: string, hash: string): string | null;
   files?: string[]; // which files it makes; all where it does not say
+  /** What a little more of a parameter does, where the page computes by itself. */
+  changes?(scenario: any, path: string, value: number, signal?: AbortSignal): Promise<SidedChanges | null>;
 }
 
 // What is drawn of the hoop.
@@ -474,8 +476,31 @@ interface Kernel {
     rows: number,
     signal?: AbortSignal,
   ): MaybeLater<{ modes: Uint8Array; paradox: Column }>;
+  /** The rates of all events with one parameter, of which the cell has these rates. */
+  changes?(given: Given, rates: Float64Array, signal?: AbortSignal): MaybeLater<MotionChanges>;
   /** One quantity of each cell over a span of maps.quantities ("first_revolution", "takeoff", "duration"). */
   map(cells: MapCells, what: string, span: string, signal?: AbortSignal): MaybeLater<MapValues>;
+}
+
+// Rates of events, rows of the module's `changes`: nan where there is no derivative; why, and from which event on.
+interface ChangedEvents {
+  rates: Float64Array;
+  reason: string; // "none", or one of the module's reasons
+  sided: boolean; // towards the other side it is another
+  failed: number;
+}
+
+interface MotionChanges {
+  count: number;
+  larger: ChangedEvents;
+  smaller: ChangedEvents;
+}
+
+// The same, where a side to which the parameter cannot go has none.
+interface SidedChanges {
+  count: number;
+  larger: ChangedEvents | null;
+  smaller: ChangedEvents | null;
 }
 
 // What is left in the module's memory of the motion that was computed last.

@@ -1,9 +1,12 @@
 """The lab as a widget of a notebook."""
 
+import gzip
+
 import pytest
 
 import hophoop as hh
 from hophoop.lab import packing
+from hophoop.module.stamp import DERIVATIVES, HERE
 from hophoop.scenario import InputError
 
 HOP = hh.Scenario()
@@ -40,6 +43,14 @@ def test_the_widget_answers_and_keeps_the_motion(widget):
     assert content == {"view": "a", "number": 3}
     assert packing.unpack(buffers[0])[0]["sequence"] == "R"
     assert widget.motion.scenario.start.speed == 2.0
+
+
+def test_the_widget_sends_the_module_of_derivatives_where_it_is_asked_for(widget):
+    widget._answer(widget, {"view": "a", "number": 7, "call": "derivatives", "body": {}}, [])
+    ((content, buffers),) = widget.sent
+    assert content == {"view": "a", "number": 7}
+    sent = packing.unpack(buffers[0])[1]["content"].tobytes()
+    assert gzip.decompress(sent) == (HERE / DERIVATIVES).read_bytes()
 
 
 def test_the_widget_says_what_is_wrong(widget):

@@ -9,6 +9,8 @@ import pytest
 from hypothesis import given, settings
 
 import hophoop as hh
+from hophoop.derivatives.layout import REASONS
+from hophoop.derivatives.sensitivity import EDGE, SIDED
 from hophoop.lab import motion_map, thresholds, words
 from hophoop.lab.controls import controls
 from hophoop.lab.presets import presets
@@ -107,7 +109,7 @@ def test_the_page_that_makes_tags_is_there():
 
 def test_no_text_is_left_over():
     """Each key stands in a source, or is what Python writes."""
-    scripts = [*sorted((WEB / "lab").glob("*.js")), WEB / "site" / "embed.js"]
+    scripts = [*sorted((WEB / "lab").glob("*.js")), WEB / "kernel" / "kernel.js", WEB / "site" / "embed.js"]
     sources = "".join(path.read_text(encoding="utf-8") for path in scripts) + "|".join(TAGS)
     sources = re.sub(r'"\s*\+\s*["`]', "", sources)
     sources += "|".join(re.findall(r't\("([^"]+)"', sources))  # also within templates
@@ -119,6 +121,7 @@ def test_no_text_is_left_over():
     lab = Path(words.__file__).parent
     vocabulary = lab.parent / "vocabulary"
     rooms = [*lab.glob("*.py"), *vocabulary.glob("*.py"), *(lab.parent / "scenario").glob("*.py")]
+    sources += "|".join([*REASONS.values(), EDGE, SIDED])
     for path in [*rooms, lab.parent / "maps" / "evaluate.py"]:
         text = path.read_text(encoding="utf-8")
         text = re.sub(r'"\s*\n\s*f?"', "", text)
@@ -181,6 +184,10 @@ def test_every_sentence_of_theory_and_of_the_lab_is_known():
     never = {"not_a_pair", "too_many_changes", "window", "times", "number_path", "one_of"}  # which the page itself never causes
     refused = [text for key, text in LAB.items() if key not in never]
     assert [text for text in [*whole, *refused] if not known(re.sub(r"\{[^{}]*\}", "7", text))] == []
+
+
+def test_every_reason_why_there_is_no_derivative_is_known():
+    assert [text for text in [*REASONS.values(), EDGE, SIDED] if not known(text)] == []
 
 
 def test_an_unknown_sentence_is_noticed():

@@ -10,7 +10,7 @@ import numpy as np
 import wasmtime
 
 from hophoop.maps.kernel import CELL, KEYS, NUMBERS, WORDS
-from hophoop.module.layout import EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
+from hophoop.module.layout import CHANGE_COLUMNS, EVENT_COLUMNS, HEADS, SAMPLE_COLUMNS, THRESHOLDS
 from hophoop.physics.body import Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.rigid.margins import MARGINS
@@ -97,6 +97,23 @@ class Host:
         self.free(when)
         self.free(out)
         return result
+
+    def changes(self, cell: np.ndarray, rates: np.ndarray, sign: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Rates of all events of a motion, the reasons why there are none and the events from which on; by its own module."""
+        heads, events = self.motion(cell)
+        n, width = rates.shape[1], len(CHANGE_COLUMNS)
+        size = len(events) * width * n
+        more, out, why = self.room(8 * rates.size), self.room(8 * size), self.room(16 * n)
+        self.view(more, rates.size)[:] = rates.ravel()
+        self.call(
+            "changes", self.cell, more, n, sign, int(sign > 0.0), self.events, len(events), self.segments,
+            int(heads["segments"]), heads["doubt_from"], out, why,
+        )  # fmt: skip
+        found = self.view(out, size).reshape(len(events), width, n).copy()
+        reasons, failed = self.view(why, 2 * n).reshape(2, n).copy()
+        for place in (more, out, why):
+            self.free(place)
+        return found, reasons, failed
 
     def thresholds(self, cell: np.ndarray, speed: float) -> dict[str, float]:
         """What theory says."""

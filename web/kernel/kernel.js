@@ -5,6 +5,8 @@ import { layout } from "./layout.js";
 import { HoopModule } from "./module.js";
 
 const LIMIT = 10_000; // milliseconds
+const UNLOADED =
+  "The part of the page that computes this could not be loaded; choose it again when there is a network.";
 const BLOCK = 256; // cells of a map that a worker gets at a time
 
 /**
@@ -16,13 +18,38 @@ function ofText(script) {
   return () => new Worker(address, { type: "module" });
 }
 
+/**
+ * @param {URL} address
+ * @returns {Promise<WebAssembly.Module>}
+ */
+async function fetched(address) {
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`The kernel is not there: ${address.pathname} gives ${response.status}.`);
+  const typed = response.headers.get("Content-Type") === "application/wasm";
+  return typed ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/**
+ * @param {ArrayBufferView<ArrayBuffer>} packed
+ * @returns {Promise<WebAssembly.Module>}
+ */
+async function unpacked(packed) {
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+}
+
 /** @implements {Kernel} */
 export class WorkerKernel {
   /**
    * @param {WebAssembly.Module} compiled
    * @param {() => Worker} start
+   * @param {() => Promise<WebAssembly.Module>} derivatives fetches their module
    */
-  constructor(compiled, start) {
+  constructor(compiled, start, derivatives) {
+    this.start = start;
+    this.derivatives = derivatives;
+    /** @type {Promise<Crew> | null} */
+    this.rates = null;
     this.mechanics = new HoopModule(compiled);
     this.motions = new Crew(start, compiled, 2, LIMIT);
     const cores = navigator.hardwareConcurrency || 2;
@@ -34,30 +61,24 @@ export class WorkerKernel {
    * @param {URL | string} base folder of kernel.js and hophoop.wasm
    */
   static async load(base) {
-    const address = new URL(`hophoop.wasm?${layout.module}`, base);
-    const response = await fetch(address);
-    if (!response.ok) throw new Error(`The kernel is not there: ${address.pathname} gives ${response.status}.`);
-    const typed = response.headers.get("Content-Type") === "application/wasm";
-    const compiled = await (typed
-      ? WebAssembly.compileStreaming(response)
-      : WebAssembly.compile(await response.arrayBuffer()));
+    const compiled = await fetched(new URL(`hophoop.wasm?${layout.module}`, base));
+    const derivatives = () => fetched(new URL(`hophoop-derivatives.wasm?${layout.derivatives}`, base));
     const script = new URL(`kernel.js?${layout.module}`, base);
     if (script.origin === globalThis.location?.origin) {
-      return new WorkerKernel(compiled, () => new Worker(script, { type: "module" }));
+      return new WorkerKernel(compiled, () => new Worker(script, { type: "module" }), derivatives);
     }
     // a page elsewhere embeds this one: a worker's script must be its own
-    return new WorkerKernel(compiled, ofText(await (await fetch(script)).text()));
+    return new WorkerKernel(compiled, ofText(await (await fetch(script)).text()), derivatives);
   }
 
   /**
    * From what travels with a notebook.
    * @param {ArrayBufferView<ArrayBuffer>} packed the module, compressed by gzip
    * @param {string} script of the worker
+   * @param {() => Promise<ArrayBufferView<ArrayBuffer>>} derivatives asks for their module, compressed as well
    */
-  static async unpack(packed, script) {
-    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    const compiled = await WebAssembly.compile(await new Response(stream).arrayBuffer());
-    return new WorkerKernel(compiled, ofText(script));
+  static async unpack(packed, script, derivatives) {
+    return new WorkerKernel(await unpacked(packed), ofText(script), async () => unpacked(await derivatives()));
   }
 
   /**
@@ -92,6 +113,22 @@ export class WorkerKernel {
    */
   samples(given, times, signal) {
     return this.motions.ask("samples", [given, times], signal);
+  }
+
+  /**
+   * Its module is fetched when it is first asked for, and again where that failed.
+   * @param {Given} given
+   * @param {Float64Array} rates
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<MotionChanges>}
+   */
+  async changes(given, rates, signal) {
+    this.rates ??= this.derivatives().then((compiled) => new Crew(this.start, compiled, 1, LIMIT));
+    const crew = await this.rates.catch(() => {
+      this.rates = null;
+      throw new Error(UNLOADED);
+    });
+    return crew.ask("changes", [given, rates], signal);
   }
 
   /**
@@ -147,5 +184,6 @@ export class WorkerKernel {
   close() {
     this.motions.close();
     this.maps.close();
+    this.rates?.then((crew) => crew.close()).catch(() => {});
   }
 }

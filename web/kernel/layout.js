@@ -16,6 +16,8 @@ export const EVENT = places(layout.events);
 /** @type {Record<string, number>} */
 export const SAMPLE = places(layout.samples);
 /** @type {Record<string, number>} */
+export const CHANGE = places(layout.changes);
+/** @type {Record<string, number>} */
 export const NUMBER = places(layout.numbers);
 /** @type {Record<string, number>} */
 export const WORD = places(layout.words);

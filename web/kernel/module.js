@@ -196,6 +196,48 @@ export class HoopModule {
     return memory.floats(out, size).slice();
   }
 
+  // --- derivatives: entries of the module of their own ------------------------------------------
+
+  /**
+   * The rates of all events with one parameter: how they change where it becomes larger, and where it becomes smaller.
+   * @param {Given} given
+   * @param {Float64Array} rates of the cell, with the parameter
+   * @returns {MotionChanges}
+   */
+  changes(given, rates) {
+    const { memory } = this;
+    const computed = this.compute(given);
+    const more = memory.put("rates", rates);
+    const larger = this.side(computed, more, 1);
+    const { reason, sided } = larger;
+    const smaller = sided || reason === "border" ? this.side(computed, more, -1) : larger;
+    return { count: computed.count, larger, smaller };
+  }
+
+  /**
+   * @param {Computed} computed
+   * @param {number} more
+   * @param {1 | -1} sign
+   * @returns {ChangedEvents}
+   */
+  side({ count, segments, head }, more, sign) {
+    const { memory } = this;
+    const size = count * layout.changes.length;
+    const out = memory.room("changes", 8 * size);
+    const why = memory.room("why", 16);
+    const [cell, events, pieces] = ["cell", "events", "segments"].map((name) => memory.room(name, 8));
+    const edges = Number(sign > 0);
+    const doubt = head[HEAD.doubt_from];
+    this.call("changes", cell, more, 1, sign, edges, events, count, pieces, segments, doubt, out, why);
+    const [reason, failed] = memory.floats(why, 2);
+    return {
+      rates: memory.floats(out, size).slice(),
+      reason: layout.reasons[Math.max(reason, 0)],
+      sided: reason < 0,
+      failed,
+    };
+  }
+
   // --- theory ---------------------------------------------------------------------------------
 
   /**

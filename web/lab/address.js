@@ -21,6 +21,7 @@ const WAIT = 400; // milliseconds; browsers refuse more than a few changes of th
  * @property {number} [zoom]
  * @property {[number, number]} [pan] how far the picture is moved, in its own width and height
  * @property {number[]} [from] from where it is looked at in space: azimuth, height, distance
+ * @property {string} [more] the parameter of which the arrows tell what a little more would do
  * @property {{ what: string, x: [string, number, number], y: [string, number, number] }} [map]
  */
 
@@ -28,7 +29,7 @@ const WAIT = 400; // milliseconds; browsers refuse more than a few changes of th
  * What is shown, as the part of a link behind its #; what is as usual is left out.
  * @param {Shown} shown
  */
-export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, map }) {
+export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, more, map }) {
   const parts = [];
   if (time > 0) parts.push(`t=${Number(time.toFixed(4))}`);
   const letters = LETTERS.filter(([name]) => options[name]).map(([, letter]) => letter);
@@ -37,6 +38,7 @@ export function written({ time = 0, options = {}, zoom = 1, pan = [0, 0], from, 
   if (pan.some((part) => Math.abs(part) > 5e-4))
     parts.push(`pan=${pan.map((part) => Number(part.toFixed(3))).join(",")}`);
   if (from) parts.push(`from=${from.map((part) => Number(part.toPrecision(3))).join(",")}`);
+  if (more) parts.push(`more=${more}`);
   if (map) parts.push(`map=${[map.what, ...map.x, ...map.y].join(",")}`);
   return parts.join("&");
 }
@@ -62,6 +64,8 @@ export function readShown(hash) {
   if (pan) shown.pan = /** @type {[number, number]} */ (pan.map((part) => clamp(part, -20, 20)));
   const from = numbers(parts.get("from"), 3);
   if (from) shown.from = from;
+  const more = parts.get("more");
+  if (more) shown.more = more;
   const [what, x, x0, x1, y, y0, y1] = parts.get("map")?.split(",") ?? [];
   const ends = [x0, x1, y0, y1].map(Number);
   if (y1 !== undefined && ends.every(Number.isFinite) && ends[0] < ends[1] && ends[2] < ends[3]) {

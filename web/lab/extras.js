@@ -6,6 +6,7 @@ import { h } from "./dom.js";
 import { Grips } from "./grips.js";
 import { icon } from "./icons.js";
 import { languageMenu } from "./languages.js";
+import { More } from "./more.js";
 import { Present } from "./present.js";
 import { Sound } from "./sound.js";
 import { Table } from "./table.js";
@@ -26,6 +27,7 @@ export class Extras {
     this.challenges = new Challenges(lab);
     this.visit = new Visit(lab, () => this.challenges.open());
     this.table = new Table(lab);
+    this.more = new More(lab);
     this.teach = teachDialog(
       (query) => this.challenges.load(query),
       () => this.visit.start(),
@@ -40,7 +42,8 @@ export class Extras {
     const side = lab.root.querySelector(".side");
     if (side) side.prepend(this.visit.element, this.challenges.element);
     else player.before(this.visit.element, this.challenges.element);
-    player.after(this.table.element);
+    player.after(this.more.element, this.table.element);
+    lab.transport.element.querySelector(".switches")?.append(this.more.switch);
     lab.root.append(this.teach);
     lab.transport.element.querySelector(".switches")?.before(this.tools());
     const right = lab.header.element.querySelector(".right");
@@ -102,6 +105,7 @@ export class Extras {
         { class: "menu-body" },
         item("Guided visit", () => this.visit.start()),
         item("Challenges", () => this.challenges.open()),
+        item("What a little more would do", () => this.more.turn(true)),
         item("Table of the motion", () => this.table.open(true)),
         item("Presentation", () => this.present.turn(true)),
         item("For teachers", () => this.teach.showModal()),
@@ -140,6 +144,7 @@ export class Extras {
     this.grips.draw();
     this.sound.follow(lab.film(), lab.clock);
     this.table.cursor(lab.clock.time);
+    this.more.frame();
     this.visit.frame();
     this.mark();
   }
@@ -148,6 +153,7 @@ export class Extras {
   changed() {
     this.grips.draw();
     this.table.draw(this.lab.film());
+    this.more.changed();
     this.challenges.changed();
     this.visit.changed();
   }

@@ -10,6 +10,7 @@ const KEYS = [
   ["[ ]", "slower, faster"],
   ["Home End", "start, end"],
   ["t f c w", "traces, forces, rim speed, whole path"],
+  ["a", "arrows: what a little more would do"],
   ["3", "in space"],
   ["+ − 0", "zoom, zoom back"],
   ["Esc", "leave a field, a menu, a picture that the wheel zooms"],

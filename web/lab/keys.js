@@ -26,6 +26,7 @@ const actions = (lab, shift) => ({
   t: () => lab.toggle("traces"),
   f: () => lab.toggle("forces"),
   c: () => lab.toggle("speed"),
+  a: () => lab.extras.more.turn(),
   w: () => lab.toggle("whole"),
   3: () => lab.toggle("three"),
   "+": () => lab.stage.zoom(1.25),

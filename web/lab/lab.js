@@ -189,15 +189,19 @@ export class Lab {
 
   // The link to what is shown: the motions, the time, the view, the map.
   link() {
-    const { clock, stage, map } = this;
-    return this.motions.link(written({ time: clock.time, ...stage.view(), map: map.shown() }));
+    const { clock, stage, map, extras } = this;
+    const { on, path } = extras.more;
+    return this.motions.link(
+      written({ time: clock.time, ...stage.view(), more: on ? path : undefined, map: map.shown() }),
+    );
   }
 
   /** @param {import("./address.js").Shown} shown what a link says of it */
-  restore({ time, map, options, ...view }) {
+  restore({ time, map, options, more, ...view }) {
     if (options?.three) this.toggle("three");
     this.stage.restore({ options, ...view });
     if (map) this.map.restore(map);
+    if (more) this.extras.more.turn(true, more);
     if (time) this.clock.seek(time);
   }
 

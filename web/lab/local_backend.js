@@ -97,6 +97,26 @@ export class LocalBackend {
   }
 
   /**
+   * What a little more of a parameter does to each event.
+   * @param {any} scenario
+   * @param {string} path
+   * @param {number} value of the parameter
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<SidedChanges | null>} null where the parameter can be no other
+   */
+  async changes(scenario, path, value, signal) {
+    if (!this.kernel.changes) throw new TypeError("This kernel has no derivatives.");
+    const given = model.given(model.within(model.asked({ scenario }, this.mechanics)));
+    if (given.contact) throw new model.InputError(model.labText("compliant_changes"));
+    if (given.rolling_resistance > 0) throw new model.InputError(model.labText("resisted_changes"));
+    const found = model.ratesOf(scenario, path, value, this.mechanics);
+    if (!found) return null;
+    const { rates, smaller, larger } = found;
+    const sides = await this.kernel.changes(given, rates, signal);
+    return { count: sides.count, smaller: smaller ? sides.smaller : null, larger: larger ? sides.larger : null };
+  }
+
+  /**
    * @param {Checked} checked
    * @param {{ x: import("../model/limits.js").Axis, y: import("../model/limits.js").Axis, what: string }} asked
    * @param {AbortSignal} [signal]

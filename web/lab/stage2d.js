@@ -23,6 +23,8 @@ export class Stage2D {
     this.fixed = null;
     /** Takes what is under the pointer, if there is anything to take. @type {(event: PointerEvent) => boolean} */
     this.grab = () => false;
+    /** What is drawn over a hoop's picture. @type {(scene: Scene, lane: number) => void} */
+    this.over = () => {};
     canvas.addEventListener("pointerdown", (event) => this.drag(event));
     this.pinched = zoomable(canvas, {
       zoom: (factor) => this.zoomBy(factor),
@@ -115,6 +117,7 @@ export class Stage2D {
       scene.top = i * each;
       scene.scale = this.fixed ?? scene.scale;
       scene.draw();
+      this.over(scene, i);
       if (films.length > 1) {
         scene.mark("AB"[i], hoopInk(i, look.dark));
         context.fillStyle = hoopInk(i, look.dark);

@@ -36,7 +36,8 @@ export function keepOffline(script) {
 export async function widgetBackend(model) {
   const remote = new KernelBackend(model);
   try {
-    const kernel = await WorkerKernel.unpack(model.get("module"), model.get("worker"));
+    const derivatives = async () => (await remote.call("derivatives", {})).arrays.content;
+    const kernel = await WorkerKernel.unpack(model.get("module"), model.get("worker"), derivatives);
     return new LocalBackend(kernel, kernel.mechanics, { server: remote });
   } catch {
     return remote;

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.energies import COLUMNS, ENERGIES, energy_rates
 from hophoop.derivatives.layout import (
     BEFORE_OM,
@@ -33,10 +34,9 @@ from hophoop.derivatives.layout import (
 )
 from hophoop.derivatives.panels import ROWS
 from hophoop.derivatives.parameters import Directions, Floats, directions_of
-from hophoop.derivatives.replay import replay
 from hophoop.derivatives.sampling import sample_changes
 from hophoop.numerics.collocation import ORDER
-from hophoop.physics.body import Body, Event
+from hophoop.physics.body import Body
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch, thread_scratch
 from hophoop.records.state import start_state
@@ -71,7 +71,7 @@ SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOME
 UNITS = tuple(SI)
 EXPONENTS = np.array(UNITS, float)
 UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
-BORDER, PLASTIC = int(Reason.BORDER), int(Reason.PLASTIC)
+BORDER = int(Reason.BORDER)
 
 
 def unit_of(field: str) -> str:
@@ -325,31 +325,8 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
     at_segments = np.zeros((len(segments), CARRIED, count))
     reasons, failed = np.zeros(count, np.int64), np.full(count, -1, np.int64)
     duration = scenario.duration / motion.units.time
-    replay(
-        scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration,
+    go_through(
+        scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration, motion.doubt, edges,
         at_events, at_segments, reasons, failed, thread_scratch(), _local(),
     )  # fmt: skip
-    for k in np.flatnonzero(reasons == PLASTIC).tolist():
-        _end_at_landing(motion, int(failed[k]), at_events[:, :, k], at_segments[:, :, k], edges)
-    doubt = motion.doubt
-    if doubt < math.inf:
-        at_events[events["t"] > doubt] = math.nan
-        at_segments[segments["t"] >= doubt] = math.nan
-        first = int(np.searchsorted(events["t"], doubt, side="right"))
-        sooner = (failed < 0) | (failed > first)
-        failed[sooner] = first
-        reasons[sooner] = BORDER
     return Carried(motion, given, sign * at_events, sign * at_segments, reasons, failed)
-
-
-def _end_at_landing(motion: Motion, landing: int, at_events: Floats, at_segments: Floats, edges: bool) -> None:
-    """Take away what is not so with any restitution: velocities behind the first bounce, later events, shares of the loss."""
-    events, segments = motion.tables["events"], motion.tables["segments"]
-    at_events[landing, [OM, VT, VN, P_N, P_T, IMPACT_N, IMPACT_T]] = math.nan
-    later = landing + 1
-    ends = edges and later < len(events) and events["kind"][-1] == Event.END
-    at_events[later : len(events) - ends] = math.nan
-    at_events[later:, [P_N, P_T, IMPACT_N, IMPACT_T]] = math.nan
-    behind = segments["t"] >= events["t"][landing]
-    at_segments[behind] = math.nan if not edges else at_segments[behind]
-    at_segments[np.ix_(behind, [IMPACT_N, IMPACT_T])] = math.nan

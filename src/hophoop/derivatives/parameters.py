@@ -9,11 +9,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from hophoop._jit import interpreted
+from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.scenario import InputError, Scenario
 from hophoop.scenario.paths import parameter
-from hophoop.scenario.scenario import time_unit
 
 Floats = NDArray[np.float64]
+STATE = NUMBERS[NUMBERS.index("x") :]
 
 
 @dataclass
@@ -34,6 +36,10 @@ class Change:
     restitution: float = 0.0
     duration: float = 0.0
     start: dict[str, float] = field(default_factory=dict)
+
+    def rates(self) -> tuple[float, ...]:
+        """In the order of `directions.NUMBERS`."""
+        return tuple(self.start.get(name, 0.0) if name in STATE else getattr(self, name) for name in NUMBERS)
 
 
 @dataclass(frozen=True)
@@ -254,40 +260,11 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
         As `change_of`.
     """
     hoop, plane = scenario.hoop, scenario.plane
-    changes, starts, units = [], [], []
-    given = scenario.start.state(hoop)
-    length, second = hoop.radius, time_unit(hoop, plane)
-    sine, cosine = math.sin(plane.slope), math.cos(plane.slope)
-    gravity, mass = plane.gravity, hoop.mass
-    for path in paths:
-        change = change_of(scenario, path)
-        by_length = change.radius / length
-        by_time = 0.5 * by_length
-        if gravity > 0.0:
-            by_time -= 0.5 * change.gravity / gravity
-            normal, tangential = -sine * change.slope, cosine * change.slope
-        else:
-            normal, tangential = cosine * change.gravity, sine * change.gravity
-        by_speed = by_length - by_time
-        more = change.start
-        units.append((by_length, by_time, change.mass / mass))
-        changes.append(  # as EPS, KAP, MU_S, MU_K, GN, GT, REST, END
-            (
-                change.eccentricity, change.inertia_ratio, change.mu_static, change.mu_kinetic, normal, tangential,
-                change.restitution, (change.duration - scenario.duration * by_time) / second,
-            )
-        )  # fmt: skip
-        starts.append(  # as T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T
-            (
-                0.0,
-                (more.get("x", 0.0) - given.x * by_length) / length,
-                (more.get("height", 0.0) - given.height * by_length) / length,
-                more.get("angle", 0.0),
-                (more.get("omega", 0.0) + given.omega * by_time) * second,
-                (more.get("slip", 0.0) - given.slip * by_speed) * second / length,
-                (more.get("vy", 0.0) - given.vy * by_speed) * second / length,
-                0.0,
-                0.0,
-            )
-        )
-    return Directions(*(np.array(rows).T.copy() for rows in (changes, starts, units)))
+    state = scenario.start.state(hoop)
+    given = (
+        hoop.radius, hoop.mass, plane.gravity, plane.slope, hoop.eccentricity, hoop.inertia_ratio,
+        plane.mu_static, plane.mu_kinetic, plane.restitution, scenario.duration,
+        state.x, state.height, state.angle, state.omega, state.slip, state.vy,
+    )  # fmt: skip
+    found = [interpreted(direction)(given, change_of(scenario, path).rates()) for path in paths]
+    return Directions(*(np.array([each[part] for each in found]).T.copy() for part in range(3)))

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import hophoop
 from hophoop._files import replacing
-from hophoop.module.stamp import MODULE, built
+from hophoop.module.stamp import DERIVATIVES, MODULE, built
 from hophoop.scenario import InputError
 
 # Nothing may come from, or go, anywhere else. What a frame may hold it only takes as a header, not from the page itself.
@@ -32,9 +32,9 @@ def static_bytes(name: str) -> bytes:
 
 
 @cache
-def packed_module() -> bytes:
-    """The module, compressed by gzip, for what travels with a notebook."""
-    return gzip.compress((files("hophoop.module") / MODULE).read_bytes(), 9, mtime=0)
+def packed_module(name: str = MODULE) -> bytes:
+    """A module, compressed by gzip, for what travels with a notebook."""
+    return gzip.compress((files("hophoop.module") / name).read_bytes(), 9, mtime=0)
 
 
 def site_files(docs: str = "") -> dict[str, bytes]:
@@ -51,7 +51,8 @@ def site_files(docs: str = "") -> dict[str, bytes]:
         With relative paths throughout, so that the folder may stand anywhere.
     """
     made = {f"static/{NAMES.get(name, name)}": static_bytes(name) for name in STATIC}
-    made[f"static/{MODULE}"] = (files("hophoop.module") / MODULE).read_bytes()
+    for name in (MODULE, DERIVATIVES):
+        made[f"static/{name}"] = (files("hophoop.module") / name).read_bytes()
     for name in PAGES:
         page = static_bytes(name).replace(b"{policy}", POLICY.encode())
         page = page.replace(b"{module}", built()["module"].encode())  # as the script asks for it

@@ -15,6 +15,8 @@ from typing import Annotated, Any, Final, Literal, Union, get_args, get_origin
 from pydantic import AfterValidator, BeforeValidator
 from pydantic.fields import FieldInfo
 
+from hophoop.derivatives.layout import REASONS
+from hophoop.derivatives.sensitivity import EDGE, SIDED
 from hophoop.export import SCHEMA
 from hophoop.lab.calls import CALLS
 from hophoop.lab.files import SAMPLES_PER_SECOND
@@ -92,6 +94,8 @@ def tables() -> dict[str, Any]:
             },
         },
         "lab": LAB,
+        # why there is no derivative, by the module's names; and of one side only
+        "reasons": {reason.name.lower(): text for reason, text in REASONS.items()} | {"edge": EDGE, "sided": SIDED},
         "limits": {name: getattr(USUAL, name) for name in _BOUNDS},
         # what a call takes
         "calls": {name: [field.alias or key for key, field in call.takes.model_fields.items()] for name, call in CALLS.items()},

@@ -1,6 +1,6 @@
-"""Builds the WebAssembly module from the kernels: Numba's plain IR, retargeted, linked with the C library of WASI.
+"""Builds the WebAssembly modules from the kernels: Numba's plain IR, retargeted, linked with the C library of WASI.
 
-`python -m hophoop.module.build` writes it; that takes a minute or two, and the packages of the extra `module`.
+`python -m hophoop.module.build` writes them; that takes two or three minutes, and the packages of the extra `module`.
 """
 
 from __future__ import annotations
@@ -20,15 +20,20 @@ from typing import Any
 
 from hophoop._files import replacing
 from hophoop.module.layout import layout
-from hophoop.module.stamp import HERE, LAYOUT, MODULE, sources
+from hophoop.module.stamp import DERIVATIVES, HERE, LAYOUT, MODULE, sources
 
 TRIPLE = "wasm32-unknown-unknown"
 STACK = 1 << 20  # bytes
 LINKED = ("-Wl,--no-entry", "-Wl,--export-memory", "-Wl,--strip-all", "-Wl,--gc-sections", f"-Wl,-z,stack-size={STACK}")
 
 
-def plain_code() -> dict[str, tuple[str, str, tuple[Any, ...]]]:
+def plain_code(entries: Mapping[str, tuple[Any, tuple[Any, ...]]]) -> dict[str, tuple[str, str, tuple[Any, ...]]]:
     """LLVM's code of every entry.
+
+    Parameters
+    ----------
+    entries : mapping
+        As `entries.ENTRIES`.
 
     Returns
     -------
@@ -36,10 +41,9 @@ def plain_code() -> dict[str, tuple[str, str, tuple[Any, ...]]]:
         Name → (code, name of the function in it, Numba types of its arguments).
     """
     from hophoop._jit.plain import leave_unoptimised, plain
-    from hophoop.module.entries import ENTRIES
 
     leave_unoptimised()
-    return {name: (*plain(kernel, kinds), kinds) for name, (kernel, kinds) in ENTRIES.items()}
+    return {name: (*plain(kernel, kinds), kinds) for name, (kernel, kinds) in entries.items()}
 
 
 def wrapper(name: str, mangled: str, kinds: Iterable[Any]) -> str:
@@ -130,22 +134,41 @@ def anonymous(content: bytes) -> bytes:
     return content
 
 
+def module_of(entries: Mapping[str, tuple[Any, tuple[Any, ...]]]) -> bytes:
+    """A module.
+
+    Parameters
+    ----------
+    entries : mapping
+        As `entries.ENTRIES`.
+
+    Returns
+    -------
+    content : bytes
+    """
+    code = plain_code(entries)
+    with tempfile.TemporaryDirectory() as fresh:
+        file = Path(fresh) / MODULE
+        linked(retargeted(joined(code), code), code, file)
+        return anonymous(file.read_bytes())
+
+
 def build(folder: Path = HERE) -> None:
-    """Build the module, and the file that tells how to call it.
+    """Build the modules, and the file that tells how to call them.
 
     Parameters
     ----------
     folder : Path
-        Where to write `MODULE` and `LAYOUT`.
+        Where to write `MODULE`, `DERIVATIVES` and `LAYOUT`.
     """
-    code = plain_code()
-    with tempfile.TemporaryDirectory() as fresh:
-        file = Path(fresh) / MODULE
-        linked(retargeted(joined(code), code), code, file)
-        content = anonymous(file.read_bytes())
-    told = {"sources": sources(), "module": hashlib.sha256(content).hexdigest()[:16], "built_with": tools(), **layout()}
-    with replacing(folder / MODULE) as fresh_file:
-        fresh_file.write_bytes(content)
+    from hophoop.module.entries import DERIVATIVE_ENTRIES, ENTRIES
+
+    contents = {"module": module_of(ENTRIES), "derivatives": module_of(DERIVATIVE_ENTRIES)}
+    tags = {name: hashlib.sha256(content).hexdigest()[:16] for name, content in contents.items()}
+    for name, file in (("module", MODULE), ("derivatives", DERIVATIVES)):
+        with replacing(folder / file) as fresh_file:
+            fresh_file.write_bytes(contents[name])
+    told = {"sources": sources(), **tags, "built_with": tools(), **layout()}
     with replacing(folder / LAYOUT) as fresh_file:
         fresh_file.write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
 

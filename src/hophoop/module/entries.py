@@ -1,4 +1,4 @@
-"""The entries of the module, and what each takes."""
+"""The entries of the modules, and what each takes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 from numba import from_dtype, types
 
-from hophoop.module import answers, compliant, motions
+from hophoop.module import answers, compliant, derivatives, motions
 from hophoop.records.layout import EVENT, SEGMENT
 
 FLOATS, WORDS, KEYS, LARGE = (types.CPointer(kind) for kind in (types.float64, types.int32, types.uint64, types.int64))
@@ -14,8 +14,11 @@ BYTES, SIGNS = types.CPointer(types.uint8), types.CPointer(types.int8)
 EVENTS, SEGMENTS = types.CPointer(from_dtype(EVENT)), types.CPointer(from_dtype(SEGMENT))
 COUNT, NUMBER = types.int64, types.float64
 
-ENTRIES: dict[str, tuple[Any, tuple[Any, ...]]] = {
-    "motion": (motions.motion, (FLOATS, EVENTS, COUNT, SEGMENTS, COUNT, FLOATS, FLOATS)),
+Entries = dict[str, tuple[Any, tuple[Any, ...]]]
+
+MOTION = (motions.motion, (FLOATS, EVENTS, COUNT, SEGMENTS, COUNT, FLOATS, FLOATS))
+ENTRIES: Entries = {
+    "motion": MOTION,
     "samples": (motions.samples, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
     "margins": (motions.margins, (FLOATS, SEGMENTS, COUNT, FLOATS, COUNT, COUNT, FLOATS)),
     "compliance": (compliant.compliance, (FLOATS, FLOATS, FLOATS)),
@@ -35,3 +38,12 @@ ENTRIES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     ),
 }
 """Name → (kernel, Numba types of its arguments)."""
+
+# In a module of its own, which a page loads where derivatives are asked for.
+DERIVATIVE_ENTRIES: Entries = {
+    "motion": MOTION,
+    "changes": (
+        derivatives.changes,
+        (FLOATS, FLOATS, COUNT, NUMBER, COUNT, EVENTS, COUNT, SEGMENTS, COUNT, NUMBER, FLOATS, FLOATS),
+    ),
+}

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from hophoop.compliant.records import WIDTH
+from hophoop.derivatives.layout import Reason
 from hophoop.maps.kernel import CELL, ENDINGS, KEYS, LETTERS_A_KEY, MORE, NUMBERS, WORDS
 from hophoop.maps.quantities import QUANTITIES, choose_quantities, make_span, wanted_of
 from hophoop.physics.body import EVENT_NAMES, MODE_LETTERS, Status
@@ -42,6 +43,9 @@ COMPLIANT = (
 # What it makes of them: numbers over those of the hoop, how deep the rim sinks [R]; and two of them in SI units.
 CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "stiffness_si", "slip_speed_si")
 
+# The rates of an event with one parameter, in SI units over the parameter's; its own module gives them.
+CHANGE_COLUMNS = ("t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "vx")
+
 # What theory says about a hoop; nan where it says nothing. Angles are from the outward normal, in rad.
 THRESHOLDS = (
     "first_slip_speed", "first_hop_speed", "immediate_hop_speed", "needed_friction", "needed_friction_angle",
@@ -68,6 +72,8 @@ def layout() -> dict[str, Any]:
         "events": EVENT_COLUMNS,
         "samples": SAMPLE_COLUMNS,
         "margins": MARGINS,
+        "changes": CHANGE_COLUMNS,
+        "reasons": [reason.name.lower() for reason in Reason],
         "compliant": COMPLIANT,
         "laws": [law.name.lower().replace("_", "-") for law in NormalLaw],
         "friction_laws": [law.name.lower() for law in FrictionLaw],

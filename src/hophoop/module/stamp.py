@@ -1,4 +1,4 @@
-"""The built module, and whether it is that of the sources beside it."""
+"""The built modules, and whether they are those of the sources beside them."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
-MODULE, LAYOUT = "hophoop.wasm", "layout.json"
-# What decides the module's bytes: rooms, and files of other rooms.
-ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "module")
+MODULE, DERIVATIVES, LAYOUT = "hophoop.wasm", "hophoop-derivatives.wasm", "layout.json"
+# What decides the modules' bytes: rooms, and files of other rooms.
+ROOMS = ("numerics", "physics", "panels", "records", "rigid", "compliant", "theory/kernels", "derivatives", "module")
 FILES = ("maps/friction_use.py", "maps/kernel.py")
 
 
 @cache
 def built() -> dict[str, Any]:
-    """What is told of the module that is built: its sources, its hash, how it is called.
+    """What is told of the modules that are built: their sources, their hashes, how they are called.
 
     Returns
     -------
@@ -29,7 +29,7 @@ def built() -> dict[str, Any]:
 
 
 def sources() -> str:
-    """Hash of the sources that the module is made of.
+    """Hash of the sources that the modules are made of.
 
     Returns
     -------

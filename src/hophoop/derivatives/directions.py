@@ -1,0 +1,61 @@
+"""The rates of a scenario's numbers in SI units as a direction in kernel units: of the body, the start and the units."""
+
+from __future__ import annotations
+
+import math
+
+from hophoop._jit import lean_jit
+
+# A scenario's numbers, in SI units, and in the same order how each changes with a parameter.
+NUMBERS = (
+    "radius", "mass", "gravity", "slope", "eccentricity", "inertia_ratio", "mu_static", "mu_kinetic", "restitution",
+    "duration", "x", "height", "angle", "omega", "slip", "vy",
+)  # fmt: skip
+(
+    RADIUS, MASS, GRAVITY, SLOPE, ECCENTRICITY, INERTIA_RATIO, MU_STATIC, MU_KINETIC, RESTITUTION,
+    DURATION, X, HEIGHT, ANGLE, OMEGA, SLIP, VY,
+) = range(len(NUMBERS))  # fmt: skip
+
+
+@lean_jit
+def direction(given, more):
+    """What changes in kernel units: of the body and the duration, of the start, of the logarithms of the units.
+
+    `given` holds the numbers of `NUMBERS` and `more` their rates; the results are in the order of `layout`'s PARAMETERS and
+    CARRIED, and length, time and mass.
+    """
+    length = given[RADIUS]
+    gravity = given[GRAVITY]
+    weighs = gravity > 0.0
+    second = math.sqrt(length / (gravity if weighs else 1.0))
+    sine, cosine = math.sin(given[SLOPE]), math.cos(given[SLOPE])
+    by_length = more[RADIUS] / length
+    by_time = 0.5 * by_length
+    if weighs:
+        by_time -= 0.5 * more[GRAVITY] / gravity
+        normal, tangential = -sine * more[SLOPE], cosine * more[SLOPE]
+    else:
+        normal, tangential = cosine * more[GRAVITY], sine * more[GRAVITY]
+    by_speed = by_length - by_time
+    changes = (
+        more[ECCENTRICITY],
+        more[INERTIA_RATIO],
+        more[MU_STATIC],
+        more[MU_KINETIC],
+        normal,
+        tangential,
+        more[RESTITUTION],
+        (more[DURATION] - given[DURATION] * by_time) / second,
+    )
+    start = (
+        0.0,
+        (more[X] - given[X] * by_length) / length,
+        (more[HEIGHT] - given[HEIGHT] * by_length) / length,
+        more[ANGLE],
+        (more[OMEGA] + given[OMEGA] * by_time) * second,
+        (more[SLIP] - given[SLIP] * by_speed) * second / length,
+        (more[VY] - given[VY] * by_speed) * second / length,
+        0.0,
+        0.0,
+    )
+    return changes, start, (by_length, by_time, more[MASS] / given[MASS])

@@ -1,0 +1,97 @@
+"""Rates of a motion's events with parameters, over plain memory and in SI units; for a module of their own."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numba import carray
+
+from hophoop._jit import jit
+from hophoop.derivatives.carrying import EXPONENTS, UNIT_OF_ROW
+from hophoop.derivatives.directions import NUMBERS, direction
+from hophoop.derivatives.ending import go_through
+from hophoop.derivatives.layout import CARRIED, KEPT, PARAMETERS
+from hophoop.derivatives.panels import ROWS
+from hophoop.maps.kernel import CELL, DURATION, MASS, body_of, scales_of
+from hophoop.module.layout import CHANGE_COLUMNS
+from hophoop.module.motions import FIELDS
+from hophoop.numerics.collocation import ORDER
+from hophoop.records.scratch import new_scratch
+from hophoop.records.times import kernel_times
+
+FROM = np.array([CELL.index(name) for name in NUMBERS])
+COUNT, WIDTH = len(NUMBERS), len(CHANGE_COLUMNS)
+OM, VT, VX = (CHANGE_COLUMNS.index(name) for name in ("omega", "slip", "vx"))
+
+
+@jit
+def directions_of(cells, more, sign, changes, start, units):
+    """All directions in kernel units, of cells and their rates."""
+    numbers, rates = np.empty(COUNT), np.empty(COUNT)
+    for i in range(COUNT):
+        numbers[i] = cells[FROM[i], 0]
+    for k in range(more.shape[1]):
+        for i in range(COUNT):
+            rates[i] = more[FROM[i], k]
+        of_body, of_start, of_units = direction(numbers, rates)
+        for i in range(PARAMETERS):
+            changes[i, k] = sign * of_body[i]
+        for i in range(CARRIED):
+            start[i, k] = sign * of_start[i]
+        for i in range(3):
+            units[i, k] = of_units[i]
+
+
+@jit
+def write_changes(row, scales, mass, units, sign, kept, out):
+    """The rates of an event in SI units, in the order of `layout.CHANGE_COLUMNS`: those of its numbers and of their units."""
+    values = (
+        row["t"], row["x"], row["height"], row["angle"], row["omega"], row["slip"], row["vy"],
+        row["impact_normal"], row["impact_tangential"],
+    )  # fmt: skip
+    for k in range(out.shape[1]):
+        for i in range(CARRIED):
+            powers = EXPONENTS[UNIT_OF_ROW[i]]
+            size = scales.length ** powers[0] * scales.time ** powers[1] * mass ** powers[2]
+            by_units = powers[0] * units[0, k] + powers[1] * units[1, k] + powers[2] * units[2, k]
+            out[i, k] = size * (sign * kept[i, k] + values[i] * by_units)
+        # ẋ = v_t + R θ̇
+        out[VX, k] = out[VT, k] + scales.length * (out[OM, k] + row["omega"] / scales.time * units[0, k])
+
+
+@jit
+def changes(given, rates, n, sign, edges, events, count, segments, pieces, doubt, out, told):
+    """Rates of all events of a motion that `motion` has computed, with respect to n parameters.
+
+    `rates` holds, for each parameter, the rates of the cell that is `given`. `sign` is −1 for how the motion changes when the
+    parameters become smaller, told as if they became larger; `edges` as in `derivatives.ending`. `doubt` is when doubles
+    end to tell what follows [s], nan where they always do. `told` takes for each parameter the reason why there is no
+    derivative and the event from which on there is none.
+    """
+    cells = carray(given, (FIELDS, 1))
+    table = carray(out, (count, WIDTH, n))
+    answers = carray(told, (2, n))
+    rows = carray(events, (count,))
+    parts = carray(segments, (pieces,))
+    scales = scales_of(cells, 0)
+    body = body_of(cells, 0)
+    by = np.empty((PARAMETERS, n))
+    z = np.empty((CARRIED, n))
+    units = np.empty((3, n))
+    directions_of(cells, carray(rates, (FIELDS, n)), sign, by, z, units)
+    at_events = np.zeros((count, KEPT, n))
+    at_segments = np.zeros((pieces, CARRIED, n))
+    reasons, failed = np.zeros(n, np.int64), np.full(n, -1, np.int64)
+    when = np.full(1, math.inf)
+    if pieces > 0 and not math.isnan(doubt):
+        kernel_times(parts["t"], parts[-1]["t_end"], np.full(1, doubt), scales.time, when)
+    go_through(
+        body, rows, parts, by, z, cells[DURATION, 0] / scales.time, when[0], edges != 0,
+        at_events, at_segments, reasons, failed, new_scratch(), np.zeros((ROWS, ORDER)),
+    )  # fmt: skip
+    for i in range(count):
+        write_changes(rows[i], scales, cells[MASS, 0], units, sign, at_events[i], table[i])
+    for k in range(n):
+        answers[0, k] = reasons[k]
+        answers[1, k] = failed[k]

@@ -1,0 +1,223 @@
+"""What a little more would do, on the page that computes by itself: its numbers are those of `hh.sensitivity`."""
+
+import math
+import os
+import re
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+import hophoop as hh
+from hophoop.derivatives.layout import REASONS, Reason
+from hophoop.derivatives.sensitivity import EDGE
+from lab_page_tools import picture, wait_for
+
+pytestmark = pytest.mark.long
+
+MODULE = "hophoop-derivatives.wasm"
+SHOWN = "lab.extras.more.changes && !lab.surrounding"
+PATHS = (
+    "plane.mu",
+    "start.speed",
+    "hoop.load_fraction",
+    "plane.slope",
+    "plane.gravity",
+    "hoop.radius",
+    "start.angle",
+    "plane.restitution",
+)
+FIELDS = ("t", "x", "height", "angle")
+RATES = """() => [...document.querySelectorAll(".more tbody tr")]
+  .map((row) => [...row.querySelectorAll("td")].map((cell) => cell.dataset.rate))"""
+SCENARIOS = {
+    "the article's hop": ("", PATHS),
+    "a start in the air": (
+        "start.height=0.3&start.vx=1&start.omega=2&plane.mu=0.3&plane.restitution=0.5&duration=1.2",
+        ("start.height", "start.vx", "start.omega", "plane.restitution", "plane.mu"),
+    ),
+    "two coefficients": ("plane.mu_static=0.6&plane.mu_kinetic=0.5&duration=2", ("plane.mu_static", "plane.mu_kinetic")),
+    "real parts": (
+        "hoop.parts.0.shape=ring&hoop.parts.0.mass=0.5&hoop.parts.0.inner_radius=0.45&hoop.parts.0.outer_radius=0.5"
+        "&hoop.parts.1.shape=point_mass&hoop.parts.1.mass=0.5&hoop.parts.1.at=0.45&hoop.radius=0.5&duration=2",
+        ("hoop.radius", "plane.mu"),
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def address(site_address):
+    return site_address
+
+
+def turned_on(visit, query="", path="plane.mu", **options):
+    page = visit(f"?{query}" if query else "", **options)
+    wait_for(page, "!lab.surrounding")
+    page.evaluate("path => hophoopLab.extras.more.turn(true, path)", path)
+    return page
+
+
+def names_of(motion):
+    """Each event as `sensitivity` calls it."""
+    seen = Counter()
+    found = []
+    for event in motion.events:
+        found.append(f"{event.kind}[{seen[event.kind]}]")
+        seen[event.kind] += 1
+    return found
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_every_number_is_that_of_the_library(visit, name):
+    query, paths = SCENARIOS[name]
+    motion = hh.simulate(hh.Scenario.from_query(query))
+    page = turned_on(visit, query, paths[0])
+    for path in paths:
+        page.locator(".more select").select_option(path)
+        wait_for(page, f"{SHOWN} && lab.extras.more.known.startsWith('{path} ')")
+        rows = page.evaluate(RATES)
+        assert len(rows) == len(motion.events)
+        of = [f"{event}.{field}" for event in names_of(motion) for field in FIELDS]
+        theirs = hh.sensitivity(motion.scenario, of=of, wrt=path).larger[:, 0]
+        mine = [float(rate) for row in rows for rate in row]
+        for quantity, found, expected in zip(of, mine, theirs, strict=True):
+            if math.isnan(expected):
+                assert math.isnan(found), (path, quantity)
+            else:
+                assert found == pytest.approx(expected, rel=1e-6, abs=1e-9), (path, quantity)
+
+
+def test_the_sentence_says_what_the_library_says(visit):
+    scenario = hh.Scenario.from_query("start.speed=3.1")
+    page = turned_on(visit, "start.speed=3.1")
+    wait_for(page, SHOWN)
+    result = hh.sensitivity(scenario, of=["hop.height", "hop.distance", "hop.duration", "hop.takeoff_time"], wrt="plane.mu")
+    assert page.locator(".more-step").inner_text() == "1 → 1.01"
+    said = page.locator(".more-said li").first.inner_text()
+    found = re.findall(r"([\d.]+) (µm|mm|m|µs|ms|s) (higher|lower|longer|shorter|more|less|later|earlier)", said)
+    scale = {"µm": 1e-6, "mm": 1e-3, "m": 1.0, "µs": 1e-6, "ms": 1e-3, "s": 1.0}
+    told = [
+        float(size) * scale[unit] * (-1 if word in ("lower", "shorter", "less", "earlier") else 1) for size, unit, word in found
+    ]
+    assert told == pytest.approx(0.01 * result.derivatives[:, 0], rel=6e-3)
+
+
+def test_the_step_does_what_was_told(visit):
+    """The motion of the next value, computed as ever, to the second order of the step."""
+    page = turned_on(visit, "start.speed=3.1", "start.speed")
+    wait_for(page, SHOWN)
+    top = "lab => lab.film().events.find((event) => event.kind === 'apex').height"
+    before = page.evaluate(f"({top})(hophoopLab)")
+    told = page.evaluate("hophoopLab.extras.more.changes.hops()[0].height")
+    page.locator(".more").get_by_role("button", name="Do it").click()
+    wait_for(page, f"lab.film().values['start.speed'] === 3.11 && {SHOWN}")
+    assert page.evaluate(f"({top})(hophoopLab)") - before == pytest.approx(told, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("query", "path", "words"),
+    [
+        ("", "plane.restitution", REASONS[Reason.PLASTIC]),
+        ("hoop.load_fraction=0.75&plane.restitution=1&duration=2", "plane.restitution", EDGE),
+        ("contact.model=compliant", "plane.mu", "rigid contact model"),
+        ("plane.mu=inf", "plane.mu", "there is no more of it"),
+        ("plane.rolling_resistance=0.02", "plane.mu", "rolling resistance"),
+    ],
+)
+def test_where_there_is_none_the_reason_is_said(visit, query, path, words):
+    page = turned_on(visit, query, path)
+    page.locator(".more-reason:visible").wait_for()
+    assert words in page.locator(".more-reason").inner_text()
+
+
+def test_its_module_is_fetched_when_it_is_asked_for(visit):
+    page = visit(script="navigator.serviceWorker.register = () => Promise.reject(new Error('not here'));")
+    asked = []
+    page.on("request", lambda request: asked.append(request.url))
+    wait_for(page, "lab.theory.list.children.length > 4")
+    loaded = page.evaluate("performance.getEntriesByType('resource').map((entry) => entry.name)")
+    assert any("hophoop.wasm" in url for url in loaded)
+    assert not any(MODULE in url for url in loaded)
+    page.keyboard.press("a")
+    wait_for(page, SHOWN)
+    assert any(MODULE in url for url in asked)
+
+
+def test_without_its_module_the_page_says_so_and_tries_again(visit):
+    page = visit(service_workers="block", expected=["Failed to load resource"])
+    page.route(f"**/{MODULE}*", lambda route: route.abort())
+    page.keyboard.press("a")
+    page.locator(".more-reason:visible").wait_for()
+    assert "could not be loaded" in page.locator(".more-reason").inner_text()
+    assert page.evaluate("hophoopLab.film().sequence.includes('H')")  # all else goes on
+    page.unroute(f"**/{MODULE}*")
+    page.locator(".more select").select_option("start.speed")
+    wait_for(page, SHOWN)
+    assert page.locator(".more-reason").is_hidden()
+
+
+def test_arrows_lead_to_where_it_would_be(visit):
+    page = turned_on(visit, "start.speed=3.1")
+    wait_for(page, SHOWN)
+    scenario = hh.Scenario.from_query("start.speed=3.1")
+    result = hh.sensitivity(scenario, of=["impact.x", "apex.height"], wrt="plane.mu")
+    arrows = page.evaluate("hophoopLab.extras.more.arrows")
+    landing = next(arrow for arrow in arrows if arrow["kind"] == "impact")
+    apex = next(arrow for arrow in arrows if arrow["kind"] == "apex")
+    assert [landing["dx"], apex["dy"]] == pytest.approx(0.01 * result.derivatives[:, 0], rel=1e-6)
+    assert landing["dy"] == pytest.approx(0.0, abs=1e-12)
+    factor = page.evaluate("hophoopLab.extras.more.factor")
+    assert f"{factor:g} times as long" in page.locator(".more > .hint").inner_text().replace(",", "")
+    # they are seen: the picture is another without them
+    shot = "() => document.querySelector('.stage-canvas').toDataURL()"
+    page.evaluate("hophoopLab.toggle('whole')")
+    page.wait_for_timeout(200)
+    with_arrows = page.evaluate(shot)
+    page.keyboard.press("a")
+    page.wait_for_timeout(200)
+    assert page.locator(".more").is_hidden()
+    assert page.evaluate(shot) != with_arrows
+
+
+def test_a_link_keeps_it(visit):
+    page = turned_on(visit, "start.speed=2.9", "hoop.load_fraction")
+    wait_for(page, SHOWN)
+    page.wait_for_timeout(600)
+    assert "more=hoop.load_fraction" in page.url
+    page.reload()
+    page.wait_for_selector("[data-ready]")
+    wait_for(page, SHOWN)
+    assert page.locator(".more select").input_value() == "hoop.load_fraction"
+
+
+@pytest.mark.parametrize("where", ["desktop", "dark", "phone", "forced"])
+def test_it_is_seen_everywhere(visit, where):
+    options = {
+        "desktop": {},
+        "dark": {"color_scheme": "dark"},
+        "phone": {"viewport": {"width": 390, "height": 844}, "has_touch": True},
+        "forced": {"forced_colors": "active"},
+    }[where]
+    page = turned_on(visit, "start.speed=3.1", **options)
+    wait_for(page, SHOWN)
+    page.evaluate("hophoopLab.toggle('whole')")
+    page.locator(".more-events summary").click()
+    page.wait_for_timeout(300)
+    assert page.evaluate("document.documentElement.scrollWidth") <= page.viewport_size["width"]
+    picture(page, f"more-{where}", full_page=True)
+    axe = os.environ.get("HOPHOOP_AXE", "")
+    if axe:  # npm install axe-core
+        page.evaluate(Path(axe).read_text(encoding="utf-8"))
+        found = page.evaluate("async () => (await axe.run(document)).violations.map((one) => [one.id, one.nodes[0].html])")
+        assert found == []
+
+
+@pytest.mark.parametrize("code", ["de-DE", "es-ES", "fr-FR", "zh-CN"])
+def test_nothing_of_it_stays_in_english(visit, code):
+    page = turned_on(visit, "start.speed=3.1", locale=code)
+    for path in ("plane.mu", "plane.restitution", "hoop.mass"):
+        page.locator(".more select").select_option(path)
+        wait_for(page, f"{SHOWN} && lab.extras.more.known.startsWith('{path} ')")
+    page.evaluate("hophoopLab.motions.change([['start.speed', 1.0]], true)")
+    wait_for(page, f"lab.film().values['start.speed'] === 1 && {SHOWN}")
+    assert page.evaluate("[...hophoopLab.extras.words.untranslated]") == []
