@@ -1,6 +1,6 @@
 // What the module takes and gives, as Python writes it beside the module.
 
-import layout from "../../src/hophoop/module/layout.json";
+import layout from "../../src/hophoop/module/layout.json" with { type: "json" };
 
 export { layout };
 

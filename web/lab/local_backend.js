@@ -108,7 +108,6 @@ export class LocalBackend {
     if (!this.kernel.changes) throw new TypeError("This kernel has no derivatives.");
     const given = model.given(model.within(model.asked({ scenario }, this.mechanics)));
     if (given.contact) throw new model.InputError(model.labText("compliant_changes"));
-    if (given.rolling_resistance > 0) throw new model.InputError(model.labText("resisted_changes"));
     const found = model.ratesOf(scenario, path, value, this.mechanics);
     if (!found) return null;
     const { rates, smaller, larger } = found;

@@ -11,7 +11,7 @@ import { t, utter } from "./words.js";
 const DEGREE = Math.PI / 180;
 const WAIT = 100; // milliseconds
 const FIRST = "plane.mu";
-const LEFT_OUT = /^(contact\.|duration$|plane\.rolling_resistance$)/;
+const LEFT_OUT = /^(contact\.|duration$)/;
 const MOST = 200; // events in the table
 /** @type {Record<string, string>} */
 const REASONS = tables.reasons;
@@ -133,7 +133,7 @@ export class More {
     this.element.hidden = !on;
     this.switch.setAttribute("aria-pressed", String(on));
     this.known = "";
-    if (on) this.changed();
+    if (on) this.changed(true);
     else this.forget();
     this.lab.address?.soon();
     this.lab.request();

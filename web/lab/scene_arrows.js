@@ -6,6 +6,8 @@ import { MARKS } from "./marks.js";
 const WANTED = 0.7; // of the radius: how long the arrow of usual length is drawn
 const LEAST = 34; // pixels, where the hoop is small
 const MOST = 3; // times as long as usual: longer ones are drawn broken
+const COUNT = 400; // events
+const ROWS = 8; // more arrows than that over each other are left out
 const ROW = 13; // pixels between arrows that would lie over each other
 
 /**
@@ -18,7 +20,7 @@ const ROW = 13; // pixels between arrows that would lie over each other
  */
 export function arrowsOf(changes) {
   const { events, count } = changes;
-  return events.slice(0, count).map(({ kind, x, height }, k) => ({
+  return events.slice(0, Math.min(count, COUNT)).map(({ kind, x, height }, k) => ({
     kind,
     x,
     y: height,
@@ -67,6 +69,7 @@ export function drawArrows(scene, arrows, factor) {
     let base = from[1];
     while (taken.some((other) => Math.abs(other.base - base) < ROW - 1 && other.low < high && other.high > low))
       base -= ROW;
+    if (from[1] - base > ROWS * ROW) continue;
     taken.push({ low, high, base });
     const lift = base - from[1];
     stroke(scene, from, [to[0], to[1] + lift], lift, { known, broken: cut < 1, mark: MARKS[kind] ?? "" });

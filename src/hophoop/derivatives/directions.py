@@ -9,11 +9,11 @@ from hophoop._jit import lean_jit
 # A scenario's numbers, in SI units, and in the same order how each changes with a parameter.
 NUMBERS = (
     "radius", "mass", "gravity", "slope", "eccentricity", "inertia_ratio", "mu_static", "mu_kinetic", "restitution",
-    "duration", "x", "height", "angle", "omega", "slip", "vy",
+    "rolling_resistance", "duration", "x", "height", "angle", "omega", "slip", "vy",
 )  # fmt: skip
 (
     RADIUS, MASS, GRAVITY, SLOPE, ECCENTRICITY, INERTIA_RATIO, MU_STATIC, MU_KINETIC, RESTITUTION,
-    DURATION, X, HEIGHT, ANGLE, OMEGA, SLIP, VY,
+    ROLLING_RESISTANCE, DURATION, X, HEIGHT, ANGLE, OMEGA, SLIP, VY,
 ) = range(len(NUMBERS))  # fmt: skip
 
 
@@ -46,6 +46,7 @@ def direction(given, more):
         tangential,
         more[RESTITUTION],
         (more[DURATION] - given[DURATION] * by_time) / second,
+        more[ROLLING_RESISTANCE],
     )
     start = (
         0.0,
@@ -55,6 +56,7 @@ def direction(given, more):
         (more[OMEGA] + given[OMEGA] * by_time) * second,
         (more[SLIP] - given[SLIP] * by_speed) * second / length,
         (more[VY] - given[VY] * by_speed) * second / length,
+        0.0,
         0.0,
         0.0,
     )

@@ -34,6 +34,7 @@ class Change:
     mu_static: float = 0.0
     mu_kinetic: float = 0.0
     restitution: float = 0.0
+    rolling_resistance: float = 0.0
     duration: float = 0.0
     start: dict[str, float] = field(default_factory=dict)
 
@@ -132,6 +133,12 @@ def _of_friction(scenario: Scenario, path: str) -> Change:
     return Change(mu_static=float(both or name == "mu_static"), mu_kinetic=float(both or name == "mu_kinetic"))
 
 
+def _of_resistance(scenario: Scenario) -> Change:
+    if scenario.hoop.inertia_ratio == 0.0:
+        raise InputError("plane.rolling_resistance has no derivatives for the massless hoop, which can have none of it.")
+    return Change(rolling_resistance=1.0)
+
+
 _SIMPLE: Mapping[str, Callable[[Scenario], Change]] = {
     "hoop.radius": _of_radius,
     "hoop.mass": _of_mass,
@@ -141,6 +148,7 @@ _SIMPLE: Mapping[str, Callable[[Scenario], Change]] = {
     "plane.gravity": lambda _: Change(gravity=1.0),
     "plane.slope": lambda _: Change(slope=1.0),
     "plane.restitution": lambda _: Change(restitution=1.0),
+    "plane.rolling_resistance": _of_resistance,
     "start.x": lambda _: Change(start={"x": 1.0}),
     "start.height": lambda _: Change(start={"height": 1.0}),
     "start.angle": lambda _: Change(start={"angle": 1.0}),
@@ -176,8 +184,6 @@ def change_of(scenario: Scenario, path: str) -> Change:
         return _SIMPLE[path](scenario)
     if path in _FRICTION:
         return _of_friction(scenario, path)
-    if path == "plane.rolling_resistance":
-        raise InputError(f"{path} has no derivatives: compare motions with two values of it.")
     known = parameter(path)
     if path.startswith("hoop.parts.") and known.unit != "":
         return _of_part(scenario, path)
@@ -212,11 +218,12 @@ _LOWEST = {
     "hoop.inertia_ratio": 0.0,
     "plane.gravity": 0.0,
     "plane.restitution": 0.0,
+    "plane.rolling_resistance": 0.0,
     "plane.mu": 0.0,
     "plane.mu_kinetic": 0.0,
     "start.height": 0.0,
 }
-_HIGHEST = {"hoop.load_fraction": 1.0, "hoop.eccentricity": 1.0, "plane.restitution": 1.0}
+_HIGHEST = {"hoop.load_fraction": 1.0, "hoop.eccentricity": 1.0, "plane.restitution": 1.0, "plane.rolling_resistance": 1.0}
 
 
 def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bool]:
@@ -263,7 +270,8 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
     state = scenario.start.state(hoop)
     given = (
         hoop.radius, hoop.mass, plane.gravity, plane.slope, hoop.eccentricity, hoop.inertia_ratio,
-        plane.mu_static, plane.mu_kinetic, plane.restitution, scenario.duration,
+        plane.mu_static, plane.mu_kinetic, plane.restitution, plane.rolling_resistance,
+        scenario.duration,
         state.x, state.height, state.angle, state.omega, state.slip, state.vy,
     )  # fmt: skip
     found = [interpreted(direction)(given, change_of(scenario, path).rates()) for path in paths]

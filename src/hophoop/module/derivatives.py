@@ -12,7 +12,7 @@ from hophoop.derivatives.carrying import EXPONENTS, UNIT_OF_ROW
 from hophoop.derivatives.directions import NUMBERS, direction
 from hophoop.derivatives.ending import go_through
 from hophoop.derivatives.layout import CARRIED, KEPT, PARAMETERS
-from hophoop.derivatives.panels import ROWS
+from hophoop.derivatives.rows import ROWS
 from hophoop.maps.kernel import CELL, DURATION, MASS, body_of, scales_of
 from hophoop.module.layout import CHANGE_COLUMNS
 from hophoop.module.motions import FIELDS
@@ -48,7 +48,7 @@ def write_changes(row, scales, mass, units, sign, kept, out):
     """The rates of an event in SI units, in the order of `layout.CHANGE_COLUMNS`: those of its numbers and of their units."""
     values = (
         row["t"], row["x"], row["height"], row["angle"], row["omega"], row["slip"], row["vy"],
-        row["impact_normal"], row["impact_tangential"],
+        row["impact_normal"], row["impact_tangential"], row["rolling_resistance"],
     )  # fmt: skip
     for k in range(out.shape[1]):
         for i in range(CARRIED):

@@ -44,7 +44,9 @@ COMPLIANT = (
 CHOSEN = ("stiffness", "tangential_stiffness", "slip_speed", "depth", "stiffness_si", "slip_speed_si")
 
 # The rates of an event with one parameter, in SI units over the parameter's; its own module gives them.
-CHANGE_COLUMNS = ("t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "vx")
+CHANGE_COLUMNS = (
+    "t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "rolling_resistance", "vx",
+)  # fmt: skip
 
 # What theory says about a hoop; nan where it says nothing. Angles are from the outward normal, in rad.
 THRESHOLDS = (

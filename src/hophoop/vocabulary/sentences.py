@@ -108,7 +108,6 @@ LAB: Final[dict[str, str]] = {
         "many as it needs."
     ),
     "compliant_changes": "With a compliant contact no derivatives are computed: choose the rigid contact model.",
-    "resisted_changes": "With rolling resistance no derivatives are computed: set f to 0.",
     "not_a_pair": "changes holds {change}, which is not a pair of path and value.",
     # one value, after the field and how it was given
     "window": "must be four numbers, θ from and to [rad], θ̇ from and to [rad/s], each pair rising",

@@ -10,6 +10,7 @@ import pytest
 
 import hophoop as hh
 from hophoop.derivatives.layout import REASONS, Reason
+from hophoop.derivatives.quantities import hops_of
 from hophoop.derivatives.sensitivity import EDGE
 from lab_page_tools import picture, wait_for
 
@@ -35,6 +36,10 @@ SCENARIOS = {
     "a start in the air": (
         "start.height=0.3&start.vx=1&start.omega=2&plane.mu=0.3&plane.restitution=0.5&duration=1.2",
         ("start.height", "start.vx", "start.omega", "plane.restitution", "plane.mu"),
+    ),
+    "rolling resistance": (
+        "plane.rolling_resistance=0.02&duration=3",
+        ("plane.rolling_resistance", "plane.mu", "start.speed", "hoop.radius"),
     ),
     "two coefficients": ("plane.mu_static=0.6&plane.mu_kinetic=0.5&duration=2", ("plane.mu_static", "plane.mu_kinetic")),
     "real parts": (
@@ -65,6 +70,22 @@ def names_of(motion):
         found.append(f"{event.kind}[{seen[event.kind]}]")
         seen[event.kind] += 1
     return found
+
+
+def test_every_hop_is_that_of_the_library(visit):
+    """Bounces without number, the first of which begins with the start."""
+    query = SCENARIOS["a start in the air"][0]
+    scenario = hh.Scenario.from_query(query)
+    found = hops_of(hh.simulate(scenario))
+    assert len(found) > 3
+    page = turned_on(visit, query, "plane.mu")
+    wait_for(page, SHOWN)
+    hops = page.evaluate("hophoopLab.extras.more.changes.hops()")
+    assert [(hop["begin"], hop["end"]) for hop in hops] == [(begin, end) for begin, _, end in found]
+    ended = [k for k, (_, _, end) in enumerate(found) if end >= 0]
+    for field in ("height", "distance", "duration"):
+        result = hh.sensitivity(scenario, of=[f"hop[{k}].{field}" for k in ended], wrt="plane.mu")
+        assert [hops[k][field] for k in ended] == pytest.approx(0.01 * result.larger[:, 0], rel=1e-6, abs=1e-11)
 
 
 @pytest.mark.parametrize("name", SCENARIOS)
@@ -121,7 +142,7 @@ def test_the_step_does_what_was_told(visit):
         ("hoop.load_fraction=0.75&plane.restitution=1&duration=2", "plane.restitution", EDGE),
         ("contact.model=compliant", "plane.mu", "rigid contact model"),
         ("plane.mu=inf", "plane.mu", "there is no more of it"),
-        ("plane.rolling_resistance=0.02", "plane.mu", "rolling resistance"),
+        ("", "plane.rolling_resistance", EDGE),
     ],
 )
 def test_where_there_is_none_the_reason_is_said(visit, query, path, words):
@@ -188,6 +209,20 @@ def test_a_link_keeps_it(visit):
     page.wait_for_selector("[data-ready]")
     wait_for(page, SHOWN)
     assert page.locator(".more select").input_value() == "hoop.load_fraction"
+
+
+def test_a_hoop_in_another_page_has_them(visit, site_folder):
+    (site_folder / "other.html").write_text(
+        '<!doctype html><html lang="en"><meta charset="utf-8"><title>Other</title><link rel="icon" href="data:,">'
+        "<body><h1>Other</h1>"
+        '<script type="module" src="static/hophoop-motion.js"></script>'
+        '<hophoop-motion scenario="start.speed=3.1" panels="theory"></hophoop-motion></body></html>',
+        encoding="utf-8",
+    )
+    page = visit("other.html", ready=False)
+    page.get_by_role("button", name="Arrows").click()
+    page.wait_for_function("() => document.querySelector('hophoop-motion').lab.extras.more.changes")
+    assert "The hop: " in page.locator(".more-said").inner_text()
 
 
 @pytest.mark.parametrize("where", ["desktop", "dark", "phone", "forced"])

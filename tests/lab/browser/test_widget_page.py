@@ -74,4 +74,9 @@ def test_the_widget_is_the_same_player(visit, alone):
     page.wait_for_timeout(200)
     assert widget.motion.scenario.start.speed == 3.1
     picture(page, "widget")
+    page.get_by_role("button", name="Arrows").click()
+    if alone:
+        page.locator(".more-said li").first.wait_for()  # their module has come from the notebook's kernel
+    else:
+        page.get_by_text("This needs a browser that runs WebAssembly.").wait_for()
     page.evaluate("leave()")
