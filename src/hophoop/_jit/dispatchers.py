@@ -134,7 +134,8 @@ def _compiler(kind: type[NativeLowering], library: type[_Library], lower: type[L
             pipeline.passes = [
                 (lowering if step is NativeLowering else step, text)
                 for step, text in pipeline.passes
-                if step is not NopythonRewrites  # of array expressions, which kernels do not have
+                # those are of arrays made within: most kernels make none, and have no reference counts
+                if step is not NopythonRewrites or self.state.flags.nrt
             ]
             pipeline.finalize()
             return [pipeline]
