@@ -20,13 +20,14 @@ from hophoop.prove._flint import (
     sign,
     symmetric,
 )
+from hophoop.prove.carriers import STOP, Carrier, Slip, begin_at, carrier_of, disc, square_at
 from hophoop.prove.model import Model, State
+from hophoop.prove.panels import LARGEST, SHARE, SMALLEST, Panel, TurnPanel, terms_for
 from hophoop.prove.rolling import TURN, Rolling, still
 from hophoop.prove.search import Root, exact, first_root
-from hophoop.prove.slipping import LARGEST, SHARE, SMALLEST, Panel, Slip, TurnPanel, begin_at, disc, square_at, terms_for
 from hophoop.prove.witness import Trail, bracket
 
-LIFT, STOP, LIMIT, SPAN, REST = "lift", "stop", "limit", "span", "rest"
+LIMIT, SPAN, REST, SLIDE = "limit", "span", "rest", "slide"
 MOST_PIECES = 20_000
 
 
@@ -72,11 +73,14 @@ class Phase(Protocol):
 def roll(run: Phase) -> Iterator[Ended]:
     """Rolling up to the event that ends it; turning points are given on the way."""
     model, state, limits, energy = run.model, run.state, run.limits, run.energy
+    if model.resisted:
+        yield from travel(run, 0)
+        return
     while True:
         at_turn = bool(state.om.is_zero())
         way = still(model, state) if at_turn else sign(state.om, "θ̇")
         if way == 0:
-            yield Ended(REST, state, {"mode": "R", "way": 0})
+            yield Ended(REST, state, {})
             return
         rolling = Rolling(model, state, way, at_turn, energy)
         what, state, around, turns = _roll_on(rolling, limits)
@@ -153,33 +157,34 @@ def _angle_at(rolling: Rolling, base: Ball, last: Ball, wanted: Ball, at_turn: b
     return found
 
 
-# --- slip ----------------------------------------------------------------------------------------
+# --- panels --------------------------------------------------------------------------------------
 
 
-def slip(run: Phase, sigma: int) -> Iterator[Ended]:
-    """Slip up to the event that ends it; turning points are given on the way."""
-    model, state, limits = run.model, run.state, run.limits
-    the_slip = Slip.of(model, sigma, state)
-    zeros = [0, run.zeros]
+def travel(run: Phase, sigma: int) -> Iterator[Ended]:
+    """Slip, or rolling with resistance, up to the event that ends it; turning points are given on the way."""
+    state, limits = run.state, run.limits
+    model = run.model.after(state.th, state.om, sigma)
+    carrier = carrier_of(model, sigma, state)
+    zeros = [0, run.zeros] if sigma else [0] * len(carrier.names)
     way = sign(state.om, "θ̇")
     if way == 0:
-        way = sign(the_slip.slope(state.th, arb(0)), "θ̈ of the hoop at rest")
+        way = sign(carrier.slope(state.th, arb(0)), "θ̈ of the hoop at rest")
         if way == 0:
-            yield _slide(the_slip, limits)
+            yield _slide(carrier, limits) if isinstance(carrier, Slip) else Ended(REST, state, {})
             return
-        piece: Any = TurnPanel(the_slip, state.th, -way)
+        piece: Any = TurnPanel(carrier, state.th, -way)
         piece.t = state.t
         x, begun = arb(0), True
     else:
         centre = exact(state.th)
-        u = square_at(the_slip, state.th, state.om * state.om, centre, run.energy)
-        begin = begin_at(the_slip, centre, u, way)
-        the_slip = Slip.of(model, sigma, begin)
-        piece = _panel(the_slip, centre, way, u, begin.t)
+        u = square_at(carrier, state.th, state.om * state.om, centre, run.energy)
+        begin = begin_at(carrier, centre, u, way)
+        carrier = carrier_of(model, sigma, begin)
+        piece = _panel(carrier, centre, way, u, begin.t)
         turning = isinstance(piece, TurnPanel)
         x = -(way * (piece.turn - state.th)).sqrt() if turning else way * (state.th - centre)
         begun = False
-    trail = Trail(the_slip, state.th)
+    trail = Trail(carrier, state.th)
     for _ in range(MOST_PIECES):
         if isinstance(piece, TurnPanel):
             if not begun:
@@ -188,9 +193,11 @@ def slip(run: Phase, sigma: int) -> Iterator[Ended]:
                 if root is not None:
                     yield _ended(piece, root, trail)
                     return
-                last_turn = limits.origin is not None
+                last_turn = limits.origin is not None or carrier.ends_at_turn
                 found = trail.record(TURN, None) if last_turn else {}
                 yield Ended(TURN, replace(piece.state(arb(0)), om=arb(0)), found)
+                if last_turn:
+                    return
                 zeros, x, way = [-1, -1], arb(0), -way
             else:
                 trail.turn(piece)
@@ -213,46 +220,46 @@ def slip(run: Phase, sigma: int) -> Iterator[Ended]:
             x = way * (centre - piece.centre)
             u, t = piece.square(x), piece.time(x)
         zeros, begun, x = [-1, -1], False, arb(0)
-        piece = _panel(the_slip, centre, way, u, t)
+        piece = _panel(carrier, centre, way, u, t)
         if isinstance(piece, TurnPanel):
             x = -(way * (piece.turn - centre)).sqrt()
-    raise Undecided(f"slip takes more than {MOST_PIECES} panels")
+    raise Undecided(f"a phase takes more than {MOST_PIECES} panels")
 
 
-def _panel(the_slip: Slip, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
+def _panel(carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
     """The panel that begins at an exact angle: one about a turning point where that is near."""
-    slope = way * the_slip.slope(centre, u)
+    slope = way * carrier.slope(centre, u)
     if slope < 0 and u / -slope < LARGEST / SHARE:
-        found = _turn_ahead(the_slip, centre, way, u)
+        found = _turn_ahead(carrier, centre, way, u)
         if found is not None:
             found.t = t - (found.time(-(way * (found.turn - centre)).sqrt()) - found.t)
             return found
-    return Panel(the_slip, centre, way, u, t)
+    return Panel(carrier, centre, way, u, t)
 
 
-def _turn_ahead(the_slip: Slip, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
+def _turn_ahead(carrier: Carrier, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
     """A panel about the turning point ahead, None where it does not reach back to the centre."""
     radius = arb(LARGEST)
-    while (found := disc(the_slip, centre, radius)) is None or not found.decay * radius < 1:
+    while (found := disc(carrier, centre, radius)) is None or not found.grow * radius < 1:
         radius = radius / 2
         if radius < SMALLEST:
             raise Undecided("slip comes too close to p_σ = 0")
     terms = terms_for(bits())
     ratio = arb(1) / SHARE
-    most = (abs(u).abs_upper() + radius * found.push * abs(the_slip.model.gn)) * (found.decay * radius).exp()
+    most = (abs(u).abs_upper() + radius * found.push) * (found.grow * radius).exp()
     rest = symmetric(most * ratio**terms / (1 - ratio))
     with order(terms):
-        squares = coefficients(the_slip.square(centre, u, way, terms), terms)
+        squares = coefficients(carrier.square(centre, u, way, terms), terms)
 
     def evaluate(x: Ball, wanted: int) -> list[Jet]:
         value = polynomial(squares, x) + rest
-        return [[value, way * the_slip.slope(centre + way * x, value)][:wanted]]
+        return [[value, way * carrier.slope(centre + way * x, value)][:wanted]]
 
     try:
         root = first_root(evaluate, [0], arb(0), exact(radius / SHARE))
         if root is None:
             return None
-        panel = TurnPanel(the_slip, centre + way * root.x, way)
+        panel = TurnPanel(carrier, centre + way * root.x, way)
     except Undecided:  # not yet: from nearer by it may
         return None
     return panel if root.x < panel.reach else None
@@ -270,7 +277,7 @@ def _search_panel(piece: Panel, zeros: list[int], begin: Ball, limits: Limits) -
 
 def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits) -> tuple[str, Root] | None:
     """(what, where) of the first event on a piece."""
-    names, known = [LIFT, STOP], list(zeros)
+    names, known = piece.carrier.names, list(zeros)
     if limits.t_end is not None:
         names, known = [*names, LIMIT], [*known, 0]
     if limits.origin is not None:
@@ -298,24 +305,30 @@ def _padded(jet: Jet, terms: int) -> Jet:
 
 def _ended(piece: Panel | TurnPanel, found: tuple[str, Root], trail: Trail) -> Ended:
     what, root = found
-    energy = piece.energy(root.x) if what == STOP and isinstance(piece, Panel) else None
+    energy = None
+    if what == STOP and isinstance(piece, Panel) and not piece.carrier.model.resisted:
+        energy = piece.energy(root.x)
     return Ended(what, piece.state(root.x, what == STOP), trail.record(what, root), energy)
 
 
-def _slide(the_slip: Slip, limits: Limits) -> Ended:
+def _slide(carrier: Slip, limits: Limits) -> Ended:
     """Slip at a constant angle."""
-    begin, steady = the_slip.begin, the_slip.steady
-    assert limits.t_end is not None
-    left = limits.t_end - begin.t
-    fall = the_slip.sigma * steady
-    if begin.vt.is_zero():
-        raise Undecided("slip begins without rotation")
-    stops = sign(fall, "v̇_t") < 0 and _before(abs(begin.vt) / abs(steady), left)
-    tau = abs(begin.vt) / abs(steady) if stops else left
+    begin, steady, still = carrier.begin, carrier.steady, carrier.begin.vt.is_zero()
+    way = sign(steady, "v̇_t") * carrier.sigma
+    ends = way < 0 and not still  # slip that begins gets faster
+    if limits.t_end is None:
+        if not ends:
+            raise Undecided("slip goes on without rotation and without end")
+        tau, stops = abs(begin.vt) / abs(steady), True
+    else:
+        left = limits.t_end - begin.t
+        stops = ends and _before(abs(begin.vt) / abs(steady), left)
+        tau = abs(begin.vt) / abs(steady) if stops else left
     x = begin.x + begin.vt * tau + steady * tau * tau / 2
     vt = arb(0) if stops else begin.vt + steady * tau
-    state = replace(begin, t=begin.t + tau, x=x, vt=vt)
-    return Ended(STOP if stops else LIMIT, state, {"mode": "slide"})
+    state = replace(begin, t=begin.t + tau if stops or limits.t_end is None else limits.t_end, x=x, vt=vt)
+    what = STOP if stops else LIMIT
+    return Ended(what, state, {"mode": "RKS"[carrier.sigma], "what": what, "slides": True})
 
 
 def _before(a: Ball, b: Ball) -> bool:

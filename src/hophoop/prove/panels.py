@@ -1,0 +1,214 @@
+"""Taylor panels in the angle, each with the remainder that Cauchy's bound on a complex disc gives."""
+
+from __future__ import annotations
+
+from hophoop.prove import _flint
+from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, polynomial, series, symmetric
+from hophoop.prove.carriers import Carrier, Disc, disc
+from hophoop.prove.model import State
+from hophoop.prove.search import exact
+
+LARGEST = 0.5  # rad, of a disc
+SMALLEST = 1e-9  # a smaller disc means p_σ → 0 or an endless approach
+SHARE = 4  # a panel's reach is the disc's radius over this: two bits a term
+
+
+def terms_for(precision: int) -> int:
+    """Terms whose remainder is below the working precision."""
+    return precision // 2 + 6
+
+
+class Panel:
+    """u and t on [0, reach] in the way along θ from an exact angle, where u stays away from zero.
+
+    Parameters
+    ----------
+    carrier : Carrier
+    centre : Ball
+        Exact angle.
+    way : int
+    u, t : Ball
+        θ̇² and the time at the centre.
+    """
+
+    def __init__(self, carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> None:
+        self.carrier, self.centre, self.way = carrier, centre, way
+        self.t = t
+        terms = terms_for(bits())
+        radius = arb(LARGEST)
+        while True:
+            found = disc(carrier, centre, radius)
+            if found is not None:
+                grown = (found.grow * radius).exp()
+                moved = (grown - 1) * abs(u).abs_upper() + radius * found.push * grown
+                if moved < u.abs_lower() * 3 / 4:
+                    break
+            radius = radius * 5 / 8
+            if radius < SMALLEST:
+                raise Undecided(
+                    "slip comes too close to p_σ = 0 or to θ̇ = 0"
+                    if carrier.sigma
+                    else "rolling comes too close to an equilibrium"
+                )
+        least = u.abs_lower() - moved
+        self.radius, self.reach = radius, exact(radius / SHARE)
+        # a ball of parameters smears an event over more than the reach: its panels hold twice as far, with larger remainders
+        self.farthest = 2 * self.reach if carrier.model.free else self.reach
+        ratio = arb(2 if carrier.model.free else 1) / SHARE
+        tail = ratio**terms / (1 - ratio)
+        self.rest_u = symmetric((abs(u) + moved) * tail)
+        self.rest_t = symmetric(radius * least.rsqrt() * tail)
+        with order(terms):
+            squares = carrier.square(centre, u, way, terms)
+            self.u_terms = coefficients(squares, terms)
+            self.t_terms = coefficients(squares.rsqrt().integral(), terms)
+
+    def square(self, x: Ball) -> Ball:
+        """u; on an interval by the mean value theorem."""
+        rough = polynomial(self.u_terms, x) + self.rest_u
+        if x.is_exact():
+            return rough
+        middle = exact(x)
+        slope = self.way * self.carrier.slope(self.angle(x), rough)
+        return (polynomial(self.u_terms, middle) + self.rest_u + slope * (x - middle)).intersection(rough)
+
+    def angle(self, x: Ball) -> Ball:
+        """θ."""
+        return self.centre + self.way * x
+
+    def time(self, x: Ball) -> Ball:
+        """t."""
+        middle = exact(x)
+        found = self.t + polynomial(self.t_terms, middle) + self.rest_t
+        if not x.is_exact():
+            found += self.square(x).rsqrt() * (x - middle)
+        return found
+
+    def spin(self, x: Ball) -> Ball:
+        """θ̇."""
+        return self.way * self.square(x).sqrt()
+
+    def state(self, x: Ball, stops: bool = False) -> State:
+        """The state at x."""
+        return self.carrier.state(self.time(x), self.angle(x), self.spin(x), stops)
+
+    def slowness(self, x: Ball) -> Ball:
+        """dt/dx."""
+        return self.square(x).rsqrt()
+
+    def way_at(self, x: Ball) -> int:
+        """Direction of rotation."""
+        return self.way
+
+    def angle_rate(self, x: Ball) -> Ball:
+        """dθ/dx."""
+        return arb(self.way)
+
+    def energy(self, x: Ball) -> Ball:
+        """½ D θ̇² + V, which is stationary where slip stops."""
+        model, carrier, middle = self.carrier.model, self.carrier, exact(x)
+        found = []
+        for at, terms in ((middle, 1), (x, 2)):
+            with order(terms):
+                z = series([self.angle(at), self.way])
+                s, c = z.sin_cos()
+                u = carrier.square(self.angle(at), self.square(at), self.way, terms)
+                found.append(coefficients(model.inertia(c) * u / 2 + model.height(z, s, c), terms))
+        return found[0][0] + found[1][1] * (x - middle)
+
+    def watch(self, x: Ball, terms: int) -> list[Jet]:
+        """What must stay positive, as series in x."""
+        return self.carrier.along(self, x, terms)
+
+
+class TurnPanel:
+    """A phase through θ̇ = 0, or up to it: θ = θ* − way w², where w grows with time and everything is smooth in w.
+
+    Parameters
+    ----------
+    carrier : Carrier
+    turn : Ball
+        θ*.
+    way : int
+        Direction of rotation before it.
+    """
+
+    def __init__(self, carrier: Carrier, turn: Ball, way: int) -> None:
+        self.carrier, self.turn, self.way = carrier, turn, way
+        self.t = arb(0)
+        terms = terms_for(bits())
+        radius = arb(LARGEST)
+        while True:
+            found = disc(carrier, turn, radius)
+            if found is not None and self._bounded(found):
+                break
+            radius = radius * 5 / 8
+            if radius < SMALLEST:
+                raise Undecided("a turning point is too close to an equilibrium")
+        self.reach = radius / SHARE  # of w²
+        ratio = arb(1) / SHARE
+        tail = ratio**terms / (1 - ratio)
+        with order(terms + 1):
+            squares = coefficients(carrier.square(turn, arb(0), -way, terms + 1), terms + 1)
+        with order(terms):
+            over = series(squares[1:])
+            self.g_terms = coefficients(over, terms)
+            rates = coefficients(over.rsqrt(), terms)
+        self.t_terms = [2 * rate / (2 * k + 1) for k, rate in enumerate(rates)]
+        self.rest_g = symmetric(self.most * tail)
+        self.rest_t = symmetric(2 * self.least.rsqrt() * tail * self.reach.sqrt())
+
+    def _bounded(self, found: Disc) -> bool:
+        """u(s)/s is a mean of du/ds, whose box on the disc must stay to the right of zero."""
+        model = self.carrier.model
+        grown = (found.grow * found.radius).exp()
+        most = found.radius * found.push * grown
+        s, c = found.angle.sin_cos()
+        box = _flint.acb(symmetric(most), symmetric(most))
+        slope = -2 * self.way * _flint.acb(model.forces(s, c, box, self.carrier.sigma).alpha)
+        self.least, self.most = slope.real.lower(), abs(slope).abs_upper()
+        return bool(self.least > 0)
+
+    def over(self, w: Ball) -> Ball:
+        """u/w²."""
+        return polynomial(self.g_terms, w * w) + self.rest_g
+
+    def square(self, w: Ball) -> Ball:
+        """u."""
+        return w * w * self.over(w)
+
+    def angle(self, w: Ball) -> Ball:
+        """θ."""
+        return self.turn - self.way * w * w
+
+    def spin(self, w: Ball) -> Ball:
+        """θ̇."""
+        return -self.way * w * self.over(w).sqrt()
+
+    def time(self, w: Ball) -> Ball:
+        """t."""
+        middle = exact(w)
+        found = self.t + middle * polynomial(self.t_terms, middle * middle) + self.rest_t
+        if not w.is_exact():
+            found += 2 * self.over(w).rsqrt() * (w - middle)
+        return found
+
+    def state(self, w: Ball, stops: bool = False) -> State:
+        """The state at w."""
+        return self.carrier.state(self.time(w), self.angle(w), self.spin(w), stops)
+
+    def slowness(self, w: Ball) -> Ball:
+        """dt/dw."""
+        return 2 * self.over(w).rsqrt()
+
+    def way_at(self, w: Ball) -> int:
+        """Direction of rotation."""
+        return self.way if w < 0 else -self.way
+
+    def angle_rate(self, w: Ball) -> Ball:
+        """dθ/dw."""
+        return -2 * self.way * w
+
+    def watch(self, w: Ball, terms: int) -> list[Jet]:
+        """What must stay positive, with its slopes in w."""
+        return self.carrier.about(self, w, terms)
