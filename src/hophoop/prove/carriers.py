@@ -6,7 +6,8 @@ In slip du/dθ = 2 q (g cos β − ε cos θ u)/(κ p_σ) for u = θ̇², in rol
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, fields
 from typing import Any, Protocol
 
 from hophoop.prove import _flint
@@ -19,11 +20,11 @@ from hophoop.prove._flint import (
     coefficients,
     intersection,
     order,
-    series,
     symmetric,
 )
 from hophoop.prove.model import Forces, Model, State
 from hophoop.prove.search import exact
+from hophoop.prove.varied import at_centre, derivatives, over, series
 
 LIFT, STOP = "lift", "stop"
 AHEAD, BACK, OPEN = "ahead", "back", "open"
@@ -65,6 +66,14 @@ class Carrier:
         """Whether the equations are others after a turning point."""
         return self.model.resisted
 
+    def plain(self) -> Carrier:
+        """The same as balls, which do not keep how they depend on the parameters of a box."""
+        return carrier_of(self.model.plain(), self.sigma, _each(self.begin, over))
+
+    def central(self) -> Carrier:
+        """At the centre of a box."""
+        return carrier_of(self.model.central(), self.sigma, _each(self.begin, at_centre))
+
     def forces(self, th: Ball, u: Ball) -> Forces:
         """Forces at an angle."""
         s, c = th.sin_cos()
@@ -92,6 +101,10 @@ class Carrier:
     def about(self, piece: Place, w: Ball, terms: int) -> list[Jet]:
         """The same with slopes in w, where θ = θ* − way w²."""
         raise NotImplementedError
+
+    def slides(self, piece: Place, x: Ball) -> Ball:
+        """v_t, where x is an angle."""
+        return self.sigma * self.along(piece, x, 1)[1][0] if self.sigma else arb(0)
 
 
 @dataclass(frozen=True)
@@ -208,14 +221,20 @@ def carrier_of(model: Model, sigma: int, state: State) -> Slip | Roll:
     return Slip.of(model, sigma, state) if sigma else Roll(model, 0, state)
 
 
+def _each(state: State, pick: Callable[[Any], Ball]) -> State:
+    return State(*(pick(getattr(state, one.name)) for one in fields(state)))
+
+
 @dataclass(frozen=True)
 class Disc:
-    """Bounds on a complex disc of du/dθ = A u + B: its radius, abs(A), abs(B), and the angle."""
+    """Bounds on a complex disc of du/dθ = A u + B: its radius, abs(A), abs(B), the angle, and of ∂A/∂p, ∂B/∂p in a box."""
 
     radius: Ball
     grow: Ball
     push: Ball
     angle: Ball
+    grow_by: list[Ball]
+    push_by: list[Ball]
 
 
 def disc(carrier: Carrier, th: Ball, radius: Ball) -> Disc | None:
@@ -226,18 +245,24 @@ def disc(carrier: Carrier, th: Ball, radius: Ball) -> Disc | None:
     if model.divisor(s, c, carrier.sigma).contains(flint.acb(0)):
         return None
     grow, push = model.rates(s, c, carrier.sigma)
-    return Disc(radius, abs(grow).abs_upper(), abs(flint.acb(push)).abs_upper(), square)
+    count = model.varying
+
+    def size(value: Ball) -> Ball:
+        return abs(flint.acb(value)).abs_upper()
+
+    by = ([size(one) for one in derivatives(rate, count)] for rate in (grow, push))
+    return Disc(radius, size(over(grow)), size(over(push)), square, *by)
 
 
-def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | None = None) -> Ball:
-    """u at an exact angle inside the ball of the angle where it is known.
+def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | None = None) -> tuple[Ball, Ball]:
+    """u at an exact angle inside the ball of the angle where it is known, and on the way there.
 
     Where slip begins out of rolling of this energy, both have the same slope there, or nearly so: u is that of
     rolling up to the second order of the ball.
     """
     spread = centre - th
     if spread.is_zero():
-        return u
+        return u, u
     box = u
     for _ in range(20):
         slope = carrier.slope(th.union(centre), box)
@@ -248,7 +273,7 @@ def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | 
     else:
         raise Undecided("the begin of a phase has no enclosure")
     if energy is None:
-        return found
+        return found, box
     # d/dθ* of u(centre), for slip that begins in θ*: what the slopes differ by, carried on by exp(∫ A)
     model = carrier.model
     s, c = th.union(centre).sin_cos()
@@ -256,7 +281,7 @@ def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | 
     carried = (model.rates(s, c, carrier.sigma)[0] * symmetric(spread)).exp()
     s, c = centre.sin_cos()
     there = 2 * (energy - model.height(centre, s, c)) / model.inertia(c)
-    return intersection(found, there + (rolled - slope) * carried * symmetric(spread))
+    return intersection(found, there + (rolled - slope) * carried * symmetric(spread)), box
 
 
 def begin_at(carrier: Carrier, centre: Ball, u: Ball, way: int) -> State:

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from hophoop.precise.problem import Problem
-from hophoop.prove._flint import Ball, Jet, Series, Undecided, coefficients, order, rational, series, sign
+from hophoop.prove._flint import Ball, Jet, Series, Undecided, coefficients, order, rational, sign
+from hophoop.prove.varied import at_centre, count_of, over, series
 
 # Parameters that may be balls instead of the scenario's numbers, in SI units.
 FREE = ("hoop.load_fraction", "plane.mu", "plane.mu_static", "plane.mu_kinetic", "plane.slope", "start.speed", "start.omega")
@@ -53,6 +54,7 @@ class Model:
     def __init__(self, problem: Problem, free: Mapping[str, Ball] | None = None) -> None:
         self.problem = problem
         self.free = dict(free or {})
+        self.varying = count_of(*self.free.values())
         self.eps, self.kap = rational(problem.eps), rational(problem.kap)
         if "hoop.load_fraction" in self.free:
             self.eps = self.free["hoop.load_fraction"]
@@ -133,6 +135,20 @@ class Model:
                 raise Undecided("whether the rolling resistance holds the hoop is not certain")
             way = 1 if ahead > 0 else -1
         return self.toward(way)
+
+    # --- boxes of parameters ---------------------------------------------------------------------
+
+    def plain(self) -> Model:
+        """The same as balls, which do not keep how they depend on the parameters."""
+        found = copy(self)
+        found.__dict__ |= {name: over(value) for name, value in vars(self).items()} | {"varying": 0}
+        return found
+
+    def central(self) -> Model:
+        """At the centre of the box."""
+        found = copy(self)
+        found.__dict__ |= {name: at_centre(value) for name, value in vars(self).items()} | {"varying": 0}
+        return found
 
     # --- formulas, for numbers and series alike --------------------------------------------------
 

@@ -24,6 +24,7 @@ from hophoop.prove.rule import (
     opening_sign,
     slip_mode,
 )
+from hophoop.prove.smeared import travel_box
 from hophoop.prove.witness import bracket
 
 CLOSING = "1e-12"  # bounces are closed when what is left of them takes less than this part of the time so far
@@ -287,7 +288,9 @@ class Run:
 
     def contact(self, sigma: int) -> None:
         """Roll or slip up to the next event."""
-        for ended in roll(self) if sigma == 0 else travel(self, sigma):
+        closed = sigma == 0 and not self.model.resisted
+        pieces = roll(self) if closed else travel_box(self, sigma) if self.model.varying else travel(self, sigma)
+        for ended in pieces:
             self.state, self.energy = ended.state, ended.energy
             if ended.witness:
                 self.witnesses.append(ended.witness)

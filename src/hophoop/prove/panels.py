@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from hophoop.prove import _flint
-from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, polynomial, series, symmetric
+from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, series, symmetric
 from hophoop.prove.carriers import Carrier, Disc, disc
 from hophoop.prove.model import State
 from hophoop.prove.search import exact
+from hophoop.prove.varied import Varied, common, derivatives, moving, polynomial
 
 LARGEST = 0.5  # rad, of a disc
 SMALLEST = 1e-9  # a smaller disc means p_σ → 0 or an endless approach
+WIDE_STEP, WIDE_REACH = 0.5, 0.625  # of the radius, where a box needs few digits
 SHARE = 4  # a panel's reach is the disc's radius over this: two bits a term
 
 
@@ -34,13 +36,13 @@ class Panel:
     def __init__(self, carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> None:
         self.carrier, self.centre, self.way = carrier, centre, way
         self.t = t
-        terms = terms_for(bits())
+        terms = terms_for(bits()) * (2 if carrier.model.varying else 1)
         radius = arb(LARGEST)
         while True:
             found = disc(carrier, centre, radius)
             if found is not None:
                 grown = (found.grow * radius).exp()
-                moved = (grown - 1) * abs(u).abs_upper() + radius * found.push * grown
+                moved = (grown - 1) * u.abs_upper() + radius * found.push * grown
                 if moved < u.abs_lower() * 3 / 4:
                     break
             radius = radius * 5 / 8
@@ -51,13 +53,21 @@ class Panel:
                     else "rolling comes too close to an equilibrium"
                 )
         least = u.abs_lower() - moved
-        self.radius, self.reach = radius, exact(radius / SHARE)
-        # a ball of parameters smears an event over more than the reach: its panels hold twice as far, with larger remainders
-        self.farthest = 2 * self.reach if carrier.model.free else self.reach
-        ratio = arb(2 if carrier.model.free else 1) / SHARE
+        # a box of parameters smears an event: its panels hold farther than they are gone along, with fewer bits a term
+        boxed = carrier.model.varying > 0
+        self.radius, self.reach = radius, exact(radius * (WIDE_STEP if boxed else arb(1) / SHARE))
+        ratio = arb(WIDE_REACH) if boxed else arb(1) / SHARE
+        self.farthest = exact(radius * ratio)
         tail = ratio**terms / (1 - ratio)
-        self.rest_u = symmetric((abs(u) + moved) * tail)
-        self.rest_t = symmetric(radius * least.rsqrt() * tail)
+        most = u.abs_upper() + moved
+        # ∂u/∂p obeys the same equation, with ∂A/∂p u + ∂B/∂p to drive it; of 1/√u it is −∂u/∂p/(2 u^(3/2))
+        drives = [
+            (one.abs_upper() + radius * (grow * most + push)) * grown
+            for one, grow, push in zip(derivatives(u, len(found.grow_by)), found.grow_by, found.push_by, strict=True)
+        ]
+        slow = least.rsqrt()
+        self.rest_u = _rest(most * tail, [one * tail for one in drives])
+        self.rest_t = _rest(radius * slow * tail, [radius * slow / least * one / 2 * tail for one in drives])
         with order(terms):
             squares = carrier.square(centre, u, way, terms)
             self.u_terms = coefficients(squares, terms)
@@ -65,12 +75,15 @@ class Panel:
 
     def square(self, x: Ball) -> Ball:
         """u; on an interval by the mean value theorem."""
+        return moving(self._square, x, lambda at: self.way * self.carrier.slope(self.angle(at), self._square(at)))
+
+    def _square(self, x: Ball) -> Ball:
         rough = polynomial(self.u_terms, x) + self.rest_u
         if x.is_exact():
             return rough
         middle = exact(x)
         slope = self.way * self.carrier.slope(self.angle(x), rough)
-        return (polynomial(self.u_terms, middle) + self.rest_u + slope * (x - middle)).intersection(rough)
+        return common(polynomial(self.u_terms, middle) + self.rest_u + slope * (x - middle), rough)
 
     def angle(self, x: Ball) -> Ball:
         """θ."""
@@ -78,6 +91,9 @@ class Panel:
 
     def time(self, x: Ball) -> Ball:
         """t."""
+        return moving(self._time, x, self.slowness)
+
+    def _time(self, x: Ball) -> Ball:
         middle = exact(x)
         found = self.t + polynomial(self.t_terms, middle) + self.rest_t
         if not x.is_exact():
@@ -105,20 +121,31 @@ class Panel:
         return arb(self.way)
 
     def energy(self, x: Ball) -> Ball:
-        """½ D θ̇² + V, which is stationary where slip stops."""
-        model, carrier, middle = self.carrier.model, self.carrier, exact(x)
-        found = []
-        for at, terms in ((middle, 1), (x, 2)):
-            with order(terms):
-                z = series([self.angle(at), self.way])
-                s, c = z.sin_cos()
-                u = carrier.square(self.angle(at), self.square(at), self.way, terms)
-                found.append(coefficients(model.inertia(c) * u / 2 + model.height(z, s, c), terms))
-        return found[0][0] + found[1][1] * (x - middle)
+        """Kinetic and potential energy in slip, which is stationary where v_t = 0, for friction then has no power."""
+        return moving(self._energy, x, self._power)
+
+    def _energy(self, x: Ball) -> Ball:
+        model, middle = self.carrier.model, exact(x)
+        th, om, vt = self.angle(middle), self.spin(middle), self.carrier.slides(self, middle)
+        s, c = th.sin_cos()
+        moving_along = vt * (om * (1 + model.eps * c) + vt / 2)
+        found = model.inertia(c) * om * om / 2 + moving_along + model.height(th, s, c)
+        return found if x.is_exact() else found + self._power(x) * (x - middle)
+
+    def _power(self, x: Ball) -> Ball:
+        """Of friction, over the rate of x."""
+        u = self.square(x)
+        return self.carrier.forces(self.angle(x), u).friction * self.carrier.slides(self, x) * u.rsqrt()
 
     def watch(self, x: Ball, terms: int) -> list[Jet]:
         """What must stay positive, as series in x."""
         return self.carrier.along(self, x, terms)
+
+
+def _rest(bound: Ball, by: list[Ball]) -> Ball:
+    """A remainder within a bound, and its derivatives within theirs."""
+    rest = symmetric(bound)
+    return Varied(rest, rest, tuple(symmetric(one) for one in by)) if by else rest
 
 
 class TurnPanel:

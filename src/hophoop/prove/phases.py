@@ -25,7 +25,8 @@ from hophoop.prove.model import Model, State
 from hophoop.prove.panels import LARGEST, SHARE, SMALLEST, Panel, TurnPanel, terms_for
 from hophoop.prove.rolling import TURN, Rolling, still
 from hophoop.prove.search import Root, exact, first_root
-from hophoop.prove.witness import Trail, bracket
+from hophoop.prove.varied import located, ranges
+from hophoop.prove.witness import Trail, Unrecorded, bracket
 
 LIMIT, SPAN, REST, SLIDE = "limit", "span", "rest", "slide"
 MOST_PIECES = 20_000
@@ -57,6 +58,15 @@ class Limits:
         return None if self.origin is None else 2 * pi() - way * (th - self.origin)
 
 
+@dataclass(frozen=True)
+class Found:
+    """The first event on a piece, its root, and the place as it varies over a box."""
+
+    what: str
+    root: Root
+    x: Ball
+
+
 class Phase(Protocol):
     """What a phase needs of the run."""
 
@@ -73,9 +83,6 @@ class Phase(Protocol):
 def roll(run: Phase) -> Iterator[Ended]:
     """Rolling up to the event that ends it; turning points are given on the way."""
     model, state, limits, energy = run.model, run.state, run.limits, run.energy
-    if model.resisted:
-        yield from travel(run, 0)
-        return
     while True:
         at_turn = bool(state.om.is_zero())
         way = still(model, state) if at_turn else sign(state.om, "θ̇")
@@ -112,7 +119,7 @@ def _roll_on(rolling: Rolling, limits: Limits) -> tuple[str, State, list[str] | 
             t = after
         if rolled.what is not None:
             state = _rolled(rolling, t, rolled.th)
-            around = None if rolled.bracket is None else bracket(rolled.th, *rolled.bracket)
+            around = None if rolled.bracket is None or not limits.timed else bracket(rolled.th, *rolled.bracket)
             return rolled.what, replace(state, om=arb(0)) if ends else state, around, turns
         base, fresh = rolled.th, False
         if model.level and limits.t_end is not None:  # what does not happen in a whole turn happens in none
@@ -170,28 +177,28 @@ def travel(run: Phase, sigma: int) -> Iterator[Ended]:
     if way == 0:
         way = sign(carrier.slope(state.th, arb(0)), "θ̈ of the hoop at rest")
         if way == 0:
-            yield _slide(carrier, limits) if isinstance(carrier, Slip) else Ended(REST, state, {})
+            yield slide(carrier, limits) if isinstance(carrier, Slip) else Ended(REST, state, {})
             return
         piece: Any = TurnPanel(carrier, state.th, -way)
         piece.t = state.t
         x, begun = arb(0), True
     else:
         centre = exact(state.th)
-        u = square_at(carrier, state.th, state.om * state.om, centre, run.energy)
+        u, _ = square_at(carrier, state.th, state.om * state.om, centre, run.energy)
         begin = begin_at(carrier, centre, u, way)
         carrier = carrier_of(model, sigma, begin)
-        piece = _panel(carrier, centre, way, u, begin.t)
+        piece = panel(carrier, centre, way, u, begin.t)
         turning = isinstance(piece, TurnPanel)
         x = -(way * (piece.turn - state.th)).sqrt() if turning else way * (state.th - centre)
         begun = False
-    trail = Trail(carrier, state.th)
+    trail = Trail(carrier, state.th) if limits.timed else Unrecorded()
     for _ in range(MOST_PIECES):
         if isinstance(piece, TurnPanel):
             if not begun:
-                root = _search(piece, zeros, x.lower(), arb(0), limits)
+                root = search(piece, zeros, x.lower(), arb(0), limits)
                 trail.turn(piece)
                 if root is not None:
-                    yield _ended(piece, root, trail)
+                    yield ended(piece, root, trail)
                     return
                 last_turn = limits.origin is not None or carrier.ends_at_turn
                 found = trail.record(TURN, None) if last_turn else {}
@@ -201,43 +208,43 @@ def travel(run: Phase, sigma: int) -> Iterator[Ended]:
                 zeros, x, way = [-1, -1], arb(0), -way
             else:
                 trail.turn(piece)
-            root = _search(piece, zeros, arb(0), exact(piece.reach.sqrt().lower() * 15 / 16), limits)
+            root = search(piece, zeros, arb(0), exact(piece.reach.sqrt().lower() * 15 / 16), limits)
             last = arb(float(piece.reach.sqrt().lower() * 7 / 8))
             if root is not None:
-                yield _ended(piece, root, trail)
+                yield ended(piece, root, trail)
                 return
             trail.leave(last)
             centre = exact(piece.angle(last))
             w = (way * (centre - piece.turn)).sqrt()
             u, t = w * w * piece.over(w), piece.time(w)
         else:
-            root = _search_panel(piece, zeros, x.lower(), limits)
+            root = search(piece, zeros, x.lower(), piece.reach, limits)
             trail.panel(piece)
             if root is not None:
-                yield _ended(piece, root, trail)
+                yield ended(piece, root, trail)
                 return
             centre = exact(piece.angle(piece.reach))
             x = way * (centre - piece.centre)
             u, t = piece.square(x), piece.time(x)
         zeros, begun, x = [-1, -1], False, arb(0)
-        piece = _panel(carrier, centre, way, u, t)
+        piece = panel(carrier, centre, way, u, t)
         if isinstance(piece, TurnPanel):
             x = -(way * (piece.turn - centre)).sqrt()
     raise Undecided(f"a phase takes more than {MOST_PIECES} panels")
 
 
-def _panel(carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
+def panel(carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
     """The panel that begins at an exact angle: one about a turning point where that is near."""
     slope = way * carrier.slope(centre, u)
     if slope < 0 and u / -slope < LARGEST / SHARE:
-        found = _turn_ahead(carrier, centre, way, u)
+        found = turn_ahead(carrier, centre, way, u)
         if found is not None:
             found.t = t - (found.time(-(way * (found.turn - centre)).sqrt()) - found.t)
             return found
     return Panel(carrier, centre, way, u, t)
 
 
-def _turn_ahead(carrier: Carrier, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
+def turn_ahead(carrier: Carrier, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
     """A panel about the turning point ahead, None where it does not reach back to the centre."""
     radius = arb(LARGEST)
     while (found := disc(carrier, centre, radius)) is None or not found.grow * radius < 1:
@@ -265,17 +272,9 @@ def _turn_ahead(carrier: Carrier, centre: Ball, way: int, u: Ball) -> TurnPanel 
     return panel if root.x < panel.reach else None
 
 
-def _search_panel(piece: Panel, zeros: list[int], begin: Ball, limits: Limits) -> tuple[str, Root] | None:
-    """The first event on a panel, or, where it cannot be told on which side of the panel's end it is, also beyond."""
-    try:
-        return _search(piece, zeros, begin, piece.reach, limits)
-    except Undecided:
-        if not piece.farthest > piece.reach:
-            raise
-    return _search(piece, zeros, begin, piece.farthest, limits)
-
-
-def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits) -> tuple[str, Root] | None:
+def search(
+    piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits, begun: bool = False
+) -> Found | None:
     """(what, where) of the first event on a piece."""
     names, known = piece.carrier.names, list(zeros)
     if limits.t_end is not None:
@@ -293,25 +292,29 @@ def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, 
             found.append(_padded([left, -way * piece.angle_rate(x)], terms))
         return found
 
+    def values(x: Ball, terms: int) -> list[Jet]:
+        return ranges(evaluate(x, terms))
+
     if not begin < end:
         return None
-    root = first_root(evaluate, known, exact(begin), exact(end), exact((end - begin) / 2))
-    return None if root is None else (names[root.index], root)
+    wide = piece.carrier.model.varying > 0
+    root = first_root(values, known, exact(begin), exact(end), exact((end - begin) / 2), wide, begun)
+    return None if root is None else Found(names[root.index], root, located(evaluate, root))
 
 
 def _padded(jet: Jet, terms: int) -> Jet:
     return jet[:terms] + [arb(0)] * (terms - len(jet))
 
 
-def _ended(piece: Panel | TurnPanel, found: tuple[str, Root], trail: Trail) -> Ended:
-    what, root = found
+def ended(piece: Panel | TurnPanel, found: Found, trail: Trail | Unrecorded) -> Ended:
+    what, x = found.what, found.x
     energy = None
-    if what == STOP and isinstance(piece, Panel) and not piece.carrier.model.resisted:
-        energy = piece.energy(root.x)
-    return Ended(what, piece.state(root.x, what == STOP), trail.record(what, root), energy)
+    if what == STOP and isinstance(piece, Panel) and not piece.carrier.ends_at_turn:
+        energy = piece.energy(x)
+    return Ended(what, piece.state(x, what == STOP), trail.record(what, found.root), energy)
 
 
-def _slide(carrier: Slip, limits: Limits) -> Ended:
+def slide(carrier: Slip, limits: Limits) -> Ended:
     """Slip at a constant angle."""
     begin, steady, still = carrier.begin, carrier.steady, carrier.begin.vt.is_zero()
     way = sign(steady, "v̇_t") * carrier.sigma

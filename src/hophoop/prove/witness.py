@@ -70,6 +70,23 @@ def extent(values: list[Ball], precise: int) -> float:
     return found
 
 
+class Unrecorded:
+    """No record, where no certificate is wanted."""
+
+    def panel(self, piece: Panel) -> None:
+        """A panel in the angle."""
+
+    def turn(self, piece: TurnPanel) -> None:
+        """A panel about a turning point."""
+
+    def leave(self, w: Ball) -> None:
+        """The turning point is left."""
+
+    def record(self, what: str, root: Root | None) -> dict[str, Any]:
+        """The record of the phase."""
+        return {}
+
+
 class Trail:
     """The pieces of a phase as they are proved, made into the record of a certificate."""
 
