@@ -21,6 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 VERSIONS = ("3.11", "3.12", "3.13", "3.14")
+NOTHING = "anything"  # what was tried with a Python that is not there
 # what asks for each extra, on the command line or in Python
 EXTRAS = {
     "plots": ["run", "--plot", "hop.png"],
@@ -165,7 +166,7 @@ def check_bounds(python: str, folder: Path, wheel: Path, lowest: bool) -> str:
     ]
     environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "cache")}
     environment.pop("PYTHONPATH", None)
-    words = ("-m", "pytest", "-q", "-p", "no:cacheprovider", "-m", "not slow")
+    words = ("-m", "pytest", "-q", "-p", "no:cacheprovider")  # without what is marked slow or long, as always
     done = sh(clean.bin / "python", *words, *tests, env=environment, cwd=ROOT)
     last = done.stdout.strip().splitlines()[-1] if done.stdout.strip() else f"ended with {done.returncode}"
     print(done.stdout[-3000:], done.stderr[-2000:])
@@ -199,7 +200,7 @@ def main() -> int:
         for version in VERSIONS if options.bounds != "only" else ():
             if version not in pythons:
                 if not options.python:
-                    rows.add(version, "anything", "not found on the machine: not tried")
+                    rows.missing(version)
                 continue
             for what, came in check_surroundings(Clean(pythons[version], folder / version, wheel)).items():
                 rows.add(version, what, came)
@@ -222,10 +223,16 @@ class Rows:
         self.rows = {tuple(cells[1:3]): cells[3] for cells in ([cell.strip() for cell in line.split("|")] for line in lines)}
 
     def add(self, version: str, what: str, came: str) -> None:
-        """A row, in place of one of the same."""
+        """A row, in place of one of the same, and of one that says that there was no such Python."""
+        self.rows.pop((f"Python {version}", NOTHING), None)
         self.rows[f"Python {version}", what] = came
         if self.file is not None:
             self.file.write_text(self.text(), encoding="utf-8")
+
+    def missing(self, version: str) -> None:
+        """Say that there is no such Python, unless it was tried before."""
+        if not any(where == f"Python {version}" for where, _ in self.rows):
+            self.add(version, NOTHING, "not found on the machine: not tried")
 
     def text(self) -> str:
         """Markdown, by versions."""

@@ -24,7 +24,7 @@ from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
-from hophoop._jit import beside, store
+from hophoop._jit import beside, signals, store
 from hophoop._jit.kernels import Namespaces, Source
 
 
@@ -189,9 +189,9 @@ def compile_for(kernel: Source, kinds: Any) -> None:
     dispatcher = entry(kernel)
     there = store.is_ready(kernel, kinds)
     # one process at a time compiles it; the next loads what that one has made
-    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection():
+    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection(), signals.kept():
         dispatcher.compile(tuple(numba_type(kind) for kind in kinds))
-    store.note_ready(kernel, kinds)
+        store.note_ready(kernel, kinds)
 
 
 def load(kernel: Source, kinds: Any, unknown: Callable[..., Any]) -> Callable[..., Any]:
