@@ -1,5 +1,6 @@
 """What the kernels' decorators promise: interpreted at first, compiled when worth it, the same bits either way."""
 
+import errno
 import json
 import math
 import multiprocessing
@@ -12,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numba.core import registry
+from numba.core import caching, registry
 
 import hophoop as hh
 import small_kernels
@@ -234,6 +235,38 @@ def test_without_a_home_and_with_nothing_writable(monkeypatch, tmp_path):
         assert folder.is_dir()
     finally:
         store.root_folder.cache_clear()
+
+
+ARGUMENTS = (1000, np.empty(1))
+KINDS = tuple(describe(value) for value in ARGUMENTS)
+
+
+@pytest.mark.parametrize("failing", ["_save_index", "_save_data"])
+def test_a_full_disk_for_compiled_code_is_no_error(fresh, monkeypatch, failing):
+    """Every command ended with 'No space left on device', though nothing was to be saved."""
+
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(caching.IndexDataCacheFile, failing, full)
+    dispatchers.compile_for(small_kernels.summed, KINDS)
+    assert not store.is_ready(small_kernels.summed, KINDS)
+    assert dispatchers.entry(small_kernels.summed)(*ARGUMENTS) == 499500.0
+
+
+@pytest.mark.parametrize("name", ["*.nbc", "*.nbi"])
+def test_compiled_code_that_was_cut_short_is_made_again(fresh, monkeypatch, name):
+    """As a power failure leaves files: every later command ended with 'Ran out of input'."""
+    for length in (0, 60):
+        dispatchers.compile_for(small_kernels.summed, KINDS)
+        [file] = store.folder_of(small_kernels.summed).rglob(name)
+        file.write_bytes(file.read_bytes()[:length])
+        for hits in (0, 1):
+            monkeypatch.setattr(dispatchers, "_entries", {})
+            dispatchers.compile_for(small_kernels.summed, KINDS)
+            made = dispatchers.entry(small_kernels.summed)
+            assert sum(made.stats.cache_hits.values()) == hits
+            assert made(*ARGUMENTS) == 499500.0
 
 
 def with_constant(constant):
