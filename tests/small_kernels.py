@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import apart_jit, inline_jit, jit, lean_jit, outer_jit
+from hophoop._jit import apart_jit, inline_jit, jit, lean_jit, outer_jit, unit_jit
 
 FACTOR = 3.0
 
@@ -27,6 +27,16 @@ def summed(count, out):
         total += passed(float(i))
     out[0] = total
     return total
+
+
+@unit_jit
+def by_itself(value):
+    return FACTOR * value
+
+
+@jit
+def with_a_unit(value):
+    return by_itself(value) + 1.0
 
 
 @jit

@@ -24,7 +24,8 @@ from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering, NopythonRewrites
 
-from hophoop._jit import beside, store
+from hophoop._jit import beside, signals, store
+from hophoop._jit.disk import DiskCache
 from hophoop._jit.kernels import Namespaces, Source
 
 
@@ -154,7 +155,7 @@ _PART_COMPILERS = {
 
 
 def _dispatcher(kernel: Source, function: FunctionType, entry: bool) -> Any:
-    options: dict[str, Any] = {"error_model": "numpy", "nogil": True, "cache": entry}
+    options: dict[str, Any] = {"error_model": "numpy", "nogil": True}
     if not kernel.options.nrt:
         options["_nrt"] = False
     # also where it is False: what is first called by a part that is inlined would inherit it, everywhere
@@ -168,6 +169,8 @@ def _dispatcher(kernel: Source, function: FunctionType, entry: bool) -> Any:
     config.CACHE_DIR = str(store.folder_of(kernel)) if entry else before
     try:
         dispatcher = numba.njit(**options)(function)
+        if entry:
+            dispatcher._cache = DiskCache(function)
     finally:
         config.CACHE_DIR = before
     general = dispatcher.get_call_template
@@ -222,9 +225,10 @@ def compile_for(kernel: Source, kinds: Any) -> None:
     dispatcher = entry(kernel)
     there = store.is_ready(kernel, kinds)
     # one process at a time compiles it; the next loads what that one has made
-    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection():
+    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection(), signals.kept():
         dispatcher.compile(tuple(numba_type(kind) for kind in kinds))
-    store.note_ready(kernel, kinds)
+        if dispatcher._cache.complete:
+            store.note_ready(kernel, kinds)
 
 
 def load(kernel: Source, kinds: Any, unknown: Callable[..., Any]) -> Callable[..., Any]:
@@ -286,12 +290,11 @@ def main() -> None:
 
 @contextlib.contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / "lock", "a+b") as file:
-        try:
+    with contextlib.ExitStack() as stack:
+        # where there is no such lock (Windows), or no room for its file, both compile, and write whole files
+        with contextlib.suppress(ImportError, OSError):
             import fcntl
-        except ImportError:  # Windows: both compile, and write whole files
-            yield
-            return
-        fcntl.flock(file, fcntl.LOCK_EX)
+
+            folder.mkdir(parents=True, exist_ok=True)
+            fcntl.flock(stack.enter_context(open(folder / "lock", "a+b")), fcntl.LOCK_EX)
         yield

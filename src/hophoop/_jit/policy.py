@@ -24,7 +24,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from hophoop._jit import beside, store
+from hophoop._jit import beside, signals, store
 from hophoop._jit.kernels import Namespaces, Options, Source, describe
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -147,7 +147,8 @@ class Kernel(Source):
     def load(self, kinds: Any) -> Callable[..., Any]:
         """Compiled code for arguments of such kinds, waited for where there is none yet."""
         if kinds not in self._loaded:
-            from hophoop._jit import dispatchers
+            with signals.kept():
+                from hophoop._jit import dispatchers
 
             self._target = dispatchers.load(self, kinds, self._unknown)
             self._loaded[kinds] = self._target
