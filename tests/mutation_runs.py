@@ -21,7 +21,7 @@ import resource
 import signal
 import sys
 from collections import Counter, defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from types import FunctionType
 from typing import Any, NamedTuple
@@ -34,6 +34,7 @@ from mutation_reach import Reach, noted, silence
 SECONDS = 4.0
 WAITS = 30.0  # times more
 LONGEST = 5.0  # s; a test that takes longer without a change is left out
+BRIEF = 1.0  # s that the tests of a change take that nothing can see, as is said
 MEMORY = 8 * 2**30  # bytes; what eats more has been seen
 WORDS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", "-s", "-W", "ignore")
 
@@ -64,6 +65,7 @@ class Tests(NamedTuple):
     paths: Sequence[str]
     patience: float  # s that the tests of one change take together, without the change; one test may take longer
     reach: Path  # where it is kept which test comes to which statement
+    explained: Collection[tuple[str, str, str, str]]  # changes that nothing can see, as is said: tried briefly
     compiled: bool  # whether kernels are: they are loaded before the processes part
 
 
@@ -205,7 +207,7 @@ class Runner:
         changed = functions[str(mutant.path), mutant.function]
         if not changed:
             raise SystemExit(f"{mutant.function} of {mutant.path.name} is not in memory.")
-        items = within(items, reach.took, self.tests.patience)
+        items = within(items, reach.took, BRIEF if mutant.key in self.tests.explained else self.tests.patience)
         which = mmap.mmap(-1, 8)  # the test that fails, told by the child
 
         def seen() -> int:

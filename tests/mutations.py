@@ -62,7 +62,11 @@ ROOMS = {
         ("tests/test_io.py", "tests/files/test_reading.py", "tests/files/test_written_whole.py"),
         False,
     ),
-    "maps/store": Room(("maps/store.py",), ("tests/maps/test_maps_store.py", "tests/maps/test_maps_hostile.py"), False),
+    "maps/store": Room(
+        ("maps/store.py",),
+        ("tests/maps/test_maps_store.py", "tests/maps/test_maps_hostile.py", "tests/maps/test_maps_pieces.py"),
+        False,
+    ),
 }
 
 
@@ -121,7 +125,7 @@ def try_room(name: str, modules: list[str], sample: int, only_reach: bool, resul
     if only_reach:
         missing = []
     if missing or only_reach:
-        run_all(missing, names, Tests(room.tests, room.patience, reach, not room.interpreted), report)
+        run_all(missing, names, Tests(room.tests, room.patience, reach, EXPLAINED, not room.interpreted), report)
     found = []
     for mutant in () if only_reach else made:
         entry = journal.entry(mutant)
