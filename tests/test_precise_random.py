@@ -36,7 +36,7 @@ def disagreement(index: int) -> str:
     return ""
 
 
-@pytest.mark.parametrize("index", [i for i in range(30) if i not in LEFT_OUT])
+@pytest.mark.parametrize("index", [i for i in range(30) if i not in LEFT_OUT | {15}])  # 15 takes as long as all others
 def test_random_motion(index):
     """A few dozen in every run."""
     assert disagreement(index) == ""
