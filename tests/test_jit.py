@@ -117,6 +117,11 @@ def test_code_on_disk_is_loaded_when_patience_is_over(fresh, monkeypatch):
     assert small_kernels.summed(*arguments) == 499500.0
     assert small_kernels.summed._loaded
     assert not beside._jobs
+    # and at once when interpreted calls have come between
+    with forced("interpreted"):
+        assert small_kernels.summed(*arguments) == 499500.0
+    assert small_kernels.summed(*arguments) == 499500.0
+    assert small_kernels.summed._target in small_kernels.summed._loaded.values()
 
 
 def test_other_arguments_begin_interpreted_again(fresh):

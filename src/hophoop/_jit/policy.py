@@ -150,9 +150,9 @@ class Kernel(Source):
             with signals.kept():
                 from hophoop._jit import dispatchers
 
-            self._target = dispatchers.load(self, kinds, self._unknown)
-            self._loaded[kinds] = self._target
-        return self._loaded[kinds]
+            self._loaded[kinds] = dispatchers.load(self, kinds, self._unknown)
+        self._target = self._loaded[kinds]
+        return self._target
 
     def _choose(self, *arguments: Any) -> Any:
         wanted = mode()
@@ -160,7 +160,7 @@ class Kernel(Source):
             self._target = self._interpret
             return self._interpret(*arguments)
         kinds = tuple(describe(value) for value in arguments)
-        if wanted == "compiled":
+        if wanted == "compiled" or kinds in self._loaded:
             return self.load(kinds)(*arguments)
         call = self._calls.get(kinds)
         if call is None:
