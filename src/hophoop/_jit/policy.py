@@ -24,7 +24,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from hophoop._jit import beside, store
+from hophoop._jit import beside, signals, store
 from hophoop._jit.kernels import Namespaces, Options, Source, describe
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -147,11 +147,12 @@ class Kernel(Source):
     def load(self, kinds: Any) -> Callable[..., Any]:
         """Compiled code for arguments of such kinds, waited for where there is none yet."""
         if kinds not in self._loaded:
-            from hophoop._jit import dispatchers
+            with signals.kept():
+                from hophoop._jit import dispatchers
 
-            self._target = dispatchers.load(self, kinds, self._unknown)
-            self._loaded[kinds] = self._target
-        return self._loaded[kinds]
+            self._loaded[kinds] = dispatchers.load(self, kinds, self._unknown)
+        self._target = self._loaded[kinds]
+        return self._target
 
     def _choose(self, *arguments: Any) -> Any:
         wanted = mode()
@@ -159,7 +160,7 @@ class Kernel(Source):
             self._target = self._interpret
             return self._interpret(*arguments)
         kinds = tuple(describe(value) for value in arguments)
-        if wanted == "compiled":
+        if wanted == "compiled" or kinds in self._loaded:
             return self.load(kinds)(*arguments)
         call = self._calls.get(kinds)
         if call is None:
