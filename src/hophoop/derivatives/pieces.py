@@ -10,7 +10,7 @@ from hophoop.derivatives.massless import follow_skim
 from hophoop.derivatives.moving import accelerations, follow_flight, follow_hold, step_along
 from hophoop.derivatives.panels import follow_panel, prepare_panel
 from hophoop.numerics.trigonometry import sine_cosine
-from hophoop.panels.panel import FLY, HOLD, LEAVE, SKIMMING
+from hophoop.panels.panel import FLY, HOLD, LEAVE, SKIMMING, fill_inside
 from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state
 from hophoop.records.state import flown, moved, with_velocities
@@ -73,6 +73,8 @@ def from_rest(body, mode, begin, z):
 def follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local):
     """Carry all directions to ξ of a prepared panel; returns the state there."""
     begin = state_of(row)
+    if -1.0 < xi < 1.0:
+        fill_inside(panel, scratch.work)
     end = state_on_panel(body, panel, totals, begin, xi, scratch)
     if panel.kind == LEAVE:
         from_rest(body, row["mode"], begin, z)
