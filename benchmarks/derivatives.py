@@ -16,9 +16,9 @@ import hophoop as hh
 from hophoop._jit import compiled
 from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.layout import CARRIED, KEPT
-from hophoop.derivatives.panels import ROWS
 from hophoop.derivatives.parameters import directions_of
 from hophoop.derivatives.replay import replay
+from hophoop.derivatives.rows import ROWS
 from hophoop.numerics.collocation import ORDER
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import contextlib
 import itertools
 from collections.abc import Iterator
 from pathlib import Path
@@ -53,26 +54,40 @@ def mutants(path: Path) -> list[Mutant]:
     from cosmic_ray.plugins import get_operator
 
     text = path.read_text(encoding="utf-8")
-    plain = _meaning(text)
     places = functions(text)
     found = []
-    for name in OPERATORS:
-        operator = get_operator(f"core/{name}")()
-        count = sum(len(list(operator.mutation_positions(node))) for node in _nodes(get_ast(text)))
-        for k in range(count):
-            source = mutate_code(text, operator, k)
-            try:
-                if source is None or _meaning(source) == plain:
-                    continue
-            except SyntaxError:
-                continue
-            # what stands on one line for us may stand on several for Python
-            line = next(
-                i for i, pair in enumerate(itertools.zip_longest(text.split("\n"), source.split("\n")), 1) if len(set(pair)) > 1
-            )
-            before, after = text.split("\n")[line - 1], source.split("\n")[line - 1]
-            found.append(Mutant(path, places.get(line, ""), line, before.strip(), " ".join(after.split()), source))
+    before = ""
+    # one statement of the module at a time: to parse it all for each change takes long
+    for child in get_ast(text).children:
+        chunk = child.get_code()
+        after = text[len(before) + len(chunk) :]
+        found += [
+            _mutant(path, text, before + changed + after, places)
+            for name in OPERATORS
+            for changed in _changes(chunk, get_operator(f"core/{name}")(), get_ast, mutate_code)
+        ]
+        before += chunk
     return sorted(found, key=lambda one: one.line)
+
+
+def _changes(chunk: str, operator: Any, get_ast: Any, mutate_code: Any) -> Iterator[str]:
+    """What an operator makes of some statements, where that means something else."""
+    count = sum(len(list(operator.mutation_positions(node))) for node in _nodes(get_ast(chunk)))
+    plain = _meaning(chunk) if count else ""
+    for k in range(count):
+        changed = mutate_code(chunk, operator, k)
+        with contextlib.suppress(SyntaxError):
+            if changed is not None and _meaning(changed) != plain:
+                yield changed
+
+
+def _mutant(path: Path, text: str, source: str, places: dict[int, str]) -> Mutant:
+    # what stands on one line for us may stand on several for Python
+    line = next(
+        i for i, pair in enumerate(itertools.zip_longest(text.split("\n"), source.split("\n")), 1) if len(set(pair)) > 1
+    )
+    before, after = text.split("\n")[line - 1], source.split("\n")[line - 1]
+    return Mutant(path, places.get(line, ""), line, before.strip(), " ".join(after.split()), source)
 
 
 def _nodes(node: Any) -> Iterator[Any]:

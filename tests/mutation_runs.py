@@ -1,35 +1,40 @@
 """Tests run with one change of the source after the other, each in a process of its own that is forked when all is imported.
 
-A first run without a change notes which test calls which function. A module of tests may have a function `before_changes`,
-which computes once what it compares with, and calls nothing that is changed. A change within a function is then made by giving
-the function other code, and only the tests that call it are run, the quickest first. A change outside of functions is made
-as the module is imported, with all tests.
+A first run without a change notes which test comes to which statement (`mutation_reach`). A module of tests may have a function
+`before_changes`, which computes once what it compares with, and calls nothing that is changed. A change within a function is
+then made by giving the function other code, and only the tests that come to the changed statement are run, those first that saw
+other changes of the function, then the quickest, until one fails. A change outside of functions is made as the module is
+imported, with all tests, those of the module first.
 """
 
 from __future__ import annotations
 
 import contextlib
 import gc
+import importlib
 import importlib.abc
 import importlib.util
 import json
+import mmap
 import os
 import resource
 import signal
 import sys
-import time
-from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from types import FunctionType
-from typing import Any
+from typing import Any, NamedTuple
 
 from mutants import Mutant, codes
+from mutation_reach import Reach, noted, silence
 
-# s of the processor, which others may share, that tests may take with one change, beside ten times what they took without: what
+# s of the processor, which others may share, that a test may take with a change, beside ten times what it took without: what
 # never ends has been seen. What waits without computing is given more of the clock's.
 SECONDS = 4.0
 WAITS = 30.0  # times more
+LONGEST = 5.0  # s; a test that takes longer without a change is left out
+BRIEF = 1.0  # s that the tests of a change take that nothing can see, as is said
 MEMORY = 8 * 2**30  # bytes; what eats more has been seen
 WORDS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", "-s", "-W", "ignore")
 
@@ -54,32 +59,21 @@ class Found(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         exec(compile(self.mutant.source, module.__file__, "exec"), module.__dict__)
 
 
-def run_anew(made: Sequence[Mutant], names: dict[Path, str], tests: Sequence[str], report: Report) -> None:
-    """Changes outside of functions: Python starts with the changed module, and all tests run."""
-    for mutant in made:
-        # the tests of the module itself first: they mostly see it, and start quickly
-        own = [str(file) for test in tests for file in Path(test).glob(f"test_{mutant.path.stem}.py")]
-        status = 0
-        for some in [own, list(tests)] if own else [list(tests)]:
+class Tests(NamedTuple):
+    """What is run for a change."""
 
-            def seen(mutant: Mutant = mutant, some: list[str] = some) -> int:
-                import pytest
-
-                _limit(4.0 * SECONDS)
-                sys.meta_path.insert(0, Found(names[mutant.path], mutant))
-                return int(pytest.main([*WORDS, *some]))
-
-            status = status or _forked(seen)
-        report(mutant, UNSEEN if status == 0 else SEEN)
+    paths: Sequence[str]
+    patience: float  # s that the tests of one change take together, without the change; one test may take longer
+    reach: Path  # where it is kept which test comes to which statement
+    explained: Collection[tuple[str, str, str, str]]  # changes that nothing can see, as is said: tried briefly
+    compiled: bool  # whether kernels are: they are loaded before the processes part
 
 
-def _limit(seconds: float) -> None:
-    signal.setitimer(signal.ITIMER_PROF, seconds)
-    signal.setitimer(signal.ITIMER_REAL, WAITS * seconds)
+def run_all(made: Sequence[Mutant], names: dict[Path, str], tests: Tests, report: Report) -> None:
+    """Try changes of modules that have these names.
 
-
-def run_within(made: Sequence[Mutant], tests: Sequence[str], report: Report) -> None:
-    """Changes within functions, from a process that keeps what is imported there to itself."""
+    Here nothing of hophoop is imported: all of it is left to processes forked from this one.
+    """
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -88,64 +82,159 @@ def run_within(made: Sequence[Mutant], tests: Sequence[str], report: Report) -> 
             numbers = {id(mutant): k for k, mutant in enumerate(made)}
 
             def tell(mutant: Mutant, status: str) -> None:
-                stream.write(f"{numbers[id(mutant)]} {status}\n")
+                stream.write(json.dumps([numbers[id(mutant)], status]) + "\n")
                 stream.flush()
 
             with contextlib.suppress(SystemExit):
-                _run_within(made, tests, tell)
+                runner = Runner([one for one in made if one.function], names, tests, tell)
+                _run_within(runner)
+                stream.write(json.dumps(runner.orders) + "\n")
                 status = 0
         os._exit(status)
     os.close(writing)
+    orders: dict[str, list[str]] = {}
     with os.fdopen(reading) as stream:
         for line in stream:
-            number, status = line.split()
-            report(made[int(number)], status)
+            told = json.loads(line)
+            if isinstance(told, dict):
+                orders = told
+            else:
+                report(made[told[0]], told[1])
     if os.waitpid(child, 0)[1] != 0:
         raise SystemExit("The tests do not run or do not pass without a change.")
+    for mutant in made:
+        if not mutant.function:
+            report(
+                mutant, UNSEEN if _run_anew(mutant, names[mutant.path], tests.paths, orders[str(mutant.path)]) == 0 else SEEN
+            )
 
 
-def _run_within(made: Sequence[Mutant], tests: Sequence[str], report: Report) -> None:
+def _run_anew(mutant: Mutant, name: str, tests: Sequence[str], order: Sequence[str]) -> int:
+    """The status of all tests where the changed module is imported."""
+    places = {node: k for k, node in enumerate(order)}
+
+    class Order:
+        """Only the tests of that order, in that order."""
+
+        def pytest_collection_modifyitems(self, items: list[Any]) -> None:
+            """Sort them."""
+            items[:] = sorted((one for one in items if one.nodeid in places), key=lambda one: places[one.nodeid])
+            _shorten(items)
+
+    def seen() -> int:
+        import pytest
+
+        _limit(WAITS * SECONDS)
+        sys.meta_path.insert(0, Found(name, mutant))
+        return int(pytest.main([*WORDS, *tests], plugins=[Order()]))
+
+    return _forked(seen)
+
+
+def _limit(seconds: float) -> None:
+    signal.setitimer(signal.ITIMER_PROF, seconds)
+    signal.setitimer(signal.ITIMER_REAL, WAITS * seconds)
+
+
+def _shorten(items: Sequence[Any]) -> None:
+    """Hypothesis stops at the first counterexample: nobody reads a shorter one here."""
+    from hypothesis import Phase, settings
+
+    for item in items:
+        function = getattr(item, "obj", None)
+        function = getattr(function, "__func__", function)
+        before = getattr(function, "_hypothesis_internal_use_settings", None)
+        if before is not None:
+            phases = tuple(phase for phase in before.phases if phase in (Phase.explicit, Phase.generate))
+            function._hypothesis_internal_use_settings = settings(before, phases=phases, report_multiple_bugs=False)  # type: ignore[union-attr]
+
+
+def _run_within(runner: Runner) -> None:
     import pytest
 
-    runner = Runner(made, report)
-    status = pytest.main([*WORDS, *tests], plugins=[runner])
+    for name in runner.names.values():
+        importlib.import_module(name)
+    if runner.tests.compiled:
+        _load_kernels()
+    status = pytest.main([*WORDS, *runner.tests.paths], plugins=[runner])
     if status != 0 or not runner.ran:
         print(f"pytest ends with {status}.", file=sys.stderr)
         raise SystemExit(1)
 
 
+def _load_kernels() -> None:
+    import hophoop
+
+    for contact in (hophoop.Rigid(), hophoop.Compliant()):
+        hophoop.simulate(hophoop.Scenario(duration=0.01, contact=contact)).at(0.01)
+
+
 class Runner:
     """A plugin of pytest that takes the place of its loop over the tests."""
 
-    def __init__(self, made: Sequence[Mutant], report: Report) -> None:
+    def __init__(self, made: Sequence[Mutant], names: dict[Path, str], tests: Tests, report: Report) -> None:
         self.made = made
+        self.names = names
+        self.tests = tests
         self.report = report
         self.ran = False
+        self.orders: dict[str, list[str]] = {}  # tests of each module, the most telling first
+        self.wins: Counter[tuple[Path, str, int]] = Counter()  # changes of a function that a test saw
 
     def pytest_runtestloop(self, session: Any) -> bool:
-        """Note who calls what, then run the tests of each change."""
+        """Note who comes where, then run the tests of each change."""
         if session.testsfailed:
             return True
-        calls, took = _noted(session, {str(mutant.path) for mutant in self.made})
-        functions = _functions({str(mutant.path) for mutant in self.made})
+        _shorten(session.items)
+        reach = noted(session, {str(path) for path in self.names}, LONGEST, self.tests.reach)
+        print(f"... {len(reach.known())} of {len(reach.took)} tests are quick enough", file=sys.stderr, flush=True)
+        functions = _functions({str(path) for path in self.names})
         for module in {item.module for item in session.items if hasattr(item, "module")}:
             getattr(module, "before_changes", lambda: None)()
         gc.collect()
         gc.freeze()
         for mutant in self.made:
-            items = sorted(calls.get((str(mutant.path), mutant.function), ()), key=lambda k: took[k])
-            if not items:
-                self.report(mutant, UNREACHED)
-                continue
-
-            def seen(mutant: Mutant = mutant, items: list[int] = items) -> int:
-                _limit(SECONDS + 10.0 * sum(took[k] for k in items))
-                _change(mutant, functions[str(mutant.path), mutant.function])
-                return _run(session, items)
-
-            self.report(mutant, UNSEEN if _forked(seen) == 0 else SEEN)
+            self.report(mutant, self._status(mutant, session, reach, functions))
+        self.orders = {str(path): self._order(path, session, reach) for path in self.names}
         self.ran = True
         return True
+
+    def _status(self, mutant: Mutant, session: Any, reach: Reach, functions: dict[tuple[str, str], list[FunctionType]]) -> str:
+        key = (mutant.path, mutant.function)
+        items = sorted(reach.tests(mutant.path, mutant.line), key=lambda k: reach.took[k] / (1.0 + 5.0 * self.wins[*key, k]))
+        if not items:
+            return UNREACHED
+        changed = functions[str(mutant.path), mutant.function]
+        if not changed:
+            raise SystemExit(f"{mutant.function} of {mutant.path.name} is not in memory.")
+        items = within(items, reach.took, BRIEF if mutant.key in self.tests.explained else self.tests.patience)
+        which = mmap.mmap(-1, 8)  # the test that fails, told by the child
+
+        def seen() -> int:
+            _change(mutant, changed)
+            return _run(session, items, reach.took, which)
+
+        if _forked(seen) == 0:
+            return UNSEEN
+        self.wins[*key, int.from_bytes(which[:8], "big")] += 1
+        return SEEN
+
+    def _order(self, path: Path, session: Any, reach: Reach) -> list[str]:
+        touching = reach.touching(path)
+        own = {k for k, item in enumerate(session.items) if item.path.stem == f"test_{path.stem}"}
+        known = sorted(reach.known(), key=lambda k: (k not in own, k not in touching, reach.took[k]))
+        return [session.items[k].nodeid for k in within(known, reach.took, self.tests.patience)]
+
+
+def within(items: Sequence[int], took: Sequence[float], patience: float) -> list[int]:
+    """The first of some tests that together take no longer than that, at least one."""
+    chosen, total = [], 0.0
+    for k in items:
+        total += took[k]
+        if chosen and total > patience:
+            break
+        chosen.append(k)
+    return chosen
 
 
 def _change(mutant: Mutant, functions: Sequence[FunctionType]) -> None:
@@ -163,84 +252,17 @@ def _functions(files: set[str]) -> dict[tuple[str, str], list[FunctionType]]:
     return found
 
 
-def _run(session: Any, indices: Sequence[int]) -> int:
+def _run(session: Any, indices: Sequence[int], took: Sequence[float], which: mmap.mmap) -> int:
     """1 as soon as a test fails, 0 if none does."""
-    items = [session.items[k] for k in indices]
-    for k, item in enumerate(items):
-        following = items[k + 1] if k + 1 < len(items) else None
+    for at, k in enumerate(indices):
+        item = session.items[k]
+        which[:8] = k.to_bytes(8, "big")
+        _limit(SECONDS + 10.0 * took[k])
+        following = session.items[indices[at + 1]] if at + 1 < len(indices) else None
         item.config.hook.pytest_runtest_protocol(item=item, nextitem=following)
         if session.testsfailed:
             return 1
     return 0
-
-
-def _noted(session: Any, files: set[str]) -> tuple[dict[tuple[str, str], set[int]], list[float]]:
-    """Which tests call which function, and how long each test takes; found in a process of its own."""
-    reading, writing = os.pipe()
-    child = os.fork()
-    if child == 0:
-        status = 1
-        with contextlib.suppress(BaseException), _silence():
-            text = json.dumps(_note(session, files))
-            status = int(session.testsfailed > 0)
-            with os.fdopen(writing, "w") as stream:
-                stream.write(text)
-        os._exit(status)
-    os.close(writing)
-    with os.fdopen(reading) as stream:
-        text = stream.read()
-    _, status = os.waitpid(child, 0)
-    if status != 0:
-        raise SystemExit("A test fails without a change, or cannot run.")
-    took, called = json.loads(text)
-    return {(file, function): set(items) for file, function, items in called}, took
-
-
-def _note(session: Any, files: set[str]) -> tuple[list[float], list[tuple[str, str, list[int]]]]:
-    import pytest
-
-    items = session.items
-    called: dict[tuple[str, str], set[int]] = defaultdict(set)
-    by_fixture: dict[Any, set[tuple[str, str]]] = defaultdict(set)
-    now: list[set[tuple[str, str]]] = []
-
-    def profile(frame: Any, event: str, argument: Any) -> None:
-        if event == "call" and frame.f_code.co_filename in files and now:
-            now[-1].add((frame.f_code.co_filename, frame.f_code.co_qualname.partition(".<locals>")[0]))
-
-    class Fixtures:
-        """What a fixture calls counts for every test that has it."""
-
-        @pytest.hookimpl(wrapper=True)
-        def pytest_fixture_setup(self, fixturedef: Any, request: Any) -> Any:
-            now.append(by_fixture[fixturedef])
-            try:
-                return (yield)
-            finally:
-                now.pop()
-
-    session.config.pluginmanager.register(Fixtures())
-    took = []
-    sys.setprofile(profile)
-    try:
-        for k, item in enumerate(items):
-            own: set[tuple[str, str]] = set()
-            now.append(own)
-            began = time.process_time()
-            item.config.hook.pytest_runtest_protocol(item=item, nextitem=items[k + 1] if k + 1 < len(items) else None)
-            took.append(time.process_time() - began)
-            now.pop()
-            for key in own:
-                called[key].add(k)
-    finally:
-        sys.setprofile(None)
-    for k, item in enumerate(items):
-        info = getattr(item, "_fixtureinfo", None)
-        for definitions in info.name2fixturedefs.values() if info else ():
-            for definition in definitions:
-                for key in by_fixture.get(definition, ()):
-                    called[key].add(k)
-    return took, [(*key, sorted(found)) for key, found in called.items()]
 
 
 def _forked(work: Callable[[], int]) -> int:
@@ -248,17 +270,9 @@ def _forked(work: Callable[[], int]) -> int:
     child = os.fork()
     if child == 0:
         status = 1
-        with contextlib.suppress(BaseException), _silence():
+        with contextlib.suppress(BaseException), silence():
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
             status = work()
         os._exit(min(status, 9))
     _, status = os.waitpid(child, 0)
     return status
-
-
-@contextlib.contextmanager
-def _silence() -> Iterator[None]:
-    with open(os.devnull, "w") as nothing:
-        for number in (1, 2):
-            os.dup2(nothing.fileno(), number)
-        yield

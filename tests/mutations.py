@@ -2,18 +2,22 @@
 
 The operators of Cosmic Ray (signs, factors, comparisons, numbers, conditions, loops) change one place of a room at a time, and
 the tests of that room run. A change that no test sees is printed, and makes the exit status 1, unless
-`mutations_explained.py` says why nothing can see it. Kernels are interpreted (NUMBA_DISABLE_JIT=1), but for maps.
+`mutations_explained.py` says why nothing can see it. Kernels are interpreted (NUMBA_DISABLE_JIT=1) where they are
+changed.
 
 Cosmic Ray's own runner starts Python for every change, which takes longer here than the tests: `mutation_runs.py` forks
-where all is imported.
+where all is imported. What came is kept in tests/results, so that a run that was stopped goes on.
 """
 
 from __future__ import annotations
 
 import argparse
 import importlib
+import importlib.metadata
 import json
+import math
 import os
+import platform
 import random
 import subprocess
 import sys
@@ -21,12 +25,14 @@ import time
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from mutants import Mutant, mutants
-from mutation_runs import SEEN, UNREACHED, run_anew, run_within
+from mutants import Mutant
+from mutation_journal import Journal, digest, digest_of_tests, kept_mutants
+from mutation_runs import SEEN, UNREACHED, Tests, run_all
 from mutations_explained import EXPLAINED
 
 ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "hophoop"
+RESULTS = ROOT / "tests" / "results"
 
 
 class Room(NamedTuple):
@@ -35,21 +41,32 @@ class Room(NamedTuple):
     sources: tuple[str, ...]
     tests: tuple[str, ...]
     interpreted: bool = True
+    sample: int = 0  # changes drawn at random; 0 for all
+    patience: float = 20.0  # s of tests for one change
 
 
 ROOMS = {
     "physics": Room(("physics/*.py",), ("tests/physics",)),
-    "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics")),
+    "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics"), sample=400),
     "derivatives": Room(
         tuple(
             f"derivatives/{name}.py"
             for name in ("conditions", "impact", "massless", "moving", "panels", "pieces", "replay", "sampling")
         ),
         ("tests/derivatives",),
+        sample=300,
     ),
-    "scenario": Room(("scenario/*.py",), ("tests/scenario",)),
-    "io": Room(("io.py", "export.py", "_files.py", "_checksum.py"), ("tests/test_io.py", "tests/files")),
-    "maps/store": Room(("maps/store.py",), ("tests/maps/test_maps_store.py", "tests/maps/test_maps_hostile.py"), False),
+    "scenario": Room(("scenario/*.py",), ("tests/scenario",), False),
+    "io": Room(
+        ("io.py", "export.py", "_files.py", "_checksum.py"),
+        ("tests/test_io.py", "tests/files/test_reading.py", "tests/files/test_written_whole.py"),
+        False,
+    ),
+    "maps/store": Room(
+        ("maps/store.py",),
+        ("tests/maps/test_maps_store.py", "tests/maps/test_maps_hostile.py", "tests/maps/test_maps_pieces.py"),
+        False,
+    ),
 }
 
 
@@ -61,14 +78,12 @@ def paths_of(room: Room) -> list[Path]:
     return sorted(path for pattern in room.sources for path in SOURCE.glob(pattern) if path.stem != "__init__")
 
 
-def try_room(name: str, modules: list[str], sample: int | None, results: Path) -> None:
-    """Try the changes of a room, in this process and its children; write what came to a file."""
-    room = ROOMS[name]
+def _prepare(room: Room) -> None:
+    """Set up this process, and import what takes long to import once for all others."""
     os.environ["NUMBA_DISABLE_JIT" if room.interpreted else "HOPHOOP_KERNELS"] = "1" if room.interpreted else "compiled"
     os.environ["CI"] = "1"  # the same examples every time
     os.chdir(ROOT)
     sys.path[:0] = [str(ROOT / "src"), str(ROOT / "tests")]
-    # what takes long to import, once for all processes
     for heavy in (
         "pytest",
         "numpy",
@@ -81,39 +96,66 @@ def try_room(name: str, modules: list[str], sample: int | None, results: Path) -
         "xarray",
     ):
         importlib.import_module(heavy)
+
+
+def try_room(name: str, modules: list[str], sample: int, only_reach: bool, results: Path) -> None:
+    """Try the changes of a room, in this process and its children; write what came to a file."""
+    room = ROOMS[name]
+    _prepare(room)
     paths = [path for path in paths_of(room) if not modules or path.stem in modules]
-    made = [mutant for path in paths for mutant in mutants(path)]
+    made = [mutant for path in paths for mutant in kept_mutants(path, RESULTS)]
     there = len(made)
-    if sample is not None and sample < there:
+    if 0 < sample < there:
         made = sorted(random.Random(2026).sample(made, sample), key=lambda one: (one.path, one.line))
-    names = {path: ".".join(("hophoop", *path.relative_to(SOURCE).with_suffix("").parts)) for path in paths}
-    tests = list(room.tests)
-    found: list[dict[str, Any]] = []
-    began = time.monotonic()
+    names = {path: ".".join(("hophoop", *path.relative_to(SOURCE).with_suffix("").parts)) for path in paths_of(room)}
+    of_tests = digest_of_tests(room.tests)
+    stem = f"mutations-{name.replace('/', '-')}"
+    journal = Journal(RESULTS / f"{stem}.jsonl", of_tests)
+    reach = RESULTS / f"{stem}-{digest(of_tests, *(path.read_bytes() for path in names))}.reach"
+    missing = journal.missing(made)
+    began, tried = time.monotonic(), 0
 
     def report(mutant: Mutant, status: str) -> None:
-        explained = status != SEEN and mutant.key in EXPLAINED
-        if status == SEEN and mutant.key in EXPLAINED:
-            print(f"{mutant.path.name}:{mutant.line} is seen, and needs no explanation: {mutant.changed}", flush=True)
-        found.append({"module": mutant.path.stem, "status": status, "explained": explained})
-        if status != SEEN and not explained:
-            words = "no test comes here" if status == UNREACHED else "not seen"
-            print(f"{mutant.path.name}:{mutant.line} in {mutant.function or 'the module'}: {words}", flush=True)
-            print(f"    {mutant.text}\n    {mutant.changed}", flush=True)
-        if len(found) % 50 == 0:
-            print(f"... {len(found)} of {len(made)} changes tried in {time.monotonic() - began:.0f} s", flush=True)
+        nonlocal tried
+        tried += 1
+        journal.add(mutant, status)
+        if tried % 50 == 0:
+            print(f"... {tried} of {len(missing)} changes tried in {time.monotonic() - began:.0f} s", flush=True)
 
-    run_within([one for one in made if one.function], tests, report)
-    run_anew([one for one in made if not one.function], names, tests, report)
-    text = {"room": name, "there": there, "seconds": time.monotonic() - began, "found": found}
-    results.write_text(json.dumps(text), encoding="utf-8")
+    if only_reach:
+        missing = []
+    if missing or only_reach:
+        run_all(missing, names, Tests(room.tests, room.patience, reach, EXPLAINED, not room.interpreted), report)
+    found = []
+    for mutant in () if only_reach else made:
+        entry = journal.entry(mutant)
+        assert entry is not None
+        status = entry["status"]
+        _tell(mutant, status)
+        explained = status != SEEN and mutant.key in EXPLAINED
+        found.append({"module": mutant.path.stem, "status": status, "explained": explained, "on": entry["on"]})
+    results.write_text(json.dumps({"room": name, "there": there, "found": found}), encoding="utf-8")
+
+
+def _tell(mutant: Mutant, status: str) -> None:
+    """Print a change that no test sees and nothing explains, and an explanation of one that a test sees."""
+    if status == SEEN:
+        if mutant.key in EXPLAINED:
+            print(f"{mutant.path.name}:{mutant.line} is seen, and needs no explanation: {mutant.changed}", flush=True)
+    elif mutant.key not in EXPLAINED:
+        words = "no test comes here" if status == UNREACHED else "not seen"
+        print(f"{mutant.path.name}:{mutant.line} in {mutant.function or 'the module'}: {words}", flush=True)
+        print(f"    {mutant.text}\n    {mutant.changed}", flush=True)
 
 
 def table(rooms: list[dict[str, Any]]) -> str:
     """Markdown: for each module how many changes, seen, explained and not seen."""
+    versions = ", ".join(f"{name} {importlib.metadata.version(name)}" for name in ("hophoop", "cosmic-ray"))
     lines = [
-        "| Room, module | changes tried | seen | not seen, explained | not seen | seen or explained |",
-        "| --- | --- | --- | --- | --- | --- |",
+        f"{versions}, Python {platform.python_version()}. Of a part: the share of all, with 95 % confidence.",
+        "",
+        "| Room, module | changes tried | seen | not seen, explained | not seen | seen or explained | tried from |",
+        "| --- | --- | --- | --- | --- | --- | --- |",
     ]
     for room in rooms:
         modules = sorted({one["module"] for one in room["found"]})
@@ -127,12 +169,32 @@ def _row(room: dict[str, Any], module: str | None) -> str:
     seen = sum(one["status"] == SEEN for one in found)
     told = sum(one["explained"] for one in found)
     share = f"{100.0 * (seen + told) / len(found):.1f} %"
+    since = min(one["on"] for one in found)
     if module is not None:
-        cells = [f"&emsp;{module}", f"{len(found):,}", seen, told, len(found) - seen - told, share]
+        cells = [f"&emsp;{module}", f"{len(found):,}", seen, told, len(found) - seen - told, share, since]
     else:
-        tried = f"{len(found):,}" + (f" of {room['there']:,}" if len(found) < room["there"] else "")
-        cells = [f"**{room['room']}**", f"**{tried}**", f"**{seen:,}**", told, len(found) - seen - told, f"**{share}**"]
+        tried, part = f"{len(found):,}", ""
+        if len(found) < room["there"]:
+            tried += f" of {room['there']:,}"
+            part = " ({:.1f} to {:.1f} %)".format(*(100.0 * end for end in interval(seen + told, len(found))))
+        cells = [
+            f"**{room['room']}**",
+            f"**{tried}**",
+            f"**{seen:,}**",
+            told,
+            len(found) - seen - told,
+            f"**{share}**{part}",
+            since,
+        ]
     return f"| {' | '.join(str(cell) for cell in cells)} |"
+
+
+def interval(successes: int, tries: int) -> tuple[float, float]:
+    """Wilson's interval of a share, with 95 % confidence."""
+    z, share = 1.959964, successes / tries
+    middle = (share + z * z / (2.0 * tries)) / (1.0 + z * z / tries)
+    half = z * math.sqrt(share * (1.0 - share) / tries + z * z / (4.0 * tries * tries)) / (1.0 + z * z / tries)
+    return middle - half, middle + half
 
 
 def main() -> int:
@@ -140,24 +202,31 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("rooms", nargs="*", metavar="ROOM", help=f"of {', '.join(ROOMS)}; all by default")
     parser.add_argument("--module", action="append", default=[], help="only this module of the room, such as contact")
-    parser.add_argument("--sample", type=int, help="so many changes of each room, drawn at random (always the same)")
+    parser.add_argument("--sample", type=int, help="so many changes of each room, drawn at random (always the same); 0 for all")
+    parser.add_argument("--anew", action="store_true", help="try again what was tried before")
     parser.add_argument("--markdown", type=Path, help="write the table to this file")
+    parser.add_argument("--reach", action="store_true", help="only find out which test comes to which statement")
     parser.add_argument("--results", type=Path, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.results is not None:  # one room, in a process of its own
-        try_room(options.rooms[0], options.module, options.sample, options.results)
+        try_room(options.rooms[0], options.module, options.sample, options.reach, options.results)
         return 0
     rooms = []
+    RESULTS.mkdir(parents=True, exist_ok=True)
     for name in options.rooms or ROOMS:
         if name not in ROOMS:
             parser.error(f"{name} is not one of {', '.join(ROOMS)}.")
-        file = ROOT / "tests" / "results" / f"mutations-{name.replace('/', '-')}.json"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        words = [sys.executable, __file__, name, "--results", str(file)]
+        file = RESULTS / f"mutations-{name.replace('/', '-')}.json"
+        if options.anew:
+            file.with_suffix(".jsonl").unlink(missing_ok=True)
+        sample = options.sample if options.sample is not None else 0 if options.module else ROOMS[name].sample
+        words = [sys.executable, __file__, name, "--results", str(file), "--sample", str(sample)]
         words += [word for module in options.module for word in ("--module", module)]
-        words += ["--sample", str(options.sample)] if options.sample is not None else []
+        words += ["--reach"] * options.reach
         subprocess.run(words, check=True)
         rooms.append(json.loads(file.read_text(encoding="utf-8")))
+    if options.reach:
+        return 0
     text = table(rooms)
     print(text, end="")
     if options.markdown is not None:

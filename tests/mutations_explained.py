@@ -167,6 +167,42 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("modes", "next_mode", "if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 0 or body.strike):", "if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening <= 0 or body.strike):"),
         ("modes", "next_mode", "if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 0 or body.strike):", "if rho != 0.0 and stiffness + body.eps * s * rho > 0.0 and (opening < 1 or body.strike):"),
     ),
+    "how many times something is tried, or how many digits a name has, is a choice": (
+        ("io", "", "MOST_READS = 100", "MOST_READS = 101"),
+        ("io", "", "MOST_READS = 100", "MOST_READS = 99"),
+        ("_files", "replacing", "temporary = target.with_name(f\".{uuid.uuid4().hex[:12]}.{target.name}\")", "temporary = target.with_name(f\".{uuid.uuid4().hex[: 13]}.{target.name}\")"),
+        ("_files", "replacing", "temporary = target.with_name(f\".{uuid.uuid4().hex[:12]}.{target.name}\")", "temporary = target.with_name(f\".{uuid.uuid4().hex[: 11]}.{target.name}\")"),
+        ("_files", "_put_folder", "old = target.with_name(f\".{uuid.uuid4().hex[:12]}.old\")", "old = target.with_name(f\".{uuid.uuid4().hex[: 13]}.old\")"),
+        ("_files", "_put_folder", "old = target.with_name(f\".{uuid.uuid4().hex[:12]}.old\")", "old = target.with_name(f\".{uuid.uuid4().hex[: 11]}.old\")"),
+        ("_files", "_put_folder", "for _ in range(1000):", "for _ in range( 1001):"),
+        ("_files", "_put_folder", "for _ in range(1000):", "for _ in range( 999):"),
+        ("store", "_create", "fresh = path.with_name(f\".{os.urandom(6).hex()}.{path.name}\")", "fresh = path.with_name(f\".{os.urandom( 7).hex()}.{path.name}\")"),
+        ("store", "_create", "fresh = path.with_name(f\".{os.urandom(6).hex()}.{path.name}\")", "fresh = path.with_name(f\".{os.urandom( 5).hex()}.{path.name}\")"),
+    ),
+    "how many bytes are read at once": (
+        ("_checksum", "is_broken", "piece = stream.read(min(length, 1 << 20))", "piece = stream.read(min(length, 2 << 20))"),
+        ("_checksum", "is_broken", "piece = stream.read(min(length, 1 << 20))", "piece = stream.read(min(length, 1 << 21))"),
+        ("_checksum", "is_broken", "piece = stream.read(min(length, 1 << 20))", "piece = stream.read(min(length, 1 << 19))"),
+    ),
+    "behind what was read to its end is the end": (
+        ("_checksum", "seal", "stream.seek(0, 2)", "stream.seek(0, 1)"),
+    ),
+    "columns of one table have the same length": (
+        ("export", "write_csv", "_write_rows(Path(path), header, zip(*(column.tolist() for column in columns), strict=True))", "_write_rows(Path(path), header, zip(*(column.tolist() for column in columns), strict=False))"),
+        ("io", "_unpacked", "first = dataset[layout[0][0]]", "first = dataset[layout[ 1][0]]"),
+        ("io", "_unpacked", "first = dataset[layout[0][0]]", "first = dataset[layout[ -1][0]]"),
+        ("io", "_unpacked", "table = np.empty(first.shape[0], dtype=np.dtype(layout))", "table = np.empty(first.shape[ -1], dtype=np.dtype(layout))"),
+    ),
+    "JSON reads the same with and without escapes": (
+        ("export", "_attributes", "\"scenario\": json.dumps(motion.scenario.to_dict(), ensure_ascii=False),", "\"scenario\": json.dumps(motion.scenario.to_dict(), ensure_ascii=True),"),
+    ),
+    "only another process at the same moment makes a difference": (
+        ("_files", "_put_folder", "shutil.rmtree(fresh, ignore_errors=True)", "shutil.rmtree(fresh, ignore_errors=False)"),
+        ("store", "finish", "left.unlink(missing_ok=True)", "left.unlink(missing_ok=False)"),
+    ),
+    "an array that is not there yet": (
+        ("store", "", "def _create_array(group: Any, plan: Plan, quantity: Quantity, dtype: str, overwrite: bool = False) -> Any:", "def _create_array(group: Any, plan: Plan, quantity: Quantity, dtype: str, overwrite: bool = True) -> Any:"),
+    ),
 }
 # fmt: on
 

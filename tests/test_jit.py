@@ -117,6 +117,11 @@ def test_code_on_disk_is_loaded_when_patience_is_over(fresh, monkeypatch):
     assert small_kernels.summed(*arguments) == 499500.0
     assert small_kernels.summed._loaded
     assert not beside._jobs
+    # and at once when interpreted calls have come between
+    with forced("interpreted"):
+        assert small_kernels.summed(*arguments) == 499500.0
+    assert small_kernels.summed(*arguments) == 499500.0
+    assert small_kernels.summed._target in small_kernels.summed._loaded.values()
 
 
 def test_other_arguments_begin_interpreted_again(fresh):
@@ -402,3 +407,16 @@ def test_equal_bits_for_maps():
         fast = hh.maps.points(None, values, wanted)
     for name in wanted:
         np.testing.assert_array_equal(plain[name], fast[name])
+
+
+def test_what_is_never_inlined_is_linked_once_however_it_is_called(fresh):
+    """Its callers leave it out: it is compiled with the whole, and not with each of them."""
+    woven = dispatchers.entry(small_kernels.woven)
+    assert woven(3.0) == small_kernels.woven.interpreted(3.0) == 4.0
+    defined = [line for line in woven.inspect_llvm(woven.signatures[0]).splitlines() if line.startswith("define")]
+    for name in ("halved", "between"):
+        assert sum(f"small_kernels{len(name)}{name}" in line for line in defined) == 1
+    part = dispatchers.inner(small_kernels.above)
+    code = part.overloads[part.signatures[0]].library.get_llvm_str().splitlines()
+    assert any("halved" in line for line in code if line.startswith("declare"))
+    assert not any("halved" in line for line in code if line.startswith("define"))

@@ -93,7 +93,7 @@ def _exchange(one: Path, other: Path) -> bool:
 
     at_working_folder, exchange = -100, 2
     try:
-        rename = ctypes.CDLL(None, use_errno=True).renameat2
+        rename = ctypes.CDLL(None).renameat2
         return bool(rename(at_working_folder, os.fsencode(one), at_working_folder, os.fsencode(other), exchange) == 0)
     except (AttributeError, OSError):
         return False

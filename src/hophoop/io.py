@@ -197,4 +197,4 @@ def _check_other_version(motion: Trajectory, file: Path, samples: Any) -> None:
         alike = False
     if not alike:
         raise InputError(f"{said}, whose segments this version {hophoop.__version__} cannot sample.")
-    warnings.warn(f"{said}; samples may differ from its own in the last digits.", UserWarning, stacklevel=3)
+    warnings.warn(f"{said}; samples may differ from its own in the last digits.", UserWarning, stacklevel=4)

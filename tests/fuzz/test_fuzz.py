@@ -60,6 +60,7 @@ def test_any_magnitude(keys):
 
 
 @pytest.mark.slow
+@pytest.mark.random
 @settings(max_examples=2_000, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(drawn())
 def test_any_magnitude_at_length(keys):
@@ -114,6 +115,7 @@ def compiled_before(monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.random
 @pytest.mark.compiled
 @pytest.mark.parametrize("index", [557, 744, 1019, 1327, 1391, 2470, 4033, 5406])
 def test_scenarios_of_a_night_that_once_failed(compiled_before, index):

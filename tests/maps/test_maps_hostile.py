@@ -42,6 +42,7 @@ def whole(tmp_path_factory):
 
 
 @linux
+@pytest.mark.long
 @pytest.mark.compiled
 def test_a_map_stopped_at_random_moments_is_the_same_in_the_end(tmp_path):
     finished(tmp_path / "whole.zarr")

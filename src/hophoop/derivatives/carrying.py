@@ -23,6 +23,7 @@ from hophoop.derivatives.layout import (
     OM,
     P_N,
     P_T,
+    RESISTED,
     TH,
     VN,
     VT,
@@ -31,9 +32,9 @@ from hophoop.derivatives.layout import (
     X,
     Y,
 )
-from hophoop.derivatives.panels import ROWS
 from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.replay import replay
+from hophoop.derivatives.rows import ROWS
 from hophoop.derivatives.sampling import sample_changes
 from hophoop.numerics.collocation import ORDER
 from hophoop.physics.body import Body, Event
@@ -64,6 +65,7 @@ DIRECT = {
     "impulse_tangential": ("impulse_tangential", P_T, MOMENTUM),
     "impact_normal": ("impact_normal", IMPACT_N, ENERGY),
     "impact_tangential": ("impact_tangential", IMPACT_T, ENERGY),
+    "rolling_resistance": ("rolling_resistance", RESISTED, ENERGY),
 }
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
@@ -165,8 +167,7 @@ class Carried:
             return self.in_si(float(row[one] + row[other]), kept[place] + kept[beside], SPEED)
         state = _state_of(row)
         if field == "friction":
-            rates = self._friction(state, kept, float(row["impact_normal"] + row["impact_tangential"]))[1]
-            return self.in_si(float(row["friction"]), rates, ENERGY)
+            return self.in_si(float(row["friction"]), self._friction(state, kept), ENERGY)
         return self.in_si(*self._energy(field, state, kept), ENERGY)
 
     def at_times(self, times: Floats, fields: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
@@ -197,12 +198,11 @@ class Carried:
             motion.units.kernel_times(segments, times), left, states, out, thread_scratch(), _local(),
         )  # fmt: skip
         sample = motion.at(times, "left" if left else "right")
-        losses = (sample.impact_normal + sample.impact_tangential) / motion.units.energy
         result: dict[str, tuple[Floats, Floats]] = {}
         for field in fields:
             values = np.asarray(getattr(sample, field), float)
             if field == "friction":
-                found = (values / motion.units.energy, self._friction(states, out, losses)[1], ENERGY)
+                found = (values / motion.units.energy, self._friction(states, out), ENERGY)
             elif field in ENERGIES:
                 found = (*self._energy(field, states, out), ENERGY)
             elif field == "vx":
@@ -229,20 +229,19 @@ class Carried:
         """Kinetic, potential or both, of the state at one time or many."""
         return energy_rates(field, self._body, state, rates, self.directions.changes)
 
-    def _friction(self, state: Floats, rates: Floats, losses: Any) -> tuple[Any, Floats]:
-        """What slip has lost: what has gone of the energy, less what impacts have lost."""
-        begin, begin_rates = self._begin
-        now, now_rates = self._energy("total", state, rates)
-        return begin - now - losses, begin_rates - now_rates - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :]
+    def _friction(self, state: Floats, rates: Floats) -> Floats:
+        """Of what slip has lost: what has gone of the energy, less what impacts and rolling resistance have taken."""
+        lost: Floats = self._begin - self._energy("total", state, rates)[1]
+        return lost - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :] - rates[..., RESISTED, :]
 
     @cached_property
     def _body(self) -> Body:
         return self.motion.scenario.to_body()
 
     @cached_property
-    def _begin(self) -> tuple[Any, Floats]:
-        """The energy at the start."""
-        return self._energy("total", _state_of(self.motion.tables["events"][0]), self.at_events[0])
+    def _begin(self) -> Floats:
+        """Of the energy at the start."""
+        return self._energy("total", _state_of(self.motion.tables["events"][0]), self.at_events[0])[1]
 
     @cached_property
     def _units(self) -> tuple[Floats, Floats]:
@@ -313,11 +312,6 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
     scenario = motion.scenario
     if scenario.contact.model != "rigid":
         raise InputError("Derivatives need rigid contact: contact.model = 'compliant' has none.")
-    resistance = scenario.plane.rolling_resistance
-    if resistance > 0.0:
-        raise InputError(
-            f"Derivatives need a plane without rolling resistance: plane.rolling_resistance = {resistance!r} is not 0."
-        )
     given = directions_of(scenario, paths)
     events, segments = motion.tables["events"], motion.tables["segments"]
     count = len(paths)

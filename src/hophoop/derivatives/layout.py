@@ -10,12 +10,12 @@ from __future__ import annotations
 from enum import IntEnum
 
 # What changes in a body; END is the duration.
-EPS, KAP, MU_S, MU_K, GN, GT, REST, END = range(8)
-PARAMETERS = 8
+EPS, KAP, MU_S, MU_K, GN, GT, REST, END, RESIST = range(9)
+PARAMETERS = 9
 
 # What is carried from event to event.
-T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T = range(9)
-CARRIED = 9
+T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T, RESISTED = range(10)
+CARRIED = 10
 
 # What is kept of an event beside that: the velocities before it, and its impulse.
 BEFORE_OM, BEFORE_VT, BEFORE_VN, P_N, P_T = range(CARRIED, CARRIED + 5)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from hophoop._extras import need
@@ -29,6 +30,13 @@ class Undecided(Exception):
 def arb(*values: Any) -> Ball:
     """A ball: of a number, or of a middle and a radius."""
     return need("flint", "prove").arb(*values)
+
+
+@cache
+def ball_type() -> type:
+    """What a ball is."""
+    found: type = need("flint", "prove").arb
+    return found
 
 
 def series(coefficients: list[Any]) -> Series:

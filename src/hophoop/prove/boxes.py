@@ -12,10 +12,11 @@ from typing import Any
 
 from hophoop.physics.body import MODE_LETTERS, Mode
 from hophoop.precise.problem import Problem
-from hophoop.prove._flint import arb, precision
+from hophoop.prove._flint import precision
 from hophoop.prove.model import FREE
 from hophoop.prove.motion import REVOLUTION, Run
 from hophoop.prove.proof import PASSING
+from hophoop.prove.varied import parameter
 from hophoop.scenario import InputError, Scenario
 
 BITS = 48  # a box is much wider than rounding
@@ -147,7 +148,7 @@ def prove_box(scenario: Scenario, ranges: Ranges) -> Box:
     _check(ranges)
     problem = Problem.of(scenario)
     with precision(BITS):
-        free = {path: arb(low).union(arb(high)) for path, (low, high) in ranges.items()}
+        free = {path: parameter(low, high, k, len(ranges)) for k, (path, (low, high)) in enumerate(ranges.items())}
         run = Run(problem, free, until=REVOLUTION, timed=False, max_events=MOST_EVENTS).run()
     marks = [fact for fact in run.facts if fact.kind not in PASSING]
     letters = [MODE_LETTERS[fact.after_mode] for fact in (marks[:-1] if run.proved else marks) if fact.after_mode < Mode.FLIGHT]

@@ -1,0 +1,224 @@
+"""What reading a motion says of files that other versions, other programs and half a writer left."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from types import SimpleNamespace
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+import zarr
+
+import hophoop as hh
+from damage import unseal
+from hophoop import export, io
+
+
+@pytest.fixture(scope="module")
+def motion():
+    return hh.simulate(hh.Scenario(duration=0.1))
+
+
+@pytest.fixture
+def older(motion, tmp_path):
+    """A file without checksums, as hophoop wrote it before it had them."""
+    path = tmp_path / "hop.nc"
+    io.save(motion, path, n=5)
+    unseal(path)
+    with netCDF4.Dataset(path, "a") as file:
+        for group in (file, *file.groups.values()):
+            group.delncattr("checksum")
+    return path
+
+
+def change(path, **attributes):
+    with netCDF4.Dataset(path, "a") as file:
+        file.setncatts(attributes)
+
+
+def refusal(path):
+    with pytest.raises(ValueError, match=rf"^{re.escape(str(path))} ") as caught:
+        hh.load(path)
+    return str(caught.value).removeprefix(f"{path} ")
+
+
+# --- damaged, of another version, not whole ---------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "attributes",
+    [
+        {"scenario": "{"},  # ValueError
+        {"scenario": 5},  # TypeError
+        {"scenario": "[" * 100_000},  # RecursionError
+        {"scenario": '{"nonsense": 1}'},
+        {"status": "asleep"},  # KeyError
+        {"status": 5},  # AttributeError
+    ],
+)
+def test_an_attribute_that_means_nothing_is_damage(older, attributes):
+    change(older, **attributes)
+    assert refusal(older).startswith("is damaged: ")
+
+
+def test_what_another_version_can_say_is_told_with_its_name(older):
+    change(older, version="0.0.1", scenario='{"nonsense": 1}')
+    assert refusal(older).startswith("was written by hophoop 0.0.1: ")
+    change(older, scenario="{")
+    assert refusal(older).startswith("is damaged: ")
+
+
+@pytest.mark.parametrize("missing", ["segments", "layout"])
+def test_a_zarr_store_without_a_table_is_not_whole(motion, tmp_path, missing):
+    path = tmp_path / "hop.zarr"
+    io.save(motion, path, n=5)
+    root = zarr.open_group(path, mode="a")
+    for group in (root, root["events"], root["segments"]):
+        del group.attrs["checksum"]
+    if missing == "layout":
+        del root["events"].attrs["layout"]
+    else:
+        del root[missing]
+    assert refusal(path) == "is not whole: a table of the motion is missing."
+
+
+def test_only_the_first_line_of_an_error_is_told():
+    assert io._first_line(ValueError("no such key: \nand much more")) == "no such key"
+    assert io._first_line(ValueError()) == "ValueError"
+
+
+def test_a_warning_about_the_version_points_at_who_loads(older):
+    change(older, version="0.0.1")
+    with pytest.warns(UserWarning, match="was written by hophoop 0") as caught:
+        hh.load(older)
+    assert [Path(warning.filename).name for warning in caught] == [Path(__file__).name]
+
+
+def test_segments_that_mean_a_little_else_are_refused(older):
+    change(older, version="0.0.1")
+    with netCDF4.Dataset(older, "a") as file:
+        file["angle"][:] = np.asarray(file["angle"][:]) * (1.0 + 1e-6) + 1e-6
+    assert re.match(r"was written by hophoop 0\.0\.1, whose segments this version .* cannot sample\.$", refusal(older))
+
+
+@pytest.mark.parametrize("error", [KeyError, ValueError, IndexError, TypeError, AttributeError])
+def test_segments_that_cannot_be_sampled_are_refused(error):
+    def at(times):
+        raise error
+
+    samples = xr.Dataset(coords={"time": [0.0]})
+    with pytest.raises(ValueError, match="cannot sample"):
+        io._check_other_version(SimpleNamespace(version="0.0.1", at=at), Path("hop.nc"), samples)
+
+
+# --- while others write ----------------------------------------------------------------------------
+
+
+def test_a_file_that_changes_while_it_is_read_is_read_again(motion, older, monkeypatch):
+    reads = []
+
+    def read(file, kind):
+        reads.append(kind)
+        if len(reads) < 3:
+            Path(file).with_name("new").write_bytes(b"%d" % len(reads))
+            Path(file).with_name("new").replace(file)
+            raise ValueError("half of one, half of the other")
+        return motion
+
+    monkeypatch.setattr(io, "_load", read)
+    assert hh.load(older) is motion
+    assert reads == ["netcdf"] * 3
+
+
+def test_a_file_that_stays_the_same_is_read_once(older, monkeypatch):
+    reads = []
+
+    def read(file, kind):
+        reads.append(kind)
+        raise ValueError("it is what it is")
+
+    monkeypatch.setattr(io, "_load", read)
+    with pytest.raises(ValueError, match="it is what it is"):
+        hh.load(older)
+    assert len(reads) == 1
+
+
+def test_a_file_that_is_never_the_same_is_given_up(older, monkeypatch):
+    def read(file, kind):
+        raise ValueError
+
+    identities = iter(range(1000))
+    monkeypatch.setattr(io, "_load", read)
+    monkeypatch.setattr(io, "_identity", lambda file: next(identities))
+    assert refusal(older) == "is written again and again while it is read."
+
+
+def test_a_file_that_has_gone_has_no_identity(tmp_path):
+    assert io._identity(tmp_path / "none") is None
+
+
+# --- formats ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("name", "other"), [("hop.nc", "zarr"), ("hop.zarr", "netCDF4")])
+@pytest.mark.filterwarnings("error")
+def test_each_format_asks_for_its_own_library_and_warns_of_nothing(motion, tmp_path, monkeypatch, name, other):
+    asked, whole = [], io.need
+
+    def need(library, extra):
+        asked.append(library)
+        return whole(library, extra)
+
+    for module in (io, export):
+        monkeypatch.setattr(module, "need", need)
+    io.save(motion, tmp_path / name, n=5)
+    hh.load(tmp_path / name)
+    assert other not in asked
+    assert {"netCDF4", "zarr"} - {other} <= set(asked)
+
+
+@pytest.mark.parametrize(("name", "words"), [("hop.nc", "netCDF"), ("hop.zarr.zip", "Zarr")])
+def test_noise_is_named_by_its_format(tmp_path, name, words):
+    (tmp_path / name).write_bytes(b"this is no file of ours" * 99)
+    assert refusal(tmp_path / name).startswith(f"cannot be read as {words}: ")
+
+
+def test_a_file_of_others_is_refused_without_a_word_on_formats(tmp_path):
+    for attributes in ({}, {"schema": 5}, {"schema": "other/1"}):
+        path = tmp_path / "other.nc"
+        xr.Dataset({"x": ("time", [1.0])}, attrs=attributes).to_netcdf(path)
+        assert refusal(path) == "is not a saved motion of hophoop."
+
+
+@pytest.mark.parametrize("name", ["hop.zarr", "hop.zarr.zip"])
+def test_what_fails_at_once_says_why(motion, tmp_path, name, monkeypatch):
+    def full(self, *arguments, **options):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(xr.Dataset, "to_zarr", full)
+    with pytest.raises(OSError, match="No space left on device"):
+        io.save(motion, tmp_path / name, n=5)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_full_disk_is_an_error_of_the_system_in_netcdf_too(motion, tmp_path, monkeypatch):
+    def full(self, *arguments, **options):
+        raise RuntimeError("NetCDF: HDF error")
+
+    monkeypatch.setattr(xr.Dataset, "to_netcdf", full)
+    with pytest.raises(OSError, match="perhaps because the disk is full: NetCDF: HDF error"):
+        io.save(motion, tmp_path / "hop.nc", n=5)
+
+
+def test_json_is_text_for_people_with_numbers_only(motion, tmp_path):
+    io.write_json(motion, tmp_path / "hop.json", more={"Größe": 1.0})
+    text = (tmp_path / "hop.json").read_text(encoding="utf-8")
+    assert text.startswith('{\n  "')
+    assert '\n  "Größe": 1.0\n}\n' in text
+    assert json.loads(text) == motion.to_dict() | {"Größe": 1.0}
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        io.write_json(motion, tmp_path / "hop.json", more={"size": float("nan")})

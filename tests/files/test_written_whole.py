@@ -1,0 +1,150 @@
+"""What files are written and read with: a checksum behind the bytes, a place that is taken when all is there."""
+
+from __future__ import annotations
+
+import ctypes
+import errno
+import hashlib
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from hophoop import _checksum, _files
+
+SEALED = 81  # bytes of "\nhophoop sha256 ", 64 digits and the end of the line
+
+
+# --- the seal --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("length", [0, 1, 79, 80, 81, 82, 2**20, 2**20 + 1, 3 * 2**19])
+def test_a_seal_holds_for_any_length_and_breaks_with_any_byte(tmp_path, length):
+    file = tmp_path / "bytes"
+    content = bytes(k * k % 251 for k in range(length))
+    file.write_bytes(content)
+    assert not _checksum.is_broken(file)  # it has no seal
+    _checksum.seal(file)
+    sealed = file.read_bytes()
+    assert sealed == content + b"\nhophoop sha256 " + hashlib.sha256(content).hexdigest().encode() + b"\n"
+    assert len(sealed) == length + SEALED
+    assert not _checksum.is_broken(file)
+    for place in {0, length // 2, length - 1} & set(range(length)) | {length + 20, length + 79}:
+        changed = bytearray(sealed)
+        changed[place] ^= 1
+        file.write_bytes(changed)
+        assert _checksum.is_broken(file)
+
+
+def test_the_checksum_is_the_same_in_every_version():
+    # files of today must be read by every later version
+    data = xr.Dataset({"x": ("time", np.array([1.0, -2.5]), {"units": "µm"})}, attrs={"b": 1, "a": [2.0]})
+    lines = ('["/", [["a", [2.0]], ["b", [1]]]]\n', '["x", ["time"], [2], "<f8", [["units", ["µm"]]]]\n')
+    told = hashlib.sha256("".join(lines).encode())
+    assert _checksum.checksum({"/": data}, without=["x"]) == told.hexdigest()
+    told.update(np.array([1.0, -2.5], dtype="<f8").tobytes())
+    assert _checksum.checksum({"/": data}) == told.hexdigest()
+
+
+# --- taking the place ------------------------------------------------------------------------------
+
+
+def folder(path, text, mark="zarr.json"):
+    path.mkdir()
+    (path / mark).write_text(text, encoding="utf-8")
+    return path
+
+
+def put(target, text):
+    with _files.replacing(target) as temporary:
+        folder(temporary, text)
+
+
+def test_a_folder_takes_the_place_of_another_store_only(tmp_path):
+    target = folder(tmp_path / "hop.zarr", "old")
+    put(target, "new")
+    assert (target / "zarr.json").read_text(encoding="utf-8") == "new"
+    assert os.listdir(tmp_path) == ["hop.zarr"]
+    older = folder(tmp_path / "older.zarr", "old", ".zgroup")
+    put(older, "new")
+    assert (older / "zarr.json").read_text(encoding="utf-8") == "new"
+    theirs = folder(tmp_path / "theirs.zarr", "their thesis", "thesis.tex")
+    with pytest.raises(IsADirectoryError) as refusal:
+        put(theirs, "new")
+    assert refusal.value.filename == str(theirs)
+    assert (theirs / "thesis.tex").read_text(encoding="utf-8") == "their thesis"
+
+
+def test_what_fails_leaves_nothing_and_names_the_target(tmp_path):
+    target = tmp_path / "hop.csv"
+    target.write_text("old", encoding="utf-8")
+    with pytest.raises(UnicodeEncodeError), _files.replacing(target) as temporary:
+        temporary.write_text("half κ", encoding="ascii")
+    assert target.read_text(encoding="utf-8") == "old"
+    assert os.listdir(tmp_path) == ["hop.csv"]
+    nowhere = tmp_path / "nowhere" / "hop.csv"
+    with pytest.raises(FileNotFoundError) as refusal, _files.replacing(nowhere) as temporary:
+        temporary.write_text("", encoding="utf-8")
+    assert refusal.value.filename == str(nowhere)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux lets folders change names in one step")
+def test_two_folders_change_names(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    one, other = folder(Path("one"), "1"), folder(Path("other"), "2")
+    assert _files._exchange(one, other) is True
+    assert [(path / "zarr.json").read_text(encoding="utf-8") for path in (one, other)] == ["2", "1"]
+    assert _files._exchange(one, Path("none")) is False
+    monkeypatch.setattr(sys, "platform", "darwin")
+    assert _files._exchange(one, other) is False
+    monkeypatch.undo()
+    assert (tmp_path / "one" / "zarr.json").read_text(encoding="utf-8") == "2"
+
+
+@pytest.mark.parametrize("library", [lambda name: object(), lambda name: os.stat("/none")], ids=["without it", "no library"])
+def test_folders_do_not_change_names_where_the_system_cannot(tmp_path, monkeypatch, library):
+    one, other = folder(tmp_path / "one", "1"), folder(tmp_path / "other", "2")
+    monkeypatch.setattr(ctypes, "CDLL", library)
+    assert _files._exchange(one, other) is False
+
+
+@pytest.mark.parametrize("number", [errno.ENOTEMPTY, errno.EEXIST])
+def test_another_process_that_was_there_first_is_replaced(tmp_path, monkeypatch, number):
+    monkeypatch.setattr(_files, "_exchange", lambda one, other: False)
+    target, rename, went = tmp_path / "hop.zarr", Path.rename, []
+
+    def late(self, to):
+        # between the two steps another process puts its folder there, once
+        if to == target and not went:
+            went.append(folder(target, "of another"))
+            raise OSError(number, os.strerror(number))
+        return rename(self, to)
+
+    monkeypatch.setattr(Path, "rename", late)
+    put(target, "new")
+    assert went
+    assert (target / "zarr.json").read_text(encoding="utf-8") == "new"
+    assert os.listdir(tmp_path) == ["hop.zarr"]
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_folder_that_cannot_be_put_leaves_what_was_there(tmp_path, monkeypatch, there):
+    monkeypatch.setattr(_files, "_exchange", lambda one, other: False)
+    target, rename = tmp_path / "hop.zarr", Path.rename
+    if there:
+        folder(target, "old")
+
+    def refused(self, to):
+        if to == target and not self.name.endswith(".old"):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        return rename(self, to)
+
+    monkeypatch.setattr(Path, "rename", refused)
+    with pytest.raises(PermissionError):
+        put(target, "new")
+    assert os.listdir(tmp_path) == ["hop.zarr"] * there
+    if there:
+        assert (target / "zarr.json").read_text(encoding="utf-8") == "old"

@@ -1,0 +1,169 @@
+"""Pieces of a store: its codes, plan, lock, checksum and what is said of one that cannot be read."""
+
+from __future__ import annotations
+
+import types
+
+import numpy as np
+import pytest
+import xarray as xr
+import zarr
+
+from hophoop import maps
+from hophoop._checksum import checksum
+from hophoop.maps import store
+
+AXES = {"plane.mu": [0.1, 0.7, 1.3], "start.speed": [0.5, 2.5, 3.2, 4.0]}
+QUANTITIES = ["sequence", "status"]
+
+
+class Stopped(Exception):
+    pass
+
+
+def make(path, **options):
+    return maps.sweep(None, AXES, QUANTITIES, out=path, chunk_cells=4, threads=1, **options)
+
+
+def begin(path):
+    """A store with some of its chunks."""
+
+    def stop(done, total):
+        if done:
+            raise Stopped
+
+    with pytest.raises(Stopped):
+        make(path, progress=stop)
+    return path
+
+
+def test_short_codes_hold_all_they_may():
+    assert np.iinfo(np.int16).max == store.MOST_SHORT_CODES
+
+
+@pytest.mark.parametrize(("room", "kind"), [(0, np.int16), (-1, np.int32)])
+def test_more_sequences_than_short_codes_get_long_ones(tmp_path, monkeypatch, room, kind):
+    memory = maps.sweep(None, AXES, QUANTITIES)
+    monkeypatch.setattr(store, "MOST_SHORT_CODES", len(maps.words_of(memory["sequence"])) + room)
+    made = make(tmp_path / "map.zarr")
+    assert made["sequence"].dtype == kind
+    np.testing.assert_array_equal(made["sequence"].values, memory["sequence"].values)
+
+
+def test_coordinates_are_zero_where_nothing_is_written(tmp_path):
+    make(tmp_path / "map.zarr")
+    group = zarr.open_group(tmp_path / "map.zarr", mode="r")
+    assert [group[name].fill_value for name in AXES] == [0.0, 0.0]
+
+
+def test_finishing_twice_keeps_long_codes(tmp_path, monkeypatch):
+    memory = maps.sweep(None, AXES, QUANTITIES)
+    monkeypatch.setattr(store, "MOST_SHORT_CODES", 1)
+    finish = store._finish_sequences
+
+    def twice(path, plan):
+        finish(path, plan)
+        finish(path, plan)
+
+    monkeypatch.setattr(store, "_finish_sequences", twice)
+    made = make(tmp_path / "map.zarr")
+    assert made["sequence"].dtype == np.int32
+    np.testing.assert_array_equal(made["sequence"].values, memory["sequence"].values)
+
+
+def test_a_worker_reads_the_plan_again_only_when_it_has_changed(tmp_path, monkeypatch):
+    path, reads = begin(tmp_path / "map.zarr"), []
+
+    def read(place):
+        reads.append(place)
+        return len(reads)
+
+    monkeypatch.setattr(store, "_plans", {})
+    monkeypatch.setattr(store, "read_plan", read)
+    assert [store._plan_of(str(path)) for _ in range(3)] == [1, 1, 1]
+    plan = path / "unfinished" / "plan.json"
+    plan.touch()
+    assert plan.stat().st_mtime_ns != store._plans[str(path)][0]
+    assert [store._plan_of(str(path)) for _ in range(2)] == [2, 2]
+    assert reads == [path, path]
+
+
+def test_a_map_that_was_finished_while_its_lock_was_taken_is_not_refused(tmp_path, monkeypatch):
+    path = begin(tmp_path / "map.zarr")
+    held = []
+
+    class Lock:
+        def __init__(self, file):
+            held.append(file)
+
+        def acquire(self, blocking):
+            assert not blocking
+            raise FileNotFoundError
+
+        def release(self):
+            held.append("released")
+
+    library = types.SimpleNamespace(FileLock=Lock, Timeout=TimeoutError)
+    monkeypatch.setattr(store, "need", lambda name, extra: library)
+    with store._locked(path, path / "unfinished"):
+        pass
+    assert held == [path / "unfinished" / "lock", "released"]
+
+
+def test_a_mark_that_is_not_whole_does_not_count(tmp_path):
+    path = begin(tmp_path / "map.zarr")
+    first = []
+    done = len(list((path / "unfinished").glob("*.done")))
+    (path / "unfinished" / ".1234.2.done").write_text("[", encoding="utf-8")
+    make(path, resume=True, progress=lambda count, total: first.append(count))
+    assert first[0] == 4 * done
+    assert not (path / "unfinished").exists()
+
+
+def test_the_checksum_of_a_map_is_of_what_stands_in_it(tmp_path):
+    make(tmp_path / "map.zarr")
+    with xr.open_zarr(tmp_path / "map.zarr", consolidated=False, chunks=None, decode_cf=False) as dataset:
+        told = checksum({"/": dataset}, without=QUANTITIES)
+        assert dataset.attrs["checksum"] == told
+
+
+@pytest.mark.parametrize(
+    ("error", "said"), [(RuntimeError("no chunk: \nof many"), "no chunk"), (RuntimeError(), "RuntimeError")]
+)
+def test_what_a_library_says_of_a_map_ends_in_one_sentence(tmp_path, monkeypatch, error, said):
+    def fail(place):
+        raise error
+
+    monkeypatch.setattr(store, "_check_whole", fail)
+    with pytest.raises(ValueError, match="cannot be read") as caught:
+        maps.open_map(tmp_path)
+    assert str(caught.value) == f"{tmp_path} cannot be read as a map of hophoop: {said}."
+
+
+def test_a_file_of_others_is_refused_by_its_name_first(tmp_path):
+    xr.Dataset({"x": ("time", [1.0])}).to_netcdf(tmp_path / "other.nc")
+    with pytest.raises(ValueError, match="is not a map") as caught:
+        maps.open_map(tmp_path / "other.nc")
+    assert str(caught.value) == f"{tmp_path / 'other.nc'} is not a map of hophoop."
+
+
+@pytest.mark.parametrize("error", [OSError, ValueError, KeyError])
+def test_a_folder_that_zarr_cannot_open_has_no_plan(tmp_path, monkeypatch, error):
+    def open_group(path, mode):
+        raise error
+
+    monkeypatch.setattr(store, "need", lambda name, extra: types.SimpleNamespace(open_group=open_group))
+    with pytest.raises(ValueError, match="is not a map of hophoop"):
+        store.read_plan(tmp_path)
+
+
+def test_a_folder_that_cannot_be_made_is_an_error_of_the_system(tmp_path):
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    with pytest.raises(OSError, match="file"):
+        make(tmp_path / "file" / "nowhere" / "map.zarr")
+
+
+def test_an_axis_of_numbers_without_words_keeps_its_numbers():
+    plan = '{"quantities": ["status"]}'
+    dataset = xr.Dataset({"status": ("n", [1, 2])}, coords={"n": ("n", [7, 9], {"long_name": "n"})}, attrs={"plan": plan})
+    assert store.with_words(dataset)["n"].values.tolist() == [7, 9]
