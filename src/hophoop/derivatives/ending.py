@@ -9,14 +9,14 @@ from hophoop.derivatives.layout import CARRIED, IMPACT_N, IMPACT_T, KEPT, OM, P_
 from hophoop.derivatives.replay import replay
 from hophoop.physics.body import Event
 
-BORDER, PLASTIC = int(Reason.BORDER), int(Reason.PLASTIC)
+BORDER, PLASTIC, CONTACT = int(Reason.BORDER), int(Reason.PLASTIC), int(Reason.CONTACT)
 END = int(Event.END)
 LOST = (P_N, P_T, IMPACT_N, IMPACT_T)  # of the bounces that a small restitution makes, there is no derivative
 
 
 @lean_jit
 def end_at_landing(events, segments, landing, k, edges, at_events, at_segments):
-    """Take away what is not so with any restitution: velocities behind the first bounce, later events, shares of the loss."""
+    """Take away what bounces behind a landing, or the start, make different: velocities, later events, shares of the loss."""
     count = events.shape[0]
     for row in (OM, VT, VN, P_N, P_T, IMPACT_N, IMPACT_T):
         at_events[landing, row, k] = math.nan
@@ -72,7 +72,7 @@ def go_through(
     """
     replay(body, events, segments, changes, z, t_end, at_events, at_segments, reasons, failed, scratch, local)
     for k in range(reasons.shape[0]):
-        if reasons[k] == PLASTIC:
+        if reasons[k] in (PLASTIC, CONTACT):
             end_at_landing(events, segments, failed[k], k, edges, at_events, at_segments)
     if doubt < math.inf:
         end_in_doubt(events, segments, doubt, at_events, at_segments, reasons, failed)
