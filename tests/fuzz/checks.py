@@ -122,6 +122,12 @@ def file_problems(motion: hh.Trajectory) -> list[str]:
         return [] if digest(hh.load(path)) == digest(motion) else ["a loaded motion has other bits"]
 
 
+def warm_up() -> None:
+    """Load or compile the kernels of both contacts, before a clock runs."""
+    for contact in (hh.Rigid(), hh.Compliant()):
+        hh.simulate(hh.Scenario(contact=contact, duration=0.1)).at(0.05)
+
+
 def thread_problems(motion: hh.Trajectory) -> list[str]:
     """Whether eight threads at once give the same bits."""
     with ThreadPoolExecutor(8) as pool:

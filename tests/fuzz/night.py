@@ -58,11 +58,9 @@ def keys_of(seed: int, index: int) -> dict[str, Any]:
 
 def work(pipe: Connection, seed: int) -> None:
     """Answer indices until there are no more."""
-    import hophoop as hh
-    from fuzz.checks import outcome
+    from fuzz.checks import outcome, warm_up
 
-    for contact in (hh.Rigid(), hh.Compliant()):  # compiled or loaded before the clock runs
-        hh.simulate(hh.Scenario(contact=contact, duration=0.1)).at(0.05)
+    warm_up()
     pipe.send(None)
     while (index := pipe.recv()) is not None:
         keys = keys_of(seed, index)
