@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from numba.core import caching, registry
 
+import compile_ahead
 import hophoop as hh
 import small_kernels
 from hophoop._jit import beside, compiled, dispatchers, forced, policy, signals, store
@@ -186,6 +187,11 @@ def test_of_two_signals_while_a_kernel_is_loaded_none_is_lost():
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+def test_what_is_compiled_ahead_of_all_tests_is_there_to_be_called():
+    found = {kernel.py_func.__module__ for kernel, _ in compile_ahead.called(compile_ahead.calls)}
+    assert found > compile_ahead.FIRST
 
 
 def test_what_python_raises_is_what_compiled_arithmetic_gives(fresh):

@@ -136,7 +136,10 @@ def test_energies_and_times_follow_differences_of_doubles(name):
             assert rated[field][0] == pytest.approx(np.asarray(getattr(motion.at(times), field)), abs=1e-14)
 
 
-MAPPED = ("time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost")
+MAPPED = (
+    "time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost",
+    "greatest_utilization",
+)  # fmt: skip
 OF_HOPS = ("takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss")
 
 

@@ -144,11 +144,6 @@ def test_spreads_have_no_restitution_that_is_zero():
     assert np.isnan(motion.uncertainty({"plane.restitution": 0.1}).at(1.9).x).all()
 
 
-@pytest.mark.parametrize("path", ["start.height", "start.vy"])
-def test_a_start_in_contact(path):
-    assert reason_of(hh.Scenario(duration=1.0), "end.angle", path) in (REASONS[Reason.CONTACT], EDGE)
-
-
 @pytest.mark.parametrize("mu", [1.0, math.inf])
 def test_the_border_of_two_classes(mu):
     """At the top N = m (g − ε v²/R) = 0: a little faster it hops at once, a little slower it rolls."""

@@ -133,7 +133,7 @@ SHOWN = {
 }
 
 
-FAST = ("a hop", "static above kinetic")
+FAST = ("a hop",)
 
 
 @pytest.mark.parametrize("name", [name if name in FAST else pytest.param(name, marks=pytest.mark.slow) for name in SHOWN])

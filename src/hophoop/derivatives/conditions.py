@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, lean_jit
-from hophoop.derivatives.forces import along, changed, rolling_slopes
+from hophoop.derivatives.forces import by_angle, changed, rolling_slopes
 from hophoop.derivatives.layout import EPS, GN, KAP, MU_K, MU_S, OM, RESIST, RESISTED, TH, VT, Reason, T
 from hophoop.derivatives.moving import resisted_motion, step_along
 from hophoop.derivatives.panels import momentum_change
@@ -49,14 +49,14 @@ def meet_cone(body, state, rates, side, changes, z, reasons):
     """Rolling that comes to the friction cone, at side · F > 0: g = μs N − side · F, or N without a bound on F."""
     s, c = sine_cosine(state.th, state.th_low)
     rho = resistance_arm(body, s, c, state.om, 0)
-    _, normal, of_friction, of_normal = rolling_slopes(body, s, c, state.om, rho)
+    _, normal, alpha, of_friction, of_normal = rolling_slopes(body, s, c, state.om, rho)
     bound = not math.isinf(body.mu_s)
     weight = body.mu_s if bound else 1.0
     share = side if bound else 0.0
     scale = (body.gn + abs(body.gt) + state.om * state.om) * (1.0 + weight) * (abs(state.om) + 1e-300)
-    rate = weight * along(of_normal, state.om, rates[0]) - share * along(of_friction, state.om, rates[0])
+    rate = state.om * (weight * by_angle(of_normal, alpha) - share * by_angle(of_friction, alpha))
     for k in range(z.shape[1]):
-        dg = weight * changed(of_normal, z, changes, k) - share * changed(of_friction, z, changes, k)
+        dg = weight * changed(of_normal, state.om, z, changes, k) - share * changed(of_friction, state.om, z, changes, k)
         if bound:
             dg += changes[MU_S, k] * normal
         if abs(rate) <= FLAT * scale:

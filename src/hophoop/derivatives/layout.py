@@ -40,7 +40,7 @@ REASONS = {
     Reason.GRAZE: "a quantity that sets off the event only touches zero there",
     Reason.BORDER: "the motion lies on the border of two classes: the least change may lead to other events",
     Reason.PLASTIC: "restitution is 0 and the rim has landed: with any restitution it would bounce",
-    Reason.CONTACT: "the motion starts in contact: with the rim lifted or thrown up it would begin with a flight",
+    Reason.CONTACT: "the motion starts in contact: with the rim lifted or thrown it would bounce, and its events are others",
     Reason.SINGULAR: "the slip runs into p_σ = 0, where the contact force has no bound",
     Reason.MASSLESS: "the massless hoop (γ = 1) is a singular limit once the contact force is lost",
     Reason.FRICTIONLESS: "without friction the hoop rests on no more than a border of two classes",

@@ -250,4 +250,5 @@ WHOLE: dict[str, tuple[Callable[[Carried], Rated], str]] = {
     "distance_rolled": (_way_rolled, "m"),
     "revolutions_to_rolling": (_revolutions, "1"),
     "energy_lost": (_lost, "J"),
+    "greatest_utilization": (lambda carried: carried.friction_use(), "1"),
 }

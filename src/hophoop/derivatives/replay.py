@@ -40,6 +40,7 @@ from hophoop.derivatives.layout import (
     Reason,
     Y,
 )
+from hophoop.derivatives.lifted import let_fall, stop_throw
 from hophoop.derivatives.massless import follow_strike, skim_rates
 from hophoop.derivatives.moving import accelerations, motion_against, resisted_motion, skims_plane
 from hophoop.derivatives.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
@@ -69,15 +70,29 @@ MASSLESS, FRICTIONLESS, ENDED, PLASTIC = (
 
 
 @apart_jit
+def begin_lifted(body, mode, state, z, reasons, k):
+    """A start in contact whose rim is lifted or thrown: it flies off, or comes down again, and then has other events."""
+    if mode == FLIGHT and z[Y, k] >= 0.0 and z[VN, k] >= 0.0:
+        reasons[k] = SIDED
+        return
+    sigma = slip_direction(mode)
+    contact = body.kap > 0.0 and mode != FLIGHT and mode != SKIM
+    if contact and (stop_throw(body, sigma, state, z, k) if z[VN, k] != 0.0 else let_fall(body, sigma, state, z, k)):
+        reasons[k] = CONTACT
+    else:
+        fail(z, reasons, k, CONTACT)
+
+
+@apart_jit
 def begin_changes(body, row, changes, z, reasons):
     """What a changed start does at once."""
     state = state_of(row)
     if state.y > 0.0 or state.vn != 0.0:
         return
+    mode = row["after_mode"]
     for k in range(z.shape[1]):
         if z[Y, k] != 0.0 or z[VN, k] != 0.0:
-            fail(z, reasons, k, CONTACT)
-    mode = row["after_mode"]
+            begin_lifted(body, mode, state, z, reasons, k)
     if mode != FLIGHT and mode != SKIM and state.vt == 0.0:
         lose_slip(body, state, slip_direction(mode), changes, z, reasons)
     if mode != FLIGHT and mode != SKIM:
@@ -254,6 +269,15 @@ def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons
 
 
 @apart_jit
+def keep_after(row, z, kept):
+    """What all directions are just after an event; the start keeps what was given, not what becomes of it at once."""
+    for k in range(z.shape[1]):
+        if row["kind"] != START or math.isnan(z[TH, k]):
+            for i in range(CARRIED):
+                kept[i, k] = z[i, k]
+
+
+@apart_jit
 def pass_apex(body, row, piece, changes, z, kept, reasons):
     """All directions from the begin of a flight to its apex, which is an event inside of it."""
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]
@@ -316,8 +340,9 @@ def replay(body, events, segments, changes, z, t_end, at_events, at_segments, re
             done += 1
             passed = True
         last = max(done - 1, 0)
-        meet_event(body, row, at_segments[last], segments[last], passed, t_end, changes, z, kept, reasons)
         kept[:CARRIED] = z
+        meet_event(body, row, at_segments[last], segments[last], passed, t_end, changes, z, kept, reasons)
+        keep_after(row, z, kept)
         for k in range(z.shape[1]):
             if reasons[k] > 0 and failed[k] < 0:
                 failed[k] = i

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from hophoop.prove import _flint
-from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, series, symmetric
+from hophoop.prove import _flint, varied
+from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, coefficients, order, polynomial, series, symmetric
 from hophoop.prove.carriers import Carrier, Disc, disc
 from hophoop.prove.model import State
 from hophoop.prove.search import exact
-from hophoop.prove.varied import Varied, common, derivatives, moving, polynomial
+from hophoop.prove.varied import Varied, common, derivatives, moving
 
 LARGEST = 0.5  # rad, of a disc
 SMALLEST = 1e-9  # a smaller disc means p_σ → 0 or an endless approach
@@ -72,18 +72,19 @@ class Panel:
             squares = carrier.square(centre, u, way, terms)
             self.u_terms = coefficients(squares, terms)
             self.t_terms = coefficients(squares.rsqrt().integral(), terms)
+        self.u_of, self.t_of = varied.polynomial(self.u_terms), varied.polynomial(self.t_terms)
 
     def square(self, x: Ball) -> Ball:
         """u; on an interval by the mean value theorem."""
         return moving(self._square, x, lambda at: self.way * self.carrier.slope(self.angle(at), self._square(at)))
 
     def _square(self, x: Ball) -> Ball:
-        rough = polynomial(self.u_terms, x) + self.rest_u
+        rough = self.u_of(x) + self.rest_u
         if x.is_exact():
             return rough
         middle = exact(x)
         slope = self.way * self.carrier.slope(self.angle(x), rough)
-        return common(polynomial(self.u_terms, middle) + self.rest_u + slope * (x - middle), rough)
+        return common(self.u_of(middle) + self.rest_u + slope * (x - middle), rough)
 
     def angle(self, x: Ball) -> Ball:
         """θ."""
@@ -95,7 +96,7 @@ class Panel:
 
     def _time(self, x: Ball) -> Ball:
         middle = exact(x)
-        found = self.t + polynomial(self.t_terms, middle) + self.rest_t
+        found = self.t + self.t_of(middle) + self.rest_t
         if not x.is_exact():
             found += self.square(x).rsqrt() * (x - middle)
         return found

@@ -11,6 +11,7 @@ from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, intersection
 Evaluate = Callable[[Ball, int], Sequence[Jet]]
 
 
+LEAST_WIDE = 11  # bits: what is not told on so short an interval of a box is told in none
 LONGER = 4  # times an interval is doubled
 SMEARED = [-1]  # a root may lie on both sides of the end of an interval
 
@@ -76,19 +77,20 @@ def first_root(
         Where a function touches zero, or nearly so, or two have a root at once.
     """
     width = (end - begin).mid() if step is None else step
-    least = arb(2) ** (-bits() // 2)
-    at, known = begin, list(zeros)
+    least = arb(2) ** (-LEAST_WIDE if wide else -bits() // 2)
+    at, known, looked = begin, list(zeros), None
     while at < end:
         to = exact(at + width)
         if not to < end:
             to = end
         try:
             verdict = _judge(evaluate, known, at, to, wide, begun)
-            if verdict is SMEARED:
+            if verdict is SMEARED and looked is not at:
+                looked = at
                 verdict, to = _longer(evaluate, known, at, to, end, begun)
         except (ValueError, ZeroDivisionError):  # a divisor may vanish on so wide an interval
             verdict = None
-        if verdict is None:
+        if verdict is None or verdict is SMEARED:
             width = exact((to - at) / 2)
             if not width > least:
                 raise Close(at)

@@ -212,14 +212,15 @@ def series(coefficients: list[Any]) -> Any:
     return Varied(parts[0], parts[1], tuple(_flint.series(list(one)) for one in by))
 
 
-def polynomial(values: Jet, x: Ball) -> Any:
-    """A polynomial at a plain number, of which the coefficients may vary."""
-    if not count_of(*values):
-        return _flint.polynomial(values, x)
-    make = _flint.arb_poly
+def polynomial(values: Jet) -> Callable[[Ball], Any]:
+    """A polynomial, of which the coefficients may vary, as a function of a plain number."""
     count = count_of(*values)
-    by = [make([derivatives(one, count)[k] for one in values])(x) for k in range(count)]
-    return Varied(make([at_centre(one) for one in values])(x), make([over(one) for one in values])(x), tuple(by))
+    if not count:
+        return lambda x: _flint.polynomial(values, x)
+    make = _flint.arb_poly
+    at, whole = make([at_centre(one) for one in values]), make([over(one) for one in values])
+    by = [make([derivatives(one, count)[k] for one in values]) for k in range(count)]
+    return lambda x: Varied(at(x), whole(x), tuple(one(x) for one in by))
 
 
 def moving(function: Callable[[Ball], Any], x: Any, rate: Callable[[Ball], Ball]) -> Any:
