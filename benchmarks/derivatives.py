@@ -1,4 +1,4 @@
-"""What derivatives cost beside the motion: `python benchmarks/derivatives.py [--json]`.
+"""What derivatives cost beside the motion: `python benchmarks/derivatives.py [--json] [--rolling-resistance F]`.
 
 The article's motion (v0 = 3.1 m/s, 2 s) and its derivatives with respect to 1 and 12 parameters, measured in turn in one
 process, so that the ratios hold on a busy machine too: the bare kernels, and the calls from Python.
@@ -16,9 +16,9 @@ import hophoop as hh
 from hophoop._jit import compiled
 from hophoop.derivatives.carrying import carry
 from hophoop.derivatives.layout import CARRIED, KEPT
-from hophoop.derivatives.panels import ROWS
 from hophoop.derivatives.parameters import directions_of
 from hophoop.derivatives.replay import replay
+from hophoop.derivatives.rows import ROWS
 from hophoop.numerics.collocation import ORDER
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -62,8 +62,10 @@ def derived(motion, paths):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--json", action="store_true", help="print JSON")
-    as_json = parser.parse_args().json
-    scenario = hh.Scenario(duration=2.0)
+    parser.add_argument("--rolling-resistance", type=float, default=0.0, help="of the plane (default 0)")
+    arguments = parser.parse_args()
+    as_json = arguments.json
+    scenario = hh.Scenario(plane=hh.Plane(rolling_resistance=arguments.rolling_resistance), duration=2.0)
     motion = hh.simulate(scenario)
     calls = {
         "motion, kernel": plain(scenario),

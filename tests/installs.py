@@ -1,9 +1,9 @@
-"""The wheel in clean environments: `python tests/installs.py [--python EXECUTABLE ...] [--bounds [only]] [--markdown FILE]`.
+"""The wheel in clean environments: `python tests/installs.py --bounds --markdown FILE`; `--help` tells the other options.
 
 With every Python given (by default those from 3.11 to 3.14 that are found) the wheel is installed without extras into an
 environment of its own, and run in poor surroundings. With `--bounds` the fast tests run with the lowest versions that
-pyproject.toml allows, and with the newest ones, with `--bounds only` nothing else. Rows of a table that is there are
-kept, but for those that are tried again, so that it can be made in parts.
+pyproject.toml allows, and with the newest ones; with `--bounds only`, `lowest` or `newest` nothing else. Rows of a table that
+is there are kept, but for those that are tried again, so that it can be made in parts.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 VERSIONS = ("3.11", "3.12", "3.13", "3.14")
+NOTHING = "anything"  # what was tried with a Python that is not there
 # what asks for each extra, on the command line or in Python
 EXTRAS = {
     "plots": ["run", "--plot", "hop.png"],
@@ -165,10 +166,10 @@ def check_bounds(python: str, folder: Path, wheel: Path, lowest: bool) -> str:
     ]
     environment = os.environ | {"NUMBA_CACHE_DIR": str(folder / "cache")}
     environment.pop("PYTHONPATH", None)
-    words = ("-m", "pytest", "-q", "-p", "no:cacheprovider", "-m", "not slow")
+    words = ("-m", "pytest", "-q", "-p", "no:cacheprovider")  # without what is marked slow or long, as always
     done = sh(clean.bin / "python", *words, *tests, env=environment, cwd=ROOT)
     last = done.stdout.strip().splitlines()[-1] if done.stdout.strip() else f"ended with {done.returncode}"
-    print(done.stdout[-3000:], done.stderr[-2000:])
+    print(done.stdout[-30000:], done.stderr[-2000:])
     return re.sub(r" in [\d.]+s.*", "", last)
 
 
@@ -180,8 +181,8 @@ def main() -> int:
         "--bounds",
         nargs="?",
         const="too",
-        choices=["too", "only"],
-        help="run the fast tests with the lowest and the newest versions",
+        choices=["too", "only", "lowest", "newest"],
+        help="run the fast tests with the lowest and the newest versions; all but 'too': nothing else",
     )
     parser.add_argument("--markdown", type=Path, help="write the table to this file")
     options = parser.parse_args()
@@ -196,16 +197,16 @@ def main() -> int:
         built = sh(sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "-w", folder, ROOT)
         assert built.returncode == 0, built.stderr[-2000:]
         wheel = next(folder.glob("*.whl"))
-        for version in VERSIONS if options.bounds != "only" else ():
+        for version in VERSIONS if options.bounds in (None, "too") else ():
             if version not in pythons:
                 if not options.python:
-                    rows.add(version, "anything", "not found on the machine: not tried")
+                    rows.missing(version)
                 continue
             for what, came in check_surroundings(Clean(pythons[version], folder / version, wheel)).items():
                 rows.add(version, what, came)
         if options.bounds:
             version, python = next(iter(pythons.items()))
-            for lowest in (True, False):
+            for lowest in {"lowest": (True,), "newest": (False,)}.get(options.bounds, (True, False)):
                 came = check_bounds(python, folder / f"bounds-{lowest}", wheel, lowest)
                 rows.add(version, f"{'lowest' if lowest else 'newest'} allowed versions, fast tests", came)
     text = rows.text()
@@ -222,10 +223,16 @@ class Rows:
         self.rows = {tuple(cells[1:3]): cells[3] for cells in ([cell.strip() for cell in line.split("|")] for line in lines)}
 
     def add(self, version: str, what: str, came: str) -> None:
-        """A row, in place of one of the same."""
+        """A row, in place of one of the same, and of one that says that there was no such Python."""
+        self.rows.pop((f"Python {version}", NOTHING), None)
         self.rows[f"Python {version}", what] = came
         if self.file is not None:
             self.file.write_text(self.text(), encoding="utf-8")
+
+    def missing(self, version: str) -> None:
+        """Say that there is no such Python, unless it was tried before."""
+        if not any(where == f"Python {version}" for where, _ in self.rows):
+            self.add(version, NOTHING, "not found on the machine: not tried")
 
     def text(self) -> str:
         """Markdown, by versions."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit, jit, lean_jit, outer_jit, unit_jit
 
 FACTOR = 3.0
 
@@ -29,6 +29,16 @@ def summed(count, out):
     return total
 
 
+@unit_jit
+def by_itself(value):
+    return FACTOR * value
+
+
+@jit
+def with_a_unit(value):
+    return by_itself(value) + 1.0
+
+
 @jit
 def quotient(a, b):
     return a / b
@@ -47,6 +57,31 @@ def scaled(value, factor):
 @jit
 def with_constants(value):
     return scaled(value, 2) + scaled(value, 3) + scaled(value, int(value))
+
+
+@apart_jit
+def halved(value):
+    return 0.5 * value
+
+
+@inline_jit
+def above(value):
+    return halved(value) + 1.0
+
+
+@outer_jit
+def beyond(value):
+    return halved(above(value))
+
+
+@apart_jit
+def between(value):
+    return above(value) - beyond(value)
+
+
+@jit
+def woven(value):
+    return between(value) + beyond(value) + halved(value)
 
 
 def put_sum(queue):

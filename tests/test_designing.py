@@ -36,6 +36,19 @@ def test_a_maximum_inside_a_class_is_where_the_derivative_is_zero():
         assert not impacts or impacts[0].omega <= best.value
 
 
+def test_climbs_with_rolling_resistance():
+    """How far a push takes the hoop in a while, by the angle that it begins at: at the best the derivative is zero."""
+    scenario = hh.Scenario(
+        hoop=hh.Hoop.ideal(0.2), plane=hh.Plane(rolling_resistance=0.1), start=hh.Start.rolling(1.5), duration=0.8
+    )  # fmt: skip
+    best = hh.design(scenario, maximise="end.x", over={"start.angle": (-1.0, 3.0)}, tries=3, climbs=1)
+    assert not best.at_border
+    assert best.motion.sequence == "R"
+    assert best.motion.sensitivity("end.x", "start.angle").derivatives[0, 0] == pytest.approx(0.0, abs=1e-5)
+    for angle in np.linspace(-1.0, 3.0, 9).tolist():
+        assert hh.simulate(scenario.with_values({"start.angle": angle})).events[-1].x <= best.value
+
+
 @pytest.mark.slow
 def test_the_most_friction_that_hops_in_time_lies_at_the_border_of_its_class():
     scenario = hh.Scenario(duration=1.05)

@@ -204,6 +204,14 @@ def test_a_missing_file_is_named(tmp_path, name):
     assert refusal.value.filename == str(tmp_path / name)
 
 
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_missing_folder_is_told_with_the_name_that_was_given(motion, tmp_path, name):
+    """netCDF said 'Permission denied', of a name of our own."""
+    with pytest.raises(FileNotFoundError) as refusal:
+        motion.save(tmp_path / "gone" / name)
+    assert refusal.value.filename == str(tmp_path / "gone" / name)
+
+
 @pytest.mark.parametrize("name", ["hop.nc", "hop.zarr.zip"])
 def test_noise_is_refused(tmp_path, name):
     (tmp_path / name).write_bytes(b"this is no file of ours" * 99)

@@ -59,3 +59,10 @@ def test_a_missing_jax_names_its_extra(monkeypatch):
 def test_names_are_needed():
     with pytest.raises(ValueError, match="at least one"):
         hh.jax.simulate({}, "end.x")
+
+
+def test_rolling_resistance():
+    plane = hh.Plane(rolling_resistance=0.005)
+    scenario, of, path = hh.Scenario(plane=plane, duration=1.2), "takeoff.angle", "plane.rolling_resistance"
+    slope = jax.grad(lambda value: hh.jax.simulate({path: value}, of, scenario)[0])(0.005)
+    assert float(slope) == pytest.approx(hh.sensitivity(scenario, of, path)[of, path], rel=1e-13)

@@ -1,20 +1,24 @@
 """What the kernels' decorators promise: interpreted at first, compiled when worth it, the same bits either way."""
 
+import errno
 import json
 import math
 import multiprocessing
 import os
 import pickle
+import signal
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from numba.core import caching, registry
 
+import compile_ahead
 import hophoop as hh
 import small_kernels
-from hophoop._jit import beside, compiled, dispatchers, forced, policy, store
+from hophoop._jit import beside, compiled, dispatchers, forced, policy, signals, store
 from hophoop._jit.kernels import Options, describe
 from hophoop._jit.policy import Kernel
 
@@ -114,6 +118,11 @@ def test_code_on_disk_is_loaded_when_patience_is_over(fresh, monkeypatch):
     assert small_kernels.summed(*arguments) == 499500.0
     assert small_kernels.summed._loaded
     assert not beside._jobs
+    # and at once when interpreted calls have come between
+    with forced("interpreted"):
+        assert small_kernels.summed(*arguments) == 499500.0
+    assert small_kernels.summed(*arguments) == 499500.0
+    assert small_kernels.summed._target in small_kernels.summed._loaded.values()
 
 
 def test_other_arguments_begin_interpreted_again(fresh):
@@ -129,6 +138,60 @@ def test_where_no_process_can_be_started_it_compiles_by_itself(fresh, monkeypatc
         monkeypatch.setattr(policy, name, 0.05)
     assert small_kernels.summed(COUNT, np.empty(1)) == pytest.approx(SUM)
     assert small_kernels.summed._loaded
+
+
+@pytest.fixture
+def asked_for_code(monkeypatch):
+    """Sends this process a signal while LLVM, loading a kernel, asks Numba for its code on disk."""
+    engine = registry.cpu_target.target_context.codegen()._engine._ee
+    ask = engine._object_cache_getbuffer
+
+    def send(*numbers):
+        left = list(numbers)
+
+        def interrupted(module):
+            while left:
+                signal.raise_signal(left.pop(0))
+            return ask(module)
+
+        monkeypatch.setattr(engine, "_object_cache_getbuffer", interrupted)
+
+    return send
+
+
+@pytest.mark.filterwarnings("error::pytest.PytestUnraisableExceptionWarning")
+def test_ctrl_c_while_a_kernel_is_loaded_is_not_lost(fresh, asked_for_code):
+    """It was raised inside of a callback of LLVM, printed there, and the program went on."""
+    before = signal.getsignal(signal.SIGINT)
+    asked_for_code(signal.SIGINT)
+    with pytest.raises(KeyboardInterrupt):
+        small_kernels.summed.load(tuple(describe(value) for value in (1, np.empty(1))))
+    assert signal.getsignal(signal.SIGINT) is before
+    assert store.is_ready(small_kernels.summed, tuple(describe(value) for value in (1, np.empty(1))))
+    assert small_kernels.summed(1000, np.empty(1)) == 499500.0
+
+
+def test_of_two_signals_while_a_kernel_is_loaded_none_is_lost():
+    came = []
+    before = {
+        number: signal.signal(number, lambda number, _: came.append(number)) for number in (signal.SIGINT, signal.SIGTERM)
+    }
+    try:
+        with signals.kept():
+            signal.raise_signal(signal.SIGTERM)
+            signal.raise_signal(signal.SIGINT)
+            assert came == []
+            signal.raise_signal(signal.SIGINT)  # who asks twice does not wait
+            assert came == [signal.SIGINT]
+        assert came == [signal.SIGINT, signal.SIGTERM, signal.SIGINT]
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def test_what_is_compiled_ahead_of_all_tests_is_there_to_be_called():
+    found = {kernel.py_func.__module__ for kernel, _ in compile_ahead.called(compile_ahead.calls)}
+    assert found > compile_ahead.FIRST
 
 
 def test_what_python_raises_is_what_compiled_arithmetic_gives(fresh):
@@ -185,6 +248,38 @@ def test_without_a_home_and_with_nothing_writable(monkeypatch, tmp_path):
         store.root_folder.cache_clear()
 
 
+ARGUMENTS = (1000, np.empty(1))
+KINDS = tuple(describe(value) for value in ARGUMENTS)
+
+
+@pytest.mark.parametrize("failing", ["_save_index", "_save_data"])
+def test_a_full_disk_for_compiled_code_is_no_error(fresh, monkeypatch, failing):
+    """Every command ended with 'No space left on device', though nothing was to be saved."""
+
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(caching.IndexDataCacheFile, failing, full)
+    dispatchers.compile_for(small_kernels.summed, KINDS)
+    assert not store.is_ready(small_kernels.summed, KINDS)
+    assert dispatchers.entry(small_kernels.summed)(*ARGUMENTS) == 499500.0
+
+
+@pytest.mark.parametrize("name", ["*.nbc", "*.nbi"])
+def test_compiled_code_that_was_cut_short_is_made_again(fresh, monkeypatch, name):
+    """As a power failure leaves files: every later command ended with 'Ran out of input'."""
+    for length in (0, 60):
+        dispatchers.compile_for(small_kernels.summed, KINDS)
+        [file] = store.folder_of(small_kernels.summed).rglob(name)
+        file.write_bytes(file.read_bytes()[:length])
+        for hits in (0, 1):
+            monkeypatch.setattr(dispatchers, "_entries", {})
+            dispatchers.compile_for(small_kernels.summed, KINDS)
+            made = dispatchers.entry(small_kernels.summed)
+            assert sum(made.stats.cache_hits.values()) == hits
+            assert made(*ARGUMENTS) == 499500.0
+
+
 def with_constant(constant):
     def inside(value):
         return value * constant
@@ -219,6 +314,24 @@ def test_parts_get_no_machine_code_of_their_own(fresh):
     (made,) = part.overloads.values()
     assert type(made.library).__name__ == "_PartLibrary"
     assert "wrapper" not in made.library.get_llvm_str()
+
+
+PLAIN = """
+import warnings
+warnings.simplefilter("error")
+from numba import types
+import small_kernels
+from hophoop._jit.plain import leave_unoptimised, plain
+leave_unoptimised()
+code, name = plain(small_kernels.with_a_unit, (types.float64,))
+print(f"define i32 @{name}(" in code, "by_itself" in code)
+"""
+
+
+def test_code_for_other_machines_is_not_kept_for_this_one(tmp_path):
+    """Numba tried to keep the unoptimised code of what is compiled by itself, where every motion would have taken it from."""
+    assert python(PLAIN, NUMBA_CACHE_DIR=str(tmp_path)).split() == ["True", "True"]
+    assert not [*tmp_path.rglob("*.nb?")]
 
 
 def test_a_constant_argument_compiles_nothing_anew(fresh):
@@ -300,3 +413,16 @@ def test_equal_bits_for_maps():
         fast = hh.maps.points(None, values, wanted)
     for name in wanted:
         np.testing.assert_array_equal(plain[name], fast[name])
+
+
+def test_what_is_never_inlined_is_linked_once_however_it_is_called(fresh):
+    """Its callers leave it out: it is compiled with the whole, and not with each of them."""
+    woven = dispatchers.entry(small_kernels.woven)
+    assert woven(3.0) == small_kernels.woven.interpreted(3.0) == 4.0
+    defined = [line for line in woven.inspect_llvm(woven.signatures[0]).splitlines() if line.startswith("define")]
+    for name in ("halved", "between"):
+        assert sum(f"small_kernels{len(name)}{name}" in line for line in defined) == 1
+    part = dispatchers.inner(small_kernels.above)
+    code = part.overloads[part.signatures[0]].library.get_llvm_str().splitlines()
+    assert any("halved" in line for line in code if line.startswith("declare"))
+    assert not any("halved" in line for line in code if line.startswith("define"))

@@ -37,6 +37,8 @@ def replacing(target: Path) -> Iterator[Path]:
     if target.is_dir() and not any((target / name).exists() for name in ("zarr.json", ".zgroup")):
         # someone's folder, which only an older Zarr store is not
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(target))
+    if not target.absolute().parent.is_dir():  # netCDF would say 'Permission denied'
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), str(target))
     temporary = target.with_name(f".{uuid.uuid4().hex[:12]}.{target.name}")
     try:
         yield temporary
@@ -44,14 +46,21 @@ def replacing(target: Path) -> Iterator[Path]:
             _put_folder(temporary, target)
         else:
             os.replace(temporary, target)
-    except FileNotFoundError as error:
-        # name the path that the caller gave
-        raise FileNotFoundError(error.errno, error.strerror, str(target)) from None
+    except OSError as error:
+        raise _named(error, temporary, target) from None
     finally:
         if temporary.is_dir():
             shutil.rmtree(temporary)
         else:
             temporary.unlink(missing_ok=True)
+
+
+def _named(error: OSError, temporary: Path, target: Path) -> OSError:
+    """The error with the path that the caller gave."""
+    if error.errno is None:
+        return OSError(str(error).replace(str(temporary), str(target)))
+    ours = error.filename is None or temporary.name.removesuffix(target.name) in str(error.filename)
+    return OSError(error.errno, error.strerror, str(target)) if ours else error
 
 
 def _put_folder(fresh: Path, target: Path) -> None:

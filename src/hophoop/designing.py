@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from hophoop._extras import need
 from hophoop.derivatives.carrying import Rated
+from hophoop.derivatives.friction_use import greatest_use
 from hophoop.derivatives.parameters import PATHS, value_of
 from hophoop.derivatives.quantities import PASSING, quantity
 from hophoop.derivatives.sensitivity import names_of
@@ -176,6 +177,11 @@ class _Plain:
         for step in name.split("."):
             event = getattr(event, step)
         return Rated(float(event), np.zeros(0))
+
+    def friction_use(self) -> Rated:
+        self.last = len(self.motion.events) - 1
+        tables = self.motion.tables
+        return Rated(greatest_use(self.motion.scenario.to_body(), tables["events"], tables["segments"]), np.zeros(0))
 
     def at_times(self, times: Floats, names: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
         begins = np.array([event.t for event in self.motion.events])

@@ -127,7 +127,7 @@ def test_progress_is_told(tmp_path):
 
 
 def test_pictures_stream_to_the_encoder(tmp_path):
-    """Many pictures need no more memory than few: 2000 of 1 MB each, in a process that may grow by 100 MB."""
+    """Many pictures need no more memory than few: 250 of 1 MB each, in a process that may grow by 60 MB."""
     code = """
 import resource, sys
 import numpy as np
@@ -138,13 +138,13 @@ class Many:
     def draw(self, k): return np.full((512, 512, 4), k % 256, np.uint8)
 write(Many(10), sys.argv[1] + '/a.mp4')
 before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-write(Many(600), sys.argv[1] + '/b.mp4')
+write(Many(250), sys.argv[1] + '/b.mp4')
 print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before)
 """
     if sys.platform != "linux":
         pytest.skip("ru_maxrss has another unit elsewhere")
     done = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
-    assert int(done.stdout) < 60_000  # kB, where all pictures are 630 MB
+    assert int(done.stdout) < 60_000  # kB, where all pictures are 262 MB
 
 
 def test_an_encoder_that_fails_says_why(tmp_path, monkeypatch):

@@ -143,7 +143,7 @@ def test_statements_of_the_article():
         (["--thresholds", "fastest"], "'fastest'"),
         (["--thresholds", "all", "--article"], "cannot be given together with --article"),
         (["--v0", 3.1, "--depth", 3], "--depth needs --boxes"),
-        (["--article", "--seconds", 3], "--seconds needs --boxes"),
+        (["--article", "--seconds", 3], "--article cannot be given together with --seconds"),
         (["--check", "a.json", "--boxes", "plane.mu=1:2"], "cannot be given together with --boxes"),
     ],
 )

@@ -22,10 +22,11 @@ MOST = 8.0  # plain motions
 
 @pytest.mark.slow
 @pytest.mark.compiled
-def test_twelve_directions_of_eight_quantities_cost_less_than_eight_motions():
+@pytest.mark.parametrize("resistance", [0.0, 0.005])
+def test_twelve_directions_of_eight_quantities_cost_less_than_eight_motions(resistance):
     """Medians of calls in turn, so that a busy machine slows both."""
     with forced("compiled"):
-        scenario = hh.Scenario(duration=2.0)
+        scenario = hh.Scenario(plane=hh.Plane(rolling_resistance=resistance), duration=2.0)
         motion = hh.simulate(scenario)
         calls = (lambda: hh.simulate(scenario), lambda: motion.sensitivity(QUANTITIES, PATHS))
         seconds = [[], []]

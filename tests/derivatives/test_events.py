@@ -107,7 +107,13 @@ def test_angles_depend_on_the_froude_number_alone():
     assert by_mass == pytest.approx([0.0, 0.0, 0.0, result.values[3]], abs=1e-12)
 
 
-@pytest.mark.parametrize("name", ["hop", "skid", "stronge", "rest_in_the_valley", "massless_slides"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "hop", "skid", "stronge", "rest_in_the_valley", "massless_slides", "resisted_hop",
+        pytest.param("turns_slipping", marks=pytest.mark.long),
+    ],
+)  # fmt: skip
 def test_energies_and_times_follow_differences_of_doubles(name):
     """The state at fixed times, with its energies, against four motions beside this one."""
     scenario = scenario_of(name)
@@ -116,7 +122,8 @@ def test_energies_and_times_follow_differences_of_doubles(name):
     carried = carry(motion, paths)
     events = np.array(sorted({event.t for event in motion.events}))
     times = np.sort(np.concatenate([0.5 * (events[1:] + events[:-1]), events[:-1] + 0.123 * np.diff(events)]))
-    fields = ("x", "height", "angle", "vx", "vy", "omega", "slip", "kinetic", "potential", "total", "friction", "impact_normal")
+    motions = ("x", "height", "angle", "vx", "vy", "omega", "slip")
+    fields = (*motions, "kinetic", "potential", "total", "friction", "impact_normal", "rolling_resistance")
     rated = carried.at_times(times, fields)
     for k, path in enumerate(paths):
         value = value_of(scenario, path)
@@ -129,7 +136,10 @@ def test_energies_and_times_follow_differences_of_doubles(name):
             assert rated[field][0] == pytest.approx(np.asarray(getattr(motion.at(times), field)), abs=1e-14)
 
 
-MAPPED = ("time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost")
+MAPPED = (
+    "time", "end_angle", "end_speed", "distance", "distance_rolled", "revolutions_to_rolling", "energy_lost",
+    "greatest_utilization",
+)  # fmt: skip
 OF_HOPS = ("takeoff_time", "takeoff_angle", "hop_height", "flight_time", "flight_distance", "landing_angle", "landing_loss")
 
 

@@ -182,7 +182,7 @@ def test_a_full_disk_leaves_the_old_file(motion, tmp_path, option, name, limit):
     before = contents(folder)
     status, said = run_limited(limit, tmp_path / "said", option, target)
     assert status == 2, said
-    assert said.startswith("Error: ")
+    assert said.startswith(f"Error: {target}")  # by the name that was given
     assert said.count("\n") == 1
     assert contents(folder) == before
 

@@ -66,7 +66,7 @@ def test_slopes_are_those_of_differences(kind, marker):
     values |= {name: value for name, value in known.items() if name in values} | (
         {"inertia_ratio": 0.6} if "inertia_ratio" in values else {}
     )
-    # rolling resistance has no derivatives; at 0 it is at the end of its range
+    # rolling resistance is at the end of its range at 0: see test_resistance
     names = tuple(name for name in problem.names if name != "rolling_resistance")
     jacobian = slopes(problem, Choice(values, names, {}, {}), names)
     for k, name in enumerate(names):

@@ -5,9 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+import os
+import sys
 import tempfile
 import time
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -32,7 +35,8 @@ class Outcome(NamedTuple):
     word: str  # 'refused', or a status
     problems: tuple[str, ...]
     ledger: float  # residual over range
-    seconds: float
+    seconds: float  # of the processor, for the motion
+    digest: str = ""
 
 
 def mirrored(keys: dict[str, Any]) -> dict[str, Any]:
@@ -118,10 +122,42 @@ def file_problems(motion: hh.Trajectory) -> list[str]:
         return [] if digest(hh.load(path)) == digest(motion) else ["a loaded motion has other bits"]
 
 
-def outcome(keys: dict[str, Any], with_file: bool = False, patience: float = PATIENCE) -> Outcome:
+def warm_up() -> None:
+    """Load or compile the kernels of both contacts, before a clock runs."""
+    for contact in (hh.Rigid(), hh.Compliant()):
+        hh.simulate(hh.Scenario(contact=contact, duration=0.1)).at(0.05)
+
+
+def thread_problems(motion: hh.Trajectory) -> list[str]:
+    """Whether eight threads at once give the same bits."""
+    with ThreadPoolExecutor(8) as pool:
+        others = list(pool.map(hh.simulate, [motion.scenario] * 8))
+    return [] if {digest(other) for other in others} == {digest(motion)} else ["threads give other bits"]
+
+
+def fork_problems(motion: hh.Trajectory) -> list[str]:
+    """Whether a forked process gives the same bits; nothing where processes cannot be forked."""
+    if not hasattr(os, "fork") or sys.platform == "darwin":
+        return []
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:  # nothing of the parent may run on here, also where something is raised
+        try:
+            os.write(writing, digest(hh.simulate(motion.scenario)).encode())
+        finally:
+            os._exit(0)
+    os.close(writing)
+    with open(reading, encoding="ascii") as pipe:
+        said = pipe.read()
+    os.waitpid(child, 0)
+    return [] if said == digest(motion) else ["a forked process gives other bits"]
+
+
+def outcome(keys: dict[str, Any], with_file: bool = False, patience: float = PATIENCE, elsewhere: bool = False) -> Outcome:
     """Compute the motion of a scenario file's keys, and check it.
 
-    Anything that is raised is a problem, but for a ValueError where the scenario is refused.
+    Anything that is raised is a problem, but for a ValueError where the scenario is refused. `elsewhere`: also in threads
+    and in a forked process.
     """
     began = time.process_time()
     with warnings.catch_warnings():
@@ -140,9 +176,11 @@ def outcome(keys: dict[str, Any], with_file: bool = False, patience: float = PAT
                 found += mirror_problems(motion, keys)
             if with_file:
                 found += file_problems(motion)
+            if elsewhere:
+                found += thread_problems(motion) + fork_problems(motion)
             off = abs(motion.ledger.residual) / motion.ledger.range if motion.ledger.range else 0.0
         except Exception as error:
             return Outcome("raised", (f"{type(error).__name__}: {error}"[:200],), math.inf, time.process_time() - began)
     if seconds > patience:
         found.append(f"{seconds:.0f} s of the processor")
-    return Outcome(motion.status, tuple(found), off, seconds)
+    return Outcome(motion.status, tuple(found), off, seconds, digest(motion))

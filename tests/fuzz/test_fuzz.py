@@ -18,7 +18,7 @@ from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
 import hophoop as hh
-from fuzz.checks import PATIENCE, digest, outcome
+from fuzz.checks import PATIENCE, digest, outcome, warm_up
 from fuzz.draws import Seeded, scenario
 
 TURNS = 200.0  # so short that thousands of them take half a minute
@@ -60,6 +60,7 @@ def test_any_magnitude(keys):
 
 
 @pytest.mark.slow
+@pytest.mark.random
 @settings(max_examples=2_000, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(drawn())
 def test_any_magnitude_at_length(keys):
@@ -106,11 +107,31 @@ def test_other_processes_give_the_same_bits(method, monkeypatch):
         assert list(pool.map(answer, indices)) == alone
 
 
+@pytest.fixture
+def compiled_before(monkeypatch):
+    """Compiled kernels that are loaded before the clock runs, as at night."""
+    monkeypatch.setenv("HOPHOOP_KERNELS", "compiled")
+    warm_up()
+
+
 @pytest.mark.slow
+@pytest.mark.random
 @pytest.mark.compiled
 @pytest.mark.parametrize("index", [557, 744, 1019, 1327, 1391, 2470, 4033, 5406])
-def test_scenarios_of_a_night_that_once_failed(index):
+def test_scenarios_of_a_night_that_once_failed(compiled_before, index):
     """Their ledger was off, their mirror image had other events, or they took from 6 to 29 s of the processor."""
+    assert outcome(kept(index), patience=2.0 * PATIENCE).problems == ()  # of a machine that other work shares
+
+
+def kept(index: int) -> dict[str, Any]:
+    """The keys of a scenario that a night found."""
     path = Path(__file__).parents[1] / "data" / "once_open" / f"{index}.toml"
-    keys = tomllib.loads(path.read_text(encoding="utf-8"))
-    assert outcome(keys, patience=2.0 * PATIENCE).problems == ()  # of a machine that other work shares
+    return tomllib.loads(path.read_text(encoding="utf-8"))
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+@pytest.mark.xfail(strict=True, reason="known and open; docs/limits.md says of each what is known")
+@pytest.mark.parametrize("index", [6134, 11925, 14960, 15191])
+def test_scenarios_of_a_night_that_still_fail(compiled_before, index):
+    assert outcome(kept(index), patience=60.0).problems == ()

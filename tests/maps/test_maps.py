@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 import hophoop as hh
 from hophoop import maps
 from hophoop.maps import kernel
-from hophoop.maps.axes import chunk_at, chunk_count, chunk_shape, make_axes, parse_axis
+from hophoop.maps.axes import chunk_at, chunk_count, chunk_shape, linear, logarithmic, make_axes, parse_axis
 from hophoop.maps.cells import make_cells
 from hophoop.maps.evaluate import make_plan, run_cells
 from hophoop.maps.quantities import make_span, unpack
@@ -343,6 +343,14 @@ def test_axes_as_text():
     assert path == "start.speed"
     np.testing.assert_allclose(values, [0.1, 1.0, 10.0])
     assert parse_axis("plane.mu=1,0.5,inf")[1].tolist() == [1.0, 0.5, math.inf]
+
+
+@pytest.mark.parametrize("count", [0, 1_000_000_000_000, math.inf, math.nan, 1.5])
+def test_the_number_of_values_of_an_axis_has_its_bounds(count):
+    """A million million ended with the size of an array of NumPy."""
+    for spaced in (linear, logarithmic):
+        with pytest.raises(ValueError, match=r"must be a whole number from 1 to 100,000,000\.$"):
+            spaced(0.1, 1.0, count)
 
 
 @pytest.mark.parametrize("text", ["plane.mu", "plane.mu=", "plane.mu=1:2", "plane.mu=1:2:3:lin", "plane.mu=a:b:3"])

@@ -62,6 +62,7 @@ def simulated(tmp_path_factory):
     return folder
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["first_revolution", "duration"])
 def test_simulated_threads_give_what_the_cpu_gives(simulated, name):
     cells = chosen_cells()
@@ -78,6 +79,7 @@ def test_simulated_threads_give_what_the_cpu_gives(simulated, name):
         assert len(hh.simulate(base.replace("plane.restitution", 0.9)).events) > kernel.FIRST_EVENTS
 
 
+@pytest.mark.long
 def test_a_map_says_what_computed_it(simulated):
     found = maps.open_map(simulated / "map.zarr")
     expected = maps.sweep(None, AXES, ["sequence", "time"])

@@ -76,3 +76,39 @@ def test_value_and_slope(xi):
     assert slope == pytest.approx(chebyshev.chebval(xi, chebyshev.chebder(series)), rel=1e-14, abs=1e-14)
     if xi == 0.0:
         assert col.middle_value(series) == pytest.approx(value, rel=1e-15)
+
+
+ROWS = {
+    "smooth": np.cos(1.3 * col.NODES) + 0.2,
+    "random": np.random.default_rng(6).normal(size=col.ORDER),
+    "wide": 10.0 ** np.random.default_rng(7).uniform(-300, 300, col.ORDER),
+    "zero": np.zeros(col.ORDER),
+    "no number": np.where(np.arange(col.ORDER) % 5 == 2, np.nan, 0.3),
+    "infinite": np.where(np.arange(col.ORDER) == 9, np.inf, 0.3),
+    "signed zeros": np.where(np.arange(col.ORDER) % 2 == 0, -0.0, 1e-320),
+}
+
+
+def same_bits(kernel, *arguments):
+    """What the loop and the whole arrays of a kernel give: what is returned, and what is written into a row."""
+    outcomes = []
+    for function in (kernel.py_func, kernel.by_arrays):
+        out = np.full(col.ORDER, 7.0)
+        with np.errstate(all="ignore"):
+            given = function(*arguments, *([out] if kernel is not col.tail else []))
+        outcomes.append(np.append(out, np.nan if given is None else given).view(np.uint64).tolist())
+    return outcomes[0] == outcomes[1]
+
+
+@pytest.mark.parametrize("row", ROWS.values(), ids=ROWS)
+def test_whole_arrays_give_the_bits_of_the_loops(row):
+    """Interpreted kernels do whole rows at a time where that is quicker; their loops are what is compiled."""
+    for matrix in (col.ANTIDERIVATIVE_T, col.REMAINDER_T, col.SERIES_T, search.LEFT_T):
+        assert same_bits(col.product, matrix, row)
+    for scale in (0.0, 2.5, np.inf):
+        assert same_bits(col.tail, row, scale)
+    if np.nanmax(np.abs(row)) < 700.0:  # beyond, Python's exponential raises an error
+        assert same_bits(col.exponentials, row)
+        assert same_bits(col.exponentials, row / 3.0)
+    for xi in row[np.abs(row) < 2.0]:
+        assert same_bits(col.lagrange, xi)

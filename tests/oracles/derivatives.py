@@ -20,6 +20,7 @@ from hophoop.derivatives.parameters import value_of
 FILE = Path(__file__).parents[1] / "data" / "derivatives.json"
 STEP = -20  # power of two, beside the parameter
 FIELDS = ("t", "x", "height", "angle", "omega", "slip", "vy", "impact_normal", "impact_tangential", "friction")
+RESISTED = "rolling_resistance"  # where there is some
 OF_IMPACT = ("before_omega", "before_slip", "before_vy", "impulse_normal", "impulse_tangential")
 REPEATED = ("impact", "apex")  # doubles close endless bounces sooner
 
@@ -28,6 +29,7 @@ ROUGH = ("start.speed", "hoop.eccentricity", "hoop.inertia_ratio", "plane.mu_sta
 FREE = ("start.vx", "start.omega", "start.angle", "hoop.eccentricity", "hoop.inertia_ratio", "plane.mu_kinetic")
 THROWN = (*FREE, "start.height", "start.vy", "plane.restitution")
 TILTED = ("start.speed", "plane.slope", "hoop.load_fraction", "plane.mu")
+RESISTANCE = "plane.rolling_resistance"
 
 # Name: the scenario as a query, and the parameters.
 CASES: dict[str, tuple[str, tuple[str, ...]]] = {
@@ -155,6 +157,56 @@ CASES: dict[str, tuple[str, tuple[str, ...]]] = {
         "duration=3&start.speed=-2.9&start.angle=-1&plane.slope=0.05&plane.mu=0.7",
         TILTED,
     ),
+    "resisted_hop": (
+        "duration=2&start.speed=3.1&start.angle=0.1&plane.rolling_resistance=0.005",
+        ("start.speed", "hoop.load_fraction", "plane.mu", "plane.gravity", "hoop.radius", "hoop.mass", RESISTANCE),
+    ),
+    "resisted_slope": (
+        "duration=3&start.speed=3.1&plane.slope=0.1&plane.mu_static=0.6&plane.mu_kinetic=0.5&plane.rolling_resistance=0.02",
+        ("plane.slope", "plane.mu_static", "plane.mu_kinetic", RESISTANCE),
+    ),
+    "rocks_to_rest": (
+        "duration=8&hoop.load_fraction=0.5&start.speed=0.3&start.angle=2&plane.rolling_resistance=0.1",
+        ("start.speed", "hoop.load_fraction", RESISTANCE),
+    ),
+    "turns_slipping": (
+        "duration=4&hoop.load_fraction=0.5&start.speed=0&start.angle=1&plane.mu=0.15&plane.rolling_resistance=0.01",
+        ("hoop.load_fraction", "plane.mu", "start.angle", RESISTANCE),
+    ),
+    "turns_into_slip": (
+        "duration=3&hoop.eccentricity=0.1&hoop.inertia_ratio=0.9&start.speed=-2&plane.slope=0.3"
+        "&plane.mu=0.15&plane.rolling_resistance=0.1",
+        ("start.speed", "plane.slope", RESISTANCE),
+    ),
+    "slides_without_turning": (
+        "duration=3&hoop.eccentricity=0.3&hoop.inertia_ratio=0.8&start.vx=3&start.omega=-2&start.angle=3"
+        "&plane.mu_static=0.18&plane.mu_kinetic=0.1&plane.rolling_resistance=0.2",
+        ("start.omega", "hoop.inertia_ratio", "plane.mu_kinetic", RESISTANCE),
+    ),
+    "slides_to_rest": (
+        "duration=3&hoop.eccentricity=0.02&hoop.inertia_ratio=0.8&start.vx=2&start.omega=-1&start.angle=3"
+        "&plane.mu_static=0.3&plane.mu_kinetic=0.1&plane.rolling_resistance=0.2",
+        ("start.vx", "hoop.eccentricity", "plane.mu_kinetic", RESISTANCE),
+    ),
+    "resisted_bounces": (
+        "duration=2.5&start.height=0.3&start.vx=1&start.vy=0.3&start.omega=3&start.angle=2.9&plane.restitution=0.5"
+        "&plane.mu=0.3&plane.rolling_resistance=0.03",
+        ("start.omega", "plane.restitution", RESISTANCE),
+    ),
+    "resisted_rolling": (
+        "duration=2&start.speed=2.5&start.angle=0.2&plane.mu=inf&plane.rolling_resistance=0.02",
+        ("start.speed", "hoop.eccentricity", RESISTANCE),
+    ),
+    "resisted_jam": (
+        "duration=1&start.angle=-2.312&start.vx=30.37&start.omega=5.654&plane.mu_static=1.219&plane.mu_kinetic=1.21"
+        "&plane.rolling_resistance=0.001",
+        ("start.angle", "hoop.eccentricity", RESISTANCE),
+    ),
+    "resisted_without_gravity": (
+        "duration=2&start.vx=3&start.omega=2&start.angle=2.2&plane.gravity=0&plane.mu_static=0.4&plane.mu_kinetic=0.3"
+        "&plane.rolling_resistance=0.02",
+        ("start.vx", RESISTANCE),
+    ),
 }
 PARTS = ("hoop.parts.0.mass", "hoop.parts.0.inner_radius", "hoop.parts.1.at", "hoop.parts.1.radius", "hoop.parts.2.length")
 
@@ -192,7 +244,8 @@ def differences(scenario: hh.Scenario, path: str) -> dict[str, dict[str, str]]:
             events = [column[place] for column in columns]
             key = f"{kind} {place}"
             found[key] = {}
-            for field in FIELDS + (OF_IMPACT if kind in ("impact", "bounce_limit") else ()):
+            lost = (RESISTED,) if scenario.plane.rolling_resistance else ()
+            for field in FIELDS + lost + (OF_IMPACT if kind in ("impact", "bounce_limit") else ()):
                 low, less, more, high = (getattr(event, field) for event in events)
                 rate = (low - 8 * less + 8 * more - high) / (12 * step)
                 if rate.is_finite():

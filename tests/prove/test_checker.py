@@ -169,14 +169,3 @@ def test_a_motion_with_a_hop_is_no_motion_without(hop):
     certificate = copy.deepcopy(hop)
     certificate["scenario"]["start"]["speed"] = 2.8
     assert not check(certificate).accepted
-
-
-def test_rolling_resistance_is_not_covered(hop):
-    scenario = hh.Scenario(plane=hh.Plane(rolling_resistance=0.01), duration=0.3)
-    with pytest.raises(ValueError, match=r"plane.rolling_resistance = 0.01 must be 0 here: proofs do not cover"):
-        prove(scenario)
-    changed = copy.deepcopy(hop)
-    changed["scenario"]["plane"]["rolling_resistance"] = 0.01
-    verdict = check(changed)
-    assert not verdict.accepted
-    assert "rolling resistance" in verdict.why

@@ -22,6 +22,7 @@ NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 HOP = hh.Scenario(duration=2.0)
 SEED = 2026
 EVENTS = 40
+PATIENCE = 600.0  # s, for one motion
 QUICK = [0, 1, 2, 3, 6, 8, 9, 10, 11, 16, 18, 19, 21, 22, 25, 26, 28, 30, 83, 129]
 # What the kernel is off the enclosure at most, beside the number or 0.001 of its SI unit.
 KERNEL = 1e-8
@@ -123,11 +124,22 @@ def test_bad_input_is_refused():
         prove(hh.Scenario(hoop=hh.Hoop.ideal(1.0)), 10).save("nowhere.json")
 
 
+def test_a_proof_that_takes_too_long_is_given_up():
+    """A ring of 10⁻⁸ of the mass needs some hundred bits, and minutes."""
+    _, sections = draw(SEED, 175)
+    begin = time.monotonic()
+    proof = prove(random_scenario(sections, max_events=EVENTS), 10, max_events=EVENTS, seconds=0.5)
+    assert (proof.verdict, proof.why) == ("undecided", "there was no time for it")
+    assert time.monotonic() - begin < 20
+    with pytest.raises(ValueError, match="seconds"):
+        prove(HOP, 10, seconds=0.0)
+
+
 def contradiction(index: int) -> str:
     """How a proof and the kernel contradict each other, '' where they do not, 'undecided' without a proof."""
     _, sections = draw(SEED, index)
     scenario = random_scenario(sections, max_events=EVENTS)
-    proof, motion = prove(scenario, 10, max_events=EVENTS), hh.simulate(scenario)
+    proof, motion = prove(scenario, 10, max_events=EVENTS, seconds=PATIENCE), hh.simulate(scenario)
     # the top of a flight changes no mode, and the kernel does not name one where the end of the time cuts the flight off
     events = [event for event in motion.events if event.kind != "apex"]
     facts = [event for event in proof.events if event.kind != "apex"]

@@ -7,6 +7,7 @@ import pytest
 
 import hophoop as hh
 from hophoop import article
+from hophoop._jit import forced
 from random_scenarios import draw
 
 
@@ -32,9 +33,9 @@ def test_the_articles_motions(name):
     check(article.scenarios()[name])
 
 
-def test_random_motions():
+def check_at_random(count):
     seen = set()
-    for index in range(60):
+    for index in range(count):
         scenario = hh.Scenario.model_validate({**draw(11, index)[1], "duration": 3.0})
         if scenario.contact.model != "rigid":
             continue
@@ -44,6 +45,19 @@ def test_random_motions():
         _, found = check(scenario)
         seen |= {phase.ended_by.split(":")[0].split(" F =")[0].split(", with")[0] for phase in found}
     assert len(seen) >= 6, seen
+
+
+def test_random_motions():
+    """Interpreted: a step by itself is half a minute to compile, and nothing else here calls it."""
+    with forced("interpreted"):
+        check_at_random(60)
+
+
+@pytest.mark.slow
+@pytest.mark.compiled
+def test_random_motions_compiled():
+    with forced("compiled"):
+        check_at_random(60)
 
 
 def test_margins_are_those_of_the_motion():

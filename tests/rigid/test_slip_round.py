@@ -17,6 +17,7 @@ def test_slow_slip_round_to_the_next_hilltop():
     assert abs(motion.ledger.residual) < 1e-14
 
 
+@pytest.mark.compiled
 def test_ledgers_of_slow_slip_on_little_friction():
     rng = np.random.default_rng(8)
     for _ in range(40):

@@ -3,6 +3,7 @@
 import json
 import math
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -12,6 +13,12 @@ from pydantic import ValidationError
 import hophoop as hh
 from hophoop.scenario import InputError, sentence, time_unit, to_body
 from strategies import bodies, said
+
+
+def alike(text):
+    """A refusal with whole numbers as they were given: pydantic before 2.12 shows −1 as −1.0."""
+    return re.sub(r"(= -?\d+)\.0 must", r"\1 must", text)
+
 
 # What a hoop is
 
@@ -150,7 +157,7 @@ REFUSED = [
     (lambda: hh.Plane(gravity=-9.81), "plane.gravity = -9.81 must be at least 0."),
     (lambda: hh.Plane(gravity="9.81"), "plane.gravity = '9.81' must be a number."),
     (lambda: hh.Plane(gravity=True), "plane.gravity = True must be a number."),
-    (lambda: hh.Plane(gravity=10**400), "must be a number."),
+    (lambda: hh.Plane(gravity=10**400), "must be a finite number."),
     (lambda: hh.Plane(restitution=np.float64(1.5)), "plane.restitution = 1.5 must be at most 1."),
     (lambda: hh.Plane(impact_law="hertz"), "must be 'stronge', 'newton' or 'poisson'."),
     (lambda: hh.Plane(frictoin=1), "plane.frictoin is not a known key; known are gravity, slope, mu,"),
@@ -185,7 +192,7 @@ REFUSED = [
 
 @pytest.mark.parametrize(("build", "expected"), REFUSED)
 def test_refusals_name_field_value_and_what_is_allowed(build, expected):
-    assert expected in said(build)
+    assert alike(expected) in alike(said(build))
 
 
 REFUSED_KEYS = [
@@ -208,12 +215,12 @@ REFUSED_KEYS = [
 
 @pytest.mark.parametrize(("keys", "expected"), REFUSED_KEYS)
 def test_refusals_of_files(keys, expected):
-    assert expected in said(lambda: hh.Scenario.from_dict(keys))
-    assert expected in said(lambda: hh.Scenario.loads(json.dumps(keys)))
+    assert alike(expected) in alike(said(lambda: hh.Scenario.from_dict(keys)))
+    assert alike(expected) in alike(said(lambda: hh.Scenario.loads(json.dumps(keys))))
     # The web interface validates through pydantic itself, and turns its error into the same sentence.
     with pytest.raises(ValidationError) as caught:
         hh.Scenario.model_validate(keys)
-    assert expected in sentence(caught.value)
+    assert alike(expected) in alike(sentence(caught.value))
 
 
 def test_every_finding_stays_with_the_error():

@@ -22,32 +22,51 @@ from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase, DefaultPassBuilder, _LowerResult
 from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
-from numba.core.typed_passes import NativeLowering
+from numba.core.typed_passes import NativeLowering, NopythonRewrites
 
-from hophoop._jit import beside, store
+from hophoop._jit import beside, signals, store
+from hophoop._jit.disk import DiskCache
 from hophoop._jit.kernels import Namespaces, Source
 
 
 class _Library(JITCodeLibrary):  # type: ignore[misc]
-    """Code that is linked with all that it calls, also through outer kernels."""
+    """Code that is linked with all that it calls, also where a part of it has left something out."""
 
     _linking_libraries: list[Any]
+    left_out: tuple[Any, ...] = ()  # what is called from here and is to be linked later
+
+    def _optimize_functions(self, module: Any) -> None:
+        # what is done to the linked module does the same and more
+        module.data_layout = self._codegen._data_layout
 
     def finalize(self) -> None:
+        called = self._called()
+        self.left_out = tuple(library for library in called if self._leaves_out(library))
+        self._linking_libraries = [library for library in called if library not in self.left_out]
+        super().finalize()
+
+    def _leaves_out(self, library: Any) -> bool:
+        return False
+
+    def _called(self) -> list[Any]:
         found: dict[Any, None] = {}
-        waiting: list[Any] = list(self._linking_libraries)
+        waiting = list(self._linking_libraries)
         while waiting:
             library = waiting.pop(0)
             if library not in found:
                 found[library] = None
-                if isinstance(library, _OuterLibrary):
-                    waiting += library._linking_libraries
-        self._linking_libraries = list(found)
-        super().finalize()
+                waiting += getattr(library, "left_out", ())
+        return list(found)
 
 
 class _PartLibrary(_Library):
-    """Code that is only ever linked into that of a caller: of it alone no machine code is made."""
+    """Code that is only ever linked into that of a caller: of it alone no machine code is made.
+
+    What it calls and never inlines is left out: it would be optimised again as a part of each of its callers.
+    """
+
+    def _leaves_out(self, library: Any) -> bool:
+        return isinstance(library, _ApartLibrary | _OuterApartLibrary)
 
     def _finalize_final_module(self) -> None:
         self._finalize_dynamic_globals()
@@ -55,12 +74,21 @@ class _PartLibrary(_Library):
         self._finalized = True
 
 
+class _ApartLibrary(_PartLibrary):
+    """Code of what is never inlined."""
+
+
 class _OuterLibrary(_Library):
     """Code of the outer loops, which is not optimised before it is a part of the whole."""
 
     def finalize(self) -> None:
         self._raise_if_finalized()
+        self.left_out = tuple(self._linking_libraries)
         self._finalized = True
+
+
+class _OuterApartLibrary(_OuterLibrary):
+    """Code of outer loops that is never inlined."""
 
 
 class _ApartLower(Lower):  # type: ignore[misc]
@@ -104,7 +132,12 @@ def _compiler(kind: type[NativeLowering], library: type[_Library], lower: type[L
     class Compiler(CompilerBase):  # type: ignore[misc]
         def define_pipelines(self) -> list[Any]:
             pipeline = DefaultPassBuilder.define_nopython_pipeline(self.state)
-            pipeline.passes = [(lowering if step is NativeLowering else step, text) for step, text in pipeline.passes]
+            pipeline.passes = [
+                (lowering if step is NativeLowering else step, text)
+                for step, text in pipeline.passes
+                # those are of arrays made within: most kernels make none, and have no reference counts
+                if step is not NopythonRewrites or self.state.flags.nrt
+            ]
             pipeline.finalize()
             return [pipeline]
 
@@ -114,14 +147,15 @@ def _compiler(kind: type[NativeLowering], library: type[_Library], lower: type[L
 _ENTRY_COMPILER = _compiler(_EntryLowering, _Library, Lower)
 # by (outer, apart)
 _PART_COMPILERS = {
-    (outer, apart): _compiler(_PartLowering, _OuterLibrary if outer else _PartLibrary, _ApartLower if apart else Lower)
-    for outer in (False, True)
-    for apart in (False, True)
+    (False, False): _compiler(_PartLowering, _PartLibrary, Lower),
+    (False, True): _compiler(_PartLowering, _ApartLibrary, _ApartLower),
+    (True, False): _compiler(_PartLowering, _OuterLibrary, Lower),
+    (True, True): _compiler(_PartLowering, _OuterApartLibrary, _ApartLower),
 }
 
 
 def _dispatcher(kernel: Source, function: FunctionType, entry: bool) -> Any:
-    options: dict[str, Any] = {"error_model": "numpy", "nogil": True, "cache": entry}
+    options: dict[str, Any] = {"error_model": "numpy", "nogil": True}
     if not kernel.options.nrt:
         options["_nrt"] = False
     # also where it is False: what is first called by a part that is inlined would inherit it, everywhere
@@ -135,6 +169,8 @@ def _dispatcher(kernel: Source, function: FunctionType, entry: bool) -> Any:
     config.CACHE_DIR = str(store.folder_of(kernel)) if entry else before
     try:
         dispatcher = numba.njit(**options)(function)
+        if entry:
+            dispatcher._cache = DiskCache(function)
     finally:
         config.CACHE_DIR = before
     general = dispatcher.get_call_template
@@ -189,9 +225,10 @@ def compile_for(kernel: Source, kinds: Any) -> None:
     dispatcher = entry(kernel)
     there = store.is_ready(kernel, kinds)
     # one process at a time compiles it; the next loads what that one has made
-    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection():
+    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection(), signals.kept():
         dispatcher.compile(tuple(numba_type(kind) for kind in kinds))
-    store.note_ready(kernel, kinds)
+        if dispatcher._cache.complete:
+            store.note_ready(kernel, kinds)
 
 
 def load(kernel: Source, kinds: Any, unknown: Callable[..., Any]) -> Callable[..., Any]:
@@ -253,12 +290,11 @@ def main() -> None:
 
 @contextlib.contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / "lock", "a+b") as file:
-        try:
+    with contextlib.ExitStack() as stack:
+        # where there is no such lock (Windows), or no room for its file, both compile, and write whole files
+        with contextlib.suppress(ImportError, OSError):
             import fcntl
-        except ImportError:  # Windows: both compile, and write whole files
-            yield
-            return
-        fcntl.flock(file, fcntl.LOCK_EX)
+
+            folder.mkdir(parents=True, exist_ok=True)
+            fcntl.flock(stack.enter_context(open(folder / "lock", "a+b")), fcntl.LOCK_EX)
         yield

@@ -28,6 +28,7 @@ class Source:
         update_wrapper(cast(Any, self), function)
         self.py_func = cast(FunctionType, function)
         self.options = options
+        self.by_arrays: Callable[..., Any] | None = None  # what runs instead where the kernel is interpreted
 
     def __reduce__(self) -> str:
         return self.py_func.__qualname__

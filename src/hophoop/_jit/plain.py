@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from types import FunctionType
 from typing import Any
 
 import numba
 from numba.core import codegen
 
 from hophoop._jit import dispatchers
-from hophoop._jit.kernels import Source
+from hophoop._jit.kernels import Namespaces, Source
 
 
 def leave_unoptimised() -> None:
@@ -18,6 +19,14 @@ def leave_unoptimised() -> None:
     """
     codegen.CPUCodeLibrary._optimize_functions = lambda self, module: None
     codegen.CPUCodeLibrary._optimize_final_module = lambda self: None
+
+
+def _callee(kernel: Source, function: FunctionType) -> Any:
+    # also what is compiled by itself elsewhere: as an entry its code would be kept on disk for this machine, unoptimised
+    return dispatchers._dispatcher(kernel, function, entry=False)
+
+
+_callees = Namespaces(_callee)
 
 
 def plain(kernel: Source, kinds: tuple[Any, ...]) -> tuple[str, str]:
@@ -35,8 +44,8 @@ def plain(kernel: Source, kinds: tuple[Any, ...]) -> tuple[str, str]:
     name : str
         Of the function in it.
     """
-    function = dispatchers._callees.copied(kernel.py_func)
-    dispatchers._callees.fill(kernel.py_func)
+    function = _callees.copied(kernel.py_func)
+    _callees.fill(kernel.py_func)
     made = numba.njit(
         error_model="numpy",
         no_cpython_wrapper=True,

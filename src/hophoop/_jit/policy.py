@@ -24,7 +24,7 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 
-from hophoop._jit import beside, store
+from hophoop._jit import beside, signals, store
 from hophoop._jit.kernels import Namespaces, Options, Source, describe
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -65,6 +65,8 @@ _current = threading.local()
 
 
 def _interpreted(kernel: Source, plain: FunctionType) -> Callable[..., Any]:
+    if kernel.by_arrays is not None:
+        return kernel.by_arrays
     if not kernel.options.nrt:  # small, and called by those that look
         return plain
 
@@ -145,11 +147,12 @@ class Kernel(Source):
     def load(self, kinds: Any) -> Callable[..., Any]:
         """Compiled code for arguments of such kinds, waited for where there is none yet."""
         if kinds not in self._loaded:
-            from hophoop._jit import dispatchers
+            with signals.kept():
+                from hophoop._jit import dispatchers
 
-            self._target = dispatchers.load(self, kinds, self._unknown)
-            self._loaded[kinds] = self._target
-        return self._loaded[kinds]
+            self._loaded[kinds] = dispatchers.load(self, kinds, self._unknown)
+        self._target = self._loaded[kinds]
+        return self._target
 
     def _choose(self, *arguments: Any) -> Any:
         wanted = mode()
@@ -157,7 +160,7 @@ class Kernel(Source):
             self._target = self._interpret
             return self._interpret(*arguments)
         kinds = tuple(describe(value) for value in arguments)
-        if wanted == "compiled":
+        if wanted == "compiled" or kinds in self._loaded:
             return self.load(kinds)(*arguments)
         call = self._calls.get(kinds)
         if call is None:
@@ -280,6 +283,20 @@ def inline_jit(function: Function) -> Function:
     Handing body, panel and scratch on is some sixty words a call, which costs a quarter of a motion's time.
     """
     return _kernel(function, nrt=False, forceinline=True)
+
+
+def interpreted_as(by_arrays: Callable[..., Any]) -> Callable[[Function], Function]:
+    """Above another decorator of a kernel: run `by_arrays` instead where the kernel is interpreted.
+
+    For loops over the nodes of a panel, where NumPy's whole arrays are quicker than Python. The numbers must be the same to
+    the last bit, so sums keep their order.
+    """
+
+    def attached(kernel: Function) -> Function:
+        cast(Kernel, kernel).by_arrays = by_arrays
+        return kernel
+
+    return attached
 
 
 def interpreted(kernel: Callable[..., Any]) -> Callable[..., Any]:

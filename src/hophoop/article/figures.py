@@ -37,6 +37,7 @@ class ArticleFigure:
     draw: Callable[[Runs, Axes], Any]
     size: tuple[float, float] = WIDE
     ours: bool = False  # not in the article
+    long: bool = False  # of a motion that is followed for minutes: better drawn when compiled code is there
 
 
 def drawn(figure: ArticleFigure, runs: Runs) -> Figure:
@@ -205,6 +206,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
         "so that the slip grows ever weaker and never ends.",
         _slow_end,
         ours=True,
+        long=True,
     ),
     ArticleFigure(
         "path_hop",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
@@ -88,7 +89,7 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     # beside figures and statements, which take as long
     beside = _films_beside(folder / "films") if with_films else None
     try:
-        for k, figure in enumerate(FIGURES):
+        for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
             with _style():
                 sheet = drawn(figure, runs)
                 for ending in ("png", "svg"):
@@ -193,6 +194,9 @@ def _films_beside(out: Path) -> _Beside | None:
 
 def films_for_another(out: str) -> None:
     """Make the films and say on standard output, in lines of JSON, how far that is."""
+
+    if hasattr(os, "nice"):
+        os.nice(10)  # the figures, and compiled code for all, come first
 
     def say(_: str, done: int, total: int) -> None:
         print(json.dumps({"done": done, "total": total}), flush=True)

@@ -51,7 +51,7 @@ def prove(
     ] = None,
     seconds: Annotated[
         float | None,
-        typer.Option("--seconds", help="Halve no more boxes after so long.", rich_help_panel=INSTEAD, show_default=False),
+        typer.Option("--seconds", help="Give up, or halve no more boxes, after so long.", show_default=False),
     ] = None,
     thresholds: Annotated[
         str | None,
@@ -83,9 +83,10 @@ def prove(
     asked = [option for option, is_asked in kinds.items() if is_asked]
     if len(asked) > 1:
         raise InputError(f"{asked[0]} cannot be given together with {asked[1]}.")
-    for option, value in (("--depth", depth), ("--seconds", seconds)):
-        if value is not None and not boxes:
-            raise InputError(f"{option} needs --boxes: it says how far a window is divided.")
+    if depth is not None and not boxes:
+        raise InputError("--depth needs --boxes: it says how far a window is divided.")
+    if seconds is not None and asked and not boxes:
+        raise InputError(f"{asked[0]} cannot be given together with --seconds.")
     if check is not None:
         if file is not None or out is not None or json:
             raise InputError("--check takes a certificate alone, which holds its scenario.")
@@ -103,7 +104,7 @@ def prove(
     if article:
         _proved.statements(out, json)
         return
-    proof = proof_of(scenario, digits, until)
+    proof = proof_of(scenario, digits, until, seconds=seconds)
     if out is not None and proof.proved:
         proof.save(out)
     if json and proof.certificate is not None:

@@ -190,7 +190,7 @@ def run(
 ) -> None:
     """Compute one motion, from a scenario file or from options."""
     from hophoop.cli import NO_ANSWER, say
-    from hophoop.cli._output import PICTURES, check_apart, check_ending
+    from hophoop.cli._output import PICTURES, check_apart, check_ending, check_folder
     from hophoop.scenario import InputError
 
     if plot is not None:
@@ -202,11 +202,15 @@ def run(
     result = Path(json) if json not in (None, "-") else None
     if (sensitivity is None) != (wrt is None):
         raise InputError("--sensitivity and --wrt need each other: what changes, and with which parameters.")
-    check_apart([path for path in (result, csv, save, plot) if path is not None], file)
+    outputs = {"--csv": csv, "--save": save, "--plot": plot, "--json": result}
+    for option, path in outputs.items():
+        if path is not None:
+            check_folder(option, path)
+    check_apart([path for path in outputs.values() if path is not None], file)
 
     if digits is not None or check:
-        for option, path in (("--csv", csv), ("--save", save), ("--plot", plot), ("--json", result if check else None)):
-            if path is not None:
+        for option, path in outputs.items():
+            if path is not None and (check or option != "--json"):
                 raise InputError(f"{option} cannot be given together with {'--check' if check else '--digits'}.")
         for option, given in (("--explain", explain), ("--sensitivity", sensitivity)):
             if given:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.derivatives.energies import COLUMNS, ENERGIES, energy_rates
+from hophoop.derivatives.friction_use import greatest_peaks, greatest_use, no_change, settled_by, use_rates
 from hophoop.derivatives.layout import (
     BEFORE_OM,
     BEFORE_VN,
@@ -23,6 +24,7 @@ from hophoop.derivatives.layout import (
     OM,
     P_N,
     P_T,
+    RESISTED,
     TH,
     VN,
     VT,
@@ -31,9 +33,9 @@ from hophoop.derivatives.layout import (
     X,
     Y,
 )
-from hophoop.derivatives.panels import ROWS
 from hophoop.derivatives.parameters import Directions, Floats, directions_of
 from hophoop.derivatives.replay import replay
+from hophoop.derivatives.rows import ROWS
 from hophoop.derivatives.sampling import sample_changes
 from hophoop.numerics.collocation import ORDER
 from hophoop.physics.body import Body, Event
@@ -64,6 +66,7 @@ DIRECT = {
     "impulse_tangential": ("impulse_tangential", P_T, MOMENTUM),
     "impact_normal": ("impact_normal", IMPACT_N, ENERGY),
     "impact_tangential": ("impact_tangential", IMPACT_T, ENERGY),
+    "rolling_resistance": ("rolling_resistance", RESISTED, ENERGY),
 }
 SUMS = {"vx": ("slip", "omega"), "before.vx": ("before.slip", "before.omega")}
 FIELDS = (*DIRECT, *SUMS, *ENERGIES)
@@ -71,7 +74,7 @@ SI = {LENGTH: "m", TIME: "s", ANGLE: "rad", SPEED: "m/s", TURNING: "rad/s", MOME
 UNITS = tuple(SI)
 EXPONENTS = np.array(UNITS, float)
 UNIT_OF_ROW = np.array([UNITS.index(unit) for _, _, unit in sorted(DIRECT.values(), key=lambda each: each[1])])
-BORDER, PLASTIC = int(Reason.BORDER), int(Reason.PLASTIC)
+BORDER, PLASTIC, CONTACT = int(Reason.BORDER), int(Reason.PLASTIC), int(Reason.CONTACT)
 
 
 def unit_of(field: str) -> str:
@@ -93,10 +96,11 @@ def unit_of(field: str) -> str:
 
 @dataclass(frozen=True)
 class Rated:
-    """A number, or some, in SI units, with its derivatives in all directions."""
+    """A number, or some, in SI units, with its derivatives in all directions; `smaller` holds the other side, if given."""
 
     value: Any
     rates: Floats
+    smaller: Floats | None = None
 
     def __add__(self, other: Rated) -> Rated:
         return Rated(self.value + other.value, self.rates + other.rates)
@@ -133,7 +137,7 @@ class Carried:
     @property
     def one_sided(self) -> list[int]:
         """The directions that may have another derivative towards smaller parameters."""
-        return [k for k, reason in enumerate(self.reasons.tolist()) if reason < 0 or reason == BORDER]
+        return [k for k, reason in enumerate(self.reasons.tolist()) if reason < 0 or reason in (BORDER, CONTACT)]
 
     def in_si(self, value: Any, rates: Floats, exponents: tuple[int, int, int]) -> Rated:
         """A number in kernel units, with its derivatives, in SI units, which change with radius, gravity and mass."""
@@ -165,8 +169,7 @@ class Carried:
             return self.in_si(float(row[one] + row[other]), kept[place] + kept[beside], SPEED)
         state = _state_of(row)
         if field == "friction":
-            rates = self._friction(state, kept, float(row["impact_normal"] + row["impact_tangential"]))[1]
-            return self.in_si(float(row["friction"]), rates, ENERGY)
+            return self.in_si(float(row["friction"]), self._friction(state, kept), ENERGY)
         return self.in_si(*self._energy(field, state, kept), ENERGY)
 
     def at_times(self, times: Floats, fields: Sequence[str], left: bool = False) -> dict[str, tuple[Floats, Floats]]:
@@ -197,12 +200,11 @@ class Carried:
             motion.units.kernel_times(segments, times), left, states, out, thread_scratch(), _local(),
         )  # fmt: skip
         sample = motion.at(times, "left" if left else "right")
-        losses = (sample.impact_normal + sample.impact_tangential) / motion.units.energy
         result: dict[str, tuple[Floats, Floats]] = {}
         for field in fields:
             values = np.asarray(getattr(sample, field), float)
             if field == "friction":
-                found = (values / motion.units.energy, self._friction(states, out, losses)[1], ENERGY)
+                found = (values / motion.units.energy, self._friction(states, out), ENERGY)
             elif field in ENERGIES:
                 found = (*self._energy(field, states, out), ENERGY)
             elif field == "vx":
@@ -213,6 +215,25 @@ class Carried:
                 found = (values / size, out[:, row], exponents)
             result[field] = (values, self.in_si(*found).rates)
         return result
+
+    def friction_use(self) -> Rated:
+        """The greatest share of friction that the motion uses.
+
+        Returns
+        -------
+        rated : Rated
+            With both sides, which differ where two places need the most.
+        """
+        body, events, segments = self._body, self.motion.tables["events"], self.motion.tables["segments"]
+        use, event = settled_by(body, events)
+        if event >= 0:
+            return Rated(use, no_change(self.at_events, event) + 0.0 * use)
+        scratch = thread_scratch()
+        peaks = greatest_peaks(body, events, segments, scratch)
+        carried, room = (self.at_events, self.at_segments), (scratch, _local())
+        rates = [use_rates(body, (events, segments), carried, self.directions.changes, peak, room) for peak in peaks]
+        larger, smaller = (np.array(side) for side in zip(*rates, strict=True))
+        return Rated(greatest_use(body, events, segments), larger.max(axis=0), smaller.min(axis=0))
 
     @cached_property
     def _at_events(self) -> tuple[Floats, Floats]:
@@ -229,20 +250,19 @@ class Carried:
         """Kinetic, potential or both, of the state at one time or many."""
         return energy_rates(field, self._body, state, rates, self.directions.changes)
 
-    def _friction(self, state: Floats, rates: Floats, losses: Any) -> tuple[Any, Floats]:
-        """What slip has lost: what has gone of the energy, less what impacts have lost."""
-        begin, begin_rates = self._begin
-        now, now_rates = self._energy("total", state, rates)
-        return begin - now - losses, begin_rates - now_rates - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :]
+    def _friction(self, state: Floats, rates: Floats) -> Floats:
+        """Of what slip has lost: what has gone of the energy, less what impacts and rolling resistance have taken."""
+        lost: Floats = self._begin - self._energy("total", state, rates)[1]
+        return lost - rates[..., IMPACT_N, :] - rates[..., IMPACT_T, :] - rates[..., RESISTED, :]
 
     @cached_property
     def _body(self) -> Body:
         return self.motion.scenario.to_body()
 
     @cached_property
-    def _begin(self) -> tuple[Any, Floats]:
-        """The energy at the start."""
-        return self._energy("total", _state_of(self.motion.tables["events"][0]), self.at_events[0])
+    def _begin(self) -> Floats:
+        """Of the energy at the start."""
+        return self._energy("total", _state_of(self.motion.tables["events"][0]), self.at_events[0])[1]
 
     @cached_property
     def _units(self) -> tuple[Floats, Floats]:
@@ -299,7 +319,8 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
     sign : float, default 1
         −1 for how it changes when the parameters become smaller, told as if they became larger [1].
     edges : bool, default False
-        Keep also how states change with a restitution that is 0 and becomes larger, behind a landing.
+        Keep also how states change with a restitution that is 0 and becomes larger, behind a landing, and with a rim that is
+        lifted or thrown from a start in contact.
 
     Returns
     -------
@@ -313,11 +334,6 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
     scenario = motion.scenario
     if scenario.contact.model != "rigid":
         raise InputError("Derivatives need rigid contact: contact.model = 'compliant' has none.")
-    resistance = scenario.plane.rolling_resistance
-    if resistance > 0.0:
-        raise InputError(
-            f"Derivatives need a plane without rolling resistance: plane.rolling_resistance = {resistance!r} is not 0."
-        )
     given = directions_of(scenario, paths)
     events, segments = motion.tables["events"], motion.tables["segments"]
     count = len(paths)
@@ -329,7 +345,7 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
         scenario.to_body(), events, segments, sign * given.changes, sign * given.start, duration,
         at_events, at_segments, reasons, failed, thread_scratch(), _local(),
     )  # fmt: skip
-    for k in np.flatnonzero(reasons == PLASTIC).tolist():
+    for k in np.flatnonzero((reasons == PLASTIC) | (reasons == CONTACT)).tolist():
         _end_at_landing(motion, int(failed[k]), at_events[:, :, k], at_segments[:, :, k], edges)
     doubt = motion.doubt
     if doubt < math.inf:
@@ -343,7 +359,7 @@ def carry(motion: Motion, paths: Sequence[str], sign: float = 1.0, edges: bool =
 
 
 def _end_at_landing(motion: Motion, landing: int, at_events: Floats, at_segments: Floats, edges: bool) -> None:
-    """Take away what is not so with any restitution: velocities behind the first bounce, later events, shares of the loss."""
+    """Take away what bounces behind a landing, or the start, make different: velocities, later events, shares of the loss."""
     events, segments = motion.tables["events"], motion.tables["segments"]
     at_events[landing, [OM, VT, VN, P_N, P_T, IMPACT_N, IMPACT_T]] = math.nan
     later = landing + 1

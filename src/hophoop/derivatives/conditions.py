@@ -5,20 +5,24 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, lean_jit
-from hophoop.derivatives.layout import EPS, GN, GT, KAP, MU_K, MU_S, OM, TH, VT, Reason, T
-from hophoop.derivatives.moving import step_along
+from hophoop.derivatives.forces import by_angle, changed, rolling_slopes
+from hophoop.derivatives.layout import EPS, GN, KAP, MU_K, MU_S, OM, RESIST, RESISTED, TH, VT, Reason, T
+from hophoop.derivatives.moving import resisted_motion, step_along
 from hophoop.derivatives.panels import momentum_change
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.physics.contact import (
     free_acceleration,
-    inertia_at_height,
-    load_height,
-    rolling_forces,
-    slip_motion,
-    slip_stiffness,
     slip_torque_arm,
 )
 from hophoop.physics.painleve import stiffness_slope
+from hophoop.physics.resistance import (
+    forces_rolling,
+    motion_slipping,
+    resistance_arm,
+    resisted_forces,
+    stiffness_slipping,
+    torque_at_rest,
+)
 
 GRAZE, NONE, BORDER, SIDED = int(Reason.GRAZE), int(Reason.NONE), int(Reason.BORDER), -1
 FLAT = 1e-9  # beside its natural size: a smaller rate is that of a quantity that only touches zero
@@ -44,36 +48,17 @@ def fail_all(z, reasons, reason):
 def meet_cone(body, state, rates, side, changes, z, reasons):
     """Rolling that comes to the friction cone, at side · F > 0: g = μs N − side · F, or N without a bound on F."""
     s, c = sine_cosine(state.th, state.th_low)
-    u = state.om * state.om
-    eps = body.eps
-    arm = 1.0 + eps * c
-    inertia = inertia_at_height(body, load_height(s, c))
-    alpha = rates[0]
-    a_th = (eps * c * (u + body.gn) - body.gt * eps * s + 2.0 * alpha * eps * s) / inertia
-    a_u = eps * s / inertia
-    a_eps = (s * (u + body.gn) + body.gt * c - 2.0 * alpha * (eps + c)) / inertia
-    a_kap = -alpha / inertia
-    a_gt = arm / inertia
+    rho = resistance_arm(body, s, c, state.om, 0)
+    _, normal, alpha, of_friction, of_normal = rolling_slopes(body, s, c, state.om, rho)
     bound = not math.isinf(body.mu_s)
     weight = body.mu_s if bound else 1.0
-    normal = rolling_forces(body, s, c, u)[1]
-    scale = (body.gn + abs(body.gt) + u) * (1.0 + weight) * (abs(state.om) + 1e-300)
+    share = side if bound else 0.0
+    scale = (body.gn + abs(body.gt) + state.om * state.om) * (1.0 + weight) * (abs(state.om) + 1e-300)
+    rate = state.om * (weight * by_angle(of_normal, alpha) - share * by_angle(of_friction, alpha))
     for k in range(z.shape[1]):
-        dth = z[TH, k]
-        deps = changes[EPS, k]
-        du = 2.0 * state.om * z[OM, k]
-        dalpha = a_th * dth + a_u * (du + changes[GN, k]) + a_eps * deps + a_kap * changes[KAP, k] + a_gt * changes[GT, k]
-        dfriction = dalpha * arm + alpha * (deps * c - eps * s * dth) - deps * s * u - eps * (c * dth * u + s * du)
-        dfriction -= changes[GT, k]
-        dnormal = changes[GN, k] - deps * (s * alpha + c * u) - eps * (c * dth * alpha + s * dalpha - s * dth * u + c * du)
-        dg = weight * dnormal - (side * dfriction if bound else 0.0)
+        dg = weight * changed(of_normal, state.om, z, changes, k) - share * changed(of_friction, state.om, z, changes, k)
         if bound:
             dg += changes[MU_S, k] * normal
-        drate_u = 2.0 * state.om * alpha
-        rise = a_th * state.om + a_u * drate_u
-        friction_rate = rise * arm - alpha * eps * s * state.om - eps * (c * state.om * u + s * drate_u)
-        normal_rate = -eps * (c * state.om * alpha + s * rise - s * state.om * u + c * drate_u)
-        rate = weight * normal_rate - (side * friction_rate if bound else 0.0)
         if abs(rate) <= FLAT * scale:
             fail(z, reasons, k, GRAZE)
         else:
@@ -114,12 +99,13 @@ def meet_time(changes, row, state, rates, z):
 
 
 @lean_jit
-def jam_angle_change(body, sigma, s, c, changes, k):
+def jam_angle_change(body, sigma, s, c, om, changes, k):
     """Change of the angle at which p_σ = 0."""
     signed_mu = sigma * body.mu_k
-    q = slip_torque_arm(body, s, c, sigma)
+    q = slip_torque_arm(body, s, c, sigma) - resistance_arm(body, s, c, om, sigma)
     slope = stiffness_slope(body, s, c, sigma, q)
     q_more = changes[EPS, k] * (s + signed_mu * c) + sigma * changes[MU_K, k] * (1.0 + body.eps * c)
+    q_more -= math.copysign(changes[RESIST, k], om)
     return -(changes[KAP, k] + changes[EPS, k] * s * q + body.eps * s * q_more) / slope
 
 
@@ -130,11 +116,10 @@ def go_with_jam(body, sigma, begin, jam, changes, z):
     So the panels move along with the angle of the jam, beside which θ̇² is a power of the distance from it.
     """
     s, c = sine_cosine(jam.th, jam.th_low)
-    s0, c0 = sine_cosine(begin.th, begin.th_low)
-    turning, _, along = slip_motion(body, s0, c0, begin.om * begin.om, sigma)
+    rates = resisted_motion(body, sigma, begin, 0.0)
     for k in range(z.shape[1]):
-        dth = jam_angle_change(body, sigma, s, c, changes, k)
-        step_along(z, k, (dth - z[TH, k]) / begin.om, begin, (turning, along, 0.0))
+        dth = jam_angle_change(body, sigma, s, c, jam.om, changes, k)
+        step_along(z, k, (dth - z[TH, k]) / begin.om, begin, rates)
         z[TH, k] = dth
 
 
@@ -142,16 +127,24 @@ def go_with_jam(body, sigma, begin, jam, changes, z):
 def meet_jam(body, sigma, jam, before, changes, z):
     """The dynamic jam: p_σ = 0 says where, f_n = 0 how fast; `before` is the state that comes near.
 
-    What gravity alone changes, the momentum v_t + θ̇ (1 + ε c − σ μ ε s), does not see the force without bound.
+    What gravity alone changes, the momentum v_t + θ̇ (1 + ε c − σ μ ε s), does not see the force without bound. Nor does
+    the momentum away from the plane, −ε s θ̇, which tells the last impulse P_n, and with it the loss ½ ρ (θ̇ + θ̇_jam) P_n.
     """
     s, c = sine_cosine(jam.th, jam.th_low)
+    rho = resistance_arm(body, s, c, jam.om, sigma)
+    faster = jam.om * jam.om - before.om * before.om
     for k in range(z.shape[1]):
         deps = changes[EPS, k]
         dmu = changes[MU_K, k]
-        dth = jam_angle_change(body, sigma, s, c, changes, k)
+        dth = jam_angle_change(body, sigma, s, c, jam.om, changes, k)
         momentum = momentum_change(body, sigma, s, c, before.om, z[VT, k], z[OM, k], z[TH, k], deps, dmu)
+        dom = z[OM, k]
         # θ̇² = g_n/(ε cos θ)
         z[OM, k] = 0.5 * jam.om * (changes[GN, k] / body.gn - deps / body.eps + s / c * dth)
+        dfaster = 2.0 * (jam.om * z[OM, k] - before.om * dom)
+        dlever = deps * s + body.eps * c * dth
+        drho = math.copysign(changes[RESIST, k], jam.om)
+        z[RESISTED, k] -= 0.5 * (body.eps * s * (rho * dfaster + drho * faster) + rho * dlever * faster)
         z[VT, k] = momentum - momentum_change(body, sigma, s, c, jam.om, 0.0, z[OM, k], dth, deps, dmu)
         z[TH, k] = dth
 
@@ -167,12 +160,18 @@ def is_on_border(body, state):
     if scale == 0.0:
         return False
     opening = abs(free_acceleration(body, s, c, u)[1])
+    at_rest = state.om == 0.0 and body.resist > 0.0  # where the couple holds the hoop, or just does not
     if state.vt != 0.0:
         if math.isinf(body.mu_k):
             return False
-        stiffness = slip_stiffness(body, s, c, 1.0 if state.vt > 0.0 else -1.0)
+        sigma = 1 if state.vt > 0.0 else -1
+        if at_rest and abs(abs(slip_torque_arm(body, s, c, sigma)) - body.resist) <= FLAT:
+            return True
+        stiffness = stiffness_slipping(body, s, c, state.om, sigma)
         return opening <= scale or abs(stiffness) <= FLAT
-    friction, normal = rolling_forces(body, s, c, u)
+    if at_rest and abs(abs(torque_at_rest(body, s, c)) - body.resist * body.gn) <= scale:
+        return True
+    friction, normal = forces_rolling(body, s, c, state.om)
     if math.isinf(body.mu_s):
         return abs(normal) <= scale
     margin = body.mu_s * normal - abs(friction)
@@ -186,7 +185,6 @@ def lose_slip(body, state, mode_sigma, changes, z, reasons):
     What it does before it ends depends on its direction, so that such a change holds for one side only.
     """
     s, c = sine_cosine(state.th, state.th_low)
-    u = state.om * state.om
     for k in range(z.shape[1]):
         given = z[VT, k]
         sigma = 1 if given > 0.0 else -1
@@ -199,11 +197,40 @@ def lose_slip(body, state, mode_sigma, changes, z, reasons):
         if body.kap == 0.0 or math.isinf(body.mu_k):
             fail(z, reasons, k, BORDER)
             continue
-        turning, normal, along = slip_motion(body, s, c, u, sigma)
-        if not (normal > 0.0 and sigma * along < 0.0 and slip_stiffness(body, s, c, sigma) > 0.0):
+        if state.om == 0.0 and body.resist > 0.0 and z[OM, k] != 0.0:  # which of both ends first is not gone into
             fail(z, reasons, k, BORDER)
             continue
-        step_along(z, k, -given / along, state, (turning, along, 0.0))
+        normal = motion_slipping(body, s, c, state.om, sigma)[1]
+        rates = resisted_motion(body, sigma, state, 0.0)
+        braking = rates[1]
+        if not (normal > 0.0 and sigma * braking < 0.0 and stiffness_slipping(body, s, c, state.om, sigma) > 0.0):
+            fail(z, reasons, k, BORDER)
+            continue
+        step_along(z, k, -given / braking, state, rates)
         z[VT, k] = 0.0
         if reasons[k] == NONE:
+            reasons[k] = SIDED
+
+
+@apart_jit
+def part_at_rest(body, sigma, state, z, reasons):
+    """A hoop that does not turn, and is about to: a little rotation has to do with another couple if it goes the other way."""
+    if body.resist == 0.0 or state.om != 0.0:
+        return
+    s, c = sine_cosine(state.th, state.th_low)
+    turning = resisted_motion(body, sigma, state, 0.0)[0]
+    way = math.copysign(1.0, turning)
+    rho = -way * body.resist
+    if sigma == 0:
+        friction, normal = resisted_forces(body, s, c, 0.0, rho)
+        keeps_mode = normal > 0.0 and (math.isinf(body.mu_s) or abs(friction) < body.mu_s * normal)
+    else:
+        keeps_mode = body.kap + body.eps * s * (slip_torque_arm(body, s, c, sigma) - rho) > 0.0
+    for k in range(z.shape[1]):
+        given = z[OM, k]
+        if given == 0.0 or math.isnan(given) or abs(turning) <= FLAT * body.gn:
+            continue
+        if given * way < 0.0 and not keeps_mode:
+            fail(z, reasons, k, BORDER)
+        elif reasons[k] == NONE:
             reasons[k] = SIDED

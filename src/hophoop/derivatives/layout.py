@@ -10,12 +10,12 @@ from __future__ import annotations
 from enum import IntEnum
 
 # What changes in a body; END is the duration.
-EPS, KAP, MU_S, MU_K, GN, GT, REST, END = range(8)
-PARAMETERS = 8
+EPS, KAP, MU_S, MU_K, GN, GT, REST, END, RESIST = range(9)
+PARAMETERS = 9
 
 # What is carried from event to event.
-T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T = range(9)
-CARRIED = 9
+T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T, RESISTED = range(10)
+CARRIED = 10
 
 # What is kept of an event beside that: the velocities before it, and its impulse.
 BEFORE_OM, BEFORE_VT, BEFORE_VN, P_N, P_T = range(CARRIED, CARRIED + 5)
@@ -40,7 +40,7 @@ REASONS = {
     Reason.GRAZE: "a quantity that sets off the event only touches zero there",
     Reason.BORDER: "the motion lies on the border of two classes: the least change may lead to other events",
     Reason.PLASTIC: "restitution is 0 and the rim has landed: with any restitution it would bounce",
-    Reason.CONTACT: "the motion starts in contact: with the rim lifted or thrown up it would begin with a flight",
+    Reason.CONTACT: "the motion starts in contact: with the rim lifted or thrown it would bounce, and its events are others",
     Reason.SINGULAR: "the slip runs into p_σ = 0, where the contact force has no bound",
     Reason.MASSLESS: "the massless hoop (γ = 1) is a singular limit once the contact force is lost",
     Reason.FRICTIONLESS: "without friction the hoop rests on no more than a border of two classes",

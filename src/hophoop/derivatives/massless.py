@@ -38,11 +38,11 @@ def load_changes(begin, z, k):
 
 @lean_jit
 def skim_rates(body, state):
-    """(θ̈, v̇_t, v̇_n) while the rim skims: the load falls freely, which gives θ̈ sin θ + θ̇² cos θ = g."""
+    """(θ̈, v̇_t, v̇_n, 0) while the rim skims: the load falls freely, which gives θ̈ sin θ + θ̇² cos θ = g."""
     s = math.sin(state.th)
     c = math.cos(state.th)
     turning = (body.gn - c * state.om * state.om) / s
-    return turning, state.om * state.om * s - turning * (1.0 + c), 0.0
+    return turning, state.om * state.om * s - turning * (1.0 + c), 0.0, 0.0
 
 
 @apart_jit

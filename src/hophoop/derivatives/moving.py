@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, lean_jit
-from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, TH, VN, VT, T, X, Y
+from hophoop.derivatives.layout import EPS, GN, GT, MU_K, OM, RESISTED, TH, VN, VT, T, X, Y
 from hophoop.derivatives.panels import follow_slip
 from hophoop.numerics.trigonometry import sine_cosine, turn_deficits
 from hophoop.physics.body import Mode
@@ -19,6 +19,7 @@ from hophoop.physics.contact import (
 )
 from hophoop.physics.flight import flight_gap
 from hophoop.physics.modes import slip_direction
+from hophoop.physics.resistance import resistance_arm, resisted_acceleration, resisted_forces, resisted_slip
 
 ROLL, FLIGHT = int(Mode.ROLL), int(Mode.FLIGHT)
 SCAN = 0.3  # rad of rotation between two looks at the rate of the gap
@@ -26,25 +27,48 @@ TOUCH = 1e-9  # a gap this small beside the hoop is none
 
 
 @apart_jit
-def accelerations(body, mode, state):
-    """(θ̈, v̇_t, v̇_n) of a state in a mode."""
+def motion_against(body, sigma, state, rho):
+    """(θ̈, v̇_t, 0, power lost to rolling resistance) in rolling (sigma = 0) or slip with the couple −ρ N."""
+    s, c = sine_cosine(state.th, state.th_low)
+    u = state.om * state.om
+    if sigma == 0:
+        return resisted_acceleration(body, s, c, u, rho), 0.0, 0.0, rho * state.om * resisted_forces(body, s, c, u, rho)[1]
+    turning, normal, along = resisted_slip(body, s, c, u, sigma, rho)
+    return turning, along, 0.0, rho * state.om * normal
+
+
+@apart_jit
+def resisted_motion(body, sigma, state, way):
+    """`motion_against` the couple there is; `way` is where a hoop turns that is at rest, 0 where it is held or not known."""
+    rho = way * body.resist
+    if state.om != 0.0 or way == 0.0:
+        s, c = sine_cosine(state.th, state.th_low)
+        rho = resistance_arm(body, s, c, state.om, sigma)
+    return motion_against(body, sigma, state, rho)
+
+
+@apart_jit
+def accelerations(body, mode, state, way):
+    """(θ̈, v̇_t, v̇_n, power lost to rolling resistance) of a state in a mode; `way` as in `resisted_motion`."""
+    if mode != FLIGHT and body.resist > 0.0:
+        return resisted_motion(body, slip_direction(mode), state, way)
     s, c = sine_cosine(state.th, state.th_low)
     u = state.om * state.om
     if mode == ROLL:
-        return rolling_acceleration(body, s, c, u), 0.0, 0.0
+        return rolling_acceleration(body, s, c, u), 0.0, 0.0, 0.0
     if mode == FLIGHT:
         along, away = free_acceleration(body, s, c, u)
-        return 0.0, along, away
+        return 0.0, along, away, 0.0
     if body.kap == 0.0:  # the massless hoop that slides with its load on the plane
-        return 0.0, body.gt - slip_direction(mode) * body.mu_k * body.gn, 0.0
+        return 0.0, body.gt - slip_direction(mode) * body.mu_k * body.gn, 0.0, 0.0
     turning, _, along = slip_motion(body, s, c, u, slip_direction(mode))
-    return turning, along, 0.0
+    return turning, along, 0.0, 0.0
 
 
 @lean_jit
 def step_along(z, k, dt, state, rates):
     """The same change of a direction, told of a moment of the motion that is later by the small dt."""
-    turning, along, away = rates
+    turning, along, away, lost = rates
     z[T, k] += dt
     z[X, k] += (state.vt + state.om) * dt
     z[Y, k] += state.vn * dt
@@ -52,6 +76,7 @@ def step_along(z, k, dt, state, rates):
     z[OM, k] += turning * dt
     z[VT, k] += along * dt
     z[VN, k] += away * dt
+    z[RESISTED, k] += lost * dt
 
 
 @apart_jit
@@ -145,6 +170,12 @@ def follow_hold(body, sigma, begin, end, tau, changes, z):
         deps = changes[EPS, k]
         dth0 = z[TH, k]
         dom0 = z[OM, k]
+        if body.resist > 0.0:  # what is held stays, and a little rotation is stopped at once
+            if tau > 0.0:
+                z[OM, k] = 0.0
+            if sigma != 0:
+                follow_slip(body, sigma, begin, end, tau, (dth0, dom0), 0.0, k, changes, z)
+            continue
         if body.kap == 0.0:
             stiffness = 0.0
             drive = 0.0

@@ -2,7 +2,7 @@
 
 Over θ, u = θ̇² obeys u′ = a u + b, so that its derivatives have the same integrating factor. They are taken at fixed
 places ξ of the panel, which goes along with its begin, and with the turning point that it arrives at: so dt/dξ stays
-smooth. Seven of them, by the begin of the panel and by the parameters, serve all directions.
+smooth. Eight of them, by the begin of the panel and by the parameters, serve all directions.
 """
 
 from __future__ import annotations
@@ -10,7 +10,28 @@ from __future__ import annotations
 import numpy as np
 
 from hophoop._jit import apart_jit, inline_jit, lean_jit
-from hophoop.derivatives.layout import EPS, GN, GT, KAP, MU_K, OM, TH, VT, T, X
+from hophoop.derivatives.layout import EPS, GN, GT, KAP, MU_K, OM, RESIST, RESISTED, TH, VT, T, X
+from hophoop.derivatives.resisted import loss_change, pressed_on, resistance_rates, resisted_rates, resists, weigh
+from hophoop.derivatives.rows import (
+    AT_BEGIN,
+    BEGIN,
+    BY_EPS,
+    BY_GN,
+    BY_GT,
+    BY_KAP,
+    BY_MU,
+    BY_RESIST,
+    INTEGRATE,
+    INTERPOLATE,
+    LOCAL,
+    RATES,
+    SHIFT,
+    SLOPE,
+    TIMES,
+    WEIGH,
+    WEIGHED,
+    integrate_row,
+)
 from hophoop.numerics.collocation import (
     ANTIDERIVATIVE_T,
     NODES,
@@ -29,50 +50,64 @@ from hophoop.panels.panel import (
     RATE,
     SINE,
     STIFFNESS,
-    STRETCH,
     TIME,
     A,
     B,
     U,
     angle_at,
+    chord,
     fill_geometry,
 )
 from hophoop.panels.slip import from_reference
 from hophoop.physics.contact import inertia_at_height, load_height
 
-# By θ̇² at the begin (of an arriving panel: by θ there), by θ at the begin (by the turning point), by the parameters.
-BEGIN, SHIFT, BY_EPS, BY_KAP, BY_MU, BY_GN, BY_GT = range(7)
-LOCAL = 7
-# Rows of the array that a panel is worked out in.
-SLOPE, INTERPOLATE, INTEGRATE, AT_BEGIN, RATES, TIMES = range(LOCAL, LOCAL + 6)
-ROWS = LOCAL + 6
-
 FROM_BEGIN = np.ascontiguousarray(ANTIDERIVATIVE_T.T)
+
+
+@lean_jit
+def roll_rates_at(body, panel, sine, versine, offset, u):
+    """dθ̇²/dθ and dθ̇²/d… by θ̇² and θ at the reference, ε, κ, g_n and g_t, at φ = offset from there, in rolling.
+
+    From D θ̇² = D₀ θ̇₀² + 2 (V₀ − V); `sine` and `versine` are sin φ and 1 − cos φ.
+    """
+    s0 = panel.sine
+    c0 = panel.cosine
+    ds, dc = rotated(s0, c0, sine, versine)
+    inertia = inertia_at_height(body, load_height(s0, c0))
+    here = 1.0 / (inertia + 2.0 * body.eps * dc)
+    growth = inertia * here
+    more = body.eps * (body.gn * ds + body.gt * dc + (s0 + ds) * u - s0 * panel.u)
+    shift = 2.0 * more * here
+    slope = shift + 2.0 * (panel.arm + body.eps * s0 * panel.u) / inertia * growth
+    by_eps = 2.0 * (body.gt * ds - body.gn * dc + (body.eps + c0) * panel.u - (body.eps + c0 + dc) * u) * here
+    return (
+        slope, growth, shift, by_eps, (panel.u - u) * here, -2.0 * body.eps * dc * here, 2.0 * (body.eps * ds + offset) * here,
+    )  # fmt: skip
 
 
 @apart_jit
 def roll_rates(body, panel, work, local):
-    """Rows of dθ̇²/d… on a rolling panel, from D θ̇² = D₀ θ̇₀² + 2 (V₀ − V)."""
+    """Rows of dθ̇²/d… on a rolling panel."""
     fill_geometry(panel, work)
-    s0 = panel.sine
-    c0 = panel.cosine
-    inertia = inertia_at_height(body, load_height(s0, c0))
-    slope = 2.0 * (panel.arm + body.eps * s0 * panel.u) / inertia
     for i in range(ORDER):
-        ds, dc = rotated(s0, c0, work[A, i], work[B, i])
-        u = work[U, i]
-        here = 1.0 / (inertia + 2.0 * body.eps * dc)
-        more = body.eps * (body.gn * ds + body.gt * dc + work[SINE, i] * u - s0 * panel.u)
-        local[BEGIN, i] = inertia * here
-        local[SHIFT, i] = 2.0 * more * here
-        local[BY_EPS, i] = (
-            2.0 * (body.gt * ds - body.gn * dc + (body.eps + c0) * panel.u - (body.eps + work[COSINE, i]) * u) * here
-        )
-        local[BY_KAP, i] = (panel.u - u) * here
+        rates = roll_rates_at(body, panel, work[A, i], work[B, i], angle_at(panel, NODES[i]), work[U, i])
+        local[SLOPE, i], local[BEGIN, i], local[SHIFT, i], local[BY_EPS, i], local[BY_KAP, i] = rates[:5]
         local[BY_MU, i] = 0.0
-        local[BY_GN, i] = -2.0 * body.eps * dc * here
-        local[BY_GT, i] = 2.0 * (body.eps * ds + angle_at(panel, NODES[i])) * here
-        local[SLOPE, i] = local[SHIFT, i] + slope * local[BEGIN, i]
+        local[BY_GN, i], local[BY_GT, i] = rates[5:]
+
+
+@apart_jit
+def refine_rates(body, panel, xi, u, row):
+    """What rolling has in closed form at ξ, in place of what is interpolated."""
+    sine, versine = chord(panel, xi)
+    rates = roll_rates_at(body, panel, sine, versine, angle_at(panel, xi), u)
+    slope, growth, shift, row[BY_EPS], row[BY_KAP], row[BY_GN], row[BY_GT] = rates
+    if panel.kind == ARRIVE:
+        part = 0.5 * (1.0 - xi)
+        growth = slope * part * part
+        shift -= growth
+    row[BEGIN] = growth
+    row[SHIFT] = shift
 
 
 @apart_jit
@@ -101,21 +136,23 @@ def slip_rates(body, panel, work, local):
         local[BY_GN, i] = 2.0 * q * firm
         local[BY_GT, i] = 0.0
     for row in range(BY_EPS, BY_GT):
-        values = local[row]
-        for i in range(ORDER):
-            values[i] *= work[STRETCH, i] / growth[i]
-        from_reference(panel, values, integral)
-        for i in range(ORDER):
-            values[i] = growth[i] * integral[i]
+        integrate_row(panel, local[row], growth, work)
 
 
 @apart_jit
-def fill_rates(body, panel, work, local):
-    """The rows BEGIN to BY_GT at fixed ξ of a solved panel: dθ̇²/d…."""
-    if panel.sigma == 0:
-        roll_rates(body, panel, work, local)
-    else:
+def fill_rates(body, panel, resisting, work, local):
+    """The rows BEGIN to BY_RESIST at fixed ξ of a solved panel: dθ̇²/d…."""
+    if panel.sigma != 0:
         slip_rates(body, panel, work, local)
+    elif body.resist > 0.0:
+        resisted_rates(body, panel, work, local)
+    else:
+        roll_rates(body, panel, work, local)
+    if resisting:
+        resistance_rates(body, panel, work, local)
+    else:
+        for i in range(ORDER):
+            local[BY_RESIST, i] = 0.0
     if panel.kind == ARRIVE:
         for i in range(ORDER):
             part = 0.5 * (1.0 - NODES[i])
@@ -136,6 +173,7 @@ def changes_at(panel, xi, work, local):
             quadrature[i] = WEIGHTS[i]
     time = dot(quadrature, work[RATE])
     for i in range(ORDER):
+        local[WEIGH, i] = quadrature[i]
         quadrature[i] *= -0.5 * work[RATE, i] / work[U, i]
     for row in range(LOCAL):
         local[RATES, row] = dot(weights, local[row])
@@ -192,16 +230,19 @@ def by_parameters(row, changes, k):
         + row[BY_MU] * changes[MU_K, k]
         + row[BY_GN] * changes[GN, k]
         + row[BY_GT] * changes[GT, k]
+        + row[BY_RESIST] * changes[RESIST, k]
     )
 
 
 @apart_jit
-def prepare_panel(body, panel, work, local):
-    """What `follow_panel` needs of a solved panel, whatever the place on it."""
-    fill_rates(body, panel, work, local)
+def prepare_panel(body, panel, u, changes, work, local):
+    """What `follow_panel` needs of a solved panel that begins with θ̇² = u, whatever the place on it."""
+    fill_rates(body, panel, resists(body, changes), work, local)
     lagrange(-1.0, local[INTERPOLATE])
     for row in range(LOCAL):
         local[AT_BEGIN, row] = dot(local[INTERPOLATE], local[row])
+    if panel.sigma == 0 and body.resist == 0.0:
+        refine_rates(body, panel, -1.0, u, local[AT_BEGIN])
 
 
 @apart_jit
@@ -214,6 +255,16 @@ def follow_panel(body, panel, xi, begin, end, changes, z, work, local):
     time = changes_at(panel, xi, work, local)
     rates = local[RATES]
     times = local[TIMES]
+    freely = panel.sigma == 0 and body.resist == 0.0
+    if freely:
+        refine_rates(body, panel, xi, end.om * end.om, rates)
+    resisting = resists(body, changes)
+    pressing = (0.0, 0.0)
+    if resisting:
+        pressing = pressed_on(body, panel, xi, begin, end, weigh(panel, work, local))
+        if freely and not arrives:  # as `first_resistance`
+            s, c = sine_cosine(end.th, end.th_low)
+            rates[BY_RESIST] = -2.0 * panel.way * pressing[1] / inertia_at_height(body, load_height(s, c))
     part = 0.5 * (1.0 - xi)
     part *= part
     for k in range(z.shape[1]):
@@ -232,6 +283,10 @@ def follow_panel(body, panel, xi, begin, end, changes, z, work, local):
         du = first * rates[BEGIN] + second * rates[SHIFT] + by_parameters(rates, changes, k)
         z[OM, k] = 0.5 * du / end.om if end.om != 0.0 else 0.0
         z[T, k] += dt
+        if resisting:
+            row = local[WEIGHED]
+            weighed = first * row[BEGIN] + second * row[SHIFT] + by_parameters(row, changes, k)
+            z[RESISTED, k] += loss_change(body, panel, xi, begin, end, pressing, (dth0, dom0), weighed, k, changes, z)
         if panel.sigma == 0:
             z[X, k] += z[TH, k] - dth0
         else:

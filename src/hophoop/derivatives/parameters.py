@@ -32,6 +32,7 @@ class Change:
     mu_static: float = 0.0
     mu_kinetic: float = 0.0
     restitution: float = 0.0
+    rolling_resistance: float = 0.0
     duration: float = 0.0
     start: dict[str, float] = field(default_factory=dict)
 
@@ -126,6 +127,12 @@ def _of_friction(scenario: Scenario, path: str) -> Change:
     return Change(mu_static=float(both or name == "mu_static"), mu_kinetic=float(both or name == "mu_kinetic"))
 
 
+def _of_resistance(scenario: Scenario) -> Change:
+    if scenario.hoop.inertia_ratio == 0.0:
+        raise InputError("plane.rolling_resistance has no derivatives for the massless hoop, which can have none of it.")
+    return Change(rolling_resistance=1.0)
+
+
 _SIMPLE: Mapping[str, Callable[[Scenario], Change]] = {
     "hoop.radius": _of_radius,
     "hoop.mass": _of_mass,
@@ -135,6 +142,7 @@ _SIMPLE: Mapping[str, Callable[[Scenario], Change]] = {
     "plane.gravity": lambda _: Change(gravity=1.0),
     "plane.slope": lambda _: Change(slope=1.0),
     "plane.restitution": lambda _: Change(restitution=1.0),
+    "plane.rolling_resistance": _of_resistance,
     "start.x": lambda _: Change(start={"x": 1.0}),
     "start.height": lambda _: Change(start={"height": 1.0}),
     "start.angle": lambda _: Change(start={"angle": 1.0}),
@@ -170,8 +178,6 @@ def change_of(scenario: Scenario, path: str) -> Change:
         return _SIMPLE[path](scenario)
     if path in _FRICTION:
         return _of_friction(scenario, path)
-    if path == "plane.rolling_resistance":
-        raise InputError(f"{path} has no derivatives: compare motions with two values of it.")
     known = parameter(path)
     if path.startswith("hoop.parts.") and known.unit != "":
         return _of_part(scenario, path)
@@ -206,11 +212,12 @@ _LOWEST = {
     "hoop.inertia_ratio": 0.0,
     "plane.gravity": 0.0,
     "plane.restitution": 0.0,
+    "plane.rolling_resistance": 0.0,
     "plane.mu": 0.0,
     "plane.mu_kinetic": 0.0,
     "start.height": 0.0,
 }
-_HIGHEST = {"hoop.load_fraction": 1.0, "hoop.eccentricity": 1.0, "plane.restitution": 1.0}
+_HIGHEST = {"hoop.load_fraction": 1.0, "hoop.eccentricity": 1.0, "plane.restitution": 1.0, "plane.rolling_resistance": 1.0}
 
 
 def allowed_sides(scenario: Scenario, path: str, value: float) -> tuple[bool, bool]:
@@ -271,13 +278,13 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
         by_speed = by_length - by_time
         more = change.start
         units.append((by_length, by_time, change.mass / mass))
-        changes.append(  # as EPS, KAP, MU_S, MU_K, GN, GT, REST, END
+        changes.append(  # as EPS, KAP, MU_S, MU_K, GN, GT, REST, END, RESIST
             (
                 change.eccentricity, change.inertia_ratio, change.mu_static, change.mu_kinetic, normal, tangential,
-                change.restitution, (change.duration - scenario.duration * by_time) / second,
+                change.restitution, (change.duration - scenario.duration * by_time) / second, change.rolling_resistance,
             )
         )  # fmt: skip
-        starts.append(  # as T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T
+        starts.append(  # as T, X, Y, TH, OM, VT, VN, IMPACT_N, IMPACT_T, RESISTED
             (
                 0.0,
                 (more.get("x", 0.0) - given.x * by_length) / length,
@@ -286,6 +293,7 @@ def directions_of(scenario: Scenario, paths: Sequence[str]) -> Directions:
                 (more.get("omega", 0.0) + given.omega * by_time) * second,
                 (more.get("slip", 0.0) - given.slip * by_speed) * second / length,
                 (more.get("vy", 0.0) - given.vy * by_speed) * second / length,
+                0.0,
                 0.0,
                 0.0,
             )

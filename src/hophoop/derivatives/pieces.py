@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 from hophoop._jit import apart_jit
 from hophoop.derivatives.layout import OM
 from hophoop.derivatives.massless import follow_skim
 from hophoop.derivatives.moving import accelerations, follow_flight, follow_hold, step_along
 from hophoop.derivatives.panels import follow_panel, prepare_panel
 from hophoop.numerics.trigonometry import sine_cosine
-from hophoop.panels.panel import FLY, HOLD, LEAVE, SKIMMING
+from hophoop.panels.panel import FLY, HOLD, LEAVE, SKIMMING, fill_inside
 from hophoop.physics.flight import flight_displacement, flight_gap
 from hophoop.physics.massless import skim_state
 from hophoop.records.state import flown, moved, with_velocities
@@ -60,9 +62,9 @@ def follow_without_panel(body, row, tau, changes, z):
 @apart_jit
 def from_rest(body, mode, begin, z):
     """A changed motion that turns at a panel's begin is told of where it is at rest, not of when it was elsewhere."""
-    rates = accelerations(body, mode, begin)
     for k in range(z.shape[1]):
         if z[OM, k] != 0.0:
+            rates = accelerations(body, mode, begin, math.copysign(1.0, z[OM, k]))
             step_along(z, k, -z[OM, k] / rates[0], begin, rates)
             z[OM, k] = 0.0
 
@@ -71,6 +73,8 @@ def from_rest(body, mode, begin, z):
 def follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local):
     """Carry all directions to ξ of a prepared panel; returns the state there."""
     begin = state_of(row)
+    if -1.0 < xi < 1.0:
+        fill_inside(panel, scratch.work)
     end = state_on_panel(body, panel, totals, begin, xi, scratch)
     if panel.kind == LEAVE:
         from_rest(body, row["mode"], begin, z)
@@ -103,7 +107,7 @@ def follow_piece(body, row, changes, z, scratch, local):
     if is_panel(row):
         panel = panel_of(row)
         totals = solve(body, panel, scratch.work)
-        prepare_panel(body, panel, scratch.work, local)
+        prepare_panel(body, panel, row["omega"] * row["omega"], changes, scratch.work, local)
         return follow_prepared(body, row, panel, totals, row["xi"], changes, z, scratch, local)
     tau = length_of(row)
     return follow_without_panel(body, row, tau, changes, z)

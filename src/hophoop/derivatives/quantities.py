@@ -214,7 +214,8 @@ def _way(carried: Carried) -> Rated:
 
 
 def _lost(carried: Carried) -> Rated:
-    return carried.at_event(_last(carried), "friction") + _impact_loss(carried, _last(carried))
+    last = _last(carried)
+    return carried.at_event(last, "friction") + carried.at_event(last, "rolling_resistance") + _impact_loss(carried, last)
 
 
 def _way_rolled(carried: Carried) -> Rated:
@@ -249,4 +250,5 @@ WHOLE: dict[str, tuple[Callable[[Carried], Rated], str]] = {
     "distance_rolled": (_way_rolled, "m"),
     "revolutions_to_rolling": (_revolutions, "1"),
     "energy_lost": (_lost, "J"),
+    "greatest_utilization": (lambda carried: carried.friction_use(), "1"),
 }

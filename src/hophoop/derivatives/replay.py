@@ -16,6 +16,7 @@ from hophoop.derivatives.conditions import (
     meet_opening,
     meet_row,
     meet_time,
+    part_at_rest,
 )
 from hophoop.derivatives.impact import NONE, SIDED, impact_change, pulled_back
 from hophoop.derivatives.layout import (
@@ -31,21 +32,25 @@ from hophoop.derivatives.layout import (
     OM,
     P_N,
     P_T,
+    RESISTED,
+    REST,
     TH,
     VN,
     VT,
     Reason,
     Y,
 )
+from hophoop.derivatives.lifted import let_fall, stop_throw
 from hophoop.derivatives.massless import follow_strike, skim_rates
-from hophoop.derivatives.moving import accelerations, skims_plane
-from hophoop.derivatives.pieces import follow_piece, follow_without_panel, is_before, length_of
+from hophoop.derivatives.moving import accelerations, motion_against, resisted_motion, skims_plane
+from hophoop.derivatives.pieces import follow_piece, follow_without_panel, is_before, is_panel, length_of
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.panel import FLY, HOLD, LINEAR, SKIMMING
 from hophoop.physics.body import Event, Mode
-from hophoop.physics.contact import rolling_forces
+from hophoop.physics.contact import free_acceleration
 from hophoop.physics.impact import impact
 from hophoop.physics.modes import slip_direction
+from hophoop.physics.resistance import forces_rolling
 from hophoop.records.state import with_velocities
 from hophoop.records.writing import state_of
 
@@ -54,7 +59,7 @@ SLIP_START, STICK, SLIP_REVERSAL, TAKEOFF, IMPACT, TURN, APEX = (
     int(kind)
     for kind in (Event.SLIP_START, Event.STICK, Event.SLIP_REVERSAL, Event.TAKEOFF, Event.IMPACT, Event.TURN, Event.APEX)
 )
-START, BOUNCE_LIMIT, JAM, SKIM_START, REST, END_EVENT = (
+START, BOUNCE_LIMIT, JAM, SKIM_START, REST_EVENT, END_EVENT = (
     int(kind) for kind in (Event.START, Event.BOUNCE_LIMIT, Event.JAM, Event.SKIM, Event.REST, Event.END)
 )
 PAINLEVE_INCONSISTENT = int(Event.PAINLEVE_INCONSISTENT)
@@ -65,17 +70,33 @@ MASSLESS, FRICTIONLESS, ENDED, PLASTIC = (
 
 
 @apart_jit
+def begin_lifted(body, mode, state, z, reasons, k):
+    """A start in contact whose rim is lifted or thrown: it flies off, or comes down again, and then has other events."""
+    if mode == FLIGHT and z[Y, k] >= 0.0 and z[VN, k] >= 0.0:
+        reasons[k] = SIDED
+        return
+    sigma = slip_direction(mode)
+    contact = body.kap > 0.0 and mode != FLIGHT and mode != SKIM
+    if contact and (stop_throw(body, sigma, state, z, k) if z[VN, k] != 0.0 else let_fall(body, sigma, state, z, k)):
+        reasons[k] = CONTACT
+    else:
+        fail(z, reasons, k, CONTACT)
+
+
+@apart_jit
 def begin_changes(body, row, changes, z, reasons):
     """What a changed start does at once."""
     state = state_of(row)
     if state.y > 0.0 or state.vn != 0.0:
         return
+    mode = row["after_mode"]
     for k in range(z.shape[1]):
         if z[Y, k] != 0.0 or z[VN, k] != 0.0:
-            fail(z, reasons, k, CONTACT)
-    mode = row["after_mode"]
+            begin_lifted(body, mode, state, z, reasons, k)
     if mode != FLIGHT and mode != SKIM and state.vt == 0.0:
         lose_slip(body, state, slip_direction(mode), changes, z, reasons)
+    if mode != FLIGHT and mode != SKIM:
+        part_at_rest(body, slip_direction(mode), state, z, reasons)
     if is_on_border(body, state):
         fail_all(z, reasons, BORDER)
 
@@ -84,7 +105,7 @@ def begin_changes(body, row, changes, z, reasons):
 def end_rolling(body, row, before, rates, changes, z, reasons):
     """Rolling that ends at the friction cone, or at N = 0."""
     s, c = sine_cosine(before.th, before.th_low)
-    friction = rolling_forces(body, s, c, before.om * before.om)[0]
+    friction = forces_rolling(body, s, c, before.om)[0]
     meet_cone(body, before, rates, 1.0 if friction > 0.0 else -1.0, changes, z, reasons)
     if row["kind"] == SKIM_START:
         for k in range(z.shape[1]):
@@ -97,10 +118,37 @@ def stays_with_small_bounces(row):
     """Whether the motion behind a landing with e = 0 is the same to first order in a small e.
 
     The bounces last a time of order e, at whose end the same quantities are zero as without them, N and F having done what
-    their impulses do. So the state differs by the order e², where the contact goes on and its slip keeps its direction.
+    their impulses do. So the state differs by the order e², where the contact goes on and its slip keeps its direction;
+    but for the couple of rolling resistance, see `bounce_freely`.
     """
     mode = row["after_mode"]
     return row["collision"] == 1 and mode != FLIGHT and mode != SKIM and (mode == ROLL or row["slip"] != 0.0)
+
+
+@apart_jit
+def bounce_freely(body, row, before, drest, z, k):
+    """The time 2 v_n/abs(f_n) of the first bounce after a landing with a small e has no rolling resistance.
+
+    Returns whether that is all: a hoop that rolls must do so again after it, and a hoop at rest would begin to turn.
+    """
+    after = state_of(row)
+    s, c = sine_cosine(after.th, after.th_low)
+    small = 2.0**-30  # v_n after the landing is in proportion to e
+    thrown = impact(body, small, s, c, before.vt, before.vn)
+    along, away = free_acceleration(body, s, c, after.om * after.om)
+    rolls = row["after_mode"] == ROLL
+    if after.om == 0.0 or not away < 0.0:
+        return False
+    if rolls and not (thrown[0] == 0.0 and impact(body, 0.0, s, c, -2.0 * along / away, -1.0)[0] == 0.0):
+        return False
+    time = -2.0 * thrown[1] / (small * away) * drest
+    sigma = slip_direction(row["after_mode"])
+    with_couple = resisted_motion(body, sigma, after, 0.0)
+    without = motion_against(body, sigma, after, 0.0)
+    z[OM, k] -= (with_couple[0] - without[0]) * time
+    z[VT, k] -= (with_couple[1] - without[1]) * time
+    z[RESISTED, k] -= with_couple[3] * time
+    return True
 
 
 @apart_jit
@@ -132,7 +180,11 @@ def collide_changes(body, rest, row, before, changes, z, kept, reasons):
         if reason == SIDED:
             if reasons[k] == NONE:
                 reasons[k] = SIDED
-        elif reason == PLASTIC and stays_with_small_bounces(row):
+        elif (
+            reason == PLASTIC
+            and stays_with_small_bounces(row)
+            and (body.resist == 0.0 or bounce_freely(body, row, before, changes[REST, k], z, k))
+        ):
             if reasons[k] <= 0:
                 reasons[k] = PLASTIC
         elif reason != NONE:
@@ -171,12 +223,17 @@ def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons
         begin_changes(body, row, changes, z, reasons)
         keep_before(z, kept)
         return
-    rates = (0.0, 0.0, 0.0)
+    rates = (0.0, 0.0, 0.0, 0.0)
+    way = piece["way"] if passed and is_panel(piece) else 0.0
+    # the couple changes its sign where the hoop turns round, and with it the forces: what follows is decided anew
+    turned = body.resist > 0.0 and way != 0.0 and before.om == 0.0
     if mode == SKIM:
         rates = skim_rates(body, before)
     elif mode >= 0 and not (passed and piece["kind"] == HOLD and piece["sigma"] == 0):
-        rates = accelerations(body, mode, before)
-    if mode == ROLL and (kind in (SLIP_START, TAKEOFF) or (kind == SKIM_START and passed)):
+        rates = accelerations(body, mode, before, way)
+    if turned and kind != END_EVENT:
+        pass
+    elif mode == ROLL and (kind in (SLIP_START, TAKEOFF) or (kind == SKIM_START and passed)):
         end_rolling(body, row, before, rates, changes, z, reasons)
     elif kind == TAKEOFF and before.vt != 0.0:
         meet_opening(body, before, rates, changes, z, reasons)
@@ -188,7 +245,7 @@ def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons
         meet_jam(body, slip_direction(mode), after, before, changes, z)
     elif kind == PAINLEVE_INCONSISTENT and passed:
         fail_all(z, reasons, SINGULAR)
-    elif kind == REST and body.mu_s == 0.0:
+    elif kind == REST_EVENT and body.mu_s == 0.0:
         fail_all(z, reasons, FRICTIONLESS)
     elif kind == END_EVENT:
         if row["t"] == t_end:
@@ -204,9 +261,20 @@ def meet_event(body, row, fresh, piece, passed, t_end, changes, z, kept, reasons
         collide_changes(body, body.rest, row, before, changes, z, kept, reasons)
     elif kind == BOUNCE_LIMIT:
         collide_changes(body, 0.0, row, before, changes, z, kept, reasons)
-    settled = kind in (IMPACT, STICK, SLIP_REVERSAL, BOUNCE_LIMIT) and row["after_mode"] != FLIGHT
-    if settled and is_on_border(body, after):
-        fail_all(z, reasons, BORDER)
+    settled = (kind in (IMPACT, STICK, SLIP_REVERSAL, BOUNCE_LIMIT) or turned) and row["after_mode"] != FLIGHT
+    if settled and kind != END_EVENT:
+        if is_on_border(body, after):
+            fail_all(z, reasons, BORDER)
+        part_at_rest(body, slip_direction(row["after_mode"]), after, z, reasons)
+
+
+@apart_jit
+def keep_after(row, z, kept):
+    """What all directions are just after an event; the start keeps what was given, not what becomes of it at once."""
+    for k in range(z.shape[1]):
+        if row["kind"] != START or math.isnan(z[TH, k]):
+            for i in range(CARRIED):
+                kept[i, k] = z[i, k]
 
 
 @apart_jit
@@ -215,7 +283,7 @@ def pass_apex(body, row, piece, changes, z, kept, reasons):
     tau = ((row["t"] - piece["t"]) + row["t_low"]) - piece["t_low"]
     state = follow_without_panel(body, piece, tau, changes, z)
     state = with_velocities(state, state.vt, 0.0, state.om)
-    rates = accelerations(body, FLIGHT, state)
+    rates = accelerations(body, FLIGHT, state, 0.0)
     meet_row(VN, rates[2], 1e-300 + body.gn + state.om * state.om, state, rates, z, reasons)
     keep_before(z, kept)
 
@@ -272,8 +340,9 @@ def replay(body, events, segments, changes, z, t_end, at_events, at_segments, re
             done += 1
             passed = True
         last = max(done - 1, 0)
-        meet_event(body, row, at_segments[last], segments[last], passed, t_end, changes, z, kept, reasons)
         kept[:CARRIED] = z
+        meet_event(body, row, at_segments[last], segments[last], passed, t_end, changes, z, kept, reasons)
+        keep_after(row, z, kept)
         for k in range(z.shape[1]):
             if reasons[k] > 0 and failed[k] < 0:
                 failed[k] = i

@@ -39,16 +39,16 @@ def sample_changes(body, segments, at_segments, changes, clock, times, left, sta
             if index != solved:
                 panel = panel_of(row)
                 totals = solve(body, panel, scratch.work)
-                prepare_panel(body, panel, scratch.work, local)
+                prepare_panel(body, panel, row["omega"] * row["omega"], changes, scratch.work, local)
                 solved = index
             fill_inside(panel, scratch.work)
             xi = place_on_panel(scratch.work[TIME], row, tau, scratch)
             end = follow_prepared(body, row, panel, totals, xi, changes, z, scratch, local)
         else:
             end = follow_without_panel(body, row, tau, changes, z)
-        rates = (0.0, 0.0, 0.0)
+        rates = (0.0, 0.0, 0.0, 0.0)
         if row["kind"] != SKIMMING and not (row["kind"] == HOLD and row["sigma"] == 0):
-            rates = accelerations(body, row["mode"], end)
+            rates = accelerations(body, row["mode"], end, row["way"])
         elif row["kind"] == SKIMMING:
             rates = skim_rates(body, end)
         for k in range(z.shape[1]):

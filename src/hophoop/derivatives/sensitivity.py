@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hophoop.derivatives.carrying import Carried, carry
+from hophoop.derivatives.carrying import Carried, Rated, carry
 from hophoop.derivatives.layout import REASONS, Reason
 from hophoop.derivatives.parameters import allowed_sides, value_of
 from hophoop.derivatives.quantities import quantity, unit_of_quantity
@@ -191,11 +191,11 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
     rated = [read(larger) for read in reads]
     values = np.array([each.value for each in rated])
     upward = np.array([each.rates for each in rated])
-    downward = upward.copy()
+    downward = np.array([_downward(each) for each in rated])
     sides = larger.one_sided
     if sides:
-        smaller = carry(motion, [paths[k] for k in sides], -1.0)
-        downward[:, sides] = np.array([read(smaller).rates for read in reads])
+        smaller = carry(motion, [paths[k] for k in sides], -1.0, edges=True)
+        downward[:, sides] = np.array([_downward(read(smaller)) for read in reads])
     at = [value_of(motion.scenario, path) for path in paths]
     sided = [allowed_sides(motion.scenario, path, value) for path, value in zip(paths, at, strict=True)]
     for k, (down, up) in enumerate(sided):
@@ -211,12 +211,17 @@ def sensitivity_of(motion: Motion, of: str | Sequence[str], wrt: str | Sequence[
         own = _reason(larger, k)
         at_edge = not all(sided[k])
         for i in np.flatnonzero(~same[:, k]).tolist():
-            reasons[i][k] = EDGE if at_edge and not neither[i][k] else own
+            both = own == REASONS[Reason.CONTACT] and np.isfinite(upward[i, k]) and np.isfinite(downward[i, k])
+            reasons[i][k] = EDGE if at_edge and not neither[i][k] else SIDED if both else own
     return Sensitivity(
         motion.scenario, quantities, paths, values, np.array(at),
         derivatives, downward, upward, tuple(map(tuple, reasons)),
         tuple(unit_of_quantity(name) for name in quantities), tuple(_unit_of_parameter(path) for path in paths),
     )  # fmt: skip
+
+
+def _downward(rated: Rated) -> Floats:
+    return rated.rates if rated.smaller is None else rated.smaller
 
 
 def _reason(carried: Carried, k: int) -> str:

@@ -34,7 +34,7 @@ class Deviations:
         Of velocities [m/s].
     omega : ndarray, shape (m,)
         Of θ̇ [rad/s].
-    kinetic, potential, total, friction, impact_normal, impact_tangential : ndarray, shape (m,)
+    kinetic, potential, total, friction, impact_normal, impact_tangential, rolling_resistance : ndarray, shape (m,)
         Of energies, and of the energy lost so far [J].
     """
 
@@ -52,6 +52,7 @@ class Deviations:
     friction: Floats
     impact_normal: Floats
     impact_tangential: Floats
+    rolling_resistance: Floats
 
 
 @dataclass(frozen=True)

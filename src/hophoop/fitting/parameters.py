@@ -48,6 +48,7 @@ PATHS: dict[str, tuple[str, ...]] = {
     "mu_excess": ("plane.mu_static",),
     "restitution": ("plane.restitution",),
     "slope": ("plane.slope",),
+    "rolling_resistance": ("plane.rolling_resistance",),
     "x0": ("start.x",),
     "angle0": ("start.angle",),
     "speed": ("start.speed",),

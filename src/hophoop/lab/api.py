@@ -30,7 +30,7 @@ from hophoop.lab.limits import USUAL, Limits, TooBusy, TooMuch
 from hophoop.lab.worker import Job
 from hophoop.lab.workers import FILM, HEAVY, Workers, while_there
 from hophoop.scenario import InputError, Scenario
-from hophoop.scenario.sentences import findings_sentence
+from hophoop.scenario.sentences import findings_sentence, parse_reason
 
 if TYPE_CHECKING:
     from hophoop.fitting import Backdrop
@@ -154,8 +154,7 @@ class LabRequest(Request):
                 json.dumps(found, ensure_ascii=False).encode()  # half a character cannot be written again
             return found
         except (ValueError, RecursionError) as error:
-            why = str(error).rstrip(".")
-            raise HTTPException(422, f"The body is not valid JSON: {why}.") from None
+            raise HTTPException(422, f"The body is not valid JSON: {parse_reason(error)}.") from None
 
 
 class LabRoute(APIRoute):

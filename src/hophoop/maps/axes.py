@@ -16,6 +16,7 @@ from hophoop.scenario.paths import contradiction
 from hophoop.vocabulary.sentences import LAB
 
 SECTIONS = ("duration", "hoop", "plane", "start", "contact")
+MOST_VALUES = 100_000_000  # on one axis: they are in memory, whatever the map
 # Chunks are about square over the last two axes, so that a map is read as fast by rows as by columns.
 SIDE = 256
 
@@ -49,7 +50,7 @@ def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
     first, last : float
         Ends, both included, in the parameter's unit [SI].
     count : int
-        How many, at least 1.
+        How many, from 1 to 100,000,000.
 
     Returns
     -------
@@ -59,7 +60,7 @@ def linear(first: float, last: float, count: int) -> NDArray[np.float64]:
     Raises
     ------
     ValueError
-        If count is below 1.
+        If count is not from 1 to 100,000,000.
 
     Examples
     --------
@@ -77,7 +78,7 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
     first, last : float
         Ends above 0, both included, in the parameter's unit [SI].
     count : int
-        How many, at least 1.
+        How many, from 1 to 100,000,000.
 
     Returns
     -------
@@ -87,7 +88,7 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
     Raises
     ------
     ValueError
-        If count is below 1 or an end is not above 0.
+        If count is not from 1 to 100,000,000, or an end is not above 0.
 
     Examples
     --------
@@ -103,8 +104,8 @@ def logarithmic(first: float, last: float, count: int) -> NDArray[np.float64]:
 
 
 def _count(count: int) -> int:
-    if count != int(count) or count < 1:
-        raise ValueError(f"count = {count!r} must be a whole number, at least 1.")
+    if not 1 <= count <= MOST_VALUES or count != int(count):
+        raise ValueError(f"count = {count!r} must be a whole number from 1 to {MOST_VALUES:,}.")
     return int(count)
 
 

@@ -12,7 +12,7 @@ import math
 import numpy as np
 from numpy.polynomial import chebyshev, legendre
 
-from hophoop._jit import apart_jit, inline_jit, lean_jit
+from hophoop._jit import apart_jit, inline_jit, interpreted_as, lean_jit
 
 ORDER = 16
 NODES, WEIGHTS = legendre.leggauss(ORDER)
@@ -40,6 +40,15 @@ EXP_3, EXP_4, EXP_5, EXP_6, EXP_7, EXP_8, EXP_9, EXP_10 = (1.0 / math.factorial(
 EXP_11, EXP_12, EXP_13, EXP_14, EXP_15, EXP_16, EXP_17, EXP_18 = (1.0 / math.factorial(k) for k in range(11, 19))
 
 
+def _product_by_arrays(matrix_t, values, out):
+    terms = matrix_t * values[:ORDER, None]
+    pairs = terms[::2] + terms[1::2]
+    fours = pairs[::2] + pairs[1::2]
+    eights = fours[::2] + fours[1::2]
+    np.add(eights[0], eights[1], out=out[:ORDER])
+
+
+@interpreted_as(_product_by_arrays)
 @inline_jit
 def product(matrix_t, values, out):
     """out = matrix · values, with the matrix given transposed; eight columns a pass keep the sums in registers.
@@ -104,6 +113,28 @@ def smallest(values):
     return min(min(l0, l1), min(l2, l3))
 
 
+def _exponentials_by_arrays(values, out):
+    if not max(0.0, np.fmax.reduce(np.abs(values))) <= 1.0:
+        for i in range(ORDER):
+            out[i] = math.exp(values[i])
+        return
+    square = values * values
+    even = EXP_18 * square + EXP_16
+    odd = EXP_17 * square + EXP_15
+    for even_next, odd_next in (
+        (EXP_14, EXP_13),
+        (EXP_12, EXP_11),
+        (EXP_10, EXP_9),
+        (EXP_8, EXP_7),
+        (EXP_6, EXP_5),
+        (EXP_4, EXP_3),
+    ):
+        even = even * square + even_next
+        odd = odd * square + odd_next
+    out[:] = 1.0 + (values + (0.5 * square + square * (even * square + odd * values)))
+
+
+@interpreted_as(_exponentials_by_arrays)
 @inline_jit
 def exponentials(values, out):
     """out = exp(values); by the series where none is above 1, which the processor does for several nodes at a time."""
@@ -168,6 +199,14 @@ def coefficients(values, out):
     product(SERIES_T, values, out)
 
 
+def _tail_by_arrays(values, scale):
+    scale = max(scale, np.fmax.reduce(np.abs(values)))
+    a, b, c = np.add.accumulate(TAIL * values, axis=1)[:, -1]
+    ratio = max(abs(a), abs(b), abs(c)) / scale
+    return ratio if ratio < np.inf else np.inf
+
+
+@interpreted_as(_tail_by_arrays)
 @inline_jit
 def tail(values, scale):
     """Size of the last three Chebyshev coefficients beside `scale` or the largest value; inf for nan."""
@@ -222,6 +261,18 @@ def right_value(series):
     return result
 
 
+def _lagrange_by_arrays(xi, out):
+    double = 2.0 * xi
+    chebyshev = [1.0, xi]
+    for _ in range(2, ORDER):
+        chebyshev.append(double * chebyshev[-1] - chebyshev[-2])
+    terms = SERIES * np.array(chebyshev)[:, None]
+    terms[0] = SERIES[0]
+    # from left to right, as the loop sums
+    out[:] = np.add.accumulate(terms)[-1]
+
+
+@interpreted_as(_lagrange_by_arrays)
 @inline_jit
 def lagrange(xi, out):
     """Weights that interpolate node values at ξ: the rows of `SERIES`, each times its T_k(ξ).

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import cache
 from typing import Any
 
 from hophoop._extras import need
@@ -14,10 +15,16 @@ Series = Any  # a flint.arb_series
 Jet = list[Ball]  # Taylor coefficients: value, slope, half of the second derivative, …
 
 
+@cache
+def library() -> Any:
+    """The module, looked up once: every ball is made by it."""
+    return need("flint", "prove")
+
+
 def __getattr__(name: str) -> Any:
     if name.startswith("__"):
         raise AttributeError(name)
-    value = getattr(need("flint", "prove"), name)
+    value = getattr(library(), name)
     globals()[name] = value
     return value
 
@@ -28,17 +35,24 @@ class Undecided(Exception):
 
 def arb(*values: Any) -> Ball:
     """A ball: of a number, or of a middle and a radius."""
-    return need("flint", "prove").arb(*values)
+    return library().arb(*values)
+
+
+@cache
+def ball_type() -> type:
+    """What a ball is."""
+    found: type = library().arb
+    return found
 
 
 def series(coefficients: list[Any]) -> Series:
     """A power series, cut off where the present order is."""
-    return need("flint", "prove").arb_series(coefficients)
+    return library().arb_series(coefficients)
 
 
 def rational(value: Fraction | int) -> Ball:
     """The ball of a rational number."""
-    flint = need("flint", "prove")
+    flint = library()
     number = Fraction(value)
     return flint.arb(flint.fmpq(number.numerator, number.denominator))
 
@@ -46,7 +60,7 @@ def rational(value: Fraction | int) -> Ball:
 @contextmanager
 def precision(bits: int) -> Iterator[None]:
     """Work at so many bits, and leave python-flint's global settings as they were."""
-    ctx = need("flint", "prove").ctx
+    ctx = library().ctx
     before, cap = ctx.prec, ctx.cap
     ctx.prec = bits
     try:
@@ -58,7 +72,7 @@ def precision(bits: int) -> Iterator[None]:
 @contextmanager
 def order(terms: int) -> Iterator[None]:
     """Cut series off after so many terms."""
-    ctx = need("flint", "prove").ctx
+    ctx = library().ctx
     before = ctx.cap
     ctx.cap = terms
     try:
@@ -69,12 +83,12 @@ def order(terms: int) -> Iterator[None]:
 
 def bits() -> int:
     """The present working precision."""
-    return int(need("flint", "prove").ctx.prec)
+    return int(library().ctx.prec)
 
 
 def pi() -> Ball:
     """π."""
-    return need("flint", "prove").arb.pi()
+    return library().arb.pi()
 
 
 def sign(value: Ball, what: str) -> int:

@@ -12,10 +12,11 @@ from typing import Any
 
 from hophoop.physics.body import MODE_LETTERS, Mode
 from hophoop.precise.problem import Problem
-from hophoop.prove._flint import arb, precision
+from hophoop.prove._flint import Ball, arb, precision
 from hophoop.prove.model import FREE
 from hophoop.prove.motion import REVOLUTION, Run
 from hophoop.prove.proof import PASSING
+from hophoop.prove.varied import parameter
 from hophoop.scenario import InputError, Scenario
 
 BITS = 48  # a box is much wider than rounding
@@ -147,14 +148,21 @@ def prove_box(scenario: Scenario, ranges: Ranges) -> Box:
     _check(ranges)
     problem = Problem.of(scenario)
     with precision(BITS):
-        free = {path: arb(low).union(arb(high)) for path, (low, high) in ranges.items()}
-        run = Run(problem, free, until=REVOLUTION, timed=False, max_events=MOST_EVENTS).run()
+        run = _run(problem, {path: arb(low).union(arb(high)) for path, (low, high) in ranges.items()})
+        # where balls alone do not get through the first rolling, the box is too wide to first order as well
+        if not run.proved and (len(run.facts) > 1 or run.mode != Mode.ROLL):
+            count = len(ranges)
+            run = _run(problem, {path: parameter(*ends, k, count) for k, (path, ends) in enumerate(ranges.items())})
     marks = [fact for fact in run.facts if fact.kind not in PASSING]
     letters = [MODE_LETTERS[fact.after_mode] for fact in (marks[:-1] if run.proved else marks) if fact.after_mode < Mode.FLIGHT]
     if run.proved and run.ending == "takeoff":
         letters.append("H")
     ending = run.ending if run.proved else ""
     return Box(dict(ranges), "".join(letters), ending, run.why)
+
+
+def _run(problem: Problem, free: Mapping[str, Ball]) -> Run:
+    return Run(problem, free, until=REVOLUTION, timed=False, max_events=MOST_EVENTS).run()
 
 
 def prove_map(

@@ -10,8 +10,9 @@ from hophoop.physics.body import Event, Mode, Status
 from hophoop.precise.problem import Problem
 from hophoop.prove._flint import Ball, Undecided, arb, sign
 from hophoop.prove.flight import Flight
-from hophoop.prove.model import Model, State
-from hophoop.prove.phases import Ended, Limits, roll, slip
+from hophoop.prove.model import Model, State, Still
+from hophoop.prove.phases import Ended, Late, Limits, roll, travel
+from hophoop.prove.rolling import TURN
 from hophoop.prove.rule import (
     INCONSISTENT,
     INDETERMINATE,
@@ -23,6 +24,7 @@ from hophoop.prove.rule import (
     opening_sign,
     slip_mode,
 )
+from hophoop.prove.smeared import travel_box
 from hophoop.prove.witness import bracket
 
 CLOSING = "1e-12"  # bounces are closed when what is left of them takes less than this part of the time so far
@@ -57,6 +59,8 @@ class Run:
         Whether times are wanted; a revolution can do without those of rolling.
     max_events : int, optional
         More are not looked at.
+    deadline : float, optional
+        Of `time.monotonic`; what is not shown by then stays undecided.
     """
 
     problem: Problem
@@ -64,6 +68,7 @@ class Run:
     until: str = DURATION
     timed: bool = True
     max_events: int = 4000
+    deadline: float | None = None
     model: Model = field(init=False)
     facts: list[Fact] = field(init=False, default_factory=list)
     witnesses: list[dict[str, Any]] = field(init=False, default_factory=list)
@@ -71,6 +76,7 @@ class Run:
     ending: str = field(init=False, default="duration")
     why: str = field(init=False, default="")
     done: bool = field(init=False, default=False)
+    late: bool = field(init=False, default=False)
 
     def __post_init__(self) -> None:
         self.model = Model(self.problem, self.free)
@@ -81,7 +87,9 @@ class Run:
         self.last_bounce: Ball = arb(0)
         self.energy: Ball | None = None
         duration = self.until == DURATION
-        self.limits = Limits(self.model.t_end if duration else None, None if duration else self.origin, self.timed)
+        self.limits = Limits(
+            self.model.t_end if duration else None, None if duration else self.origin, self.timed, self.deadline
+        )
 
     @property
     def proved(self) -> bool:
@@ -97,7 +105,7 @@ class Run:
             while not self.done:
                 self.phase()
         except Undecided as reason:
-            self.why = str(reason)
+            self.why, self.late = str(reason), isinstance(reason, Late)
         except ZeroDivisionError:
             self.why = "a divisor may be zero"
         return self
@@ -235,6 +243,7 @@ class Run:
 
     def phase(self) -> None:
         """One phase, or a part of it up to an event that leaves the mode as it is."""
+        self.limits.check()
         try:
             if self.mode == Mode.FLIGHT:
                 self.fly()
@@ -286,17 +295,41 @@ class Run:
 
     def contact(self, sigma: int) -> None:
         """Roll or slip up to the next event."""
-        for ended in roll(self) if sigma == 0 else slip(self, sigma):
+        closed = sigma == 0 and not self.model.resisted
+        pieces = roll(self) if closed else travel_box(self, sigma) if self.model.varying else travel(self, sigma)
+        for ended in pieces:
             self.state, self.energy = ended.state, ended.energy
             if ended.witness:
                 self.witnesses.append(ended.witness)
-            if ended.what == "turn":
-                self.note(Event.TURN, self.mode, self.mode)
-                if self.until == REVOLUTION:
-                    self.end(Status.COMPLETED, "reversal")
-                    return
-                continue
-            self.after(ended)
+            if ended.what != TURN:
+                self.after(ended)
+            elif self.model.resisted:
+                self.turned()
+            else:
+                self.turn()
+            if self.done:
+                return
+
+    def turn(self) -> None:
+        """θ̇ = 0."""
+        self.note(Event.TURN, self.mode, self.mode)
+        if self.until == REVOLUTION:
+            self.end(Status.COMPLETED, "reversal")
+
+    def turned(self) -> None:
+        """θ̇ = 0 with rolling resistance: the couple, and with it the contact force, jumps there."""
+        was, mode = self.mode, next_mode(self.model, self.state)
+        held = isinstance(self.model.after(self.state.th, self.state.om, 0), Still)
+        if was == mode == Mode.ROLL and held:
+            return  # rest, which is the next phase
+        if mode == was or was == Mode.ROLL or self.until == REVOLUTION:
+            self.turn()
+        if self.done:
+            return
+        self.zeros = 0
+        if mode != was:
+            kind = Event.TURN if was != Mode.ROLL else Event.TAKEOFF if mode == Mode.FLIGHT else Event.SLIP_START
+            self.settle(kind, was)
 
     def after(self, ended: Ended) -> None:
         """What follows the end of a phase."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
@@ -20,13 +21,15 @@ from hophoop.prove._flint import (
     sign,
     symmetric,
 )
+from hophoop.prove.carriers import STOP, Carrier, Slip, begin_at, carrier_of, disc, square_at
 from hophoop.prove.model import Model, State
+from hophoop.prove.panels import LARGEST, SHARE, SMALLEST, Panel, TurnPanel, terms_for
 from hophoop.prove.rolling import TURN, Rolling, still
 from hophoop.prove.search import Root, exact, first_root
-from hophoop.prove.slipping import LARGEST, SHARE, SMALLEST, Panel, Slip, TurnPanel, begin_at, disc, square_at, terms_for
-from hophoop.prove.witness import Trail, bracket
+from hophoop.prove.varied import located, ranges
+from hophoop.prove.witness import Trail, Unrecorded, bracket
 
-LIFT, STOP, LIMIT, SPAN, REST = "lift", "stop", "limit", "span", "rest"
+LIMIT, SPAN, REST, SLIDE = "limit", "span", "rest", "slide"
 MOST_PIECES = 20_000
 
 
@@ -40,20 +43,40 @@ class Ended:
     energy: Ball | None = None
 
 
+class Late(Undecided):
+    """The time to prove is over."""
+
+
 @dataclass(frozen=True)
 class Limits:
     """Where a motion ends at the latest: a time (None: no matter), and a whole turn from an angle (None: no matter).
 
-    Without `timed` the time that rolling takes is left out, where nothing depends on it.
+    Without `timed` the time that rolling takes is left out, where nothing depends on it. After the
+    deadline nothing is shown any more.
     """
 
     t_end: Ball | None
     origin: Ball | None
     timed: bool = True
+    deadline: float | None = None  # of time.monotonic
+
+    def check(self) -> None:
+        """Give up where the time to prove is over."""
+        if self.deadline is not None and time.monotonic() > self.deadline:
+            raise Late("there was no time for it")
 
     def left(self, th: Ball, way: int) -> Ball | None:
         """Angle to go."""
         return None if self.origin is None else 2 * pi() - way * (th - self.origin)
+
+
+@dataclass(frozen=True)
+class Found:
+    """The first event on a piece, its root, and the place as it varies over a box."""
+
+    what: str
+    root: Root
+    x: Ball
 
 
 class Phase(Protocol):
@@ -76,7 +99,7 @@ def roll(run: Phase) -> Iterator[Ended]:
         at_turn = bool(state.om.is_zero())
         way = still(model, state) if at_turn else sign(state.om, "θ̇")
         if way == 0:
-            yield Ended(REST, state, {"mode": "R", "way": 0})
+            yield Ended(REST, state, {})
             return
         rolling = Rolling(model, state, way, at_turn, energy)
         what, state, around, turns = _roll_on(rolling, limits)
@@ -108,7 +131,7 @@ def _roll_on(rolling: Rolling, limits: Limits) -> tuple[str, State, list[str] | 
             t = after
         if rolled.what is not None:
             state = _rolled(rolling, t, rolled.th)
-            around = None if rolled.bracket is None else bracket(rolled.th, *rolled.bracket)
+            around = None if rolled.bracket is None or not limits.timed else bracket(rolled.th, *rolled.bracket)
             return rolled.what, replace(state, om=arb(0)) if ends else state, around, turns
         base, fresh = rolled.th, False
         if model.level and limits.t_end is not None:  # what does not happen in a whole turn happens in none
@@ -153,124 +176,120 @@ def _angle_at(rolling: Rolling, base: Ball, last: Ball, wanted: Ball, at_turn: b
     return found
 
 
-# --- slip ----------------------------------------------------------------------------------------
+# --- panels --------------------------------------------------------------------------------------
 
 
-def slip(run: Phase, sigma: int) -> Iterator[Ended]:
-    """Slip up to the event that ends it; turning points are given on the way."""
-    model, state, limits = run.model, run.state, run.limits
-    the_slip = Slip.of(model, sigma, state)
-    zeros = [0, run.zeros]
+def travel(run: Phase, sigma: int) -> Iterator[Ended]:
+    """Slip, or rolling with resistance, up to the event that ends it; turning points are given on the way."""
+    state, limits = run.state, run.limits
+    model = run.model.after(state.th, state.om, sigma)
+    carrier = carrier_of(model, sigma, state)
+    zeros = [0, run.zeros] if sigma else [0] * len(carrier.names)
     way = sign(state.om, "θ̇")
     if way == 0:
-        way = sign(the_slip.slope(state.th, arb(0)), "θ̈ of the hoop at rest")
+        way = sign(carrier.slope(state.th, arb(0)), "θ̈ of the hoop at rest")
         if way == 0:
-            yield _slide(the_slip, limits)
+            yield slide(carrier, limits) if isinstance(carrier, Slip) else Ended(REST, state, {})
             return
-        piece: Any = TurnPanel(the_slip, state.th, -way)
+        piece: Any = TurnPanel(carrier, state.th, -way)
         piece.t = state.t
         x, begun = arb(0), True
     else:
         centre = exact(state.th)
-        u = square_at(the_slip, state.th, state.om * state.om, centre, run.energy)
-        begin = begin_at(the_slip, centre, u, way)
-        the_slip = Slip.of(model, sigma, begin)
-        piece = _panel(the_slip, centre, way, u, begin.t)
+        u, _ = square_at(carrier, state.th, state.om * state.om, centre, run.energy)
+        begin = begin_at(carrier, centre, u, way)
+        carrier = carrier_of(model, sigma, begin)
+        piece = panel(carrier, centre, way, u, begin.t)
         turning = isinstance(piece, TurnPanel)
         x = -(way * (piece.turn - state.th)).sqrt() if turning else way * (state.th - centre)
         begun = False
-    trail = Trail(the_slip, state.th)
+    trail = Trail(carrier, state.th) if limits.timed else Unrecorded()
     for _ in range(MOST_PIECES):
+        limits.check()
         if isinstance(piece, TurnPanel):
             if not begun:
-                root = _search(piece, zeros, x.lower(), arb(0), limits)
+                root = search(piece, zeros, x.lower(), arb(0), limits)
                 trail.turn(piece)
                 if root is not None:
-                    yield _ended(piece, root, trail)
+                    yield ended(piece, root, trail)
                     return
-                last_turn = limits.origin is not None
+                last_turn = limits.origin is not None or carrier.ends_at_turn
                 found = trail.record(TURN, None) if last_turn else {}
                 yield Ended(TURN, replace(piece.state(arb(0)), om=arb(0)), found)
+                if last_turn:
+                    return
                 zeros, x, way = [-1, -1], arb(0), -way
             else:
                 trail.turn(piece)
-            root = _search(piece, zeros, arb(0), exact(piece.reach.sqrt().lower() * 15 / 16), limits)
+            root = search(piece, zeros, arb(0), exact(piece.reach.sqrt().lower() * 15 / 16), limits)
             last = arb(float(piece.reach.sqrt().lower() * 7 / 8))
             if root is not None:
-                yield _ended(piece, root, trail)
+                yield ended(piece, root, trail)
                 return
             trail.leave(last)
             centre = exact(piece.angle(last))
             w = (way * (centre - piece.turn)).sqrt()
             u, t = w * w * piece.over(w), piece.time(w)
         else:
-            root = _search_panel(piece, zeros, x.lower(), limits)
+            root = search(piece, zeros, x.lower(), piece.reach, limits)
             trail.panel(piece)
             if root is not None:
-                yield _ended(piece, root, trail)
+                yield ended(piece, root, trail)
                 return
             centre = exact(piece.angle(piece.reach))
             x = way * (centre - piece.centre)
             u, t = piece.square(x), piece.time(x)
         zeros, begun, x = [-1, -1], False, arb(0)
-        piece = _panel(the_slip, centre, way, u, t)
+        piece = panel(carrier, centre, way, u, t)
         if isinstance(piece, TurnPanel):
             x = -(way * (piece.turn - centre)).sqrt()
-    raise Undecided(f"slip takes more than {MOST_PIECES} panels")
+    raise Undecided(f"a phase takes more than {MOST_PIECES} panels")
 
 
-def _panel(the_slip: Slip, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
+def panel(carrier: Carrier, centre: Ball, way: int, u: Ball, t: Ball) -> Panel | TurnPanel:
     """The panel that begins at an exact angle: one about a turning point where that is near."""
-    slope = way * the_slip.slope(centre, u)
+    slope = way * carrier.slope(centre, u)
     if slope < 0 and u / -slope < LARGEST / SHARE:
-        found = _turn_ahead(the_slip, centre, way, u)
+        found = turn_ahead(carrier, centre, way, u)
         if found is not None:
             found.t = t - (found.time(-(way * (found.turn - centre)).sqrt()) - found.t)
             return found
-    return Panel(the_slip, centre, way, u, t)
+    return Panel(carrier, centre, way, u, t)
 
 
-def _turn_ahead(the_slip: Slip, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
+def turn_ahead(carrier: Carrier, centre: Ball, way: int, u: Ball) -> TurnPanel | None:
     """A panel about the turning point ahead, None where it does not reach back to the centre."""
     radius = arb(LARGEST)
-    while (found := disc(the_slip, centre, radius)) is None or not found.decay * radius < 1:
+    while (found := disc(carrier, centre, radius)) is None or not found.grow * radius < 1:
         radius = radius / 2
         if radius < SMALLEST:
             raise Undecided("slip comes too close to p_σ = 0")
     terms = terms_for(bits())
     ratio = arb(1) / SHARE
-    most = (abs(u).abs_upper() + radius * found.push * abs(the_slip.model.gn)) * (found.decay * radius).exp()
+    most = (abs(u).abs_upper() + radius * found.push) * (found.grow * radius).exp()
     rest = symmetric(most * ratio**terms / (1 - ratio))
     with order(terms):
-        squares = coefficients(the_slip.square(centre, u, way, terms), terms)
+        squares = coefficients(carrier.square(centre, u, way, terms), terms)
 
     def evaluate(x: Ball, wanted: int) -> list[Jet]:
         value = polynomial(squares, x) + rest
-        return [[value, way * the_slip.slope(centre + way * x, value)][:wanted]]
+        return [[value, way * carrier.slope(centre + way * x, value)][:wanted]]
 
     try:
         root = first_root(evaluate, [0], arb(0), exact(radius / SHARE))
         if root is None:
             return None
-        panel = TurnPanel(the_slip, centre + way * root.x, way)
+        panel = TurnPanel(carrier, centre + way * root.x, way)
     except Undecided:  # not yet: from nearer by it may
         return None
     return panel if root.x < panel.reach else None
 
 
-def _search_panel(piece: Panel, zeros: list[int], begin: Ball, limits: Limits) -> tuple[str, Root] | None:
-    """The first event on a panel, or, where it cannot be told on which side of the panel's end it is, also beyond."""
-    try:
-        return _search(piece, zeros, begin, piece.reach, limits)
-    except Undecided:
-        if not piece.farthest > piece.reach:
-            raise
-    return _search(piece, zeros, begin, piece.farthest, limits)
-
-
-def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits) -> tuple[str, Root] | None:
+def search(
+    piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, limits: Limits, begun: bool = False
+) -> Found | None:
     """(what, where) of the first event on a piece."""
-    names, known = [LIFT, STOP], list(zeros)
+    names, known = piece.carrier.names, list(zeros)
     if limits.t_end is not None:
         names, known = [*names, LIMIT], [*known, 0]
     if limits.origin is not None:
@@ -286,36 +305,46 @@ def _search(piece: Panel | TurnPanel, zeros: list[int], begin: Ball, end: Ball, 
             found.append(_padded([left, -way * piece.angle_rate(x)], terms))
         return found
 
+    def values(x: Ball, terms: int) -> list[Jet]:
+        return ranges(evaluate(x, terms))
+
     if not begin < end:
         return None
-    root = first_root(evaluate, known, exact(begin), exact(end), exact((end - begin) / 2))
-    return None if root is None else (names[root.index], root)
+    wide = piece.carrier.model.varying > 0
+    root = first_root(values, known, exact(begin), exact(end), exact((end - begin) / 2), wide, begun)
+    return None if root is None else Found(names[root.index], root, located(evaluate, root))
 
 
 def _padded(jet: Jet, terms: int) -> Jet:
     return jet[:terms] + [arb(0)] * (terms - len(jet))
 
 
-def _ended(piece: Panel | TurnPanel, found: tuple[str, Root], trail: Trail) -> Ended:
-    what, root = found
-    energy = piece.energy(root.x) if what == STOP and isinstance(piece, Panel) else None
-    return Ended(what, piece.state(root.x, what == STOP), trail.record(what, root), energy)
+def ended(piece: Panel | TurnPanel, found: Found, trail: Trail | Unrecorded) -> Ended:
+    what, x = found.what, found.x
+    energy = None
+    if what == STOP and isinstance(piece, Panel) and not piece.carrier.ends_at_turn:
+        energy = piece.energy(x)
+    return Ended(what, piece.state(x, what == STOP), trail.record(what, found.root), energy)
 
 
-def _slide(the_slip: Slip, limits: Limits) -> Ended:
+def slide(carrier: Slip, limits: Limits) -> Ended:
     """Slip at a constant angle."""
-    begin, steady = the_slip.begin, the_slip.steady
-    assert limits.t_end is not None
-    left = limits.t_end - begin.t
-    fall = the_slip.sigma * steady
-    if begin.vt.is_zero():
-        raise Undecided("slip begins without rotation")
-    stops = sign(fall, "v̇_t") < 0 and _before(abs(begin.vt) / abs(steady), left)
-    tau = abs(begin.vt) / abs(steady) if stops else left
+    begin, steady, still = carrier.begin, carrier.steady, carrier.begin.vt.is_zero()
+    way = sign(steady, "v̇_t") * carrier.sigma
+    ends = way < 0 and not still  # slip that begins gets faster
+    if limits.t_end is None:
+        if not ends:
+            raise Undecided("slip goes on without rotation and without end")
+        tau, stops = abs(begin.vt) / abs(steady), True
+    else:
+        left = limits.t_end - begin.t
+        stops = ends and _before(abs(begin.vt) / abs(steady), left)
+        tau = abs(begin.vt) / abs(steady) if stops else left
     x = begin.x + begin.vt * tau + steady * tau * tau / 2
     vt = arb(0) if stops else begin.vt + steady * tau
-    state = replace(begin, t=begin.t + tau, x=x, vt=vt)
-    return Ended(STOP if stops else LIMIT, state, {"mode": "slide"})
+    state = replace(begin, t=begin.t + tau if stops or limits.t_end is None else limits.t_end, x=x, vt=vt)
+    what = STOP if stops else LIMIT
+    return Ended(what, state, {"mode": "RKS"[carrier.sigma], "what": what, "slides": True})
 
 
 def _before(a: Ball, b: Ball) -> bool:

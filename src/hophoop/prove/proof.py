@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, ROUND_HALF_EVEN, Context, Decimal
 from fractions import Fraction
@@ -164,7 +165,9 @@ class Proof:
             file.write_text(json.dumps(self.certificate, ensure_ascii=False, separators=(",", ":")) + "\n", encoding="utf-8")
 
 
-def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_events: int = 4000) -> Proof:
+def prove(
+    scenario: Scenario, digits: int = 15, until: str = DURATION, max_events: int = 4000, seconds: float | None = None
+) -> Proof:
     """Prove the sequence of events of a rigid motion, with an enclosure of each.
 
     It is proved where the enclosures are found and the checker, which shares no solver with them, accepts the certificate.
@@ -179,6 +182,8 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
         'duration' of the scenario, or 'revolution': the first of a whole turn, a turning point and a take-off.
     max_events : int, default 4000
         More events are not looked at [1].
+    seconds : float, optional
+        The motion stays undecided if it is not proved after this time [s].
 
     Returns
     -------
@@ -187,7 +192,7 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
     Raises
     ------
     ValueError
-        If digits or until is out of its range, or the contact is compliant.
+        If digits, until or seconds is out of its range, or the contact is compliant.
     ImportError
         If python-flint is not installed.
     """
@@ -196,13 +201,16 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
         raise InputError(f"until = {until!r} must be {DURATION} or {REVOLUTION}.")
     if scenario.contact.model != "rigid":
         raise InputError("A proof needs rigid contact; this scenario has a compliant one.")
+    if seconds is not None and not seconds > 0:
+        raise InputError(f"seconds = {seconds!r} must be above 0.")
+    deadline = None if seconds is None else time.monotonic() + seconds
     problem = Problem.of(scenario)
     bits = int(digits * BITS_A_DIGIT) + GUARD + min(problem.tiny(), 200)
     best: Proof | None = None
     reached: list[int] = []  # how many events, attempt by attempt
     for _ in range(TRIES):
         with precision(bits):
-            run = Run(problem, until=until, max_events=max_events).run()
+            run = Run(problem, until=until, max_events=max_events, deadline=deadline).run()
             right = _digits_of(run)
             found = _proof(scenario, run, digits, max(0, min(digits, right - 1)), bits)
         if found.certificate is not None:
@@ -214,6 +222,8 @@ def prove(scenario: Scenario, digits: int = 15, until: str = DURATION, max_event
         if best is None or found.rank > best.rank:
             best = found
         reached.append(len(run.facts))
+        if run.late:
+            break
         if not run.proved and reached[-3:] == [reached[-1]] * 3:
             break  # twice as many digits, twice, have not helped
         bits = max(3 * bits // 2, bits + int((digits - right + 4) * BITS_A_DIGIT)) if run.proved else 2 * bits

@@ -6,9 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from hophoop.prove import _flint
-from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, intersection, order, series, sign
+from hophoop.prove._flint import Ball, Jet, Undecided, arb, coefficients, order, series, sign
 from hophoop.prove.model import Forces, Model, State
 from hophoop.prove.search import exact, first_root
+from hophoop.prove.varied import common, located, ranges
 
 AHEAD, BACK, OPEN, TURN, SPAN = "ahead", "back", "open", "turn", "span"
 FIRST_STEP = 0.15
@@ -46,7 +47,7 @@ class Rolling:
         if not at_turn:
             self.energy += model.inertia(c) * state.om * state.om / 2
         if energy is not None:
-            self.energy = intersection(self.energy, energy)
+            self.energy = common(self.energy, energy)
         self.names = [AHEAD, BACK, TURN] if model.mu_s is not None else [OPEN, TURN]
 
     def square(self, th: Ball) -> Ball:
@@ -87,12 +88,16 @@ class Rolling:
 
         known = list(zeros) + ([0] if limit is not None else [])
         start = -spread.abs_upper() if not spread.is_zero() else arb(0)
-        root = first_root(evaluate, known, start, exact(reach), arb(FIRST_STEP).mid())
+
+        def values(x: Ball, terms: int) -> list[Jet]:
+            return ranges(evaluate(x, terms))
+
+        root = first_root(values, known, start, exact(reach), arb(FIRST_STEP).mid(), self.model.varying > 0)
         if root is None:
             return Rolled(None, origin + self.way * exact(reach))
         names = [*self.names, SPAN]
         ends = tuple(origin + self.way * x for x in (root.low, root.high))
-        return Rolled(names[root.index], origin + self.way * root.x, (ends[0], ends[1]))
+        return Rolled(names[root.index], origin + self.way * located(evaluate, root), (ends[0], ends[1]))
 
     # --- time ------------------------------------------------------------------------------------
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from hophoop.physics.body import ImpactLaw, Mode
 from hophoop.prove._flint import Ball, Jet, Undecided, arb, sign
-from hophoop.prove.model import Model, State
+from hophoop.prove.model import Model, State, Still
 
 TIE_ORDER = 6
 INCONSISTENT, INDETERMINATE, UNDETERMINED = 10, 11, 12
@@ -45,6 +45,7 @@ def opening_sign(model: Model, state: State) -> int:
 
 def can_roll(model: Model, state: State) -> bool:
     """Whether rolling from here has N > 0 and abs(F) ≤ μs N, now or, in a tie, just after."""
+    model = model.after(state.th, state.om, 0)
     s, c = state.th.sin_cos()
     forces = model.rolling(s, c, state.om * state.om)
     normal = sign(forces.normal, "N in rolling") if not _tied(forces.normal) else 0
@@ -78,12 +79,13 @@ def _tied(value: Ball) -> bool:
 
 def _identically_free(model: Model, state: State) -> bool:
     """Whether rolling needs no friction at all: without gravity along the plane, at rest in equilibrium or balanced."""
-    balanced = model.eps.is_zero() or (state.om.is_zero() and state.th.is_zero())
+    balanced = model.eps.is_zero() or isinstance(model, Still) or (state.om.is_zero() and state.th.is_zero())
     return bool(model.gt.is_zero() and balanced)
 
 
 def can_start_slip(model: Model, state: State, sigma: int) -> bool:
     """Whether slip of direction σ can start from v_t = 0: N > 0 and σ v̇_t > 0."""
+    model = model.after(state.th, state.om, sigma)
     s, c = state.th.sin_cos()
     if sign(model.stiffness(s, c, sigma), "p_σ") <= 0:
         return False
@@ -114,9 +116,11 @@ def next_mode(model: Model, state: State) -> int:
     if model.mu_k is None:
         return int(Mode.FLIGHT) if opening >= 0 else INCONSISTENT
     s, c = state.th.sin_cos()
-    firm = sign(model.stiffness(s, c, sigma), "p_σ")
+    firm = sign(model.after(state.th, state.om, sigma).stiffness(s, c, sigma), "p_σ")
     if firm > 0:
         return slip_mode(sigma) if opening < 0 else int(Mode.FLIGHT)
+    if model.resisted and sign(model.stiffness(s, c, sigma), "p_σ") > 0 and (opening < 0 or model.problem.strike):
+        return UNDETERMINED  # an impact, which is without rolling resistance, would change nothing
     if opening < 0:
         return INCONSISTENT
     return INDETERMINATE if firm < 0 else int(Mode.FLIGHT)

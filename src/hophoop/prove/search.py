@@ -11,6 +11,24 @@ from hophoop.prove._flint import Ball, Jet, Undecided, arb, bits, intersection
 Evaluate = Callable[[Ball, int], Sequence[Jet]]
 
 
+LEAST_WIDE = 11  # bits: what is not told on so short an interval of a box is told in none
+LONGER = 4  # times an interval is doubled
+SMEARED = [-1]  # a root may lie on both sides of the end of an interval
+
+
+class Close(Undecided):
+    """A root could not be told; `at` is how far there is none.
+
+    Parameters
+    ----------
+    at : Ball
+    """
+
+    def __init__(self, at: Ball) -> None:
+        super().__init__("an event comes too close to not happening")
+        self.at = at
+
+
 @dataclass(frozen=True)
 class Root:
     """The first root: which function has it, its enclosure, and the exact bracket in which it is the only one."""
@@ -27,7 +45,13 @@ def exact(x: Ball) -> Ball:
 
 
 def first_root(
-    evaluate: Evaluate, zeros: Sequence[int], begin: Ball, end: Ball, step: Ball | None = None, narrowest: int | None = None
+    evaluate: Evaluate,
+    zeros: Sequence[int],
+    begin: Ball,
+    end: Ball,
+    step: Ball | None = None,
+    wide: bool = False,
+    begun: bool = False,
 ) -> Root | None:
     """The first root in (begin, end] of functions that are positive just after `begin`.
 
@@ -41,8 +65,11 @@ def first_root(
         Exact numbers.
     step : Ball, optional
         First width that is tried.
-    narrowest : int, optional
-        Binary exponent of the narrowest interval, below which it is given up.
+    wide : bool, optional
+        Whether a root may be smeared, by a box of parameters, over much of what is looked at: second derivatives then tell
+        the signs of slopes on wider intervals, and what grows from a zero is known to be positive as long as it does so.
+    begun : bool, optional
+        Whether the zeros were further back.
 
     Raises
     ------
@@ -50,30 +77,54 @@ def first_root(
         Where a function touches zero, or nearly so, or two have a root at once.
     """
     width = (end - begin).mid() if step is None else step
-    least = arb(2) ** (-bits() // 2 if narrowest is None else narrowest)
-    at, known = begin, list(zeros)
+    least = arb(2) ** (-LEAST_WIDE if wide else -bits() // 2)
+    at, known, looked = begin, list(zeros), None
     while at < end:
         to = exact(at + width)
         if not to < end:
             to = end
         try:
-            verdict = _judge(evaluate, known, at, to)
+            verdict = _judge(evaluate, known, at, to, wide, begun)
+            if verdict is SMEARED and looked is not at:
+                looked = at
+                verdict, to = _longer(evaluate, known, at, to, end, begun)
         except (ValueError, ZeroDivisionError):  # a divisor may vanish on so wide an interval
             verdict = None
-        if verdict is None:
+        if verdict is None or verdict is SMEARED:
             width = exact((to - at) / 2)
             if not width > least:
-                raise Undecided("an event comes too close to not happening")
+                raise Close(at)
             continue
         if verdict:
-            return _earliest(evaluate, [Root(k, refined(evaluate, k, at, to), at, to) for k in verdict])
-        at, known = to, [-1] * len(known)
+            return _earliest(evaluate, [Root(k, refined(evaluate, k, at, to, wide), at, to) for k in verdict])
+        at, begun = to, True
+        known = [zeros if wide and zeros > 0 else -1 for zeros in known]
         width = exact((width * 3) / 2)
     return None
 
 
-def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball) -> list[int] | None:
-    """Indices of the functions with a root in (at, to]; None where that cannot be told.
+def _longer(
+    evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball, end: Ball, begun: bool
+) -> tuple[list[int] | None, Ball]:
+    """The same on longer intervals, in which all of a smeared root may lie."""
+    further = to
+    for _ in range(LONGER):
+        further = exact(at + 2 * (further - at))
+        if not further < end:
+            further = end
+        verdict = _judge(evaluate, known, at, further, True, begun)
+        if verdict is not SMEARED or not further < end:
+            break
+    return (verdict, further) if verdict and verdict is not SMEARED else (None, to)
+
+
+def _slope(evaluate: Evaluate, k: int, whole: Ball, middle: Ball) -> Ball:
+    """A slope on an interval by the mean value theorem."""
+    return evaluate(middle, 2)[k][1] + 2 * evaluate(whole, 3)[k][2] * (whole - middle)
+
+
+def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball, wide: bool, begun: bool) -> list[int] | None:
+    """Indices of the functions with a root in (at, to]; None where that cannot be told, SMEARED where further on it may be.
 
     `known` is −1 where the function is already shown to be positive at `at`.
     """
@@ -89,39 +140,42 @@ def _judge(evaluate: Evaluate, known: Sequence[int], at: Ball, to: Ball) -> list
             lead = jet[known[k]]
             if lead > 0:
                 continue
-            if lead < 0:
-                raise Undecided("a quantity that starts at zero goes the other way")
-            return None
+            if not begun:
+                if lead < 0:
+                    raise Undecided("a quantity that starts at zero goes the other way")
+                return None
         if jet[0] > 0:
             continue
         if jet[1] > 0:
-            if known[k] < 0 or evaluate(at, 1)[k][0] > 0:
+            if known[k] < 0 or begun or evaluate(at, 1)[k][0] > 0:
                 continue
             return None
         if centre is None:
             centre = evaluate(middle, 1)
         if centre[k][0] + jet[1] * (whole - middle) > 0:
             continue
-        if not jet[1] < 0:
+        if not jet[1] < 0 and not (wide and _slope(evaluate, k, whole, middle) < 0):
             return None
-        if known[k] == 0 and not evaluate(at, 1)[k][0] > 0:
+        if known[k] == 0 and not begun and not evaluate(at, 1)[k][0] > 0:
             return None
         if last is None:
             last = evaluate(to, 1)
         if last[k][0] > 0:
             continue
         if not last[k][0] < 0:
-            return None
+            return SMEARED if wide else None
         roots.append(k)
     return roots
 
 
-def refined(evaluate: Evaluate, k: int, low: Ball, high: Ball) -> Ball:
+def refined(evaluate: Evaluate, k: int, low: Ball, high: Ball, bent: bool = False) -> Ball:
     """The root in a bracket on which the function falls, by the interval Newton method."""
     x = low.union(high)
     for _ in range(200):
         middle = exact(x)
         value, slope = evaluate(middle, 1)[k][0], evaluate(x, 2)[k][1]
+        if bent:
+            slope = intersection(slope, _slope(evaluate, k, x, middle))
         following = intersection(x, middle - value / slope)
         if not following.rad() < x.rad() * 3 / 4:
             return following

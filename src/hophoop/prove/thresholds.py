@@ -199,11 +199,15 @@ def decided(scenario: Scenario, digits: int, keys: Collection[str]) -> tuple[lis
         raise InputError("Thresholds are proved for a hoop with mass in its ring, under gravity.")
     found: dict[str, ProvedNumber] = {}
     reasons = dict.fromkeys(keys, "the start is not a rolling one with the load up")
+    if problem.resist:  # the others come out of the energy that rolling keeps without it
+        reasons = {key: "it is not proved with rolling resistance" for key in keys if key != "immediate_hop_speed"}
+        keys = [key for key in keys if key not in reasons]
+        reasons |= dict.fromkeys(keys, "")
     for share in (1, 2):  # of precision: more where it was not enough
         with precision(int(share * (digits + GUARD_DIGITS) * BITS_A_DIGIT)):
             model = Model(problem)
             for key, statement, unit, scale, value in _numbers(scenario, problem, model, digits):
-                if key not in reasons:
+                if key not in keys or key not in reasons:
                     continue
                 try:
                     number = value() * scale

@@ -10,8 +10,9 @@ import math
 from typing import Any
 
 from hophoop.prove._flint import Ball, arb, bits, coefficients, order, polynomial, precision
+from hophoop.prove.carriers import Carrier
+from hophoop.prove.panels import Panel, TurnPanel
 from hophoop.prove.search import Root
-from hophoop.prove.slipping import Panel, Slip, TurnPanel
 
 WIDE = 1e-8  # half width of a bracket, where nothing else is near
 BITS_A_TERM = 1.5
@@ -69,11 +70,28 @@ def extent(values: list[Ball], precise: int) -> float:
     return found
 
 
-class Trail:
-    """The pieces of a slip phase as they are proved, made into the record of a certificate."""
+class Unrecorded:
+    """No record, where no certificate is wanted."""
 
-    def __init__(self, slip: Slip, th: Ball) -> None:
-        self.slip, self.precise = slip, bits()
+    def panel(self, piece: Panel) -> None:
+        """A panel in the angle."""
+
+    def turn(self, piece: TurnPanel) -> None:
+        """A panel about a turning point."""
+
+    def leave(self, w: Ball) -> None:
+        """The turning point is left."""
+
+    def record(self, what: str, root: Root | None) -> dict[str, Any]:
+        """The record of the phase."""
+        return {}
+
+
+class Trail:
+    """The pieces of a phase as they are proved, made into the record of a certificate."""
+
+    def __init__(self, carrier: Carrier, th: Ball) -> None:
+        self.carrier, self.precise = carrier, bits()
         self.at = float(th.mid())  # where the record has come to
         self.panels: list[dict[str, Any]] = []
         self.pieces: list[Panel] = []
@@ -95,7 +113,7 @@ class Trail:
             "h": packed(piece.t_terms, reach, self.precise),
         }
         distance = way * (piece.turn - arb(self.at))
-        if not (at_begin and self.slip.begin.om.is_zero()):
+        if not (at_begin and self.carrier.begin.om.is_zero()):
             one["link"] = self._link(way, distance, self._begin_square())
         self.panels.append(one)
         self.about, self.pieces = piece, []
@@ -108,7 +126,7 @@ class Trail:
 
     def record(self, what: str, root: Root | None) -> dict[str, Any]:
         """The record of the phase."""
-        mode = "K" if self.slip.sigma > 0 else "S"
+        mode = "RKS"[self.carrier.sigma]
         found = {"mode": mode, "what": what, "bits": self.precise, "panels": self.panels}
         if root is None:
             self.panels[-1]["ends"] = "turn"
@@ -182,7 +200,7 @@ class Trail:
     def _terms(self, way: int, centre: float, square: Ball) -> tuple[list[Ball], list[Ball]]:
         terms = int(self.precise / BITS_A_TERM) + 8
         with order(terms):
-            found = self.slip.square(arb(centre), square, way, terms)
+            found = self.carrier.square(arb(centre), square, way, terms)
             middles = [value.mid() for value in coefficients(found, terms)]
             times = coefficients(found.rsqrt().integral(), terms) if square > 0 else middles
         return middles, [value.mid() for value in times]
@@ -194,9 +212,9 @@ class Trail:
         if self.about is not None:
             w = arb(self.panels[-1]["to"])
             return (w * w * self.about.over(w)).mid()
-        begin = self.slip.begin
+        begin = self.carrier.begin
         with order(8):  # the record goes on from a double beside the angle of the begin
-            near = coefficients(self.slip.square(begin.th.mid(), (begin.om * begin.om).mid(), 1, 8), 8)
+            near = coefficients(self.carrier.square(begin.th.mid(), (begin.om * begin.om).mid(), 1, 8), 8)
         return polynomial(near, arb(self.at) - begin.th.mid()).mid()
 
     def _link(self, way: int, distance: Ball, square: Ball) -> dict[str, Any]:

@@ -123,7 +123,7 @@ def resisted_inside(work, weights):
 
 @inline_jit
 def state_on_panel(body, panel, totals, state, xi, scratch):
-    """The state at ξ of a solved panel that began in `state`."""
+    """The state at ξ of a solved panel that began in `state`; inside the panel, its rows must be there (`fill_inside`)."""
     work = scratch.work
     if xi <= -1.0:
         return state
@@ -131,7 +131,6 @@ def state_on_panel(body, panel, totals, state, xi, scratch):
     inside = xi < 1.0
     sine, versine = chord(panel, xi)
     if inside:
-        fill_inside(panel, work)
         lagrange(xi, scratch.weights)
         tau = dot(scratch.weights, work[TIME])
         if panel.sigma == 0:
@@ -226,6 +225,8 @@ def advance_contact(body, phase, blind, limits, log, scratch):
             if not totals.tail <= RESOLVED:
                 return STUCK, state, level
         xi, what = earliest_event(body, panel, totals, state, begins, blind, phase.zeros, limits, scratch)
+        if -1.0 < xi < 1.0:
+            fill_inside(panel, scratch.work)
         after = state_on_panel(body, panel, totals, state, xi, scratch)
         if what == STOP:
             after = with_velocities(after, 0.0, after.vn, after.om)

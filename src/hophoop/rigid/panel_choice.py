@@ -94,6 +94,12 @@ def solve(body, panel, work):
     return solve_slip(body, panel, work)
 
 
+@apart_jit
+def solve_aside(body, panel, work):
+    """`solve` where it is rarely needed: as a part of each such place it would be most of the compiler's work."""
+    return solve(body, panel, work)
+
+
 @inline_jit
 def narrower(level, size):
     """Level to try after a panel whose last coefficients were `size`."""
@@ -143,7 +149,7 @@ def turning_point_ahead(body, panel, totals, scratch):
             return 0.0
         begin = Begin(panel.ref, panel.ref_low, panel.sine, panel.cosine, panel.arm, panel.stiffness, panel.u, panel.vt)
         panel = linear_panel(panel.sigma, max(panel.level - 2, 0), panel.way, begin)
-        totals = solve(body, panel, scratch.work)
+        totals = solve_aside(body, panel, scratch.work)
     return 0.0
 
 
@@ -156,14 +162,14 @@ def solve_arrival(body, before, ahead, work):
     """
     power = 1.0  # of `ahead` in θ̇² at the start
     panel = arriving_panel(body, before, ahead)
-    totals = solve(body, panel, work)
+    totals = solve_aside(body, panel, work)
     for _ in range(MOST_MOVES):
         if not (totals.tail <= RESOLVED and totals.u > 0.0) or abs(totals.u - before.u) <= START_ROUNDING * before.u:
             break
         moved = ahead * math.pow(before.u / totals.u, 1.0 / power)
         panel = arriving_panel(body, before, moved)
         u = totals.u
-        totals = solve(body, panel, work)
+        totals = solve_aside(body, panel, work)
         if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:
             power = min(max(math.log(totals.u / u) / math.log(moved / ahead), 0.25), 4.0)
         ahead = moved
@@ -183,7 +189,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
         while True:  # at most a thousand times: the extent is halved from below 1 rad
             scratch.written[2] += 1
             panel = leaving_panel(sigma, way, extent, begin)
-            totals = solve(body, panel, work)
+            totals = solve_aside(body, panel, work)
             if totals.tail <= RESOLVED or extent < SMALLEST_EXTENT:
                 return panel, totals, START_LEVEL
             extent *= 0.5
@@ -234,4 +240,4 @@ def shortened(body, panel, totals, state, left, scratch):
         wide = width_of(0) / (4.0 * left * abs(state.om))
         level = min(max(int(math.floor(2.0 * math.log2(wide))), 0), NARROWEST)
         short = linear_panel(panel.sigma, level, panel.way, begin)
-    return short, solve(body, short, scratch.work)
+    return short, solve_aside(body, short, scratch.work)

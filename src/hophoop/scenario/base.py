@@ -138,7 +138,7 @@ def refuse(message: str) -> PydanticCustomError:
     return PydanticCustomError("sentence", "{sentence}", {"sentence": plain(message)})
 
 
-def _not(kind: Literal["number", "friction", "whole"]) -> PydanticCustomError:
+def _not(kind: Literal["number", "friction", "whole", "finite_number"]) -> PydanticCustomError:
     return PydanticCustomError(kind, TEXTS[kind])
 
 
@@ -149,7 +149,9 @@ def _number(value: Any) -> float:
         raise _not("number")
     try:
         return float(value) + 0.0  # no −0.0: equal scenarios are equal to the last character of their link
-    except (TypeError, ValueError, OverflowError):
+    except OverflowError:
+        raise _not("finite_number") from None
+    except (TypeError, ValueError):
         raise _not("number") from None
 
 

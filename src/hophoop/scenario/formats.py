@@ -13,7 +13,7 @@ from typing import IO, Any
 from urllib.parse import parse_qsl, urlencode
 
 from hophoop.scenario.base import InputError
-from hophoop.scenario.sentences import shortened
+from hophoop.scenario.sentences import parse_reason, shortened
 from hophoop.scenario.texts import say
 
 MOST_BYTES = 1_000_000
@@ -57,10 +57,12 @@ def read_text(text: str, form: str | None, name: str) -> dict[str, Any]:
     except InputError:
         raise
     except (ValueError, RecursionError) as error:
-        reason = "nested too deeply" if isinstance(error, RecursionError) else str(error).rstrip(".")
-        raise InputError(f"{name} is not valid {form.upper()}: {reason}.") from None
+        raise InputError(f"{name} is not valid {form.upper()}: {parse_reason(error)}.") from None
     if not isinstance(data, dict):
-        raise InputError(f"{name} must hold a table of keys, not {json.dumps(data)[:40]}.")
+        shown = json.dumps(data)
+        if len(shown) > 40:
+            shown = "a list" if isinstance(data, list) else "a text or number"
+        raise InputError(f"{name} must hold a table of keys, not {shown}.")
     return data
 
 

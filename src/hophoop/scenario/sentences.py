@@ -61,6 +61,26 @@ def shortened(text: str) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+def parse_reason(error: BaseException) -> str:
+    """Why a text is no TOML or JSON.
+
+    Parameters
+    ----------
+    error : Exception
+        What the parser raised.
+
+    Returns
+    -------
+    reason : str
+        The end of a sentence, without its stop.
+    """
+    if isinstance(error, RecursionError):
+        return "nested too deeply"
+    text = str(error).rstrip(".")
+    # Python reads no whole number of more than 4,300 digits; its words about that are for programmers
+    return "a number has too many digits" if text.startswith("Exceeds the limit") else text
+
+
 def sentence(error: BaseException) -> str:
     """Say in one sentence what is wrong with the input.
 
@@ -164,5 +184,7 @@ def _either(words: Sequence[str]) -> str:
 
 def _show(value: Any) -> str:
     # NumPy's scalars would name their type.
-    text = repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value)
-    return shortened(text)
+    try:
+        return shortened(repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value))
+    except ValueError:  # nor does it write one
+        return "(a number of too many digits)"

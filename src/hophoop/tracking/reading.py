@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hophoop.scenario import InputError
+from hophoop.scenario.sentences import parse_reason
 from hophoop.tracking.table import COLUMNS, Track, track_from_dict, track_of
 from hophoop.tracking.text import ANGLES, LENGTHS, OMEGAS, Column, in_metres, in_radians, in_seconds, read_columns
 from hophoop.tracking.trk import Points, read_project
@@ -102,7 +103,7 @@ def read_track(path: str | Path, reading: Reading | None = None) -> Track:
         try:
             data = json.loads(text)
         except (ValueError, RecursionError) as error:
-            raise InputError(f"{file} is not valid JSON: {error}.") from None
+            raise InputError(f"{file} is not valid JSON: {parse_reason(error)}.") from None
         return _finished(track_from_dict(data, str(file)), how)
     if ending not in TABLES:
         raise InputError(f"{file} must end in {', '.join((*OWN, *TABLES, *TRACKER[:-1]))} or {TRACKER[-1]}.")

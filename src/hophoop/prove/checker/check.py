@@ -9,10 +9,12 @@ from typing import Any
 
 from hophoop.prove._flint import Ball, Jet, arb, pi, precision, rational
 from hophoop.prove.checker.equations import Equations, Refused, State
+from hophoop.prove.checker.flight import flown, gap, skims
 from hophoop.prove.checker.intervals import positive, require, root
+from hophoop.prove.checker.panelled import panelled
+from hophoop.prove.checker.pieces import Turn
 from hophoop.prove.checker.rolling import roll
 from hophoop.prove.checker.rule import SIGMA, collide, next_mode, opening, sign, slip_zeros
-from hophoop.prove.checker.slipping import Turn, slip
 
 SCHEMA = "hophoop-proof/1"
 MOST_BITS = 20_000
@@ -212,33 +214,70 @@ class Walk:
 
     def rolling(self) -> None:
         """A piece of rolling, up to an event or a turning point."""
-        if self.state.om.is_zero() and self._stays():
+        if self._held(0):
             self.event("rest", "R", "R")
             self.state = replace(self.state, t=self.equations.t_end)
             self.end("at_rest", "rest")
+            return
+        if self.equations.resisted:
+            self.panels(0)
             return
         one = self.record("R")
         self.state = roll(self.equations, self.state, one, self.until, self.origin)
         self.after(one["what"])
 
-    def _stays(self) -> bool:
-        s, c = self.state.th.sin_cos()
-        return bool(self.equations.contact(s, c, arb(0), 0).alpha.is_zero())
+    def _held(self, sigma: int) -> bool:
+        """Whether a hoop that does not turn will not begin to."""
+        state = self.state
+        if not state.om.is_zero():
+            return False
+        s, c = state.th.sin_cos()
+        after = self.equations.just_after(state.th, state.om, sigma)
+        return bool(after.contact(s, c, arb(0), sigma).alpha.is_zero())
 
     def slipping(self) -> None:
-        """A slip phase with its turning points."""
-        one, sigma = self.record(self.mode), SIGMA[self.mode]
+        """A slip phase with its turning points, or one without rotation."""
+        if self._held(SIGMA[self.mode]):
+            self.slide()
+        else:
+            self.panels(SIGMA[self.mode])
+
+    def slide(self) -> None:
+        """Slip at a constant angle: only gravity and friction along the plane."""
+        one, sigma, state = self.record(self.mode), SIGMA[self.mode], self.state
+        require(one.get("slides") is True, "slip without rotation is said to be so")
+        pull = self.equations.gt - sigma * self.equations.mu_k * self.equations.gn
+        tau = self.equations.t_end - state.t
+        if one["what"] == "stop":
+            require(bool(sigma * state.vt > 0) and bool(sigma * pull < 0), "slip without rotation stops")
+            stop = -state.vt / pull
+            require(self.until == "revolution" or bool(stop < tau), "slip stops before the end of the time")
+            tau = stop
+        else:
+            require(one["what"] == "limit" and self.until == "duration", "slip goes on up to the end of the time")
+            steady = bool(sigma * pull > 0) or bool(pull.is_zero())
+            require(steady or bool(-state.vt / pull > tau), "slip does not stop before the end of the time")
+        way = tau * (state.vt + pull * tau / 2)
+        moved = replace(state, t=state.t + tau, x=state.x + way, vt=state.vt + pull * tau)
+        self._leave(one["what"], moved)
+
+    def panels(self, sigma: int) -> None:
+        """A phase that is certified by panels, with its turning points."""
+        one = self.record(self.mode)
         limits: dict[str, Any] = {}
         if self.until == "duration":
             limits["t_end"] = self.equations.t_end
         else:
             limits["turn_end"] = self._turn_left
-        what, state, turns = slip(self.equations, sigma, self.state, self.zeros, one, limits)
+        what, state, turns = panelled(self.equations, sigma, self.state, self.zeros, one, limits)
         for turn in turns:
             self.state = turn
             self.after("turn")
             if self.over:
                 return
+        self._leave(what, state)
+
+    def _leave(self, what: str, state: State) -> None:
         self.state = replace(state, vt=arb(0)) if what == "stop" else state
         if what == "limit":
             self.state = replace(self.state, t=self.equations.t_end)
@@ -252,9 +291,7 @@ class Walk:
         """What follows the end of a phase of contact, or a turning point in it."""
         was = self.mode
         if what == "turn":
-            self.event("turn", was, was)
-            if self.until == "revolution":
-                self.end("completed", "reversal")
+            self.turn(was)
         elif what in ("limit", "span"):
             self.end("completed", "duration" if what == "limit" else "revolutions")
         elif what == "lift":
@@ -273,30 +310,23 @@ class Walk:
             self.event("slip_start", "R", self.mode)
             self.zeros = 2 if self.equations.equal_friction else 1
 
+    def turn(self, was: str) -> None:
+        """θ̇ = 0; with rolling resistance the couple jumps there, and the mode rule is asked again."""
+        mode = was
+        if self.equations.resisted:
+            mode = next_mode(self.equations, self.state)
+            if mode == was == "R" and self._held(0):
+                return  # rest is what comes next
+        if mode == was or was == "R" or self.until == "revolution":
+            self.event("turn", was, was)
+        if self.until == "revolution":
+            self.end("completed", "reversal")
+        elif mode != was:
+            self.settle("turn" if was != "R" else "takeoff" if mode == "H" else "slip_start", was)
+        else:
+            self.zeros = 0
+
     # --- flight --------------------------------------------------------------------------------
-
-    def gap(self, tau: Ball, terms: int) -> Jet:
-        """The gap in flight and its derivatives, over factorials."""
-        state, eps = self.state, self.equations.eps
-        th, om = state.th + state.om * tau, state.om
-        rise = state.vn - eps * om * state.th.sin()
-        jet = [
-            state.y + eps * (state.th.cos() - th.cos()) + (rise - self.equations.gn * tau / 2) * tau,
-            rise - self.equations.gn * tau + eps * om * th.sin(),
-            (eps * om * om * th.cos() - self.equations.gn) / 2,
-            -eps * om * om * om * th.sin() / 6,
-        ]
-        return jet[:terms]
-
-    def flown(self, tau: Ball) -> State:
-        """The state after a time in flight: G keeps its velocity along the plane but for gravity."""
-        state, eps, pull = self.state, self.equations.eps, self.equations.gt
-        th = state.th + state.om * tau
-        along = state.vt + state.om * (1 + eps * state.th.cos())
-        x = state.x - eps * (th.sin() - state.th.sin()) + (along + pull * tau / 2) * tau
-        vt = along + pull * tau - state.om * (1 + eps * th.cos())
-        y, vn = self.gap(tau, 2)
-        return State(state.t + tau, x, y, th, vt, vn, state.om)
 
     def flying(self) -> None:
         """A flight, its apex and its landing."""
@@ -306,9 +336,9 @@ class Walk:
         one, longest = self.record("H"), self.equations.t_end - self.state.t
 
         def functions(tau: Ball, terms: int) -> list[Jet]:
-            return [self.gap(tau, terms)]
+            return [gap(self.equations, self.state, tau, terms)]
 
-        if one["to"] is None and self._skims():
+        if one["to"] is None and skims(self.equations, self.state):
             tau, lands = longest, False  # a graze with ẏ = 0 is no event
         elif one["to"] is None:
             positive(functions, arb(0), longest, "nothing lands before the end of the time", [self.zeros])
@@ -319,17 +349,17 @@ class Walk:
             positive(functions, arb(0), low, "the gap is positive in flight", [self.zeros])
             tau, lands = root(functions, 0, low, high, "the rim lands"), True
             require(bool(tau < longest), "the landing comes before the end of the time")
-        landed = self.flown(tau)
+        landed = flown(self.equations, self.state, tau)
         if one["apex"] is not None:
             low, high = (arb(text) for text in one["apex"])
 
             def rates(x: Ball, terms: int) -> list[Jet]:
-                jet = self.gap(x, terms + 1)
+                jet = gap(self.equations, self.state, x, terms + 1)
                 return [[(k + 1) * jet[k + 1] for k in range(terms)]]
 
             top = root(rates, 0, low, high, "the rim is highest")
             require(bool(top > 0) and bool(top < tau), "the apex is in the flight")
-            begin, self.state = self.state, replace(self.flown(top), vn=arb(0))
+            begin, self.state = self.state, replace(flown(self.equations, self.state, top), vn=arb(0))
             self.event("apex", "H", "H")
             self.state = begin
         self.state = landed
@@ -338,13 +368,6 @@ class Walk:
             return
         self.state = replace(landed, y=arb(0))
         self.land()
-
-    def _skims(self) -> bool:
-        """Without gravity and with G at a constant height ε above the centre or less, the rim never comes down."""
-        state, eps = self.state, self.equations.eps
-        still = (state.vn - eps * state.om * state.th.sin()).is_zero() and self.equations.gn.is_zero()
-        least = state.y + eps * (state.th.cos() - 1)
-        return bool(still and (least.is_zero() or least > 0))
 
     def land(self) -> None:
         """An impact, or the one that closes endless bounces by the rule that the certificate names."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -50,8 +51,6 @@ class Equations:
 
     def __init__(self, scenario: dict[str, Any]) -> None:
         hoop, plane, start = scenario["hoop"], scenario["plane"], scenario["start"]
-        if plane.get("rolling_resistance", 0.0) != 0.0:
-            raise Refused("the plane has no rolling resistance")
         radius = Fraction(hoop["radius"])
         mass, eps, kap = _body(hoop, radius)
         static, kinetic = (plane.get(f"mu_{kind}", plane.get("mu")) for kind in ("static", "kinetic"))
@@ -62,6 +61,9 @@ class Equations:
         slope = rational(Fraction(plane["slope"]))
         self.gn, self.gt = (slope.cos(), slope.sin()) if gravity else (arb(0), arb(0))
         self.rest, self.law = rational(Fraction(plane["restitution"])), plane["impact_law"]
+        self.resist = rational(Fraction(plane.get("rolling_resistance", 0.0)))
+        self.couple = arb(0)  # over N, against a hoop that turns as `turning` says
+        self.held = False  # whether the couple keeps the hoop from turning
         self.strike = plane["painleve"] == "impact"
         self.time = (self.length / rational(gravity or Fraction(1))).sqrt()
         self.speed = self.length / self.time
@@ -85,27 +87,76 @@ class Equations:
         )
 
     def delassus(self, s: Series, c: Series) -> tuple[Series, Series, Series]:
-        """κ (W_tt, W_nn, W_tn)."""
+        """κ (W_tt, W_nn, W_tn), without the couple: of impacts."""
         arm, lever = 1 + self.eps * c, self.eps * s
         return self.kap + arm * arm, self.kap + lever * lever, -lever * arm
 
+    @property
+    def resisted(self) -> bool:
+        """Whether there is rolling resistance."""
+        return not self.resist.is_zero()
+
+    def turning(self, way: int) -> Equations:
+        """The equations while the hoop turns in a direction."""
+        found = copy(self)
+        found.couple = way * self.resist
+        return found
+
+    def just_after(self, th: Ball, om: Ball, sigma: int) -> Equations:
+        """The equations just after an instant: of the direction in which the hoop turns, or is made to turn, or is held."""
+        if not self.resisted:
+            return self
+        if om > 0 or om < 0:
+            return self.turning(1 if om > 0 else -1)
+        if not om.is_zero():
+            raise Refused("the direction of rotation is certain")
+        # at θ̇ = 0 the moment without the couple, over N or over g cos β, beside the most that the couple can hold
+        s, c = th.sin_cos()
+        moment, most = self.eps * s, self.resist
+        if sigma:
+            moment += sigma * self.mu_k * (1 + self.eps * c)
+        else:
+            moment, most = moment * self.gn + self.gt * (1 + self.eps * c), most * self.gn
+        if abs(moment) > most:
+            return self.turning(1 if moment > 0 else -1)
+        if not abs(moment) <= most:
+            raise Refused("whether the couple holds the hoop is certain")
+        found = copy(self)
+        found.held = True
+        return found
+
     def contact(self, s: Series, c: Series, u: Series, sigma: int) -> Contact:
-        """Rolling (σ = 0) or slip in the direction σ, with θ̇² = u."""
-        w_tt, w_nn, w_tn = self.delassus(s, c)
-        f_t, f_n = self.gt + self.eps * s * u, self.eps * c * u - self.gn
+        """Rolling (σ = 0) or slip in the direction σ, with θ̇² = u; W has the couple, so that it is not symmetric."""
+        drag = sigma * self.mu_k if sigma else arb(0)
+        if self.held:
+            zero = s * 0
+            friction = -drag * self.gn if sigma else -self.gt
+            return Contact(zero, zero + self.gn, zero + friction, zero + friction + self.gt, zero - self.gn, zero + self.kap)
         arm, lever = 1 + self.eps * c, self.eps * s
+        behind = lever - self.couple
+        w_tt, w_nn, w_tn, w_nt = self.kap + arm * arm, self.kap + lever * behind, -behind * arm, -lever * arm
+        f_t, f_n = self.gt + self.eps * s * u, self.eps * c * u - self.gn
         if sigma == 0:
-            firm = self.kap + lever * lever + arm * arm  # det W · κ
-            normal = (w_tn * f_t - w_tt * f_n) / firm
+            firm = self.kap + lever * behind + arm * arm  # det W · κ
+            normal = (w_nt * f_t - w_tt * f_n) / firm
             friction = (w_tn * f_n - w_nn * f_t) / firm
         else:
-            drag = sigma * self.mu_k
-            firm = w_nn - drag * w_tn
+            firm = w_nn - drag * w_nt
             normal = -self.kap * f_n / firm
             friction = -drag * normal
-        alpha = (lever * normal - arm * friction) / self.kap
+        alpha = (behind * normal - arm * friction) / self.kap
         slip = (w_tt * friction + w_tn * normal) / self.kap + f_t
         return Contact(alpha, normal, friction, slip, f_n, firm)
+
+    def linear(self, s: Any, c: Any, sigma: int) -> tuple[Any, Any, Any]:
+        """(d, a, b) of d θ̈ = a u + b, without a division: for polynomials as well as balls."""
+        arm, lever = 1 + c * self.eps, s * self.eps
+        behind = lever - self.couple
+        if sigma:
+            torque = behind + arm * (sigma * self.mu_k)
+            return lever * torque + self.kap, -(torque * c * self.eps), torque * self.gn
+        firm = lever * behind + arm * arm + self.kap
+        return firm, lever + c * (self.couple * self.eps), behind * self.gn + arm * self.gt
 
     def height(self, z: Series, s: Series, c: Series) -> Series:
         """What ½ D θ̇² lacks to a constant in rolling."""
@@ -126,11 +177,12 @@ class Equations:
 
     def in_time(self, th: Ball, om: Ball, sigma: int, terms: int) -> dict[str, Jet]:
         """Time series of N, F and v̇_t from an instant."""
+        after = self.just_after(th, om, sigma)
         with order(terms):
             angle, rate = series([th]), series([om])
             for _ in range(terms + 1):
                 s, c = angle.sin_cos()
-                found = self.contact(s, c, rate * rate, sigma)
+                found = after.contact(s, c, rate * rate, sigma)
                 rate = (series([0]) + found.alpha).integral() + om
                 angle = rate.integral() + th
             wanted = {"normal": found.normal, "friction": found.friction, "slip": found.slip}

@@ -35,7 +35,8 @@ def opening(equations: Equations, state: State) -> int:
 def rolls(equations: Equations, state: State) -> bool:
     """Whether rolling is admissible."""
     s, c = state.th.sin_cos()
-    contact = equations.contact(s, c, state.om * state.om, 0)
+    after = equations.just_after(state.th, state.om, 0)
+    contact = after.contact(s, c, state.om * state.om, 0)
     margins = [contact.normal]
     if equations.mu_s is not None:
         margins += [equations.mu_s * contact.normal + way * contact.friction for way in (1, -1)]
@@ -49,7 +50,9 @@ def rolls(equations: Equations, state: State) -> bool:
     if equations.mu_s is None:
         return True
     if equations.mu_s.is_zero() and not any(not value.is_zero() for value in series["friction"]):
-        level = equations.gt.is_zero() and (equations.eps.is_zero() or (state.om.is_zero() and state.th.is_zero()))
+        level = equations.gt.is_zero() and (
+            equations.eps.is_zero() or after.held or (state.om.is_zero() and state.th.is_zero())
+        )
         require(bool(level), "rolling without friction needs none")
     pairs = list(zip(series["normal"], series["friction"], strict=True))
     return all(leading([equations.mu_s * n + way * f for n, f in pairs], "a margin") >= 0 for way in (1, -1))
@@ -58,7 +61,7 @@ def rolls(equations: Equations, state: State) -> bool:
 def slips(equations: Equations, state: State, sigma: int) -> bool:
     """Whether slip can start from v_t = 0 in a direction."""
     s, c = state.th.sin_cos()
-    contact = equations.contact(s, c, state.om * state.om, sigma)
+    contact = equations.just_after(state.th, state.om, sigma).contact(s, c, state.om * state.om, sigma)
     if sign(contact.firm, "p_σ") <= 0:
         return False
     if contact.normal < 0 or sigma * contact.slip < 0:
@@ -93,9 +96,11 @@ def next_mode(equations: Equations, state: State) -> str:
     if equations.mu_k is None:
         return "H" if free >= 0 else "inconsistent"
     s, c = state.th.sin_cos()
-    firm = sign(equations.contact(s, c, arb(0), sigma).firm, "p_σ")
+    firm = sign(equations.just_after(state.th, state.om, sigma).contact(s, c, arb(0), sigma).firm, "p_σ")
     if firm > 0:
         return ("K" if sigma > 0 else "S") if free < 0 else "H"
+    if equations.resisted and (free < 0 or equations.strike) and sign(equations.contact(s, c, arb(0), sigma).firm, "p_σ") > 0:
+        return "undetermined"  # an impact, which knows no couple, would do nothing
     if free < 0:
         return "inconsistent"
     return "indeterminate" if firm < 0 else "H"

@@ -1,0 +1,296 @@
+"""What is carried along a phase of contact: a linear equation of θ̇² over θ, and what follows from it.
+
+In slip du/dθ = 2 q (g cos β − ε cos θ u)/(κ p_σ) for u = θ̇², in rolling with resistance it is as linear; the time is
+∫ dθ/√u.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import Any, Protocol
+
+from hophoop.prove import _flint
+from hophoop.prove._flint import (
+    Ball,
+    Jet,
+    Series,
+    Undecided,
+    arb,
+    coefficients,
+    intersection,
+    order,
+    symmetric,
+)
+from hophoop.prove.model import Forces, Model, State
+from hophoop.prove.search import exact
+from hophoop.prove.varied import at_centre, derivatives, over, series
+
+LIFT, STOP = "lift", "stop"
+AHEAD, BACK, OPEN = "ahead", "back", "open"
+
+
+class Place(Protocol):
+    """A piece of a phase, as far as its carrier has to know it: functions of its own variable."""
+
+    way: int
+
+    def angle(self, x: Ball) -> Ball:
+        """θ."""
+
+    def square(self, x: Ball) -> Ball:
+        """θ̇²."""
+
+    def time(self, x: Ball) -> Ball:
+        """t."""
+
+    def spin(self, x: Ball) -> Ball:
+        """θ̇."""
+
+
+@dataclass(frozen=True)
+class Carrier:
+    """A phase of contact: its equations for the direction in which the hoop turns, σ, and the state it began in."""
+
+    model: Model
+    sigma: int
+    begin: State
+
+    @property
+    def names(self) -> list[str]:
+        """What ends the phase, in the order of `along`."""
+        raise NotImplementedError
+
+    @property
+    def ends_at_turn(self) -> bool:
+        """Whether the equations are others after a turning point."""
+        return self.model.resisted
+
+    def plain(self) -> Carrier:
+        """The same as balls, which do not keep how they depend on the parameters of a box."""
+        return carrier_of(self.model.plain(), self.sigma, _each(self.begin, over))
+
+    def central(self) -> Carrier:
+        """At the centre of a box."""
+        return carrier_of(self.model.central(), self.sigma, _each(self.begin, at_centre))
+
+    def forces(self, th: Ball, u: Ball) -> Forces:
+        """Forces at an angle."""
+        s, c = th.sin_cos()
+        return self.model.forces(s, c, u, self.sigma)
+
+    def slope(self, th: Ball, u: Ball) -> Ball:
+        """du/dθ."""
+        return 2 * self.forces(th, u).alpha
+
+    def square(self, th: Ball, u: Ball, way: int, terms: int) -> Series:
+        """u as a series in way·θ from a value; call it within `order`."""
+        s, c = series([th, way]).sin_cos()
+        grow, push = self.model.rates(s, c, self.sigma)
+        shrunk = (-way * grow).integral().exp()
+        return ((way * push * shrunk).integral() + u) / shrunk
+
+    def state(self, t: Ball, th: Ball, om: Ball, stops: bool) -> State:
+        """The state at a time and angle."""
+        raise NotImplementedError
+
+    def along(self, piece: Place, x: Ball, terms: int) -> list[Jet]:
+        """What must stay positive, as series in x, where x is an angle."""
+        raise NotImplementedError
+
+    def about(self, piece: Place, w: Ball, terms: int) -> list[Jet]:
+        """The same with slopes in w, where θ = θ* − way w²."""
+        raise NotImplementedError
+
+    def slides(self, piece: Place, x: Ball) -> Ball:
+        """v_t, where x is an angle."""
+        return self.sigma * self.along(piece, x, 1)[1][0] if self.sigma else arb(0)
+
+
+@dataclass(frozen=True)
+class Slip(Carrier):
+    """A slip phase, which keeps v_t + θ̇ (1 + ε cos θ − σ μ ε sin θ) but for gravity."""
+
+    kept: Ball
+
+    @classmethod
+    def of(cls, model: Model, sigma: int, state: State) -> Slip:
+        """The slip that begins in a state."""
+        s, c = state.th.sin_cos()
+        return cls(model, sigma, state, state.vt + state.om * model.arm(s, c, sigma))
+
+    @property
+    def names(self) -> list[str]:
+        """N → 0, v_t → 0."""
+        return [LIFT, STOP]
+
+    @property
+    def steady(self) -> Ball:
+        """How fast gravity changes what is kept."""
+        return self.model.gt - self.sigma * self.model.mu_k * self.model.gn
+
+    def velocity(self, t: Ball, th: Ball, om: Ball) -> Ball:
+        """σ v_t."""
+        s, c = th.sin_cos()
+        return self.sigma * (self.kept + self.steady * (t - self.begin.t) - om * self.model.arm(s, c, self.sigma))
+
+    def state(self, t: Ball, th: Ball, om: Ball, stops: bool) -> State:
+        """The state at a time and angle."""
+        begin, tau = self.begin, t - self.begin.t
+        s0, c0 = begin.th.sin_cos()
+        s, c = th.sin_cos()
+        drag = self.sigma * self.model.mu_k
+        shift = self.model.eps * ((s - s0) + drag * (c - c0))
+        x = begin.x + self.kept * tau + self.steady * tau * tau / 2 - shift
+        vt = arb(0) if stops else self.sigma * self.velocity(t, th, om)
+        return State(t, x, arb(0), th, vt, arb(0), om)
+
+    def along(self, piece: Place, x: Ball, terms: int) -> list[Jet]:
+        """(−f_n, σ v_t): N → 0, and the end of slip."""
+        model, way = self.model, piece.way
+        th, u = piece.angle(x), piece.square(x)
+        middle = exact(x)
+        here = self.velocity(piece.time(middle), piece.angle(middle), piece.spin(middle))
+        with order(terms):
+            z = series([th, way])
+            s, c = z.sin_cos()
+            squares = self.square(th, u, way, terms) if terms > 1 else series([u])
+            load = coefficients(series([0]) + (model.gn - model.eps * c * squares), terms)
+            rate = coefficients(self.sigma * model.slipping(s, c, squares, self.sigma).slip * squares.rsqrt(), terms)
+        velocity = [here + rate[0] * (x - middle)] + [rate[k - 1] / k for k in range(1, terms)]
+        return [load, velocity]
+
+    def about(self, piece: Any, w: Ball, terms: int) -> list[Jet]:
+        """(−f_n, σ v_t) with their slopes in w."""
+        model = self.model
+        if terms > 2:
+            raise Undecided("slip begins with θ̇ = 0 and no acceleration")
+        middle = exact(w)
+        here = self.velocity(piece.time(middle), piece.angle(middle), piece.spin(middle))
+        th, over = piece.angle(w), piece.over(w)
+        u = w * w * over
+        s, c = th.sin_cos()
+        forces = model.slipping(s, c, u, self.sigma)
+        rate = self.sigma * forces.slip * 2 * over.rsqrt()
+        fall = -2 * piece.way * w * (model.eps * s * u - 2 * model.eps * c * forces.alpha)
+        return [[forces.load, fall][:terms], [here + rate * (w - middle), rate][:terms]]
+
+
+@dataclass(frozen=True)
+class Roll(Carrier):
+    """Rolling with resistance, which keeps nothing: its margins are those of the friction cone."""
+
+    @property
+    def names(self) -> list[str]:
+        """The friction used up on one side or the other; with infinite friction N → 0."""
+        return [AHEAD, BACK] if self.model.mu_s is not None else [OPEN]
+
+    def state(self, t: Ball, th: Ball, om: Ball, stops: bool) -> State:
+        """The state at a time and angle."""
+        begin, zero = self.begin, arb(0)
+        return State(t, begin.x + th - begin.th, zero, th, zero, zero, om)
+
+    def margins(self, s: Series, c: Series, u: Series, terms: int) -> list[Jet]:
+        """μ N − F and μ N + F, or N."""
+        forces, zero = self.model.rolling(s, c, u), series([0])
+        if self.model.mu_s is None:
+            return [coefficients(zero + forces.normal, terms)]
+        hold = self.model.mu_s * forces.normal
+        return [coefficients(zero + hold - forces.friction, terms), coefficients(zero + hold + forces.friction, terms)]
+
+    def along(self, piece: Place, x: Ball, terms: int) -> list[Jet]:
+        """The margins as series in x."""
+        th = piece.angle(x)
+        with order(terms):
+            s, c = series([th, piece.way]).sin_cos()
+            return self.margins(s, c, self.square(th, piece.square(x), piece.way, terms), terms)
+
+    def about(self, piece: Any, w: Ball, terms: int) -> list[Jet]:
+        """The margins with their slopes in w."""
+        th, u = piece.angle(w), piece.square(w)
+        if terms > 2:
+            raise Undecided("rolling begins with θ̇ = 0 in a tie")
+        with order(terms):
+            turned = -2 * piece.way * w
+            s, c = series([th, turned]).sin_cos()
+            return self.margins(s, c, series([u, self.slope(th, u) * turned]), terms)
+
+
+def carrier_of(model: Model, sigma: int, state: State) -> Slip | Roll:
+    """What is carried from a state; `model` has the equations for the direction in which the hoop turns."""
+    return Slip.of(model, sigma, state) if sigma else Roll(model, 0, state)
+
+
+def _each(state: State, pick: Callable[[Any], Ball]) -> State:
+    return State(*(pick(getattr(state, one.name)) for one in fields(state)))
+
+
+@dataclass(frozen=True)
+class Disc:
+    """Bounds on a complex disc of du/dθ = A u + B: its radius, abs(A), abs(B), the angle, and of ∂A/∂p, ∂B/∂p in a box."""
+
+    radius: Ball
+    grow: Ball
+    push: Ball
+    angle: Ball
+    grow_by: list[Ball]
+    push_by: list[Ball]
+
+
+def disc(carrier: Carrier, th: Ball, radius: Ball) -> Disc | None:
+    """Bounds on the disc about θ; None where what θ̈ is divided by may vanish in it."""
+    model, flint = carrier.model, _flint
+    square = flint.acb(arb(th) + symmetric(radius), symmetric(radius))
+    s, c = square.sin_cos()
+    if model.divisor(s, c, carrier.sigma).contains(flint.acb(0)):
+        return None
+    grow, push = model.rates(s, c, carrier.sigma)
+    count = model.varying
+
+    def size(value: Ball) -> Ball:
+        return abs(flint.acb(value)).abs_upper()
+
+    by = ([size(one) for one in derivatives(rate, count)] for rate in (grow, push))
+    return Disc(radius, size(over(grow)), size(over(push)), square, *by)
+
+
+def square_at(carrier: Carrier, th: Ball, u: Ball, centre: Ball, energy: Ball | None = None) -> tuple[Ball, Ball]:
+    """u at an exact angle inside the ball of the angle where it is known, and on the way there.
+
+    Where slip begins out of rolling of this energy, both have the same slope there, or nearly so: u is that of
+    rolling up to the second order of the ball.
+    """
+    spread = centre - th
+    if spread.is_zero():
+        return u, u
+    box = u
+    for _ in range(20):
+        slope = carrier.slope(th.union(centre), box)
+        found = u + slope * spread
+        if box.contains(found.union(u)):
+            break
+        box = (u + 2 * slope * symmetric(spread)).union(box)
+    else:
+        raise Undecided("the begin of a phase has no enclosure")
+    if energy is None:
+        return found, box
+    # d/dθ* of u(centre), for slip that begins in θ*: what the slopes differ by, carried on by exp(∫ A)
+    model = carrier.model
+    s, c = th.union(centre).sin_cos()
+    rolled = 2 * model.rolling(s, c, box).alpha
+    carried = (model.rates(s, c, carrier.sigma)[0] * symmetric(spread)).exp()
+    s, c = centre.sin_cos()
+    there = 2 * (energy - model.height(centre, s, c)) / model.inertia(c)
+    return intersection(found, there + (rolled - slope) * carried * symmetric(spread)), box
+
+
+def begin_at(carrier: Carrier, centre: Ball, u: Ball, way: int) -> State:
+    """The state that the phase has, or would have had, at an exact angle beside the one where it began."""
+    begin, spread = carrier.begin, centre - carrier.begin.th
+    th, square = begin.th.union(centre), u.union(begin.om * begin.om)
+    slowness = square.rsqrt()
+    vt = begin.vt
+    if carrier.sigma:
+        vt = vt + carrier.forces(th, square).slip * slowness * way * spread
+    moved = (1 + way * begin.vt.union(vt) * slowness) * spread
+    return State(begin.t + way * spread * slowness, begin.x + moved, begin.y, centre, vt, begin.vn, way * u.sqrt())

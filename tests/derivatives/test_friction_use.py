@@ -1,0 +1,118 @@
+"""The derivative of the greatest share of friction that a motion uses, against differences of what maps find by other means."""
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._jit import forced
+from hophoop.derivatives.parameters import value_of
+from hophoop.derivatives.sensitivity import SIDED
+from hophoop.maps.friction_use import greatest_utilization
+
+USE = "greatest_utilization"
+PATHS = ("start.speed", "start.angle", "plane.mu", "plane.gravity", "plane.slope", "duration")
+
+
+@pytest.fixture(autouse=True)
+def _interpreted():
+    with forced("interpreted"):
+        yield
+
+
+def use_of(scenario, path, value):
+    """As a cell of a map has it: samples, and golden section between them."""
+    changed = scenario.with_values({path: value})
+    events = hh.simulate(changed).tables["events"]
+    return float(greatest_utilization(changed.to_body(), events, len(events) - 1))
+
+
+@pytest.mark.parametrize(
+    ("query", "paths"),
+    [
+        ("duration=0.5&start.speed=1&start.angle=0.3", PATHS),  # it grows up to the end
+        ("duration=0.3&start.speed=1&start.angle=1.3", PATHS),  # inside
+        ("duration=3&start.speed=1&start.angle=0.3&hoop.load_fraction=0.4", PATHS[:4]),  # in every turn anew
+        ("duration=5&hoop.load_fraction=0.3&start.speed=0.3&start.angle=2", PATHS[:4]),  # to and fro
+        ("duration=2&hoop.load_fraction=0.3&start.speed=0.3&start.angle=2&plane.rolling_resistance=0.02", PATHS[::4]),
+        ("duration=2&plane.slope=0.1&start.speed=0&start.angle=3&plane.mu=0.5&plane.rolling_resistance=0.1", PATHS[1:5:3]),
+    ],
+)
+def test_it_follows_differences(query, paths):
+    scenario = hh.Scenario.from_query(query)
+    if scenario.plane.rolling_resistance:
+        paths = (*paths, "plane.rolling_resistance")
+    motion = hh.simulate(scenario)
+    assert motion.sequence == "R"
+    result = motion.sensitivity(USE, paths)
+    assert result.units == ("1",)
+    for k, path in enumerate(paths):
+        value = value_of(scenario, path)
+        step = 2e-4 * (abs(value) or 1.0)
+        low, less, more, high = (use_of(scenario, path, value + side * step) for side in (-2, -1, 1, 2))
+        true = (low - 8 * less + 8 * more - high) / (12 * step)
+        assert result.derivatives[0, k] == pytest.approx(true, rel=1e-8, abs=1e-9), path
+    assert result.values[0] == pytest.approx(use_of(scenario, "plane.mu", scenario.plane.mu), rel=1e-12)
+
+
+def test_two_places_that_need_the_same():
+    """On the level each way of a swing needs the same friction; tilted, one of them more: then that one counts."""
+    scenario = hh.Scenario(hoop=hh.Hoop.ideal(0.3), start=hh.Start.rolling(0.3, angle=2.0), duration=5.0)
+    result = hh.sensitivity(scenario, USE, "plane.slope")
+    assert result.reasons == ((SIDED,),)
+    here = use_of(scenario, "plane.slope", 0.0)
+    for found, side in ((result.larger, 1.0), (result.smaller, -1.0)):
+        step = side * 1e-4
+        values = [here, *(use_of(scenario, "plane.slope", n * step) for n in (1, 2, 3, 4))]
+        assert found[0, 0] == pytest.approx(np.dot([-25 / 12, 4, -3, 4 / 3, -1 / 4], values) / step, rel=1e-8)
+    assert result.smaller[0, 0] < 0.0 < result.larger[0, 0]
+
+
+def test_slip_uses_all_friction_and_goes_on_doing_so():
+    result = hh.sensitivity(hh.Scenario(duration=0.6), USE, ["start.speed", "plane.mu"])
+    assert result.values.tolist() == [1.0]
+    assert result.derivatives.tolist() == [[0.0, 0.0]]
+
+
+def test_where_there_is_none():
+    flying = hh.Scenario(start=hh.Start(height=0.5), duration=0.1)
+    result = hh.sensitivity(flying, USE, "start.angle")
+    assert np.isnan([result.values[0], result.derivatives[0, 0]]).all()
+    endless = hh.Scenario(plane=hh.Plane(mu=math.inf), start=hh.Start.rolling(1.0), duration=0.3)
+    result = hh.sensitivity(endless, USE, "start.angle")
+    assert (result.values[0], result.derivatives[0, 0]) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("resistance", [0.0, 0.4])
+def test_at_rest_it_is_the_slope_over_the_friction(resistance):
+    """Whatever holds the hoop: F = −m g sin β and N = m g cos β."""
+    slope, mu = -0.05, 0.5
+    angle = 0.3 if resistance else -math.asin(math.sin(slope) / 0.75) - slope
+    plane = hh.Plane(slope=slope, mu=mu, rolling_resistance=resistance)
+    scenario = hh.Scenario(plane=plane, start=hh.Start.rolling(0.0, angle=angle), duration=0.3)
+    motion = hh.simulate(scenario)
+    if resistance:
+        assert motion.status == "at_rest"
+        result = motion.sensitivity(USE, ["plane.slope", "plane.mu", "start.angle", "plane.rolling_resistance"])
+        assert result.derivatives[0] == pytest.approx(
+            [-1 / math.cos(slope) ** 2 / mu, math.tan(slope) / mu**2, 0, 0], rel=1e-12
+        )
+    else:
+        result = motion.sensitivity(USE, "plane.mu")
+        assert result.derivatives[0, 0] == pytest.approx(math.tan(slope) / mu**2, rel=1e-9)
+    assert result.values[0] == pytest.approx(-math.tan(slope) / mu, rel=1e-9)
+
+
+@pytest.mark.xfail(strict=True, reason="maps take all of the rolling resistance at rest, where less of it holds the hoop")
+def test_a_map_has_the_same_at_rest():
+    scenario = hh.Scenario(plane=hh.Plane(slope=-0.05, mu=0.5, rolling_resistance=0.4), start=hh.Start.rolling(0.0, angle=0.3))
+    assert use_of(scenario, "plane.mu", 0.5) == pytest.approx(math.tan(0.05) / 0.5, rel=1e-9)
+
+
+@pytest.mark.long
+def test_design_can_ask_for_it():
+    over, limits = {"start.speed": (0.2, 1.2)}, {"end.x": (0.3, None)}
+    best = hh.design(hh.Scenario(duration=0.4), minimise=USE, over=over, subject_to=limits, tries=2, climbs=1)
+    assert best.motion.events[-1].x == pytest.approx(0.3, abs=1e-8)
+    assert best.value == pytest.approx(use_of(best.scenario, "plane.mu", 1.0), rel=1e-12)

@@ -1,0 +1,339 @@
+"""Proofs with rolling resistance: against closed forms, many digits, the kernel, and altered certificates."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.physics.resistance import most_resistance
+from hophoop.precise.problem import Problem
+from hophoop.prove import check, prove, prove_box, thresholds
+from hophoop.prove.checker.equations import Equations
+from hophoop.prove.model import Model
+from oracles.cases import Case
+from oracles.resistance import solve_mode
+from random_scenarios import draw
+from random_scenarios import scenario_of as random_scenario
+
+flint = pytest.importorskip("flint")
+
+NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
+SEED, EVENTS = 2027, 40
+KERNEL = 1e-8  # of the number, or of 0.001 of its SI unit, as for the motions without
+QUICK = [3, 4, 7, 10, 12, 21, 23, 26, 35, 39]
+
+
+def scenario(f, mu=1.0, gamma=0.75, start=None, duration=3.0, **plane):
+    return hh.Scenario(
+        hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, rolling_resistance=f, **plane),
+        start=start or hh.Start.rolling(3.1), duration=duration,
+    )  # fmt: skip
+
+
+def certificate_of(*args, **more):
+    proof = prove(scenario(*args, **more), 10)
+    assert proof.proved, proof.why
+    return json.loads(json.dumps(proof.certificate))
+
+
+# --- equations: a sixth unknown, solved as they are, knows nothing of ρ, D or W --------------------
+
+
+CASE = Case("resisted", eccentricity=0.6, inertia_ratio=0.3, mu_static=0.5, mu_kinetic=0.4, slope=0.3)
+RESIST = 0.15
+
+
+def balls():
+    hoop = hh.Hoop(radius=1.0, mass=1.0, eccentricity=0.6, inertia_ratio=0.3)
+    plane = hh.Plane(mu_static=0.5, mu_kinetic=0.4, slope=0.3, gravity=9.81, rolling_resistance=RESIST)
+    return hh.Scenario(hoop=hoop, plane=plane, start=hh.Start(angle=1.0, vx=1.0, omega=1.0), duration=1.0)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+@pytest.mark.parametrize(("letter", "sigma"), [("R", 0), ("K", 1), ("S", -1)])
+def test_the_equations_of_prover_and_checker(letter, sigma, way):
+    model = Model(Problem.of(balls())).toward(way)
+    equations = Equations(balls().to_dict()).turning(way)
+    unit = 9.81
+    for th, om in ((0.4, 1.3), (1.9, 0.8), (3.6, 2.1), (5.3, 1.7), (-2.0, 0.0)):
+        acceleration = solve_mode(CASE, RESIST, (letter, way), th, way * om)
+        u = flint.arb(om * om / unit)
+        s, c = flint.arb(th).sin_cos()
+        mine, other = model.forces(s, c, u, sigma), equations.contact(s, c, u, sigma)
+        grow, push = model.rates(s, c, sigma)
+        firm, slope, rest = equations.linear(s, c, sigma)
+        found = [mine.alpha, other.alpha, (grow * u + push) / 2, (slope * u + rest) / firm]
+        for alpha in found:
+            assert float(alpha) == pytest.approx(acceleration[2] / unit, rel=1e-12, abs=1e-13)
+        for force, true in ((mine.friction, 3), (other.friction, 3), (mine.normal, 4), (other.normal, 4)):
+            assert float(force) == pytest.approx(acceleration[true] / unit, rel=1e-12, abs=1e-13)
+        if sigma:
+            slides = acceleration[0] - acceleration[2]
+            for slip in (mine.slip, other.slip):
+                assert float(slip) == pytest.approx(slides / unit, rel=1e-12, abs=1e-13)
+
+
+# --- motions ---------------------------------------------------------------------------------------
+
+
+def test_a_balanced_hoop_comes_to_rest():
+    """v̇ = −f g/(1 + κ): after v² (1 + κ)/(2 f g), at v (1 + κ)/(f g)."""
+    proof = prove(scenario(0.125, gamma=0.0, start=hh.Start.rolling(1.0), duration=9.0), 20)
+    assert (proof.verdict, proof.sequence, proof.status) == ("proved", "R", "at_rest")
+    rest = next(event for event in proof.events if event.kind == "rest")
+    pull = Fraction(9.81) / 8
+    assert rest.x.holds(1 / pull)
+    assert rest.t.holds(2 / pull)
+    assert rest.x.radius < Fraction(1, 10**19)
+
+
+def test_a_hoop_slides_without_turning():
+    """ε = 0 and f > μ: no moment turns it, and gravity and friction along the slope are all that is left."""
+    start = hh.Start(vx=3.0, omega=0.0)
+    proof = prove(scenario(0.25, mu=0.125, gamma=0.0, start=start, duration=9.0), 20)
+    assert (proof.verdict, proof.sequence, proof.status) == ("proved", "KR", "at_rest")
+    stick = next(event for event in proof.events if event.kind == "stick")
+    assert stick.t.holds(24 / Fraction(9.81))
+    assert stick.x.holds(36 / Fraction(9.81))
+
+
+def test_slip_without_rotation_begins_and_goes_on():
+    """On a slope steeper than μ a hoop at rest slides; that held for f = 0 and no friction too, and was undecided."""
+    for f, mu in ((0.3, 0.1), (0.0, 0.0)):
+        start = hh.Start(vx=0.0, omega=0.0)
+        proof = prove(scenario(f, mu=mu, gamma=0.0, start=start, duration=2.0, slope=0.5), 12)
+        assert (proof.verdict, proof.sequence) == ("proved", "K"), proof.why
+        assert proof.events[-1].omega.middle == 0
+        pull = 9.81 * (math.sin(0.5) - mu * math.cos(0.5))
+        assert proof.events[-1].x.distance(2 * pull) < 1e-14
+
+
+def test_rest_is_proved():
+    """At the top and wherever the couple holds it; beside that it turns."""
+    still = hh.Start(vx=0.0, omega=0.0, angle=0.0)
+    assert prove(hh.Scenario(start=still, duration=1.0), 10).status == "at_rest"
+    edge = math.asin(0.2 / 0.75)
+    for angle, status in ((edge - 1e-9, "at_rest"), (edge + 1e-5, "completed")):
+        proof = prove(scenario(0.2, start=hh.Start(vx=0.0, omega=0.0, angle=angle), duration=0.5), 10)
+        assert (proof.verdict, proof.status) == ("proved", status), proof.why
+
+
+SHOWN = {
+    "a hop": {"f": 0.001, "duration": 1.2},
+    "rocking, sliding and turning": {"f": 0.05, "mu": 0.1, "start": hh.Start(vx=-1.0, omega=1.5, angle=2.0), "duration": 1.5},
+    "down a slope": {"f": 0.02, "mu": 0.3, "slope": 0.2, "start": hh.Start.rolling(-1.0), "duration": 1.5},
+    "static above kinetic": {"f": 0.01, "mu": None, "mu_static": 0.5, "mu_kinetic": 0.3, "duration": 1.5},
+}
+
+
+FAST = ("a hop",)
+
+
+@pytest.mark.parametrize("name", [name if name in FAST else pytest.param(name, marks=pytest.mark.slow) for name in SHOWN])
+def test_many_digits_lie_in_the_enclosures(name):
+    """The computation in many digits is a Taylor series in time: nothing of a proof is in it."""
+    case = scenario(**SHOWN[name])
+    proof = prove(case, 15)
+    assert proof.proved, proof.why
+    events = [event for event in proof.events if event.kind not in ("apex", "rest")]
+    true = [event for event in hh.simulate(case, digits=22).events if event.kind not in ("apex", "rest")]
+    assert [(e.kind, e.from_mode, e.to_mode) for e in events] == [(e.kind, e.from_mode, e.to_mode) for e in true]
+    assert len(events) > 2
+    for event, one in zip(events, true, strict=True):
+        for number in NUMBERS:
+            assert getattr(event, number).holds(Fraction(getattr(one, number))), (event.kind, number)
+
+
+def resisted(index):
+    """A random motion with a rolling resistance from 3·10⁻⁴ to 0.5, within what the hoop allows."""
+    _, sections = draw(SEED, index)
+    random = np.random.default_rng([SEED, index, 2])
+    hoop = hh.Hoop(**sections["hoop"])
+    most = min(0.9 * most_resistance(hoop.eccentricity, hoop.inertia_ratio), 1.0)
+    sections["plane"]["rolling_resistance"] = float(min(10 ** random.uniform(-3.5, -0.3), most))
+    return random_scenario(sections, max_events=EVENTS)
+
+
+def contradiction(index):
+    """How a proof and the kernel contradict each other, '' where they do not, 'undecided' without a proof."""
+    case = resisted(index)
+    proof, motion = prove(case, 10, max_events=EVENTS), hh.simulate(case)
+    events = [event for event in motion.events if event.kind != "apex"]
+    facts = [event for event in proof.events if event.kind != "apex"]
+    for fact, event in zip(facts, events, strict=False):
+        if (fact.kind, fact.from_mode, fact.to_mode) != (event.kind, event.from_mode, event.to_mode):
+            return f"{index}: {fact.kind} is proved where the kernel has {event.kind} at {event.t}"
+        for name in NUMBERS:
+            value = getattr(event, name)
+            if getattr(fact, name).distance(value) > KERNEL * max(abs(value), 1e-3):
+                return f"{index}: {name} of {event.kind} at {event.t} is off"
+    if proof.proved and proof.status != "event_limit" and len(facts) != len(events):
+        return f"{index}: {len(facts)} events are proved, {len(events)} computed"
+    return "" if proof.proved else "undecided"
+
+
+@pytest.mark.parametrize("index", QUICK)
+def test_random_motion(index):
+    assert contradiction(index) == ""
+
+
+@pytest.mark.slow
+def test_forty_random_motions():
+    """No proof contradicts the kernel, and at least 95 % are proved."""
+    found = [contradiction(index) for index in range(40)]
+    assert [one for one in found if one not in ("", "undecided")] == []
+    assert found.count("undecided") <= 2
+
+
+def test_a_box_rolls_to_a_turning_point():
+    box = prove_box(scenario(0.1), {"plane.mu": (1.0, 1.01), "start.speed": (0.5, 0.5001)})
+    assert (box.sequence, box.ending) == ("R", "reversal")
+
+
+def test_thresholds_say_what_they_do_not_prove():
+    """A hop at once from √(gR/γ): θ̈ = 0 at the top where N = 0."""
+    found = thresholds(scenario(0.1), 20)
+    assert [one.key for one in found] == ["immediate_hop_speed"]
+    assert found[0].enclosure.distance(math.sqrt(9.81 / 0.75)) < 1e-15
+
+
+# --- wrong certificates ----------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def hop():
+    return certificate_of(0.001, duration=1.5)
+
+
+@pytest.fixture(scope="module")
+def rocking():
+    return certificate_of(0.3, start=hh.Start.rolling(1.0), duration=4.0)
+
+
+@pytest.fixture(scope="module")
+def sliding():
+    return certificate_of(0.25, mu=0.125, gamma=0.0, start=hh.Start(vx=3.0, omega=0.0), duration=9.0)
+
+
+def test_certificates_say_f(hop, rocking):
+    assert hop["scenario"]["plane"]["rolling_resistance"] == 0.001
+    assert check(hop).accepted
+    assert check(rocking).accepted
+    assert [one["kind"] for one in rocking["events"]].count("turn") > 0
+    assert rocking["status"] == "at_rest"
+
+
+def phase_of(certificate, mode, number=0):
+    return [phase for phase in certificate["phases"] if phase["mode"] == mode][number]
+
+
+def other_resistance(certificate):
+    certificate["scenario"]["plane"]["rolling_resistance"] *= 1.0000001
+
+
+def no_resistance(certificate):
+    certificate["scenario"]["plane"]["rolling_resistance"] = 0.0
+
+
+def other_polynomial(certificate):
+    panel = phase_of(certificate, "R")["panels"][0]
+    numbers = panel["u"].split()
+    numbers[1] = numbers[1][:-9] + "zzzzzzzzz"
+    panel["u"] = " ".join(numbers)
+
+
+def other_times(certificate):
+    panel = phase_of(certificate, "R")["panels"][0]
+    numbers = panel["t"].split()
+    numbers[1] = numbers[1][:-9] + "zzzzzzzzz"
+    panel["t"] = " ".join(numbers)
+
+
+def late_bracket(certificate):
+    panel = phase_of(certificate, "R")["panels"][-1]
+    panel["bracket"] = [str(Decimal(end) + Decimal("1e-4")) for end in panel["bracket"]]
+
+
+def other_side(certificate):
+    """Rolling that needs all its friction on the other side."""
+    phase = phase_of(certificate, "R")
+    phase["what"] = "back" if phase["what"] == "ahead" else "ahead"
+
+
+def no_record(certificate):
+    del certificate["phases"][0]
+
+
+def no_stop(certificate):
+    phase_of(certificate, "R")["what"] = "limit"
+
+
+@pytest.mark.parametrize(
+    "change",
+    [other_resistance, no_resistance, other_polynomial, other_times, late_bracket, other_side, no_record, no_stop],
+)
+def test_it_refuses_another_hop(hop, change):
+    certificate = copy.deepcopy(hop)
+    change(certificate)
+    verdict = check(certificate)
+    assert not verdict.accepted
+    assert verdict.why
+
+
+def no_rest(certificate):
+    """It turns for ever."""
+    certificate["events"] = [one for one in certificate["events"] if one["kind"] != "rest"]
+
+
+def early_rest(certificate):
+    """At the first turning point, where the couple does not hold it."""
+    events = certificate["events"]
+    turn = next(one for one in events if one["kind"] == "turn")
+    certificate["events"] = [events[0], {**turn, "kind": "rest"}, {**turn, "kind": "end", "t": events[-1]["t"]}]
+    certificate["phases"] = certificate["phases"][:1]
+
+
+def passed_turn(certificate):
+    """A turning point that is passed as if there were no couple."""
+    certificate["phases"][0]["panels"] += certificate["phases"][1]["panels"]
+    del certificate["phases"][1]
+
+
+def wrong_turn(certificate):
+    link = certificate["phases"][0]["panels"][-1]["link"]
+    link["bracket"] = [str(Decimal(end) + Decimal("1e-3")) for end in link["bracket"]]
+
+
+@pytest.mark.parametrize("change", [other_resistance, no_resistance, no_rest, early_rest, passed_turn, wrong_turn])
+def test_it_refuses_another_rocking(rocking, change):
+    certificate = copy.deepcopy(rocking)
+    change(certificate)
+    assert not check(certificate).accepted
+
+
+def slides_on(certificate):
+    certificate["phases"][0]["what"] = "limit"
+
+
+def not_sliding(certificate):
+    del certificate["phases"][0]["slides"]
+
+
+def less_resistance(certificate):
+    """Less than μ does not keep it from turning."""
+    certificate["scenario"]["plane"]["rolling_resistance"] = 0.12
+
+
+@pytest.mark.parametrize("change", [slides_on, not_sliding, less_resistance])
+def test_it_refuses_another_slide(sliding, change):
+    assert check(sliding).accepted
+    certificate = copy.deepcopy(sliding)
+    change(certificate)
+    assert not check(certificate).accepted
