@@ -78,5 +78,5 @@ def test_the_widget_is_the_same_player(visit, alone):
     if alone:
         page.locator(".more-said li").first.wait_for()  # their module has come from the notebook's kernel
     else:
-        page.get_by_text("This needs a browser that runs WebAssembly.").wait_for()
+        page.locator(".more-reason", has_text="This needs a browser that runs WebAssembly.").wait_for()
     page.evaluate("leave()")
