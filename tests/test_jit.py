@@ -426,3 +426,8 @@ def test_what_is_never_inlined_is_linked_once_however_it_is_called(fresh):
     code = part.overloads[part.signatures[0]].library.get_llvm_str().splitlines()
     assert any("halved" in line for line in code if line.startswith("declare"))
     assert not any("halved" in line for line in code if line.startswith("define"))
+
+
+def test_what_two_loops_call_is_there_for_both(fresh):
+    """Also where one of them is left out of their caller, which comes to what they call through that one first."""
+    assert dispatchers.entry(small_kernels.layered)(3.0) == small_kernels.layered.interpreted(3.0) == 3.75

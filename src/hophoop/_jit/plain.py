@@ -19,8 +19,6 @@ def leave_unoptimised() -> None:
     """
     codegen.CPUCodeLibrary._optimize_functions = lambda self, module: None
     codegen.CPUCodeLibrary._optimize_final_module = lambda self: None
-    # what nothing optimises need not be left out either; and an entry is whole, also where parts that it never calls are linked
-    setattr(dispatchers._PartLibrary, "_leaves_out", dispatchers._Library._leaves_out)  # noqa: B010
 
 
 def _callee(kernel: Source, function: FunctionType) -> Any:

@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 4aaa0a36b820c316796a0c97512d481f */
-var l={sources:"1fdd5a141a4a57e3ac372abebaa089cf",module:"67e24d0200e0e22c",derivatives:"e4df77693b0c82bd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 64d46a7e6b5657fbec1d9fd5a6d78984 */
+var l={sources:"b80f6b1373a54f758b736f4a139f803d",module:"d6ea5b32807b4629",derivatives:"c71ec6bbf8286a14",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -30,9 +30,9 @@ e(o.rtol))}var x=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
 n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,C=6e3,[he,R,F]=[0,1,2],D={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function N(o,e,t){let{rows:s,count:n,duration:r}=e,[i,a]=(t??[0,r]).map(d=>Math.
-min(Math.max(d,0),r)),c=Math.min(Math.max(Math.ceil((a-i)*W),B),C),m=l.events.length,f=new Set;for(let d=0;d<=c&&r>0;d++)f.add(d===c?a:i+d*((a-i)/c));let h=new Set;
-for(let d=0;d<n;d++){let p=Math.min(s[d*m+_.t],r);p>=i&&p<=a&&h.add(p)}for(let d of h)f.add(d);let g=Float64Array.from(f).sort(),b=Float64Array.from(h).filter(d=>d>
+amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function N(o,e,t){let{rows:s,count:n,duration:r}=e,[i,a]=(t??[0,r]).map(p=>Math.
+min(Math.max(p,0),r)),c=Math.min(Math.max(Math.ceil((a-i)*W),B),C),m=l.events.length,f=new Set;for(let p=0;p<=c&&r>0;p++)f.add(p===c?a:i+p*((a-i)/c));let h=new Set;
+for(let p=0;p<n;p++){let d=Math.min(s[p*m+_.t],r);d>=i&&d<=a&&h.add(d)}for(let p of h)f.add(p);let g=Float64Array.from(f).sort(),b=Float64Array.from(h).filter(p=>p>
 0).sort(),w=o.states(e,g,!1),u=o.states(e,b,!0);return P(g,w,b,u)}function P(o,e,t,s){let n=o.length+t.length,r=l.samples.length,i=new Float64Array(n),a=new Float64Array(
 n*r),c=0,m=0;for(let h=0;h<o.length;h++)m<t.length&&t[m]<=o[h]&&(i[c]=t[m],a.set(s.subarray(m*r,(m+1)*r),c*r),c++,m++),i[c]=o[h],a.set(e.subarray(h*r,(h+1)*r),c*
 r),c++;let f={t:i};for(let[h,g]of Object.entries(D)){let b=new Float64Array(n);for(let w of g)for(let u=0;u<n;u++)b[u]+=a[u*r+O[w]];f[h]=b}return f.mode=V(a,n,f.
@@ -56,8 +56,8 @@ let{memory:i}=this,a=n.length*t,c=i.put("times",n),m=i.room("states",8*Math.max(
 this.call("compliant_samples",f,i.room("contact",8),i.room("rows",8),...h):this.call(e,f,i.room("segments",8),...h),i.floats(m,a).slice()}changes(e,t){let{memory:s}=this,
 n=this.compute(e),r=s.put("rates",t),i=this.side(n,r,1),{reason:a,sided:c}=i,m=c||a==="border"||a==="contact"?this.side(n,r,-1):i;return{count:n.count,larger:i,
 smaller:m}}side({count:e,segments:t,head:s},n,r){let{memory:i}=this,a=e*l.changes.length,c=i.room("changes",8*a),m=i.room("why",16),[f,h,g]=["cell","events","se\
-gments"].map(p=>i.room(p,8)),b=+(r>0),w=s[y.doubt_from];this.call("changes",f,n,1,r,b,h,e,g,t,w,c,m);let[u,d]=i.floats(m,2);return{rates:i.floats(c,a).slice(),reason:l.
-reasons[Math.max(u,0)],sided:u<0,failed:d}}thresholds(e){let{memory:t}=this,s=t.put("cell",k(e)),n=t.room("answers",8*l.thresholds.length),r=e.rolling&&e.angle===
+gments"].map(d=>i.room(d,8)),b=+(r>0),w=s[y.doubt_from];this.call("changes",f,n,1,r,b,h,e,g,t,w,c,m);let[u,p]=i.floats(m,2);return{rates:i.floats(c,a).slice(),reason:l.
+reasons[Math.max(u,0)],sided:u<0,failed:p}}thresholds(e){let{memory:t}=this,s=t.put("cell",k(e)),n=t.room("answers",8*l.thresholds.length),r=e.rolling&&e.angle===
 0;this.call("thresholds",s,r?e.vx:Number.NaN,n);let i=t.floats(n,l.thresholds.length),a=m=>{let f=i[l.thresholds.indexOf(m)];return Number.isNaN(f)?null:f},c=["\
 jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(a);return{first_slip_speed:a("first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a(
 "immediate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:c.filter(m=>m!==
@@ -66,8 +66,8 @@ r],i,a){let{memory:c}=this,m=c.put("cell",k(e)),f=c.room("modes",i*a),h=c.room("
 return{modes:new Uint8Array(g,f,i*a).slice(),paradox:Float32Array.from(new Int8Array(g,h,i))}}map({count:e,rows:t},s,n){let{memory:r}=this,i=r.put("cells",t),a=r.
 room("numbers",8*e*l.numbers.length),c=r.room("words",4*e*l.words.length),m=r.room("keys",8*e*l.keys),{angle:f,stop:h,timed:g}=l.spans[n],b=l.wanted[s];this.call(
 "map_cells",i,e,f??Number.NaN,h,g,b,a,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*l.keys),e);let u=new Float64Array(
-e);if(s in S){let d=new Int32Array(w,c,e*l.words.length);for(let p=0;p<e;p++)u[p]=d[p*l.words.length+S[s]]}else{let d=r.floats(a,e*l.numbers.length);for(let p=0;p<
-e;p++)u[p]=d[p*l.numbers.length+M[s]]}return{values:u}}ideal(e){let t=this.memory.room("answers",8*l.thresholds.length);return this.call("ideal_hoop",e,t),this.
+e);if(s in S){let p=new Int32Array(w,c,e*l.words.length);for(let d=0;d<e;d++)u[d]=p[d*l.words.length+S[s]]}else{let p=r.floats(a,e*l.numbers.length);for(let d=0;d<
+e;d++)u[d]=p[d*l.numbers.length+M[s]]}return{values:u}}ideal(e){let t=this.memory.room("answers",8*l.thresholds.length);return this.call("ideal_hoop",e,t),this.
 memory.floats(t,1)[0]}resistance(e,t){let s=this.memory.room("answers",8*l.thresholds.length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){
 let{memory:s}=this,n=s.put("parts",t.flatMap(Y)),r=s.room("answers",8*l.thresholds.length),i=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,n,t.length,
 r,i);let[a,c,m]=s.floats(r,3);return{mass:a,eccentricity:c,inertia_ratio:m,reaches:[...s.floats(i,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
