@@ -222,7 +222,8 @@ def solving(monkeypatch, change):
         solved.append(panel.extent)
         return change(solve(body, panel, work), len(solved))
 
-    monkeypatch.setattr(panel_choice, "solve", changed)
+    for name in ("solve", "solve_aside"):
+        monkeypatch.setattr(panel_choice, name, changed)
     return solved
 
 

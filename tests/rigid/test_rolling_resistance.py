@@ -265,11 +265,6 @@ def test_refusals() -> None:
         hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(rolling_resistance=0.1))
     with pytest.raises(ValueError, match=r"plane.rolling_resistance = 0.5 must be below 0.284985 for this hoop"):
         hh.Scenario(hoop=hh.Hoop.ideal(0.99), plane=hh.Plane(rolling_resistance=0.5))
-    motion = program(*CASES[0][:2])
-    with pytest.raises(ValueError, match="Derivatives need a plane without rolling resistance"):
-        motion.sensitivity("end.x", "plane.mu")
-    with pytest.raises(ValueError, match=r"plane.rolling_resistance has no derivatives"):
-        hh.simulate(hh.Scenario(duration=0.5)).sensitivity("end.x", "plane.rolling_resistance")
 
 
 def test_files_and_links_keep_it(tmp_path: Path) -> None:
