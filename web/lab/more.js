@@ -135,7 +135,7 @@ export class More {
     this.known = "";
     if (on) this.changed(true);
     else this.forget();
-    this.lab.address?.soon();
+    if (this.lab.motions.lanes.length) this.lab.address?.soon();
     this.lab.request();
   }
 
@@ -166,8 +166,9 @@ export class More {
   /** Another motion is there, another parameter, or another language. */
   changed(speak = false) {
     if (!this.on) return;
-    this.offer();
     this.speak ||= speak;
+    if (!this.lab.motions.lanes.length) return; // the first motion is still computed, and comes here when it is there
+    this.offer();
     const { query } = this.lab.film();
     if (this.known === `${this.path} ${query}`) this.tell();
     else {

@@ -225,6 +225,21 @@ def test_a_hoop_in_another_page_has_them(visit, site_folder):
     assert "The hop: " in page.locator(".more-said").inner_text()
 
 
+def test_it_can_be_asked_for_before_the_first_motion_is_there(visit):
+    page = visit("#start.speed=3.1")
+    page.evaluate(
+        """() => {
+            const { motions, extras } = hophoopLab;
+            const { lanes } = motions;
+            motions.lanes = [];
+            extras.more.turn(true);
+            motions.lanes = lanes;
+            extras.more.changed();
+        }"""
+    )
+    wait_for(page, SHOWN)
+
+
 @pytest.mark.parametrize("where", ["desktop", "dark", "phone", "forced"])
 def test_it_is_seen_everywhere(visit, where):
     options = {

@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 64d46a7e6b5657fbec1d9fd5a6d78984 */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 8b5bde08d3ffc5931f31211d7943142b */
 var l={sources:"b80f6b1373a54f758b736f4a139f803d",module:"d6ea5b32807b4629",derivatives:"c71ec6bbf8286a14",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",

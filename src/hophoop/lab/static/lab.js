@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 64d46a7e6b5657fbec1d9fd5a6d78984 */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 8b5bde08d3ffc5931f31211d7943142b */
 var bl=Object.create;var Ji=Object.defineProperty;var wl=Object.getOwnPropertyDescriptor;var yl=Object.getOwnPropertyNames;var vl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var xl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of yl(e))!kl.call(s,i)&&i!==t&&Ji(s,i,{get:()=>e[i],enumerable:!(n=wl(e,i))||n.enumerable});
 return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1815,31 +1815,32 @@ le more would do"),m("button",{type:"button",onclick:()=>this.turn(!1)},"Close")
 this.step,this.take),this.said,this.reason,this.rows,this.scale),e.stage.flat.over=(t,n)=>{let i=e.root.classList.contains("guessing");if(!this.on||i||n!==e.motions.
 active)return;let o=Bo(this.arrows,t.film.radius,t.scale);(o||this.arrows.some(({dx:a})=>Number.isNaN(a)))&&$o(t,this.arrows,o||1),o!==this.factor&&(this.factor=
 o,this.tellScale())}}turn(e=!this.on,t=this.path){this.on=e,this.path=t,this.element.hidden=!e,this.switch.setAttribute("aria-pressed",String(e)),this.known="",
-e?this.changed(!0):this.forget(),this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.lab.address?.soon()}offered(){
-return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!_h.test(t.path)).map(({info:t})=>t)}parameter(){let{values:e,scenario:t}=this.
-lab.film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[i,o]=n.path.split("."),a=e[n.path]??t[i][o];return{info:n,value:Number(a==="in\
-f"?1/0:a),step:n.step*(n.degrees?Go:1)}}changed(e=!1){if(!this.on)return;this.offer(),this.speak||=e;let{query:t}=this.lab.film();this.known===`${this.path} ${t}`?
-this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.path)||(this.path=e.find(({path:n})=>n.startsWith(Ho))?.path??
-e[0].path);let t=e.map(({label:n,symbol:i})=>`${v(n)} ${i}`);t.join()!==this.texts&&(this.texts=t.join(),this.picked.replaceChildren(...e.map(({path:n},i)=>Ko(m(
-"option",{value:n}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=null,this.arrows=[],this.factor=0}async fetch(){if(!this.on)return;
-let{lab:e,path:t}=this,n=e.film(),i=this.parameter();this.asked?.abort(),this.asked=new AbortController;let{signal:o}=this.asked;if(this.known=`${t} ${n.query}`,
-!i||!Number.isFinite(i.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.changes)return this.refuse("This needs a browser that \
-runs WebAssembly.");try{let a=await e.backend.changes(n.scenario,t,i.value,o);if(o.aborted||e.film()!==n)return;if(!a)return this.refuse(cs.edge);this.changes=new rs(
-n,a,i.step),this.arrows=Fo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="AbortError"&&!o.aborted&&this.refuse(l)}e.request()}refuse(e){
-this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,
-P(this.reason,e),this.speak&&this.lab.story.say(v(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,t=this.parameter();if(!e||!t)return;let{info:n,
-value:i}=t,o=c=>j(S(n.degrees?c/Go:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.disabled=!1,this.rows.hidden=this.scale.hidden=
-!1;let r=qo(e);!r.length&&e.failed<0&&r.push(v("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>Ko(m("li",{}),c)));let l=this.why(e);this.reason.
-hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(B([`${v(n.label)} ${a}.`,...r,l&&v(l)].filter(Boolean).join(" "))),
-this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),this.three=e}tellScale(){let{three:e}=this.lab.
-stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":v("The arrows in the picture lead from where the rim touches to wher\
-e it would, {factor} times as long.",{factor:S(this.factor,3)});this.scale.textContent=e||this.factor?v(t):""}why(e){let{failed:t,side:n,events:i,edge:o,sided:a}=e;
-if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=v(_e[r]??r),u=v(cs[n.reason]);return B(v("From {what} at {time} s on no derivative: {reason}.",{what:c,time:S(
-l,4),reason:u}))}return o?B(v("To one side only: {reason}.",{reason:v(cs.edge)})):a?B(v("To one side only: {reason}.",{reason:v(cs.sided)})):""}fill(e){let t=(i,o,a)=>{
-let r=Io(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m("span",{"aria-hidden":"true"},l),B(r))},n=[["t","s"],["x","m"],
-["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,xh)).map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(
-o)},m("th",{scope:"row"},_e[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)
-return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,t]],!0)}};var ds=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+e?this.changed(!0):this.forget(),this.lab.motions.lanes.length&&this.lab.address?.soon(),this.lab.request()}pick(e){this.path=e,this.known="",this.changed(!0),this.
+lab.address?.soon()}offered(){return[...this.lab.controls.sliders.values()].filter(({info:t,element:n})=>!n.hidden&&!_h.test(t.path)).map(({info:t})=>t)}parameter(){
+let{values:e,scenario:t}=this.lab.film(),n=this.offered().find(({path:r})=>r===this.path);if(!n)return null;let[i,o]=n.path.split("."),a=e[n.path]??t[i][o];return{
+info:n,value:Number(a==="inf"?1/0:a),step:n.step*(n.degrees?Go:1)}}changed(e=!1){if(!this.on||(this.speak||=e,!this.lab.motions.lanes.length))return;this.offer();
+let{query:t}=this.lab.film();this.known===`${this.path} ${t}`?this.tell():(this.forget(),this.later())}offer(){let e=this.offered();e.some(({path:n})=>n===this.
+path)||(this.path=e.find(({path:n})=>n.startsWith(Ho))?.path??e[0].path);let t=e.map(({label:n,symbol:i})=>`${v(n)} ${i}`);t.join()!==this.texts&&(this.texts=t.
+join(),this.picked.replaceChildren(...e.map(({path:n},i)=>Ko(m("option",{value:n}),t[i])))),this.picked.value=this.path}forget(){this.asked?.abort(),this.changes=
+null,this.arrows=[],this.factor=0}async fetch(){if(!this.on)return;let{lab:e,path:t}=this,n=e.film(),i=this.parameter();this.asked?.abort(),this.asked=new AbortController;
+let{signal:o}=this.asked;if(this.known=`${t} ${n.query}`,!i||!Number.isFinite(i.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.
+changes)return this.refuse("This needs a browser that runs WebAssembly.");try{let a=await e.backend.changes(n.scenario,t,i.value,o);if(o.aborted||e.film()!==n)return;
+if(!a)return this.refuse(cs.edge);this.changes=new rs(n,a,i.step),this.arrows=Fo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="A\
+bortError"&&!o.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();
+this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(v(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,
+t=this.parameter();if(!e||!t)return;let{info:n,value:i}=t,o=c=>j(S(n.degrees?c/Go:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.
+disabled=!1,this.rows.hidden=this.scale.hidden=!1;let r=qo(e);!r.length&&e.failed<0&&r.push(v("Nothing: no event moves.")),this.said.replaceChildren(...r.map(c=>Ko(
+m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=l,this.fill(e),this.tellScale(),this.speak&&this.lab.story.say(B([`${v(n.label)}\
+ ${a}.`,...r,l&&v(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),
+this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":v("The arrows in the \
+picture lead from where the rim touches to where it would, {factor} times as long.",{factor:S(this.factor,3)});this.scale.textContent=e||this.factor?v(t):""}why(e){
+let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=v(_e[r]??r),u=v(cs[n.reason]);return B(v("From {what} at \
+{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?B(v("To one side only: {reason}.",{reason:v(cs.edge)})):a?B(v("To one side only: \
+{reason}.",{reason:v(cs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Io(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
+"span",{"aria-hidden":"true"},l),B(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,xh)).
+map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(o)},m("th",{scope:"row"},_e[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(
+a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,
+t]],!0)}};var ds=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Uo=.22,Vo=.03;function Zo(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,o=i/(1+i),a=t.mode==="S"||t.mode===
