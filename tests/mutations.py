@@ -98,9 +98,9 @@ def _prepare(room: Room) -> None:
         importlib.import_module(heavy)
 
 
-def try_room(name: str, modules: list[str], sample: int, only_reach: bool, results: Path) -> None:
+def try_room(name: str, modules: list[str], tests: list[str], sample: int, only_reach: bool, results: Path) -> None:
     """Try the changes of a room, in this process and its children; write what came to a file."""
-    room = ROOMS[name]
+    room = ROOMS[name]._replace(tests=tuple(tests) or ROOMS[name].tests)
     _prepare(room)
     paths = [path for path in paths_of(room) if not modules or path.stem in modules]
     made = [mutant for path in paths for mutant in kept_mutants(path, RESULTS)]
@@ -203,13 +203,16 @@ def main() -> int:
     parser.add_argument("rooms", nargs="*", metavar="ROOM", help=f"of {', '.join(ROOMS)}; all by default")
     parser.add_argument("--module", action="append", default=[], help="only this module of the room, such as contact")
     parser.add_argument("--sample", type=int, help="so many changes of each room, drawn at random (always the same); 0 for all")
+    parser.add_argument(
+        "--tests", action="append", default=[], help="only this file or folder; the rest is tried later without"
+    )
     parser.add_argument("--anew", action="store_true", help="try again what was tried before")
     parser.add_argument("--markdown", type=Path, help="write the table to this file")
     parser.add_argument("--reach", action="store_true", help="only find out which test comes to which statement")
     parser.add_argument("--results", type=Path, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.results is not None:  # one room, in a process of its own
-        try_room(options.rooms[0], options.module, options.sample, options.reach, options.results)
+        try_room(options.rooms[0], options.module, options.tests, options.sample, options.reach, options.results)
         return 0
     rooms = []
     RESULTS.mkdir(parents=True, exist_ok=True)
@@ -222,6 +225,7 @@ def main() -> int:
         sample = options.sample if options.sample is not None else 0 if options.module else ROOMS[name].sample
         words = [sys.executable, __file__, name, "--results", str(file), "--sample", str(sample)]
         words += [word for module in options.module for word in ("--module", module)]
+        words += [word for path in options.tests for word in ("--tests", path)]
         words += ["--reach"] * options.reach
         subprocess.run(words, check=True)
         rooms.append(json.loads(file.read_text(encoding="utf-8")))

@@ -200,7 +200,9 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("_files", "_put_folder", "shutil.rmtree(fresh, ignore_errors=True)", "shutil.rmtree(fresh, ignore_errors=False)"),
         ("store", "finish", "left.unlink(missing_ok=True)", "left.unlink(missing_ok=False)"),
     ),
-    "an array that is not there yet": (
+    "an array or a group that is not there yet": (
+        ("export", "save", 'mode = "w" if name == "/" else "a"', 'mode = "w" if name != "/" else "a"'),
+        ("export", "save", 'mode = "w" if name == "/" else "a"', 'mode = "w" if not name == "/" else "a"'),
         ("store", "", "def _create_array(group: Any, plan: Plan, quantity: Quantity, dtype: str, overwrite: bool = False) -> Any:", "def _create_array(group: Any, plan: Plan, quantity: Quantity, dtype: str, overwrite: bool = True) -> Any:"),
     ),
 }

@@ -115,6 +115,31 @@ def test_segments_that_cannot_be_sampled_are_refused(error):
         io._check_other_version(SimpleNamespace(version="0.0.1", at=at), Path("hop.nc"), samples)
 
 
+def test_last_digits_may_differ_between_versions():
+    # large numbers by a part of themselves, small ones by as little as the scale of the motion has
+    told = {"x": [1e3, np.nan], "height": [0.0, 0.0], "angle": [1.0, np.nan], "omega": [0.5, 1.0]}
+    now = {name: np.array(values) * (1.0 + 1e-10) + 1e-12 for name, values in told.items()}
+    motion = SimpleNamespace(version="0.0.1", at=lambda times: SimpleNamespace(**now))
+    samples = xr.Dataset({name: ("time", values) for name, values in told.items()}, coords={"time": [0.0, 1.0]})
+    with pytest.warns(UserWarning, match="may differ from its own in the last digits"):
+        io._check_other_version(motion, Path("hop.nc"), samples)
+
+
+def test_a_column_of_vectors_comes_back():
+    table = np.zeros(2, dtype=[("t", "f8"), ("force", "f8", (3,))])
+    table["force"] = [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]
+    packed = export._packed(xr, table, "event")
+    assert packed["force"].dims == ("event", "force_1")
+    assert io._unpacked(packed).tobytes() == table.tobytes()
+
+
+def test_a_store_whose_metadata_is_no_text_of_zarr_is_refused(tmp_path):
+    path = tmp_path / "hop.zarr"
+    path.mkdir()
+    (path / "zarr.json").write_text("{", encoding="utf-8")
+    assert refusal(path).startswith("cannot be read as Zarr: ")
+
+
 # --- while others write ----------------------------------------------------------------------------
 
 
