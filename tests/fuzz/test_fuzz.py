@@ -132,6 +132,6 @@ def kept(index: int) -> dict[str, Any]:
 @pytest.mark.slow
 @pytest.mark.compiled
 @pytest.mark.xfail(strict=True, reason="known and open; docs/limits.md says of each what is known")
-@pytest.mark.parametrize("index", [6134, 11925, 14960, 15191])
+@pytest.mark.parametrize("index", [6134, 11925, 14960, 15191, 15746])
 def test_scenarios_of_a_night_that_still_fail(compiled_before, index):
     assert outcome(kept(index), patience=60.0).problems == ()

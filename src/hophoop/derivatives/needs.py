@@ -9,11 +9,11 @@ from hophoop.derivatives.forces import by_angle, changed, rolling_slopes
 from hophoop.derivatives.layout import MU_S
 from hophoop.numerics.collocation import NODES, ORDER
 from hophoop.numerics.trigonometry import sine_cosine
-from hophoop.panels.panel import COSINE, SINE, U
+from hophoop.panels.panel import COSINE, SINE, U, fill_inside
 from hophoop.physics.resistance import resistance_arm
 from hophoop.records.writing import panel_of, state_of
 from hophoop.rigid.contact_phase import state_on_panel
-from hophoop.rigid.panel_choice import solve
+from hophoop.rigid.panel_choice import solve_aside
 
 HALVINGS = 60
 
@@ -34,7 +34,8 @@ def needs_on_panel(body, segments, index, scratch, places, needs, slopes):
     """Fill in the friction needed at the ends and the nodes of a rolling piece, with its slopes; returns how many."""
     row = segments[index]
     panel = panel_of(row)
-    totals = solve(body, panel, scratch.work)
+    totals = solve_aside(body, panel, scratch.work)
+    fill_inside(panel, scratch.work)
     begin = state_of(row)
     rho = row["way"] * body.resist
     count = 1
@@ -59,7 +60,8 @@ def peak_on_panel(body, segments, index, low, high, scratch):
     """(abs(F)/N, time) of the peak between two places of a rolling piece."""
     row = segments[index]
     panel = panel_of(row)
-    totals = solve(body, panel, scratch.work)
+    totals = solve_aside(body, panel, scratch.work)
+    fill_inside(panel, scratch.work)
     begin = state_of(row)
     rho = row["way"] * body.resist
     need = 0.0
