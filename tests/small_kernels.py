@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from hophoop._jit import apart_jit, inline_jit, jit, lean_jit, outer_jit, unit_jit
+from hophoop._jit import apart_jit, aside_jit, inline_jit, jit, lean_jit, outer_jit, unit_jit
 
 FACTOR = 3.0
 
@@ -82,6 +82,26 @@ def between(value):
 @jit
 def woven(value):
     return between(value) + beyond(value) + halved(value)
+
+
+@aside_jit
+def aside(value):
+    return above(value)
+
+
+@outer_jit
+def further(value):
+    return beyond(value)
+
+
+@inline_jit
+def both(value):
+    return aside(value) + further(value)
+
+
+@jit
+def layered(value):
+    return both(value)
 
 
 def put_sum(queue):

@@ -426,3 +426,34 @@ def test_what_is_never_inlined_is_linked_once_however_it_is_called(fresh):
     code = part.overloads[part.signatures[0]].library.get_llvm_str().splitlines()
     assert any("halved" in line for line in code if line.startswith("declare"))
     assert not any("halved" in line for line in code if line.startswith("define"))
+
+
+def test_what_two_loops_call_is_there_for_both(fresh):
+    """Also where one of them is left out of their caller, which comes to what they call through that one first."""
+    assert dispatchers.entry(small_kernels.layered)(3.0) == small_kernels.layered.interpreted(3.0) == 3.75
+
+
+FOUND = """
+import small_kernels
+from hophoop._jit import dispatchers
+from numba.core import event
+with event.install_recorder("numba:compile") as compiled:
+    assert small_kernels.quotient(1.0, 4.0) == 0.25
+print(small_kernels.__file__, len(compiled.buffer))
+"""
+
+
+def test_another_copy_of_the_source_finds_compiled_code(tmp_path):
+    """Its folder is named by what a kernel is made of: a new environment with the same version compiles nothing."""
+    given = Path(small_kernels.__file__).read_text(encoding="utf-8")
+    moved = given.replace("from __future__", "# another line\n\nfrom __future__", 1)  # nor do the numbers of its lines matter
+    for name, text in (("one", given), ("other", moved)):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "small_kernels.py").write_text(text, encoding="utf-8")
+        code = f"import sys; sys.path.insert(0, {str(tmp_path / name)!r})" + FOUND
+        file, count = python(code, NUMBA_CACHE_DIR=str(tmp_path / "kept"), HOPHOOP_KERNELS="compiled").rsplit(maxsplit=1)
+        assert Path(file).parent.name == name
+        assert int(count) == 0  # in this process; the first copy's is compiled in one beside
+        data = list((tmp_path / "kept").rglob("*.nbc"))
+        assert len(data) == 1
+    assert len(list((tmp_path / "kept").rglob("*.ready"))) == 1

@@ -104,7 +104,6 @@ def test_at_rest_it_is_the_slope_over_the_friction(resistance):
     assert result.values[0] == pytest.approx(-math.tan(slope) / mu, rel=1e-9)
 
 
-@pytest.mark.xfail(strict=True, reason="maps take all of the rolling resistance at rest, where less of it holds the hoop")
 def test_a_map_has_the_same_at_rest():
     scenario = hh.Scenario(plane=hh.Plane(slope=-0.05, mu=0.5, rolling_resistance=0.4), start=hh.Start.rolling(0.0, angle=0.3))
     assert use_of(scenario, "plane.mu", 0.5) == pytest.approx(math.tan(0.05) / 0.5, rel=1e-9)

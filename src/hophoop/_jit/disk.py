@@ -5,11 +5,38 @@ from __future__ import annotations
 import contextlib
 from typing import Any
 
-from numba.core.caching import FunctionCache
+from numba.core import config
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
+
+
+class _Place(_CacheLocator):  # type: ignore[misc]
+    """A folder whose name says what code is made of, so that it does not matter where its source lies and how old that is."""
+
+    def __init__(self) -> None:
+        self._folder = config.CACHE_DIR
+
+    def get_cache_path(self) -> str:
+        return str(self._folder)
+
+    def get_source_stamp(self) -> str:
+        return ""
+
+    def get_disambiguator(self) -> str:
+        return ""
+
+    @classmethod
+    def from_function(cls, function: Any, file: str) -> _Place:
+        return cls()
+
+
+class _Files(CompileResultCacheImpl):  # type: ignore[misc]
+    _locator_classes = (_Place,)
 
 
 class DiskCache(FunctionCache):  # type: ignore[misc]
     """Code that cannot be written is not kept; code that cannot be read, as after a power failure, is made again."""
+
+    _impl_class = _Files
 
     complete = True
     """Whether all code is on disk."""

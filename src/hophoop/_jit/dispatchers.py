@@ -45,6 +45,24 @@ class _Library(JITCodeLibrary):  # type: ignore[misc]
         self._linking_libraries = [library for library in called if library not in self.left_out]
         super().finalize()
 
+    def _optimize_final_module(self) -> None:
+        self._link_again()
+        super()._optimize_final_module()
+
+    def _link_again(self) -> None:
+        """LLVM drops what is not called yet when it is linked; link it when something linked later calls it."""
+        waiting = self._linking_libraries
+        while waiting:
+            missing = {function.name for function in self._final_module.functions if function.is_declaration}
+            needed = [
+                library
+                for library in waiting
+                if any(not made.is_declaration and made.name in missing for made in library._get_module_for_linking().functions)
+            ]
+            for library in needed:
+                self._final_module.link_in(library._get_module_for_linking(), preserve=True)
+            waiting = needed
+
     def _leaves_out(self, library: Any) -> bool:
         return False
 
@@ -55,7 +73,9 @@ class _Library(JITCodeLibrary):  # type: ignore[misc]
             library = waiting.pop(0)
             if library not in found:
                 found[library] = None
-                waiting += getattr(library, "left_out", ())
+                # what is called from what is left out comes with that, later
+                if not self._leaves_out(library):
+                    waiting += getattr(library, "left_out", ())
         return list(found)
 
 

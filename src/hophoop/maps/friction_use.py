@@ -74,6 +74,9 @@ def greatest_between(body, th, u, rho, low, high, greatest):
 @jit
 def resisted_need(body, th0, om0, turned):
     """Greatest abs(F)/N of a rolling arc with rolling resistance: samples, then golden section beside the greatest."""
+    if om0 == 0.0 and turned == 0.0:
+        # at rest, where as much of the couple acts as holds the hoop
+        return abs(body.gt) / body.gn if body.gn > 0.0 else math.inf
     rho = math.copysign(body.resist, turned)
     count = 4 + int(abs(turned) * RESISTED_SAMPLES_A_RADIAN)
     step = turned / count

@@ -72,7 +72,8 @@ def end_of_rolling(body, panel, fresh, scratch):
     ahead, near_ahead = fall_of(work[A], fresh, rounding, scratch)
     back, near_back = fall_of(work[B], fresh, rounding, scratch)
     doubtful = (near_ahead or near_back) and 0.0 < body.mu_s < math.inf
-    if back < ahead:
+    # both at once where N comes to zero without F: the mirrored motion must then come to the mirrored edge
+    if back < ahead or (back == ahead and panel.way < 0.0):
         return back, CONE_BACK, doubtful
     return ahead, CONE_AHEAD, doubtful  # F > 0
 

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 31d277c6c04475c67e10393c31099c4d */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources a537727ddbb19fd621e74c78d941e5bf */
 var Ur=Object.create;var $n=Object.defineProperty;var Gr=Object.getOwnPropertyDescriptor;var Kr=Object.getOwnPropertyNames;var Vr=Object.getPrototypeOf,Jr=Object.prototype.hasOwnProperty;var Yr=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var Zr=(s,e,t,o)=>{if(e&&typeof e=="object"||typeof e=="function")for(let n of Kr(e))!Jr.call(s,n)&&n!==t&&$n(s,n,{get:()=>e[n],enumerable:!(o=Gr(e,n))||o.enumerable});
 return s};var Qr=(s,e,t)=>(t=s!=null?Ur(Vr(s)):{},Zr(e||!s||!s.__esModule?$n(t,"default",{value:s,enumerable:!0}):t,s));var aa=Yr(Es=>{"use strict";Object.defineProperty(Es,"__esModule",{value:!0});function oa(s){return!s||typeof s=="string"?s:s+""}var Io=class{async svg2canvas(e,t,o){
 let n=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var i=document.createElement("canvas");return i.width=t,i.height=o,i.getContext(
@@ -2357,7 +2357,7 @@ size=o,this.limit=n,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.id
 resolve(new $o(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,o,n=[]){
 o?.throwIfAborted();let i=await this.hand(),a=()=>i.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>i.stop(new Wo(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return o?.throwIfAborted(),o?.addEventListener("abort",a),await i.ask(e,t,n)}finally{clearTimeout(r),o?.removeEventListener(
-"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var _={sources:"adcd719f0878b63f33b48fd2cd2e6313",module:"f217fbbca5b3c097",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
+"abort",a),this.release(i)}}close(){for(let e of this.idle)e.worker.terminate()}};var _={sources:"b182e971f1528ff2d91b89283c1ac226",module:"d6ea5b32807b4629",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"0.17.1"},cell:["radius","mass",
 "eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy","omega","slip","duration","max_\
 events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels","kinetic","potential","spring",
 "damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode","x","height","angle","vx","vy",

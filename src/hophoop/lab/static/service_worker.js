@@ -1,4 +1,4 @@
-/* Built from web/site/service_worker.js by esbuild 0.28.2; sources 31d277c6c04475c67e10393c31099c4d */
+/* Built from web/site/service_worker.js by esbuild 0.28.2; sources a537727ddbb19fd621e74c78d941e5bf */
 var o=self,s="hophoop-{version}",c=["{files}"];o.addEventListener("install",i=>{let e=caches.open(s).then(n=>n.addAll(c));i.waitUntil(e.then(()=>o.skipWaiting()))});
 o.addEventListener("activate",i=>{let e=caches.keys().then(n=>n.filter(t=>t.startsWith("hophoop-")&&t!==s)).then(n=>Promise.all(n.map(t=>caches.delete(t))));i.waitUntil(
 e.then(()=>o.clients.claim()))});o.addEventListener("fetch",i=>{let{request:e}=i;if(e.method!=="GET"||new URL(e.url).origin!==o.location.origin)return;let n=caches.
