@@ -91,6 +91,18 @@ def test_what_fails_leaves_nothing_and_names_the_target(tmp_path):
     assert refusal.value.filename == str(nowhere)
 
 
+def test_an_error_names_the_target_unless_it_is_of_another_file(tmp_path):
+    target = tmp_path / "hop.csv"
+
+    def fail(error):
+        with pytest.raises(type(error)) as refusal, _files.replacing(target):
+            raise error
+        return refusal.value.filename
+
+    assert fail(PermissionError(errno.EACCES, "no", "/etc/another")) == "/etc/another"
+    assert fail(PermissionError(errno.EACCES, "no")) == str(target)
+
+
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux lets folders change names in one step")
 def test_two_folders_change_names(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
