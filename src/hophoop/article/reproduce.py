@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
@@ -194,9 +193,6 @@ def _films_beside(out: Path) -> _Beside | None:
 
 def films_for_another(out: str) -> None:
     """Make the films and say on standard output, in lines of JSON, how far that is."""
-
-    if hasattr(os, "nice"):
-        os.nice(10)  # the figures, and compiled code for all, come first
 
     def say(_: str, done: int, total: int) -> None:
         print(json.dumps({"done": done, "total": total}), flush=True)
