@@ -292,6 +292,17 @@ def with_constant(constant):
     return Kernel(outside, Options())
 
 
+def test_the_stamp_follows_defaults():
+    def kernel(default):
+        def inside(value, factor=default):
+            return value * factor
+
+        return Kernel(inside, Options())
+
+    assert store.stamp(kernel(2.0)) == store.stamp(kernel(2.0))
+    assert store.stamp(kernel(2.0)) != store.stamp(kernel(3.0))
+
+
 def test_the_stamp_follows_what_a_kernel_calls():
     assert store.stamp(with_constant(2.0)) == store.stamp(with_constant(2.0))
     assert store.stamp(with_constant(2.0)) != store.stamp(with_constant(3.0))

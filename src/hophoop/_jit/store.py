@@ -59,6 +59,7 @@ def stamp(kernel: Source) -> str:
     for part in reachable(kernel):
         digest.update(f"{part!r} {part.options}".encode())
         _add_code(digest, part.py_func.__code__)
+        _add_value(digest, part.py_func.__defaults__)
         for name, value in _names_of(part):
             digest.update(f" {name}=".encode())
             _add_value(digest, value)
