@@ -12,20 +12,18 @@ import pytest
 import hophoop as hh
 from hophoop.prove import check, prove
 from precise_tools import scenario_of
+from prove_tools import NUMBERS, contradiction
 from random_scenarios import draw
 from random_scenarios import scenario_of as random_scenario
 
 pytest.importorskip("flint")
 
 DATA = Path(__file__).resolve().parents[1] / "data"
-NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
 HOP = hh.Scenario(duration=2.0)
 SEED = 2026
 EVENTS = 40
 PATIENCE = 600.0  # s, for one motion
 QUICK = [0, 1, 2, 3, 6, 8, 9, 10, 11, 16, 18, 19, 21, 22, 25, 26, 28, 30, 83, 129]
-# What the kernel is off the enclosure at most, beside the number or 0.001 of its SI unit.
-KERNEL = 1e-8
 
 
 class Case:
@@ -135,38 +133,24 @@ def test_a_proof_that_takes_too_long_is_given_up():
         prove(HOP, 10, seconds=0.0)
 
 
-def contradiction(index: int) -> str:
-    """How a proof and the kernel contradict each other, '' where they do not, 'undecided' without a proof."""
+def contradicted(index: int) -> str:
+    """What `contradiction` says of a random motion."""
     _, sections = draw(SEED, index)
-    scenario = random_scenario(sections, max_events=EVENTS)
-    proof, motion = prove(scenario, 10, max_events=EVENTS, seconds=PATIENCE), hh.simulate(scenario)
-    # the top of a flight changes no mode, and the kernel does not name one where the end of the time cuts the flight off
-    events = [event for event in motion.events if event.kind != "apex"]
-    facts = [event for event in proof.events if event.kind != "apex"]
-    for fact, event in zip(facts, events, strict=False):
-        if (fact.kind, fact.from_mode, fact.to_mode) != (event.kind, event.from_mode, event.to_mode):
-            return f"{index}: {fact.kind} is proved where the kernel has {event.kind} at {event.t}"
-        for name in NUMBERS:
-            value = getattr(event, name)
-            if getattr(fact, name).distance(value) > KERNEL * max(abs(value), 1e-3):
-                return f"{index}: {name} of {event.kind} at {event.t} is off"
-    if proof.proved and proof.status != "event_limit" and len(facts) != len(events):
-        return f"{index}: {len(facts)} events are proved, {len(events)} computed"
-    return "" if proof.proved else "undecided"
+    return contradiction(random_scenario(sections, max_events=EVENTS), EVENTS, PATIENCE)
 
 
 @pytest.mark.parametrize("index", QUICK)
 def test_random_motion(index):
     """Twenty of every kind that take no longer than a second."""
-    assert contradiction(index) == ""
+    assert contradicted(index) == ""
 
 
 @pytest.mark.slow
 def test_two_hundred_random_motions():
     """No proof contradicts the kernel, and at least 95 % are proved."""
-    found = [contradiction(index) for index in range(200)]
-    assert [one for one in found if one not in ("", "undecided")] == []
-    assert found.count("undecided") <= 10
+    found = {index: contradicted(index) for index in range(200)}
+    assert {index: said for index, said in found.items() if said not in ("", "undecided")} == {}
+    assert list(found.values()).count("undecided") <= 10
 
 
 @pytest.mark.long

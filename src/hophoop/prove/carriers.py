@@ -6,6 +6,7 @@ In slip du/dθ = 2 q (g cos β − ε cos θ u)/(κ p_σ) for u = θ̇², in rol
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, fields
 from typing import Any, Protocol
@@ -49,7 +50,7 @@ class Place(Protocol):
 
 
 @dataclass(frozen=True)
-class Carrier:
+class Carrier(ABC):
     """A phase of contact: its equations for the direction in which the hoop turns, σ, and the state it began in."""
 
     model: Model
@@ -57,9 +58,9 @@ class Carrier:
     begin: State
 
     @property
+    @abstractmethod
     def names(self) -> list[str]:
         """What ends the phase, in the order of `along`."""
-        raise NotImplementedError
 
     @property
     def ends_at_turn(self) -> bool:
@@ -90,17 +91,17 @@ class Carrier:
         shrunk = (-way * grow).integral().exp()
         return ((way * push * shrunk).integral() + u) / shrunk
 
+    @abstractmethod
     def state(self, t: Ball, th: Ball, om: Ball, stops: bool) -> State:
         """The state at a time and angle."""
-        raise NotImplementedError
 
+    @abstractmethod
     def along(self, piece: Place, x: Ball, terms: int) -> list[Jet]:
         """What must stay positive, as series in x, where x is an angle."""
-        raise NotImplementedError
 
+    @abstractmethod
     def about(self, piece: Place, w: Ball, terms: int) -> list[Jet]:
         """The same with slopes in w, where θ = θ* − way w²."""
-        raise NotImplementedError
 
     def slides(self, piece: Place, x: Ball) -> Ball:
         """v_t, where x is an angle."""

@@ -1,0 +1,40 @@
+"""What a proof and the kernel say of the same motion, side by side."""
+
+from __future__ import annotations
+
+import hophoop as hh
+from hophoop.prove import prove
+
+NUMBERS = ("t", "x", "height", "angle", "vx", "vy", "omega")
+KERNEL = 1e-8  # of the number, or of 0.001 of its SI unit
+
+
+def contradiction(scenario: hh.Scenario, most: int, seconds: float) -> str:
+    """How a proof and the kernel contradict each other, '' where they do not, 'undecided' without a proof.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    most : int
+        Events of the proof.
+    seconds : float
+        Limit of its time.
+
+    Returns
+    -------
+    said : str
+    """
+    proof, motion = prove(scenario, 10, max_events=most, seconds=seconds), hh.simulate(scenario)
+    # the top of a flight changes no mode, and the kernel does not name one where the end of the time cuts the flight off
+    events = [event for event in motion.events if event.kind != "apex"]
+    facts = [event for event in proof.events if event.kind != "apex"]
+    for fact, event in zip(facts, events, strict=False):
+        if (fact.kind, fact.from_mode, fact.to_mode) != (event.kind, event.from_mode, event.to_mode):
+            return f"{fact.kind} is proved where the kernel has {event.kind} at {event.t}"
+        for name in NUMBERS:
+            value = getattr(event, name)
+            if getattr(fact, name).distance(value) > KERNEL * max(abs(value), 1e-3):
+                return f"{name} of {event.kind} at {event.t} is off"
+    if proof.proved and proof.status != "event_limit" and len(facts) != len(events):
+        return f"{len(facts)} events are proved, {len(events)} computed"
+    return "" if proof.proved else "undecided"
