@@ -106,7 +106,7 @@ class Host:
         more, out, why = self.room(8 * rates.size), self.room(8 * size), self.room(16 * n)
         self.view(more, rates.size)[:] = rates.ravel()
         self.call(
-            "changes", self.cell, more, n, sign, int(sign > 0.0), self.events, len(events), self.segments,
+            "changes", self.cell, more, n, sign, self.events, len(events), self.segments,
             int(heads["segments"]), heads["doubt_from"], out, why,
         )  # fmt: skip
         found = self.view(out, size).reshape(len(events), width, n).copy()

@@ -226,9 +226,8 @@ export class HoopModule {
     const out = memory.room("changes", 8 * size);
     const why = memory.room("why", 16);
     const [cell, events, pieces] = ["cell", "events", "segments"].map((name) => memory.room(name, 8));
-    const edges = Number(sign > 0);
     const doubt = head[HEAD.doubt_from];
-    this.call("changes", cell, more, 1, sign, edges, events, count, pieces, segments, doubt, out, why);
+    this.call("changes", cell, more, 1, sign, events, count, pieces, segments, doubt, out, why);
     const [reason, failed] = memory.floats(why, 2);
     return {
       rates: memory.floats(out, size).slice(),

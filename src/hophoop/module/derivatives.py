@@ -61,13 +61,13 @@ def write_changes(row, scales, mass, units, sign, kept, out):
 
 
 @jit
-def changes(given, rates, n, sign, edges, events, count, segments, pieces, doubt, out, told):
+def changes(given, rates, n, sign, events, count, segments, pieces, doubt, out, told):
     """Rates of all events of a motion that `motion` has computed, with respect to n parameters.
 
     `rates` holds, for each parameter, the rates of the cell that is `given`. `sign` is −1 for how the motion changes when the
-    parameters become smaller, told as if they became larger; `edges` as in `derivatives.ending`. `doubt` is when doubles
-    end to tell what follows [s], nan where they always do. `told` takes for each parameter the reason why there is no
-    derivative and the event from which on there is none.
+    parameters become smaller, told as if they became larger. `doubt` is when doubles end to tell what follows [s], nan
+    where they always do. `told` takes for each parameter the reason why there is no derivative and the event from which on
+    there is none.
     """
     cells = carray(given, (FIELDS, 1))
     table = carray(out, (count, WIDTH, n))
@@ -87,7 +87,7 @@ def changes(given, rates, n, sign, edges, events, count, segments, pieces, doubt
     if pieces > 0 and not math.isnan(doubt):
         kernel_times(parts["t"], parts[-1]["t_end"], np.full(1, doubt), scales.time, when)
     go_through(
-        body, rows, parts, by, z, cells[DURATION, 0] / scales.time, when[0], edges != 0,
+        body, rows, parts, by, z, cells[DURATION, 0] / scales.time, when[0], True,
         at_events, at_segments, reasons, failed, new_scratch(), np.zeros((ROWS, ORDER)),
     )  # fmt: skip
     for i in range(count):

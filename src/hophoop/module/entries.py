@@ -44,6 +44,6 @@ DERIVATIVE_ENTRIES: Entries = {
     "motion": MOTION,
     "changes": (
         derivatives.changes,
-        (FLOATS, FLOATS, COUNT, NUMBER, COUNT, EVENTS, COUNT, SEGMENTS, COUNT, NUMBER, FLOATS, FLOATS),
+        (FLOATS, FLOATS, COUNT, NUMBER, EVENTS, COUNT, SEGMENTS, COUNT, NUMBER, FLOATS, FLOATS),
     ),
 }

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources 8b5bde08d3ffc5931f31211d7943142b */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources b62f678f4fdacc8b117d308f297da2df */
 var bl=Object.create;var Ji=Object.defineProperty;var wl=Object.getOwnPropertyDescriptor;var yl=Object.getOwnPropertyNames;var vl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var xl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of yl(e))!kl.call(s,i)&&i!==t&&Ji(s,i,{get:()=>e[i],enumerable:!(n=wl(e,i))||n.enumerable});
 return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1740,7 +1740,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Ro,Et=s=>s==="inf"?1/0:s;var x={sources:"b80f6b1373a54f758b736f4a139f803d",module:"d6ea5b32807b4629",derivatives:"c71ec6bbf8286a14",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Ro,Et=s=>s==="inf"?1/0:s;var x={sources:"ad776d85b3b0f203ba2f780483181717",module:"d6ea5b32807b4629",derivatives:"080fb4e9e1efac7b",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -2648,33 +2648,33 @@ i+r])]))}rows(e,t,n,i,o){let{memory:a}=this,r=i.length*t,l=a.put("times",i),c=a.
 o),c];return n.given.contact?this.call("compliant_samples",u,a.room("contact",8),a.room("rows",8),...h):this.call(e,u,a.room("segments",8),...h),a.floats(c,r).slice()}changes(e,t){
 let{memory:n}=this,i=this.compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.
 count,larger:a,smaller:c}}side({count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*x.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cel\
-l","events","segments"].map(w=>a.room(w,8)),p=+(o>0),g=n[be.doubt_from];this.call("changes",u,i,1,o,p,h,e,d,t,g,l,c);let[f,b]=a.floats(c,2);return{rates:a.floats(
-l,r).slice(),reason:x.reasons[Math.max(f,0)],sided:f<0,failed:b}}thresholds(e){let{memory:t}=this,n=t.put("cell",Pe(e)),i=t.room("answers",8*x.thresholds.length),
-o=e.rolling&&e.angle===0;this.call("thresholds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,x.thresholds.length),r=c=>{let u=a[x.thresholds.indexOf(c)];return Number.
-isNaN(u)?null:u},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_spe\
-ed"),immediate_hop_speed:r("immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),
-jam_angles:l.filter(c=>c!==null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_frict\
-ion")===1}}regions(e,[t,n,i,o],a,r){let{memory:l}=this,c=l.put("cell",Pe(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{
-buffer:d}=this.exports.memory;return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,
-a=o.put("cells",t),r=o.room("numbers",8*e*x.numbers.length),l=o.room("words",4*e*x.words.length),c=o.room("keys",8*e*x.keys),{angle:u,stop:h,timed:d}=x.spans[i],
-p=x.wanted[n];this.call("map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return sr(new BigUint64Array(g,c,e*x.keys),
-e);let f=new Float64Array(e);if(n in Mn){let b=new Int32Array(g,l,e*x.words.length);for(let w=0;w<e;w++)f[w]=b[w*x.words.length+Mn[n]]}else{let b=o.floats(r,e*x.
-numbers.length);for(let w=0;w<e;w++)f[w]=b[w*x.numbers.length+Po[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*x.thresholds.length);return this.
-call("ideal_hoop",e,t),this.memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*x.thresholds.length);return this.call("resistance_limit",e,
-t,n),this.memory.floats(n,1)[0]}combine(e,t){let{memory:n}=this,i=n.put("parts",t.flatMap(Bc)),o=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.
-length);this.call("hoop_of_parts",e,i,t.length,o,a);let[r,l,c]=n.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){
-let{memory:t}=this;if(!e.contact)throw new TypeError("The contact is rigid.");let n=t.put("cell",Pe(e)),i=t.put("contact",An(e.contact)),o=t.room("answers",8*x.
-thresholds.length);this.call("compliance",n,i,o);let a=t.floats(o,x.chosen.length),r=l=>a[x.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r(
-"tangential_stiffness"),slip_speed:r("slip_speed"),depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Bc(s){let e=s.
-shape==="rod"?`${s.direction}_rod`:s.shape,t=x.shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.
-radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,0,s.at]:[t,s.mass,0,0,s.at]}var $c=["friction","impact_normal","impact_tangential","rolling_resistance"],Gc=["\
-kinetic","potential",...$c,"residual"],ir=["x","height","angle","vx","vy","omega"];function nr({given:s,head:e,rows:t,count:n,duration:i}){let o=x.events.length,
-a=Array.from({length:n},(c,u)=>Hc(t.subarray(u*o,(u+1)*o))),r=a[n-1],l=Object.fromEntries([...Gc,...s.contact?["spring","damping"]:[]].map(c=>[c,e[be[c]]]));return{
-status:x.statuses[e[be.status]],sequence:Kc(a),duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(ir.map(c=>[c,r[c]]))},energy:l,doubt:ti(e[be.doubt_from])}}
-function Hc(s){let e=x.kinds[s[Q.kind]],t=s[Q.from_mode],n={t:s[Q.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[Q.to_mode]]};for(let i of ir)n[i]=ti(s[Q[i]]);
-return n.before=Object.fromEntries(["vx","vy","omega"].map(i=>[i,ti(s[Q[`before_${i}`]])])),n.impulse={normal:s[Q.impulse_normal],tangential:s[Q.impulse_tangential]},
-s[Q.collision]===0&&(n.collision=!1),e==="kane_gain"&&(n.gain=s[Q.gain]),s[Q.stable]>=0&&(n.stable=s[Q.stable]===1),n}function Kc(s){let e=s.filter(n=>!Fc.has(n.
-kind));return e.slice(0,-1).map((n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var si=1e4,Uc="The part of the page that computes this could not be loaded; choose it again when there is a network.",ni=256;function or(s){let e=URL.createObjectURL(
+l","events","segments"].map(b=>a.room(b,8)),p=n[be.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),
+reason:x.reasons[Math.max(g,0)],sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",Pe(e)),i=t.room("answers",8*x.thresholds.length),o=e.rolling&&
+e.angle===0;this.call("thresholds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,x.thresholds.length),r=c=>{let u=a[x.thresholds.indexOf(c)];return Number.isNaN(u)?null:
+u},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
+"immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==
+null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,
+o],a,r){let{memory:l}=this,c=l.put("cell",Pe(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;
+return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.
+room("numbers",8*e*x.numbers.length),l=o.room("words",4*e*x.words.length),c=o.room("keys",8*e*x.keys),{angle:u,stop:h,timed:d}=x.spans[i],p=x.wanted[n];this.call(
+"map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return sr(new BigUint64Array(g,c,e*x.keys),e);let f=new Float64Array(
+e);if(n in Mn){let b=new Int32Array(g,l,e*x.words.length);for(let w=0;w<e;w++)f[w]=b[w*x.words.length+Mn[n]]}else{let b=o.floats(r,e*x.numbers.length);for(let w=0;w<
+e;w++)f[w]=b[w*x.numbers.length+Po[n]]}return{values:f}}ideal(e){let t=this.memory.room("answers",8*x.thresholds.length);return this.call("ideal_hoop",e,t),this.
+memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*x.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){
+let{memory:n}=this,i=n.put("parts",t.flatMap(Bc)),o=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,
+o,a);let[r,l,c]=n.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
+"The contact is rigid.");let n=t.put("cell",Pe(e)),i=t.put("contact",An(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.
+floats(o,x.chosen.length),r=l=>a[x.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
+depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Bc(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.
+shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,
+0,s.at]:[t,s.mass,0,0,s.at]}var $c=["friction","impact_normal","impact_tangential","rolling_resistance"],Gc=["kinetic","potential",...$c,"residual"],ir=["x","he\
+ight","angle","vx","vy","omega"];function nr({given:s,head:e,rows:t,count:n,duration:i}){let o=x.events.length,a=Array.from({length:n},(c,u)=>Hc(t.subarray(u*o,
+(u+1)*o))),r=a[n-1],l=Object.fromEntries([...Gc,...s.contact?["spring","damping"]:[]].map(c=>[c,e[be[c]]]));return{status:x.statuses[e[be.status]],sequence:Kc(a),
+duration:i,events:a,final:{t:r.t,mode:r.to,...Object.fromEntries(ir.map(c=>[c,r[c]]))},energy:l,doubt:ti(e[be.doubt_from])}}function Hc(s){let e=x.kinds[s[Q.kind]],
+t=s[Q.from_mode],n={t:s[Q.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[Q.to_mode]]};for(let i of ir)n[i]=ti(s[Q[i]]);return n.before=Object.fromEntries([
+"vx","vy","omega"].map(i=>[i,ti(s[Q[`before_${i}`]])])),n.impulse={normal:s[Q.impulse_normal],tangential:s[Q.impulse_tangential]},s[Q.collision]===0&&(n.collision=
+!1),e==="kane_gain"&&(n.gain=s[Q.gain]),s[Q.stable]>=0&&(n.stable=s[Q.stable]===1),n}function Kc(s){let e=s.filter(n=>!Fc.has(n.kind));return e.slice(0,-1).map(
+(n,i)=>e[i+1].t>n.t?n.to:"").join("")||(s.at(-1)?.to??"")}var si=1e4,Uc="The part of the page that computes this could not be loaded; choose it again when there is a network.",ni=256;function or(s){let e=URL.createObjectURL(
 new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
 arrayBuffer())}async function rr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
