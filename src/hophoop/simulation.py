@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 import hophoop
-from hophoop._jit import precompile
+from hophoop._jit import interpreted, precompile
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
-from hophoop.physics.body import Status
+from hophoop.physics.body import Body, Status
 from hophoop.records.layout import EVENT, SEGMENT, first_rows
 from hophoop.records.scratch import MOST_PANELS, new_scratch, thread_scratch
 from hophoop.records.state import State, start_state
 from hophoop.rigid import sampling
 from hophoop.rigid.kernel import run
+from hophoop.rigid.script import fill_script
 from hophoop.scenario import Compliant, Hoop, Plane, Rigid, Scenario, Start
 from hophoop.scenario.scenario import time_unit, to_body
 from hophoop.trajectory import Trajectory
@@ -262,10 +263,38 @@ def _simulate_rigid(scenario: Scenario, contact: Rigid) -> tuple[int, np.ndarray
             script = found
         else:
             break
+    segments = first_rows(segments, pieces)
+    if len(script) > 1:
+        segments = np.concatenate((segments_of_script(body, script), segments))
+        pieces = len(segments)
     if pieces == 0:  # the model has no answer at the start: a piece of no length holds its state
-        pieces = 1
+        segments = np.empty(1, SEGMENT)
         _hold_at(events[0], segments[0])
-    return status, first_rows(events, count), first_rows(segments, pieces), script, doubt
+    return status, first_rows(events, count), segments, script, doubt
+
+
+def segments_of_script(body: Body, script: np.ndarray) -> np.ndarray:
+    """The segments of the phases between the events of a script.
+
+    Parameters
+    ----------
+    body : Body
+    script : ndarray of records.EVENT, shape (n,)
+        In kernel units [1].
+
+    Returns
+    -------
+    segments : ndarray of records.SEGMENT, shape (k,)
+        In kernel units [1]; `run` does not write them when it repeats the script.
+    """
+    length = FIRST_SEGMENTS
+    while True:
+        segments = np.empty(length, SEGMENT)
+        with np.errstate(all="ignore"):
+            count = interpreted(fill_script)(body, script, segments, new_scratch())
+        if count >= 0:
+            return first_rows(segments, count)
+        length *= 16
 
 
 def _hold_at(event: np.void, segment: np.void) -> None:

@@ -123,15 +123,15 @@ def test_energy_that_drifts_while_rolling():
 
 def test_energy_lost_in_slip_and_impact():
     states = exact("hop")
-    slower = np.where(states.t > 0.5, 0.99, 1.0)
-    found = scores("hop", changed(states, vx=slower * states.vx, vy=slower * states.vy, omega=slower * states.omega))
+    faster = np.where(states.t > 0.5, 1.01, 1.0)
+    found = scores("hop", changed(states, vx=faster * states.vx, vy=faster * states.vy, omega=faster * states.omega))
     task = engines.task_of(SCENARIOS["hop"])
     k = int(np.searchsorted(states.t, 1.0447))
     sine, cosine = math.sin(states.angle[k]), math.cos(states.angle[k])
     speed = (states.vx[k] + task.arm * states.omega[k] * cosine) ** 2 + (states.vy[k] - task.arm * states.omega[k] * sine) ** 2
     kinetic = 0.5 * task.mass * speed + 0.5 * task.inertia * states.omega[k] ** 2
-    # N, read off the slower velocities, is zero a little earlier
-    assert found.slip_loss == pytest.approx((1 - 0.99**2) * kinetic, rel=0.15)
+    # N, read off the faster velocities, is zero a little earlier; of slower ones it would be positive in flight, too
+    assert found.slip_loss == pytest.approx((1 - 1.01**2) * kinetic, rel=0.03)
     after = np.where(states.t > 1.8041, 0.9, 1.0)
     found = scores("hop", changed(states, vx=after * states.vx, vy=after * states.vy, omega=after * states.omega))
     assert found.slip_loss == pytest.approx(0.0, abs=1e-5)

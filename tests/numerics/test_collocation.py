@@ -69,13 +69,14 @@ def test_a_resolved_function_stays_near_the_range_of_its_nodes():
 
 
 @pytest.mark.parametrize("xi", [-1.0, -0.7, -1e-9, 0.0, 0.3, 0.999, 1.0])
-def test_value_and_slope(xi):
+def test_a_series_and_its_derivatives(xi):
     series = np.random.default_rng(3).normal(size=col.ORDER) * 0.3 ** np.arange(col.ORDER)
-    value, slope = col.value_and_slope(series, xi)
+    value, slope, bend = col.value_slope_bend(series, xi)
     assert value == pytest.approx(chebyshev.chebval(xi, series), rel=1e-14, abs=1e-15)
     assert slope == pytest.approx(chebyshev.chebval(xi, chebyshev.chebder(series)), rel=1e-14, abs=1e-14)
-    if xi == 0.0:
-        assert col.middle_value(series) == pytest.approx(value, rel=1e-15)
+    assert bend == pytest.approx(chebyshev.chebval(xi, chebyshev.chebder(series, 2)), rel=1e-13, abs=1e-13)
+    if xi in (-1.0, 0.0, 1.0):
+        assert col.end_values(series)[int(xi) + 1] == pytest.approx(value, rel=1e-15)
 
 
 ROWS = {
@@ -110,5 +111,15 @@ def test_whole_arrays_give_the_bits_of_the_loops(row):
     if np.nanmax(np.abs(row)) < 700.0:  # beyond, Python's exponential raises an error
         assert same_bits(col.exponentials, row)
         assert same_bits(col.exponentials, row / 3.0)
+        for scale in (1.0, 3.0):
+            divided = []
+            for function in (col.divided_by_exponentials.py_func, col.divided_by_exponentials.by_arrays):
+                out, other = np.empty(col.ORDER), np.linspace(-1.0, 2.0, col.ORDER)
+                with np.errstate(all="ignore"):
+                    function(row / scale, out, other)
+                if np.isfinite(row).all():
+                    np.testing.assert_allclose(other * np.exp(row / scale), np.linspace(-1.0, 2.0, col.ORDER), rtol=1e-14)
+                divided.append(np.concatenate([out, other]).view(np.uint64).tolist())
+            assert divided[0] == divided[1]
     for xi in row[np.abs(row) < 2.0]:
         assert same_bits(col.lagrange, xi)

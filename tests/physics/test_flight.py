@@ -5,7 +5,7 @@ import math
 import mpmath as mp
 import pytest
 
-from hophoop.physics.flight import MANY_TURNS, flight_displacement, flight_gap
+from hophoop.physics.flight import MANY_TURNS, flight_displacement, flight_gap, flight_rates
 from newton_euler import BODIES, STATES, accelerations
 
 CASES = [(body, *state, tau) for body in BODIES for state in STATES for tau in (0.05, 1.7)]
@@ -24,6 +24,10 @@ def test_flight(body, th, om, tau):
     gap = gy - eps * math.cos(end)
     rate = rates[1] - body.gn * tau + eps * math.sin(end) * om
     assert flight_gap(body, s, c, om, y, vn, f_n, tau) == pytest.approx((gap, rate), rel=1e-12, abs=1e-13)
+    bend, ahead, back = (accelerations(body, end + step, om, "free")[1] for step in (0.0, 1e-4, -1e-4))
+    *found, jerk = flight_rates(body, s, c, om, y, vn, f_n, tau)
+    assert tuple(found) == pytest.approx((gap, rate, bend), rel=1e-12, abs=1e-13)
+    assert jerk == pytest.approx((ahead - back) / 2e-4 * om, rel=1e-7, abs=1e-7)
     way = gx - eps * math.sin(end)
     slip = rates[0] + body.gt * tau - eps * math.cos(end) * om - om
     assert flight_displacement(body, vt, om, s, c, tau) == pytest.approx((way, slip), rel=1e-12, abs=1e-13)
@@ -48,3 +52,6 @@ def test_flight_of_many_turns(body, turned):
     lost = 2e-16 * (turned**2 if abs(turned) <= MANY_TURNS else abs(turned)) + 1e-14  # as MANY_TURNS says
     assert found[0] == pytest.approx(float(gap), abs=4e-15 * float(size) + lost)
     assert found[1] == pytest.approx(float(rate), abs=4e-15 * float(size) / tau + 50.0 * lost)
+    bend, jerk = flight_rates(body, s, c, om, y, vn, f_n, tau)[2:]
+    assert bend == pytest.approx(float(eps * om**2 * mp.cos(angle) - gn), abs=2500.0 * lost)
+    assert jerk == pytest.approx(float(-eps * om**3 * mp.sin(angle)), abs=125000.0 * lost)

@@ -131,3 +131,20 @@ def test_units():
     skim = motion.find("skim")[0]
     assert math.cos(skim.angle) == pytest.approx(0.04 / 0.4, rel=1e-12)
     assert skim.omega == pytest.approx(math.sqrt(1.6 / 0.25), rel=1e-12)
+
+
+@pytest.mark.parametrize("speed", [1.0, 30.0, 1e4, 1e6])
+@pytest.mark.parametrize("gravity", [0.0, 1.4e-4, 9.81])
+def test_the_load_falls_for_as_long_as_its_parabola_says(speed, gravity):
+    """The fall ends where R (1 + cos θ) is used up; of a fast one with little gravity the duration was rounding."""
+    angle = 2.7636275031136854
+    motion = roll(speed, 4.3, angle, gravity=gravity)
+    skim = motion.find("skim")[0]
+    assert skim.angle == angle
+    strike = motion.find("impact")[0]
+    sink = speed * math.sin(angle)
+    height = 1.0 + math.cos(angle)
+    tau = strike.t - skim.t
+    assert sink * tau + 0.5 * gravity * tau * tau == pytest.approx(height, rel=1e-12)
+    before = motion.at(np.linspace(skim.t, skim.t + 0.999 * tau, 9))
+    assert np.isfinite(before.omega).all()

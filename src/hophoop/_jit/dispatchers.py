@@ -23,6 +23,7 @@ from numba.core.compiler import CompilerBase, DefaultPassBuilder, _LowerResult
 from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering, NopythonRewrites
+from numba.core.untyped_passes import InlineClosureLikes
 
 from hophoop._jit import beside, signals, store
 from hophoop._jit.disk import DiskCache
@@ -155,8 +156,10 @@ def _compiler(kind: type[NativeLowering], library: type[_Library], lower: type[L
             pipeline.passes = [
                 (lowering if step is NativeLowering else step, text)
                 for step, text in pipeline.passes
+                # no kernel has a function or a comprehension within
+                if step is not InlineClosureLikes
                 # those are of arrays made within: most kernels make none, and have no reference counts
-                if step is not NopythonRewrites or self.state.flags.nrt
+                and (step is not NopythonRewrites or self.state.flags.nrt)
             ]
             pipeline.finalize()
             return [pipeline]
@@ -245,7 +248,12 @@ def compile_for(kernel: Source, kinds: Any) -> None:
     dispatcher = entry(kernel)
     there = store.is_ready(kernel, kinds)
     # one process at a time compiles it; the next loads what that one has made
-    with contextlib.nullcontext() if there else _alone(store.folder_of(kernel)), _without_collection(), signals.kept():
+    with (
+        contextlib.nullcontext() if there else _alone(store.folder_of(kernel)),
+        _without_collection(),
+        _without_timers(),
+        signals.kept(),
+    ):
         dispatcher.compile(tuple(numba_type(kind) for kind in kinds))
         if dispatcher._cache.complete:
             store.note_ready(kernel, kinds)
@@ -277,6 +285,17 @@ def _without_collection() -> Iterator[None]:
     finally:
         if was:
             gc.enable()
+
+
+@contextlib.contextmanager
+def _without_timers() -> Iterator[None]:
+    # Numba notes how long each lock is held, once for each function that is being compiled: a thirtieth of the time
+    was = event.install_timer
+    event.install_timer = lambda kind, callback: contextlib.nullcontext()
+    try:
+        yield
+    finally:
+        event.install_timer = was
 
 
 class _Progress(event.Listener):  # type: ignore[misc]

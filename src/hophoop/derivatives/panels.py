@@ -58,7 +58,7 @@ from hophoop.panels.panel import (
     chord,
     fill_geometry,
 )
-from hophoop.panels.slip import from_reference
+from hophoop.panels.slip import away_from_reference
 from hophoop.physics.contact import inertia_at_height, load_height
 
 FROM_BEGIN = np.ascontiguousarray(ANTIDERIVATIVE_T.T)
@@ -117,7 +117,7 @@ def slip_rates(body, panel, work, local):
     sigma = float(panel.sigma)
     growth = local[BEGIN]
     integral = work[TIME]
-    from_reference(panel, work[A], integral)
+    away_from_reference(panel, work[A], integral)  # which `solve_slip` has left there, signed along θ
     exponentials(integral, growth)
     slope = 2.0 * panel.arm * (body.gn - eps * panel.cosine * panel.u) / panel.stiffness
     for i in range(ORDER):

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hophoop._jit import jit
+from hophoop._jit import jit, lean_jit
 from hophoop.maps.friction_use import greatest_utilization
 from hophoop.physics.body import Body, Event, Mode, Status
 from hophoop.records.layout import EVENT, SEGMENT
@@ -117,7 +117,7 @@ class Rows(NamedTuple):
     keys: Any
 
 
-@jit
+@lean_jit
 def scales_of(cells, k):
     """Units of a cell."""
     second = second_of(cells, k)
@@ -125,7 +125,7 @@ def scales_of(cells, k):
     return Scales(length, second, cells[MASS, k] * (length / second) ** 2)
 
 
-@jit
+@lean_jit
 def body_of(cells, k):
     """Body of a cell, as `scenario.to_body` makes it."""
     weight = 1.0 if cells[GRAVITY, k] > 0.0 else 0.0
@@ -145,14 +145,14 @@ def body_of(cells, k):
     )
 
 
-@jit
+@lean_jit
 def second_of(cells, k):
     """Unit of time of a cell, as `scenario.time_unit` gives it."""
     gravity = cells[GRAVITY, k]
     return math.sqrt(cells[RADIUS, k] / (gravity if gravity > 0.0 else 1.0))
 
 
-@jit
+@lean_jit
 def start_of(cells, k, second):
     """Start of a cell in kernel units."""
     radius = cells[RADIUS, k]
@@ -167,19 +167,19 @@ def start_of(cells, k, second):
     )
 
 
-@jit
+@lean_jit
 def is_passing(kind):
     """Whether an event leaves the phase as it is."""
     return kind in (TURN, APEX, KANE_GAIN, REST)
 
 
-@jit
+@lean_jit
 def leaves_plane(row):
     """Whether the rim leaves the plane at this event."""
     return row["after_mode"] == FLIGHT and row["height"] == 0.0 and not row["vy"] < 0.0 and not is_passing(row["kind"])
 
 
-@jit
+@lean_jit
 def add_letter(keys, k, length, mode):
     """Append a mode to the packed sequence; returns its new length."""
     if length > LONGEST:
@@ -190,7 +190,7 @@ def add_letter(keys, k, length, mode):
     return length + 1
 
 
-@jit
+@lean_jit
 def reduce_flight(motion, hop, scales, room, numbers, k):
     """The hop that begins at an event, up to its landing: height, time, distance, angle, loss."""
     body = motion.body
@@ -202,7 +202,7 @@ def reduce_flight(motion, hop, scales, room, numbers, k):
         return
     opening, zeros = opening_of(body, state)
     log = new_log(room.passing, room.segments, room.scratch)
-    what, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log, room.scratch)
+    what, landed = fly(body, state, opening, zeros, limits_of(state, FOREVER, math.nan, 0), log)
     if what != STOP:
         return
     numbers[k, HOP_HEIGHT] = (room.passing[0]["height"] if log.written[0] > 0 else 0.0) * scales.length
@@ -214,7 +214,7 @@ def reduce_flight(motion, hop, scales, room, numbers, k):
     numbers[k, LANDING_LOSS] = loss * scales.energy
 
 
-@jit
+@lean_jit
 def first_beyond(events, count, angle_span):
     """Index of the first event at which the motion has turned by the span, or the last one."""
     if not math.isnan(angle_span):
@@ -224,7 +224,7 @@ def first_beyond(events, count, angle_span):
     return count - 1
 
 
-@jit
+@lean_jit
 def ending_of(motion, asked):
     """Which limit or event ended the span."""
     if motion.cut:
@@ -251,7 +251,7 @@ def ending_of(motion, asked):
     return BY_TIME if end["t"] >= asked.t_end else BY_ANGLE
 
 
-@jit
+@lean_jit
 def first_hop(events, count):
     """Index of the event at which the rim first leaves the plane, or -1."""
     for i in range(count):
@@ -260,7 +260,7 @@ def first_hop(events, count):
     return -1
 
 
-@jit
+@lean_jit
 def reduce_motion(motion, asked, hop, scales, room, rows, k):
     """Row k of the results, from the events of one motion; `hop` is the event at which it takes off first, or -1."""
     numbers, words, keys = rows
@@ -319,7 +319,7 @@ def reduce_motion(motion, asked, hop, scales, room, rows, k):
         reduce_flight(motion, hop, scales, room, numbers, k)
 
 
-@jit
+@lean_jit
 def evaluate_cell(cells, k, angle_span, stop, timed, wanted, events, passing, segments, scratch, script, numbers, words,
                   keys):  # fmt: skip
     """One cell; False where `events` is too short for its motion.

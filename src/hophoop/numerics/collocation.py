@@ -134,38 +134,68 @@ def _exponentials_by_arrays(values, out):
     out[:] = 1.0 + (values + (0.5 * square + square * (even * square + odd * values)))
 
 
-@interpreted_as(_exponentials_by_arrays)
 @inline_jit
-def exponentials(values, out):
-    """out = exp(values); by the series where none is above 1, which the processor does for several nodes at a time."""
+def _small_exponential(x):
+    """exp(x) by the series up to 1, which the processor does for several nodes at a time."""
+    square = x * x
+    even = EXP_18
+    odd = EXP_17
+    even = even * square + EXP_16
+    odd = odd * square + EXP_15
+    even = even * square + EXP_14
+    odd = odd * square + EXP_13
+    even = even * square + EXP_12
+    odd = odd * square + EXP_11
+    even = even * square + EXP_10
+    odd = odd * square + EXP_9
+    even = even * square + EXP_8
+    odd = odd * square + EXP_7
+    even = even * square + EXP_6
+    odd = odd * square + EXP_5
+    even = even * square + EXP_4
+    odd = odd * square + EXP_3
+    # the first terms last, so that their rounding is all there is
+    return 1.0 + (x + (0.5 * square + square * (even * square + odd * x)))
+
+
+@inline_jit
+def _largest(values):
     largest = 0.0
     for i in range(ORDER):
         largest = max(largest, abs(values[i]))
-    if not largest <= 1.0:
+    return largest
+
+
+@interpreted_as(_exponentials_by_arrays)
+@inline_jit
+def exponentials(values, out):
+    """out = exp(values)."""
+    if not _largest(values) <= 1.0:
         for i in range(ORDER):
             out[i] = math.exp(values[i])
         return
     for i in range(ORDER):
-        x = values[i]
-        square = x * x
-        even = EXP_18
-        odd = EXP_17
-        even = even * square + EXP_16
-        odd = odd * square + EXP_15
-        even = even * square + EXP_14
-        odd = odd * square + EXP_13
-        even = even * square + EXP_12
-        odd = odd * square + EXP_11
-        even = even * square + EXP_10
-        odd = odd * square + EXP_9
-        even = even * square + EXP_8
-        odd = odd * square + EXP_7
-        even = even * square + EXP_6
-        odd = odd * square + EXP_5
-        even = even * square + EXP_4
-        odd = odd * square + EXP_3
-        # the first terms last, so that their rounding is all there is
-        out[i] = 1.0 + (x + (0.5 * square + square * (even * square + odd * x)))
+        out[i] = _small_exponential(values[i])
+
+
+def _divided_by_arrays(values, out, row):
+    _exponentials_by_arrays(values, out)
+    row[:ORDER] /= out[:ORDER]
+
+
+@interpreted_as(_divided_by_arrays)
+@inline_jit
+def divided_by_exponentials(values, out, row):
+    """out = exp(values), and row divided by it: in one loop, so that the processor takes several nodes at a time here, too."""
+    if not _largest(values) <= 1.0:
+        for i in range(ORDER):
+            out[i] = math.exp(values[i])
+            row[i] /= out[i]
+        return
+    for i in range(ORDER):
+        grown = _small_exponential(values[i])
+        out[i] = grown
+        row[i] /= grown
 
 
 @inline_jit
@@ -235,30 +265,23 @@ def series_value(series, xi):
 
 
 @inline_jit
+def end_values(series):
+    """The series at ξ = −1, 0 and 1: sums of every fourth coefficient, side by side."""
+    r0, r1, r2, r3 = series[0], series[1], series[2], series[3]
+    for k in range(4, ORDER, 4):
+        r0 += series[k]
+        r1 += series[k + 1]
+        r2 += series[k + 2]
+        r3 += series[k + 3]
+    even = r0 + r2
+    odd = r1 + r3
+    return even - odd, r0 - r2, even + odd
+
+
+@inline_jit
 def left_value(series):
     """The series at ξ = −1."""
-    result = 0.0
-    for k in range(0, ORDER, 2):
-        result += series[k] - series[k + 1]
-    return result
-
-
-@inline_jit
-def middle_value(series):
-    """The series at ξ = 0."""
-    result = 0.0
-    for k in range(0, ORDER, 4):
-        result += series[k] - series[k + 2]
-    return result
-
-
-@inline_jit
-def right_value(series):
-    """The series at ξ = 1."""
-    result = 0.0
-    for k in range(ORDER):
-        result += series[k]
-    return result
+    return end_values(series)[0]
 
 
 def _lagrange_by_arrays(xi, out):
@@ -299,17 +322,20 @@ def lagrange(xi, out):
 
 
 @inline_jit
-def value_and_slope(series, xi):
-    """The Chebyshev series and its derivative at ξ, by one pass of Clenshaw's recurrence.
+def value_slope_bend(series, xi):
+    """The Chebyshev series, its first and its second derivative at ξ, by one pass of Clenshaw's recurrence.
 
     The even part is a series in T_k(y), the odd one ξ times one in V_k(y), with y = 2 ξ² − 1: side by side they take half
     the time. V_k has the recurrence of T_k, from 1 and 2 y − 1.
     """
     e1 = e2 = o1 = o2 = 0.0
     de1 = de2 = do1 = do2 = 0.0
+    dde1 = dde2 = ddo1 = ddo2 = 0.0
     double = 4.0 * xi * xi - 2.0
     for k in range(ORDER - 2, 0, -2):
         # summed so that a step waits for one product and one sum of the step before
+        dde1, dde2 = double * dde1 + (4.0 * de1 - dde2), dde1
+        ddo1, ddo2 = double * ddo1 + (4.0 * do1 - ddo2), ddo1
         de1, de2 = double * de1 + (2.0 * e1 - de2), de1
         do1, do2 = double * do1 + (2.0 * o1 - do2), do1
         e1, e2 = double * e1 + (series[k] - e2), e1
@@ -318,4 +344,8 @@ def value_and_slope(series, xi):
     odd = double * o1 - o2 + (series[1] - o1)
     even_slope = 0.5 * double * de1 - de2 + e1
     odd_slope = double * do1 - do2 + (2.0 * o1 - do1)
-    return even + xi * odd, 4.0 * xi * (even_slope + xi * odd_slope) + odd
+    even_bend = 0.5 * double * dde1 - dde2 + 2.0 * de1
+    odd_bend = double * ddo1 - ddo2 + (4.0 * do1 - ddo1)
+    slope = 4.0 * xi * (even_slope + xi * odd_slope) + odd
+    bend = 4.0 * (even_slope + 3.0 * xi * odd_slope) + 16.0 * xi * xi * (even_bend + xi * odd_bend)
+    return even + xi * odd, slope, bend

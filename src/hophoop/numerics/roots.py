@@ -11,7 +11,7 @@ import numpy as np
 from numpy.polynomial import chebyshev
 
 from hophoop._jit import apart_jit, inline_jit
-from hophoop.numerics.collocation import ORDER, left_value, middle_value, product, right_value, value_and_slope
+from hophoop.numerics.collocation import ORDER, end_values, product, value_slope_bend
 
 
 def _halving_matrices() -> tuple[np.ndarray, np.ndarray]:
@@ -36,14 +36,23 @@ def halves(series, left, right):
 
 
 @inline_jit
-def _bracketed(series):
-    """Root of a monotone series with series(−1) > 0 ≥ series(1): Newton's steps kept inside the bracket."""
+def _spread(series):
+    """How far the series can be from its mean, the first coefficient: the sum of the others, four side by side."""
+    r0, r1, r2, r3 = 0.0, abs(series[1]), abs(series[2]), abs(series[3])
+    for k in range(4, ORDER, 4):
+        r0 += abs(series[k])
+        r1 += abs(series[k + 1])
+        r2 += abs(series[k + 2])
+        r3 += abs(series[k + 3])
+    return (r0 + r1) + (r2 + r3)
+
+
+@inline_jit
+def _bracketed(series, f_low, f_middle, f_high):
+    """Root of a monotone series with series(−1) > 0 ≥ series(1): steps of third order kept inside the bracket."""
     low = -1.0
     high = 1.0
-    f_low = left_value(series)
-    f_high = right_value(series)
     # from the parabola through both ends and the middle
-    f_middle = middle_value(series)
     bend = 0.5 * (f_low + f_high) - f_middle
     fall = 0.5 * (f_low - f_high)
     xi = 2.0 * f_middle / (fall + math.sqrt(max(fall * fall - 4.0 * bend * f_middle, 0.0)))
@@ -51,21 +60,23 @@ def _bracketed(series):
         xi = low + (high - low) * f_low / (f_low - f_high)
     before = 0.0
     for _ in range(100):
-        value, slope = value_and_slope(series, xi)
+        value, slope, bend = value_slope_bend(series, xi)
         if value > 0.0:
             low = xi
         else:
             high = xi
-        better = xi - value / slope
+        step = value / slope
+        better = xi - step * (1.0 + 0.5 * step * (bend / slope))
         halved = not low <= better <= high
         if halved:
             better = 0.5 * (low + high)
         moved = abs(better - xi)
-        # to rounding; or so near that the next step, which is smaller by moved² / before², would be less than that;
-        # or as near as the rounding of the series lets Newton's steps come
+        cube = before * before * before
+        # to rounding; or so near that the next step, which is smaller by moved³ / before³, would be less than that;
+        # or as near as the rounding of the series lets the steps come
         if (
             moved <= 2e-16
-            or (moved <= 1e-8 and moved * moved * moved <= 1e-17 * before * before)
+            or (moved <= 1e-4 and moved * moved * moved * moved <= 1e-17 * cube)
             or (moved < 1e-13 and moved >= 0.5 * before)
         ):
             return better
@@ -87,9 +98,7 @@ def first_fall(series, floor, stack):
 @apart_jit
 def first_fall_after(series, begin, floor, stack):
     """`first_fall`, of those beyond ξ = `begin`."""
-    spread = 0.0
-    for k in range(1, ORDER):
-        spread += abs(series[k])
+    spread = _spread(series)
     if abs(series[0]) > spread or spread == 0.0 or not spread < math.inf:
         return NOT_FOUND  # also of nan, which no halving would get rid of
     for k in range(ORDER):
@@ -97,35 +106,34 @@ def first_fall_after(series, begin, floor, stack):
     stack[0, ORDER] = -1.0
     stack[0, ORDER + 1] = 1.0
     top = 0
-    for _ in range(MOST_INTERVALS):
+    for looked in range(MOST_INTERVALS):
         if top < 0:
             break
         row = stack[top]
         low = row[ORDER]
         high = row[ORDER + 1]
-        spread = 0.0
-        for k in range(1, ORDER):
-            spread += abs(row[k])
-        if abs(row[0]) > spread or spread == 0.0:
-            top -= 1
-            continue
-        # derivative series, from the top coefficient down
-        d2 = 0.0
-        d1 = 0.0
-        slope = 0.0
-        for k in range(ORDER - 1, 0, -1):
-            d0 = d2 + 2.0 * k * row[k]
-            if k > 1:
-                slope += abs(d0)
-            else:
-                first = 0.5 * d0
-            d2, d1 = d1, d0
-        f_low = left_value(row)
-        f_high = right_value(row)
+        if top > 0 or looked > 0:  # of the whole series it is known
+            spread = _spread(row)
+            if abs(row[0]) > spread or spread == 0.0:
+                top -= 1
+                continue
+        # the series of the derivative, from the top coefficient down, the odd and the even ones side by side
+        even = 0.0
+        odd = 0.0
+        even_slope = 0.0
+        odd_slope = 0.0
+        for k in range(ORDER - 1, 1, -2):
+            even += 2.0 * k * row[k]
+            odd += 2.0 * (k - 1) * row[k - 1]
+            even_slope += abs(even)
+            odd_slope += abs(odd)
+        first = 0.5 * even + row[1]
+        slope = even_slope + odd_slope
+        f_low, f_middle, f_high = end_values(row)
         width = high - low
         if abs(first) > slope or width < 1e-15 or top >= DEPTH:
             if f_low > 0.0 and f_high <= 0.0 and f_high <= -floor:
-                root = low + 0.5 * (1.0 + _bracketed(row)) * width
+                root = low + 0.5 * (1.0 + _bracketed(row, f_low, f_middle, f_high)) * width
                 if root > begin + 1e-14:
                     return root
             top -= 1

@@ -1,58 +1,178 @@
-"""The end of a flight: the first place where the gap closes, panel by panel."""
+"""The end of a flight: the first place where the gap closes, from one inflection of the gap to the next.
+
+The second derivative of the gap is −g_n + ε θ̇² cos θ, so that it is known where the gap bends up and where down: up while the
+load is within arccos(g_n/(ε θ̇²)) of the top. Between two such places a fall through zero, or a top, is the only one of its
+kind, and the values at both ends tell whether it is there.
+"""
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from hophoop._jit import apart_jit, inline_jit
-from hophoop.numerics.collocation import NODES, ORDER, coefficients, left_value
-from hophoop.numerics.roots import NOT_FOUND, first_fall_after
-from hophoop.physics.flight import MANY_TURNS, flight_gap
+from hophoop.physics.flight import MANY_TURNS, flight_rates
 
-MOST_PANELS = 20_000  # looked at in one flight: some thousand turns close to the plane
-MANY = 1_000.0  # panels: a longer flight is not looked at where the rim is too high to land whatever its angle
-PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J₁₆(1.5), is 5e-16
+MOST_BENDS = 20_000  # looked at in one flight: some 10,000 turns close to the plane
+MANY = 3_000.0  # rad: a longer flight is not looked at where the rim is too high to land whatever its angle
+MOST_STEPS = 200  # towards a root: halvings of a bracket, where the steps leave it
+NEAR = 9.0  # rad before the top of a flight and before the plane, from where on it is looked at: more than a turn
+RESOLVED_TIME = 2e-16  # of a time, to which a root is found
+
+
+class Flight(NamedTuple):
+    """The begin of a flight."""
+
+    s: float
+    c: float
+    om: float
+    y: float
+    vn: float
+    fn: float  # exactly 0 after a lift-off from slip
+
+
+class Moment(NamedTuple):
+    """The gap and its derivatives at a time of a flight."""
+
+    tau: float
+    gap: float
+    rate: float
+    bend: float
+    jerk: float
+
+
+@inline_jit
+def moment_of(body, flight, tau):
+    """The flight at the time tau."""
+    gap, rate, bend, jerk = flight_rates(body, flight.s, flight.c, flight.om, flight.y, flight.vn, flight.fn, tau)
+    return Moment(tau, gap, rate, bend, jerk)
+
+
+@inline_jit
+def parabola_fall(value, rate, bend):
+    """Where value + rate t + bend t²/2 falls through zero at t > 0; nan where it does not."""
+    square = rate * rate - 2.0 * bend * value
+    if square < 0.0:
+        return math.nan
+    if rate < 0.0:
+        return 2.0 * value / (math.sqrt(square) - rate)
+    return (rate + math.sqrt(square)) / -bend if bend < 0.0 else math.nan
+
+
+@inline_jit
+def stepped(value, slope, bend):
+    """How far back a step of third order goes towards the zero of a function."""
+    if slope == 0.0:
+        return math.inf
+    step = value / slope
+    return step * (1.0 + 0.5 * step * (bend / slope))
+
+
+@inline_jit
+def is_found(moved, before, tau):
+    """Whether steps of third order have come to a root: the next one, smaller by moved³/before³, would be rounding."""
+    if moved <= RESOLVED_TIME * tau:
+        return True
+    if before == 0.0:
+        return False
+    part = moved / before
+    if moved <= 1e-4 * tau and moved * (part * part * part) <= 0.05 * RESOLVED_TIME * tau:
+        return True
+    return moved < 1e-13 * tau and part >= 0.5  # as near as the rounding of the gap lets the steps come
+
+
+@inline_jit
+def falling(moment, level, way):
+    """What is to fall through zero, and its first two derivatives: the gap, or its rate times `way` where `level` is asked."""
+    if level:
+        return way * moment.rate, way * moment.bend, way * moment.jerk
+    return moment.gap, moment.rate, moment.bend
 
 
 @apart_jit
-def polished(body, s, c, om, y, vn, fn, tau, reach):
-    """A landing time improved on the gap itself, by Newton; left alone where a step would be large."""
-    for _ in range(3):
-        gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
-        if rate >= 0.0:
-            return tau
-        better = tau - gap / rate
-        if not abs(better - tau) < reach or better <= 0.0:
-            return tau
-        if better == tau:
-            return tau
+def fall_between(body, flight, first, last, level):
+    """When the gap, or its rate where `level` is asked, is zero, once, between two moments.
+
+    The gap falls; the rate falls to a top, and rises to the lowest place of a stretch that bends up.
+    """
+    way = -1.0 if level and not first.rate > 0.0 else 1.0
+    low = first.tau
+    high = last.tau
+    value, slope, bend = falling(first, level, way)
+    tau = low + parabola_fall(value, slope, bend)
+    if not low < tau < high:
+        tau = low + (high - low) * (value / (value - falling(last, level, way)[0]))
+    before = 0.0
+    for _ in range(MOST_STEPS):
+        value, slope, bend = falling(moment_of(body, flight, tau), level, way)
+        if value > 0.0:
+            low = tau
+        else:
+            high = tau
+        better = tau - stepped(value, slope, bend)
+        halved = not (low <= better <= high and slope < 0.0)
+        if halved:
+            better = 0.5 * (low + high)
+        moved = abs(better - tau)
+        if is_found(moved, before, better):
+            return better
+        before = 0.0 if halved else moved
         tau = better
     return tau
 
 
 @apart_jit
-def grazes(body, s, c, th, om, y, vn, fn, tau):
-    """Whether the gap has a minimum at or beside tau that is zero but for rounding: a touch without approach."""
-    gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
-    bend = -body.gn + body.eps * om * om * math.cos(th + om * tau)
-    if bend <= 0.0:
-        return rate >= 0.0  # without gravity the gap may stay zero
-    size = y + body.eps + abs(vn * tau) + abs(fn) * tau * tau
-    if abs(om * tau) > MANY_TURNS:  # as `flight_gap` adds it up
-        size = y + body.eps + abs(vn - body.eps * om * s) * tau + body.gn * tau * tau
-    return gap - 0.5 * rate * rate / bend > -4e-16 * size
+def touches(body, flight, lowest):
+    """Whether the gap at its lowest is zero but for rounding: a touch without approach."""
+    tau = lowest.tau
+    size = flight.y + body.eps + abs(flight.vn * tau) + abs(flight.fn) * tau * tau
+    if abs(flight.om * tau) > MANY_TURNS:  # as `flight_rates` adds it up
+        size = flight.y + body.eps + abs(flight.vn - body.eps * flight.om * flight.s) * tau + body.gn * tau * tau
+    return lowest.gap > -4e-16 * size
+
+
+@apart_jit
+def dip(body, flight, first, last):
+    """When the rim lands in a stretch that bends up, or −1: only where its lowest place is below the plane."""
+    if first.rate >= 0.0:
+        return -1.0
+    if last.rate <= 0.0:
+        return -1.0 if last.gap > 0.0 else fall_between(body, flight, first, last, False)
+    # the tangents at both ends are below the gap: where they meet above the plane, so is the gap
+    meet = first.gap + first.rate * ((last.gap - first.gap - last.rate * (last.tau - first.tau)) / (first.rate - last.rate))
+    if meet > 0.0:
+        return -1.0
+    lowest = moment_of(body, flight, fall_between(body, flight, first, last, True))
+    if lowest.gap > 0.0 or touches(body, flight, lowest):
+        return -1.0
+    return fall_between(body, flight, first, lowest, False)
 
 
 @inline_jit
-def worth_looking(body, c, om, y, rise, start, never):
+def latest(body, flight, rise):
+    """When the parabola of the centre of gravity, which rises at first by `rise`, has left the reach of the cosine for good."""
+    reach = 2.0 * body.eps + flight.y
+    if body.gn > 0.0:
+        root = math.sqrt(rise * rise + 2.0 * body.gn * reach)
+        drop = (rise + root) / body.gn if rise > 0.0 else 2.0 * reach / (root - rise) if root > 0.0 else 0.0
+        return 1.001 * drop + 1e-300
+    if rise > 0.0:
+        return 2.0 * reach / rise + 1e-300
+    if rise < 0.0:
+        return 1.001 * reach / -rise + 1e-300
+    return 7.0 / abs(flight.om) if flight.om != 0.0 else 0.0
+
+
+@apart_jit
+def worth_looking(body, flight, rise, start, never):
     """From where on a flight of many turns is to be looked at: beside its top, and where the rim can reach the plane.
 
     `rise` is the speed of the centre of gravity away from the plane, whose parabola less ε is below the gap.
     """
-    clear = y + body.eps * (c - 1.0)
+    clear = flight.y + body.eps * (flight.c - 1.0)
     if not clear + start * (rise - 0.5 * body.gn * start) > 0.0:
         return start
-    near = 3.0 * PHASE / abs(om)
+    near = NEAR / abs(flight.om)
     if body.gn == 0.0:
         down = never if rise >= 0.0 else clear / -rise
     else:
@@ -64,8 +184,14 @@ def worth_looking(body, c, om, y, rise, start, never):
     return max(start, (1.0 - 1e-12) * down - near)
 
 
+@inline_jit
+def from_top(angle):
+    """The angle less the whole turns that bring it nearest to the top."""
+    return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
+
+
 @apart_jit
-def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
+def first_landing(body, th, om, y, vn, fn, order, limit):
     """First contact of a flight and its highest centre.
 
     Parameters
@@ -82,99 +208,57 @@ def first_landing(body, th, om, y, vn, fn, order, limit, values, series, stack):
     apex : float
         Time at which the centre is highest, or -1 if it is so at an end of the flight.
     seen : float
-        Time up to which the flight was looked at: `limit`, or less where that would take more than `MOST_PANELS`.
+        Time up to which the flight was looked at: `limit`, or less where that would take more than `MOST_BENDS`.
     """
-    s = math.sin(th)
-    c = math.cos(th)
+    flight = Flight(math.sin(th), math.cos(th), om, y, vn, fn)
+    rise = vn - body.eps * flight.s * om
+    # Stretches depend on this and not on the limit of time, so that a motion has the same bits however long it is followed.
+    never = latest(body, flight, rise)
+    turned = abs(om)
+    high = body.eps * om * om
+    # within this angle of the top the gap bends up
+    half = math.acos(body.gn / high) if high > body.gn else 0.0
+    angle = from_top(th if om > 0.0 else -th)
+    if order >= 2:
+        # the rim leaves the plane because the gap begins to bend up, of which rounding may leave nothing
+        if half == 0.0:
+            return (-1.0 if body.gn == 0.0 else 0.0), -1.0, limit
+        if abs(angle) >= half:
+            angle = -half
     apex = -1.0
     highest = y
-    # Beyond `never` the parabola has left the reach of the cosine for good. Panels depend on it and not on the limit
-    # of time where they can, so that a motion has the same bits however long it is followed.
-    rise = vn - body.eps * s * om
-    reach = 2.0 * body.eps + y
-    never = limit
-    if body.gn > 0.0:
-        root = math.sqrt(rise * rise + 2.0 * body.gn * reach)
-        drop = (rise + root) / body.gn if rise > 0.0 else 2.0 * reach / (root - rise) if root > 0.0 else 0.0
-        never = 1.001 * drop + 1e-300
-    elif rise > 0.0:
-        never = 2.0 * reach / rise + 1e-300
-    elif rise == 0.0 and om != 0.0:
-        never = 7.0 / abs(om)
-    spread = vn * vn - 2.0 * fn * y
-    if order <= 1 and spread >= 0.0 and (vn < 0.0 or fn < 0.0):
-        # a flight too short for rounding to leave a panel its beginning: nearly a parabola
-        if vn < 0.0:
-            landing = 2.0 * y / (math.sqrt(spread) - vn)
-        else:
-            landing = (vn + math.sqrt(spread)) / -fn
-        turned = abs(om) * landing
-        bends = body.eps * om * om * turned
-        if 0.0 < landing < never and turned < 1e-2 and bends < 1e-4 * (abs(fn) + abs(vn) / landing):
-            if vn > 0.0:
-                apex = -vn / fn
-                for _ in range(3):
-                    bend = -body.gn + body.eps * om * om * math.cos(th + om * apex)
-                    apex -= flight_gap(body, s, c, om, y, vn, fn, apex)[1] / bend
-            return polished(body, s, c, om, y, vn, fn, landing, 0.1 * landing), apex, limit
-    start = 0.0
-    for _ in range(MOST_PANELS):
-        if abs(om) * (min(never, limit) - start) > MANY * PHASE:
-            start = worth_looking(body, c, om, y, rise, start, never)
-        if not start < min(never, limit):
+    begin = Moment(0.0, y, vn, fn, -high * om * flight.s)
+    passed = 0.0  # angle since the start
+    for _ in range(MOST_BENDS):
+        if turned * (min(never, limit) - begin.tau) > MANY:
+            start = worth_looking(body, flight, rise, begin.tau, never)
+            if start > begin.tau:
+                begin = moment_of(body, flight, start)
+                passed = turned * start
+                angle = from_top((th if om > 0.0 else -th) + passed)
+        if not begin.tau < min(never, limit):
             return -1.0, apex, limit
-        length = never - start
-        if om != 0.0:
-            length = min(length, PHASE / abs(om))
-        end = start + length
-        for i in range(ORDER):
-            tau = start + 0.5 * length * (1.0 + NODES[i])
-            gap, rate = flight_gap(body, s, c, om, y, vn, fn, tau)
-            # known leading zeros are divided out on the first panel
-            scale = 1.0
-            if start == 0.0:
-                for _ in range(order):
-                    scale *= 0.5 * (1.0 + NODES[i])
-            values[0, i] = gap / scale
-            if start == 0.0 and order > 0:
-                scale /= 0.5 * (1.0 + NODES[i])
-            values[1, i] = rate / scale
-        coefficients(values[0], series)
-        if start > 0.0 and left_value(series) <= 0.0 and not grazes(body, s, c, th, om, y, vn, fn, start):
-            return start, apex, limit
+        bends_up = -half <= angle < half
+        if bends_up:
+            passed += half - angle
+            angle = half
+        else:
+            passed += (2.0 * math.pi if angle >= half else 0.0) - half - angle
+            angle = -half
+        end = moment_of(body, flight, min(passed / turned, never) if half > 0.0 else never)
         landing = -1.0
-        begin = -2.0
-        while True:
-            xi = first_fall_after(series, begin, 0.0, stack)
-            if xi == NOT_FOUND:
-                break
-            tau = start + 0.5 * length * (1.0 + xi)
-            tau = polished(body, s, c, om, y, vn, fn, tau, 0.01 * length)
-            if not grazes(body, s, c, th, om, y, vn, fn, tau):
-                landing = tau
-                break
-            begin = xi
-        # A panel turns by less than 2π, so the rate, a line plus a sine, falls through zero at most twice.
-        coefficients(values[1], series)
-        begin = -2.0
-        for _ in range(2):
-            xi = first_fall_after(series, begin, 0.0, stack)
-            if xi == NOT_FOUND:
-                break
-            begin = xi
-            top = start + 0.5 * length * (1.0 + xi)
-            if landing >= 0.0 and top >= landing:
-                break
-            for _ in range(2):
-                bend = -body.gn + body.eps * om * om * math.cos(th + om * top)
-                better = top - flight_gap(body, s, c, om, y, vn, fn, top)[1] / bend
-                if abs(better - top) < 0.01 * length:
-                    top = better
-            gap = flight_gap(body, s, c, om, y, vn, fn, top)[0]
-            if gap > highest:
-                highest = gap
-                apex = top
+        if bends_up:
+            landing = dip(body, flight, begin, end)
+        else:
+            top = begin
+            if begin.rate > 0.0 and end.rate < 0.0:
+                top = moment_of(body, flight, fall_between(body, flight, begin, end, True))
+            if end.gap <= 0.0:
+                landing = fall_between(body, flight, top, end, False)
+            if top.tau > begin.tau and top.gap > highest:
+                highest = top.gap
+                apex = top.tau
         if landing >= 0.0:
             return landing, apex, limit
-        start = end
-    return -1.0, apex, min(start, limit)
+        begin = end
+    return -1.0, apex, min(begin.tau, limit)

@@ -5,7 +5,16 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, inline_jit
-from hophoop.numerics.collocation import ORDER, antiderivative, exponentials, integrals, remainders, smallest, tail, total
+from hophoop.numerics.collocation import (
+    ORDER,
+    antiderivative,
+    divided_by_exponentials,
+    integrals,
+    remainders,
+    smallest,
+    tail,
+    total,
+)
 from hophoop.numerics.trigonometry import rotated
 from hophoop.panels.panel import (
     ARM,
@@ -33,17 +42,29 @@ from hophoop.physics.contact import contact_arms
 
 
 @inline_jit
-def from_reference(panel, values, out):
-    """∫ values dξ from `ref` to each node, signed along θ; returns the integral from `ref` to the far end."""
+def way_from_reference(panel):
+    """±1, the sign of the way of θ from `ref` to the far end of a panel."""
+    return -panel.way if panel.kind == ARRIVE else panel.way
+
+
+@inline_jit
+def away_from_reference(panel, values, out):
+    """∫ values abs(dξ) from `ref` to each node; returns the integral from `ref` to the far end."""
     if panel.kind == ARRIVE:
         remainders(values, out)
-        way = -panel.way
     else:
         integrals(values, out)
-        way = panel.way
+    return total(values)
+
+
+@inline_jit
+def from_reference(panel, values, out):
+    """`away_from_reference`, signed along θ."""
+    whole = away_from_reference(panel, values, out)
+    way = way_from_reference(panel)
     for i in range(ORDER):
         out[i] *= way
-    return way * total(values)
+    return way * whole
 
 
 @apart_jit
@@ -81,6 +102,7 @@ def solve_slip(body, panel, work):
     height0 = contact_arms(body, s0, c0)[0]
     arm0 = panel.arm
     stiffness0 = panel.stiffness
+    way = way_from_reference(panel)
     for i in range(ORDER):
         # as changes from `ref`: near p_σ = 0 rounding would else be all that the panel shows
         ds, dc = rotated(s0, c0, damping[i], drive[i])
@@ -89,7 +111,7 @@ def solve_slip(body, panel, work):
         turned = eps * (ds + signed_mu * dc)
         arm = arm0 + turned
         stiffness = stiffness0 + eps * (ds * arm + s0 * turned)
-        share = 2.0 * arm / stiffness * stretch[i]
+        share = 2.0 * arm / stiffness * stretch[i] * way
         sines[i] = s
         cosines[i] = c
         arms[i] = arm
@@ -103,11 +125,9 @@ def solve_slip(body, panel, work):
     size = tail(damping, 0.5)
     if not size <= RESOLVED:
         return Totals(size, 0.0, math.nan, 0.0, 0.0, math.nan, 0.0)
-    exponent = from_reference(panel, damping, integral)
-    exponentials(integral, growth)
-    for i in range(ORDER):
-        drive[i] /= growth[i]
-    driven = from_reference(panel, drive, integral)
+    exponent = away_from_reference(panel, damping, integral)
+    divided_by_exponentials(integral, growth, drive)
+    driven = away_from_reference(panel, drive, integral)
     us = work[U]
     for i in range(ORDER):
         us[i] = growth[i] * (panel.u + integral[i])

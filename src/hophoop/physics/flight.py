@@ -13,17 +13,30 @@ MANY_TURNS = 1_000.0
 
 
 @lean_jit
-def flight_gap(body, s, c, om, y, vn, fn, tau):
-    """(gap, its rate) after the time tau; fn is the initial f_n, exactly 0 after a lift-off from slip."""
+def flight_rates(body, s, c, om, y, vn, fn, tau):
+    """The gap after the time tau and its first three derivatives; fn is the initial f_n, exactly 0 after a lift-off from slip.
+
+    gap = y + v_n τ + f_n τ²/2 − ε [cos θ (cos φ − 1 + φ²/2) + sin θ (φ − sin φ)], φ = θ̇ τ; its second derivative is
+    −g_n + ε θ̇² cos (θ + φ).
+    """
     phi = om * tau
+    high = body.eps * om * om
     if abs(phi) > MANY_TURNS:
         ds, dc = turn(s, c, phi)
         rise = vn - body.eps * om * s
         gap = y + (rise - 0.5 * body.gn * tau) * tau - body.eps * dc
-        return gap, rise - body.gn * tau + body.eps * om * (s + ds)
+        return gap, rise - body.gn * tau + body.eps * om * (s + ds), high * (c + dc) - body.gn, -high * om * (s + ds)
     sine_part, cosine_part, versine = turn_deficits(phi)
     gap = y + vn * tau + 0.5 * fn * tau * tau - body.eps * (c * cosine_part + s * sine_part)
     rate = vn + fn * tau - body.eps * om * (c * sine_part + s * versine)
+    sine = phi - sine_part
+    return gap, rate, high * (c - (s * sine + c * versine)) - body.gn, -high * om * (s + (c * sine - s * versine))
+
+
+@lean_jit
+def flight_gap(body, s, c, om, y, vn, fn, tau):
+    """(gap, its rate) after the time tau of a flight, as `flight_rates` gives them."""
+    gap, rate, _, _ = flight_rates(body, s, c, om, y, vn, fn, tau)
     return gap, rate
 
 

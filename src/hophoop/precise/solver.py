@@ -11,12 +11,13 @@ from hophoop.physics.body import Status
 from hophoop.precise.contact import Stiff
 from hophoop.precise.motion import Record, Run
 from hophoop.precise.problem import Body, Number, PreciseState, Problem
-from hophoop.precise.series import MorePrecision, Work
+from hophoop.precise.series import MorePrecision, Work, work_of_step
 from hophoop.scenario import InputError, Scenario
 
 LEAST_DIGITS, MOST_DIGITS = 15, 1000
 BITS_A_DIGIT = 3.3219280948873626
 GUARD = 12  # digits beyond those asked for
+SURE = 0.9  # of the work that steps took, what as many take again for certain
 SECOND = 11  # bits that the second solution has more than the first: other roundings, other orders, other steps
 CLOSING_GUARD = 3  # digits: bounces are closed when what is left of them is this far below what is asked for
 MOST_TRIES = 8
@@ -175,14 +176,21 @@ def _levels(base: int) -> Iterator[tuple[int, bool]]:
 
 def _pair(problem: Problem, base: int, closing: Any, until: Any, max_events: int | None, work: Work) -> tuple[Run, Run] | None:
     """The motion at two working precisions; None where the events are not the same."""
+    steps = 0.0  # up to what could not be told at the level before; all of them are made again
     for bits, last in _levels(base):
+        rough, fine = (Run(problem, b, last, closing, until, max_events, work) for b in (bits, bits + SECOND))
+        price, other = work_of_step(bits), work_of_step(bits + SECOND)
+        work.need(SURE * steps * (price + other))
+        begin = work.left
         try:
-            rough, fine = (Run(problem, b, last, closing, until, max_events, work) for b in (bits, bits + SECOND))
-            for run in (rough, fine):
-                run.run()
+            with work.kept_back(SURE / (1.0 + SURE)):  # for the second one, which takes as much
+                rough.run()
+            price += other
+            fine.run()
         except (MorePrecision, Stiff):
             if last:
                 return None
+            steps = (begin - work.left) / price
             continue
         return (rough, fine) if _signature(rough) == _signature(fine) else None
     return None

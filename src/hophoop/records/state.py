@@ -8,6 +8,9 @@ from hophoop._jit import apart_jit, inline_jit
 from hophoop.numerics.double_double import PI, TWO_PI, TWO_PI_LOW, add, plus, turns_and_rest
 from hophoop.panels.anchor import NONE, Anchor
 
+# θ stays within this of the turn it is counted in, so that it has all its digits beside the hilltops of both sides.
+FARTHEST = TWO_PI - 0.5
+
 
 class State(NamedTuple):
     """Position, velocities (v_t in place of ẋ, so that small slip keeps its digits) and energy lost so far.

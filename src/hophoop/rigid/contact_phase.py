@@ -38,13 +38,25 @@ from hophoop.physics.modes import next_mode, slip_direction
 from hophoop.physics.resistance import acceleration_in_contact, torque_at_rest
 from hophoop.physics.roll import rest_curvature
 from hophoop.physics.slip import slip_displacement
-from hophoop.records.state import State, at_time, later, moved, time_left, with_anchor, with_losses, with_velocities
+from hophoop.records.state import FARTHEST, State, at_time, later, moved, time_left, with_anchor, with_losses, with_velocities
 from hophoop.records.writing import count_panel, has_room, note, quiet, write_event, write_segment
 from hophoop.rigid.doubts import note_doubt
 from hophoop.rigid.limits import STOP_AT_TURN, at_span
 from hophoop.rigid.massless_phase import let_go
-from hophoop.rigid.panel_choice import FIRST_EXTENT, anchored, choose_panel, outlasts, shortened
-from hophoop.rigid.panel_events import CONE_AHEAD, FULL_ANGLE, LIFT, LIMIT, ON, STILL, STOP, STUCK, TURNED, earliest_event
+from hophoop.rigid.panel_choice import anchored, choose_panel, outlasts, shortened
+from hophoop.rigid.panel_events import (
+    CONE_AHEAD,
+    FULL_ANGLE,
+    LIFT,
+    LIMIT,
+    ON,
+    SMALLEST_SQUARE,
+    STILL,
+    STOP,
+    STUCK,
+    TURNED,
+    earliest_event,
+)
 from hophoop.rigid.phase import ended, entered, gone_on, lifted, slipping
 from hophoop.rigid.transitions import leave_cone, pass_singular, settle
 
@@ -55,9 +67,6 @@ COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
     int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED)
 )
 STILL_ACCELERATION = 1e-15
-SMALLEST_SQUARE = 1e-290  # a smaller θ̇² is on the way to underflow
-# θ stays within this of the turn it is counted in, so that it has all its digits beside the hilltops of both sides.
-FARTHEST = TWO_PI - 0.5
 
 
 @apart_jit
@@ -208,6 +217,7 @@ def advance_contact(body, phase, blind, limits, log, scratch):
     level = phase.level
     begins = phase.begins
     what = ON
+    before = math.inf  # tail of the last panel
     while what == ON and has_room(log):
         count_panel(log)
         if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:
@@ -216,7 +226,10 @@ def advance_contact(body, phase, blind, limits, log, scratch):
             state = anchored(body, sigma, state, scratch)
         if state.om == 0.0 and stays(body, sigma, state):
             return STILL, state, level
-        panel, totals, level = choose_panel(body, sigma, state, level, FIRST_EXTENT, scratch)
+        panel, totals, level = choose_panel(body, sigma, state, level, scratch)
+        if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:
+            level += 1  # the next one would not be resolved, if it goes on like this
+        before = totals.tail
         if not totals.tail <= RESOLVED:
             return STUCK, state, level
         left = time_left(state, limits.t_end)

@@ -36,7 +36,7 @@ def highest(body, state, opening, apex):
 
 
 @apart_jit
-def fly(body, state, opening, zeros, limits, log, scratch):
+def fly(body, state, opening, zeros, limits, log):
     """Fly until the landing, the limit of time or of angle.
 
     `opening` is f_n at the start, exactly 0 after a lift-off from slip; `zeros` counts the leading
@@ -52,19 +52,7 @@ def fly(body, state, opening, zeros, limits, log, scratch):
         if until < limit:
             limit = until
             what = FULL_ANGLE
-    landing, apex, seen = first_landing(
-        body,
-        state.th,
-        state.om,
-        state.y,
-        state.vn,
-        opening,
-        zeros,
-        limit,
-        scratch.values,
-        scratch.series,
-        scratch.stack,
-    )
+    landing, apex, seen = first_landing(body, state.th, state.om, state.y, state.vn, opening, zeros, limit)
     tau = limit
     if seen < limit:
         tau = seen
@@ -118,7 +106,7 @@ def flight_step(body, phase, limits, log, scratch):
     """The whole flight, and its landing."""
     if limits.stop & STOP_AT_TAKEOFF and phase.state.t > 0.0:
         return ended(phase, FLIGHT, phase.state, LIMIT, COMPLETED)
-    what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log, scratch)
+    what, state = fly(body, phase.state, phase.opening, phase.zeros, limits, log)
     if what != STOP:
         return ended(phase, FLIGHT, state, what, EVENT_LIMIT if what == STUCK else COMPLETED)
     return land(body, state, phase.bounce, log, scratch)

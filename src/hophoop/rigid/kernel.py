@@ -7,13 +7,13 @@ import math
 from hophoop._jit import aside_jit, outer_jit, unit_jit
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.modes import can_roll, slip_mode
-from hophoop.records.state import moved
+from hophoop.records.state import moved, with_velocities
 from hophoop.records.writing import count_panel, has_room, new_log, note, quiet
 from hophoop.rigid.contact_phase import contact_step
 from hophoop.rigid.flight_phase import flight_step, land
 from hophoop.rigid.limits import limits_of
 from hophoop.rigid.massless_phase import let_go, skim_step
-from hophoop.rigid.panel_events import ON
+from hophoop.rigid.panel_events import ON, SMALLEST_SQUARE
 from hophoop.rigid.phase import GOING, ended, entered
 from hophoop.rigid.script import repeat
 from hophoop.rigid.transitions import settle
@@ -57,6 +57,8 @@ def begin(body, start, log, scratch):
         if state.y == 0.0 and state.vn < 0.0:
             return land(body, state, 0.0, log, scratch)
         return entered(body, FLIGHT, state, 0.0, ON, scratch)
+    if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it
+        state = with_velocities(state, state.vt, state.vn, 0.0)
     mode, state = settle(body, state, quiet(START, -1, state), log, scratch)
     return entered(body, mode, state, 0.0, ON, scratch)
 

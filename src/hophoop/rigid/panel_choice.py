@@ -32,7 +32,7 @@ from hophoop.panels.resisted import solve_resisted
 from hophoop.panels.roll import solve_roll, u_on_panel
 from hophoop.panels.slip import solve_slip
 from hophoop.physics.painleve import slip_coefficients, stiffness_slope
-from hophoop.physics.resistance import held, resistance_arm
+from hophoop.physics.resistance import held, motion_slipping, resistance_arm
 from hophoop.records.state import with_anchor
 
 START_LEVEL = 2
@@ -40,12 +40,17 @@ GAIN_OF_A_LEVEL = 8.0  # a panel narrower by √2 has a last coefficient smaller
 WIDEN = RESOLVED / 200.0
 FIRST_EXTENT = 0.4  # rad, of the panel after a start from rest
 SMALLEST_EXTENT = 1e-300
+# Slip may end in so small a part of the first panel after rest that rounding is all that the panel shows of it: of v_t below
+# the first of these parts, of the work below the second one where v_t² at the panel's end would be FAST. Then the panel is so
+# many times as wide as the angle until the end of the slip.
+SOONEST, SOON, FAST, WIDER = 1e-14, 1e-6, 1e4, 16.0
+NO_TURNING = 1e-14  # of θ̈ beside v̇_t: rounding of slip beside its equilibrium
 MOST_MOVES = 8  # of a turning point
 START_ROUNDING = 1e-15  # of θ̇² at the start of a panel that arrives at one
 # Below this speed panels may be narrower than the tables go: a hoop that starts or turns at the speed θ̇ has a
 # scale of θ̇²/θ̈.
 SLOW = 1e-3
-# As narrow as κ p_σ, over which the force changes, where slip begins nearer to p_σ = 0 than this.
+# As narrow as κ p_σ, over which the force changes, times θ̇², which changes so fast, where slip begins with less than this.
 BESIDE_SINGULAR = 1e-12
 LONG = 64.0  # times the time left, or the unit of time: longer panels than this are cut
 NARROWEST = 2000
@@ -111,11 +116,11 @@ def narrower(level, size):
 
 @apart_jit
 def levels_away(body, sigma, way, begin):
-    """How many narrower levels slip needs that begins close to p_σ = 0 and goes away from it."""
+    """How many narrower levels slip needs that begins close to p_σ = 0, or slowly beside it, and goes away from it."""
     slope = stiffness_slope(body, begin.sine, begin.cosine, sigma, begin.arm)
     if slope * way <= 0.0 or begin.stiffness <= 0.0:
         return 0
-    return int(math.ceil(2.0 * math.log2(BESIDE_SINGULAR / begin.stiffness)))
+    return int(math.ceil(2.0 * math.log2(BESIDE_SINGULAR / max(begin.stiffness * min(begin.u, 1.0), SMALLEST_EXTENT))))
 
 
 @apart_jit
@@ -176,8 +181,22 @@ def solve_arrival(body, before, ahead, work):
     return panel, totals
 
 
+@apart_jit
+def first_extent(body, sigma, vt, begin):
+    """Width of the first panel from rest to try."""
+    if sigma == 0 or vt == 0.0:
+        return FIRST_EXTENT
+    alpha, _, rate = motion_slipping(body, begin.sine, begin.cosine, 0.0, sigma)
+    if not rate * sigma < 0.0 or abs(alpha) <= NO_TURNING * abs(rate):
+        return FIRST_EXTENT
+    until = vt / rate
+    ahead = 0.5 * abs(alpha) * until * until
+    part = SOON if 2.0 * FIRST_EXTENT * rate * rate > FAST * abs(alpha) else SOONEST
+    return FIRST_EXTENT if ahead > part * FIRST_EXTENT else max(WIDER * ahead, SMALLEST_EXTENT)
+
+
 @inline_jit
-def choose_panel(body, sigma, state, level, extent, scratch):
+def choose_panel(body, sigma, state, level, scratch):
     """A panel from here, as wide as is resolved.
 
     Returns (panel, totals, level for the next one); totals.tail is above RESOLVED where there is none.
@@ -186,6 +205,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     begin = begin_of(body, sigma, state, scratch)
     if state.om == 0.0:
         way = 1.0 if begin.arm > 0.0 else -1.0
+        extent = first_extent(body, sigma, state.vt, begin)
         while True:  # at most a thousand times: the extent is halved from below 1 rad
             scratch.written[2] += 1
             panel = leaving_panel(sigma, way, extent, begin)
@@ -198,7 +218,7 @@ def choose_panel(body, sigma, state, level, extent, scratch):
     finest = LEVELS
     if u < SLOW * SLOW:
         finest += int(math.ceil(2.0 * math.log2(SLOW * SLOW / u)))
-    if sigma != 0 and begin.stiffness < BESIDE_SINGULAR:
+    if sigma != 0 and begin.stiffness * min(u, 1.0) < BESIDE_SINGULAR:
         finest += levels_away(body, sigma, way, begin)
     while True:  # at most `finest` times: each time a finer level
         scratch.written[2] += 1

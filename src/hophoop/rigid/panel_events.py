@@ -26,6 +26,7 @@ from hophoop.rigid.limits import angle_left
 
 # What ended a panel.
 ON, CONE_AHEAD, CONE_BACK, LIFT, STOP, TURNED, LIMIT, FULL_ANGLE, STILL, STUCK = range(10)
+SMALLEST_SQUARE = 1e-290  # a smaller square of a speed is on the way to underflow
 MARGIN_ROUNDING = 4e-16  # of the margin to the friction cone, beside the forces
 # A margin whose values at the nodes stay this part of their range away from zero has none: between them and at the ends a
 # function that the panel resolves goes beyond their range by less than a tenth of it.
@@ -105,7 +106,7 @@ def end_of_slip(body, panel, totals, state, fresh, zeros, scratch):
     rounding = graze_rounding(body, state) if body.mu_k == 0.0 else 0.0
     stop, near_stop = fall_of(work[B], fresh, rounding, scratch)
     doubtful = body.mu_k > 0.0 and (near_lift or (near_stop and not fresh))
-    if fresh and zeros == 0 and work[B, 0] < 0.0 and stop > NODES[0]:
+    if fresh and zeros == 0 and work[B, 0] < 0.0 and (stop > NODES[0] or state.vt * state.vt < SMALLEST_SQUARE):
         stop = -1.0  # slip that ends before it can be told from none on the panel
     elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] < 0.0:
         stop = -1.0  # the other direction: without friction the rounding of θ may decide where slip begins

@@ -1,14 +1,14 @@
-"""The first events of a motion where they are known: repeated, with the phases between them."""
+"""The first events of a motion where they are known: repeated, and the phases between them filled in."""
 
 from __future__ import annotations
 
 import math
 
-from hophoop._jit import aside_jit
+from hophoop._jit import aside_jit, jit
 from hophoop.panels.panel import FLY, HOLD, no_panel
 from hophoop.physics.body import Event, Mode
 from hophoop.physics.modes import slip_direction
-from hophoop.records.writing import copy_event, has_room, state_of, write_segment
+from hophoop.records.writing import copy_event, has_room, new_log, state_of, write_segment
 from hophoop.rigid.contact_phase import advance_contact, frozen_end
 from hophoop.rigid.limits import limits_of
 from hophoop.rigid.panel_choice import anchored
@@ -36,14 +36,26 @@ def fill_phase(body, mode, state, until, log, scratch):
         phase = gone_on(phase, state, level, what)
 
 
+@jit
+def fill_script(body, script, segments, scratch):
+    """Write the segments of the phases between the events of a script; returns their number, −1 where there is no room.
+
+    For Python alone, which interprets it: few motions have a script, and within `run` this would be most of the kernel once
+    more, a tenth of the time to compile.
+    """
+    log = new_log(script, segments, scratch)
+    for row in range(script.shape[0] - 1):
+        if script[row]["t"] < script[row + 1]["t"]:
+            fill_phase(body, script[row]["after_mode"], state_of(script[row]), script[row + 1]["t"], log, scratch)
+    return log.written[1]
+
+
 @aside_jit
 def repeat(body, script, log, scratch):
-    """Write the events of a script, and the segments between them; returns the phase in which its last one is."""
+    """Write the events of a script; returns the phase in which its last one is."""
     last = script.shape[0] - 1
     for row in range(last):
         copy_event(log, script[row])
-        if script[row]["t"] < script[row + 1]["t"]:
-            fill_phase(body, script[row]["after_mode"], state_of(script[row]), script[row + 1]["t"], log, scratch)
     mode = script[last]["after_mode"]
     state = state_of(script[last])
     phase = entered(body, mode, state, 0.0, ON, scratch)

@@ -129,6 +129,9 @@ def pass_singular(body, mode, state, log, scratch):
     found, exact, ahead = singular_angle(body, s, c, state.om * state.om, sigma, torque, distance)
     if not found:
         return False, UNDECIDED, state
+    if sigma * state.vt <= 0.0:  # slip that has no speed to lose is at its end: an impulse would drive it
+        mode, after = settle(body, with_velocities(state, 0.0, 0.0, state.om), quiet(STICK, mode, state), log, scratch)
+        return False, mode, after
     jams, vt, om, p_n, loss = singular_slip(body, s, c, exact, ahead, state.vt, state.om, rho)
     p_t = -sigma * body.mu_k * p_n
     losses = state.impact_t + loss

@@ -1,0 +1,178 @@
+"""Rolling and slip step by step: what is carried from turn to turn and from panel to panel, and what stays at rest."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+
+import hophoop as hh
+from hophoop._jit import forced, interpreted
+from hophoop.panels.anchor import FREE, ROLLING, SLIPPING, Anchor
+from hophoop.panels.panel import ARRIVE, LINEAR
+from hophoop.physics.body import Event, Status
+from hophoop.physics.resistance import forces_rolling
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.rigid import contact_phase
+from hophoop.rigid.kernel import run
+
+
+def body_of(gamma=0.75, slope=0.0, mu=0.5, **plane):
+    return hh.Scenario(hoop=hh.Hoop.ideal(gamma), plane=hh.Plane(mu=mu, slope=slope, **plane)).to_body()
+
+
+def state_of(angle, om=0.0, vt=0.0, anchor=None):
+    state = interpreted(start_state)(0.0, 0.0, angle, vt, 0.0, om)
+    return state if anchor is None else state._replace(anchor=anchor)
+
+
+def exactly(turns, high, low):
+    return 2 * mp.pi * int(turns) + mpf(float(high)) + mpf(float(low))
+
+
+@pytest.mark.parametrize("th", [6.0, -6.0])
+@pytest.mark.parametrize(
+    ("anchor", "mu"),
+    [
+        (Anchor(ROLLING, 0.25, 0.125, 1e-18, 0.5), 0.5),
+        (Anchor(ROLLING, 0.25, -3.0, 1e-17, -0.5), 0.5),
+        (Anchor(SLIPPING, 0.25, 0.125, 1e-18, 0.5), 0.5),
+        (Anchor(SLIPPING, 0.25, 0.125, 1e-18, 0.5), 0.0),
+        (Anchor(FREE, 0.0, 0.0, 0.0, 0.0), 0.5),
+    ],
+)
+def test_an_angle_counted_in_the_next_turn_is_the_same(th, anchor, mu):
+    """θ to 30 digits, from a valley or a hilltop of slip just as far; of the next hilltop of rolling D θ̇² + 2 V is another."""
+    body = body_of(slope=0.3, mu=mu)
+    before = state_of(0.0, 1.0)._replace(turns=5.0, th=th, th_low=3e-17, anchor=anchor)
+    after = interpreted(contact_phase.counted)(body, before)
+    way = math.copysign(1.0, th)
+    with mp.workdps(40):
+        assert after.turns == 5.0 + way
+        assert abs(exactly(after.turns, after.th, after.th_low) - exactly(5, th, 3e-17)) < 1e-30
+        moves = exactly(1, 0.0, 0.0) * int(way)
+        own_hilltop = (anchor.kind == ROLLING and anchor.bend > 0.0) or (anchor.kind == SLIPPING and mu == 0.0)
+        shift = 0 if own_hilltop else -moves
+        assert (
+            abs(exactly(0, after.anchor.base, after.anchor.base_low) - exactly(0, anchor.base, anchor.base_low) - shift) < 1e-30
+        )
+        # 2 V falls by 2 g_t a radian down the slope, and so it does to the hilltop of the next turn
+        gained = 2 * mpf(body.gt) * moves if anchor.kind == ROLLING and anchor.bend > 0.0 else 0
+        assert abs(mpf(after.anchor.excess) - mpf(anchor.excess) - gained) < 1e-14
+    assert (after.anchor.kind, after.anchor.bend) == (anchor.kind, anchor.bend)
+    assert after[:5] == before[:5]
+    assert after[8:-1] == before[8:-1]
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize(("base", "largest"), [(0.0, 1e-280), (0.5, 1e-30)])
+def test_on_a_hilltop_only_what_is_there_exactly_stays(way, base, largest):
+    """θ in two doubles; on the level 1e-280 rad are 600 √(R/g) away from being seen."""
+    body = body_of(slope=0.0 if base == 0.0 else -0.2)
+    for kind in (ROLLING, SLIPPING):
+        for psi, still in ((0.0, True), (0.5 * largest, True), (2.0 * largest, False), (1e-20, False)):
+            state = state_of(base, anchor=Anchor(kind, 0.0, base, 0.0, 0.5))._replace(th_low=way * psi)
+            assert interpreted(contact_phase.is_still)(body, 0, state) is still
+
+
+@pytest.mark.parametrize("th", [math.pi, -math.pi, 0.5 * math.pi, 0.0])
+def test_elsewhere_what_has_no_torque_stays(th):
+    """In the valley, which no double is, within its rounding; not where the weight turns the hoop."""
+    valley = abs(th) == math.pi
+    for anchor in (Anchor(FREE, 0.0, 0.0, 0.0, 0.0), Anchor(ROLLING, 0.0, th, 0.0, -0.5)):
+        for psi in (0.0, 1e-16, 1e-14):
+            still = interpreted(contact_phase.is_still)(body_of(), 0, state_of(th + psi, anchor=anchor))
+            assert still is ((valley and psi < 1e-15) or (th == 0.0 and psi < 1e-15))
+
+
+def test_speeds_whose_squares_underflow_are_none():
+    events = np.empty(10, EVENT)
+    start = state_of(math.pi, om=1e-150)
+    status, count, _ = interpreted(run)(
+        body_of(), start, 1.0, math.nan, 0, events, np.empty(0, SEGMENT), new_scratch(), events[:0]
+    )
+    assert status == Status.AT_REST
+    assert events["kind"][:count].tolist() == [Event.START, Event.REST, Event.END]
+
+
+class Given(NamedTuple):
+    """What `carried` asks of a panel, of what it comes to and of its end."""
+
+    kind: int = LINEAR
+    sine: float = 0.0
+    growth: float = 1.0
+
+
+@pytest.mark.parametrize("kind", [LINEAR, ARRIVE])
+def test_the_excess_of_slip_grows_by_the_panels_factor_at_its_end_only(kind):
+    body = body_of()
+    anchor = Anchor(SLIPPING, 0.5, 0.25, 1e-18, 0.75)
+    given = Given(kind=kind, growth=4.0)
+    at_end = interpreted(contact_phase.carried)(body, given, given, 1.0, state_of(0.5, anchor=anchor))
+    factor = 4.0 if kind == LINEAR else 0.25  # solved from the turning point back
+    assert at_end.anchor == anchor._replace(excess=0.5 * factor)
+    inside = interpreted(contact_phase.carried)(body, given, given, math.nextafter(1.0, 0.0), state_of(0.5, anchor=anchor))
+    assert inside.anchor.kind == FREE
+
+
+@pytest.mark.parametrize("xi", [0.3, 1.0])
+def test_without_friction_the_excess_goes_as_one_over_the_inertia(xi):
+    """κ + ε² sin² θ, between any two angles."""
+    body = body_of(mu=0.0)
+    anchor = Anchor(SLIPPING, 0.5, 0.0, 0.0, 0.75)
+    given = Given(sine=math.sin(0.25))
+    after = interpreted(contact_phase.carried)(body, given, given, xi, state_of(1.0, anchor=anchor))
+    inertia = [body.kap + (body.eps * math.sin(angle)) ** 2 for angle in (0.25, 1.0)]
+    assert after.anchor.excess == pytest.approx(0.5 * inertia[0] / inertia[1], rel=1e-15)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_where_the_rotation_turns_round_the_couple_does_too_and_the_grip_may_go(side):
+    """Rolling up a slope, its couple helps friction to turn it; rolling down again it would need more than there is."""
+    plane = hh.Plane(mu=0.056, slope=-0.388 * side, rolling_resistance=0.1)
+    start = hh.Start.rolling(0.5865 * side, angle=-1.308 * side)
+    with forced("interpreted"):
+        motion = hh.simulate(hh.Hoop.ideal(0.3423), plane, start, duration=0.3)
+    turn, slip = motion.events[1:3]
+    assert [(event.kind, event.from_mode, event.to_mode) for event in (turn, slip)] == [
+        ("turn", "R", "R"),
+        ("slip_start", "R", "S" if side > 0.0 else "K"),
+    ]
+    assert (turn.t, turn.omega) == (slip.t, 0.0)
+    body = motion.scenario.to_body()
+    shares = []
+    for omega in (1e-9 * side, -1e-9 * side):
+        friction, normal = interpreted(forces_rolling)(body, math.sin(turn.angle), math.cos(turn.angle), omega)
+        shares.append(abs(friction) / normal)
+    assert shares[0] < body.mu_s < shares[1]
+
+
+@pytest.mark.parametrize("offset", [1e-100, -1e-30])
+def test_a_slow_start_in_a_short_time(offset):
+    """δ cosh λt beside the top, λ² = ε/(κ + (1 + ε)²): so slow that a panel of the usual width would last much too long."""
+    body = body_of()
+    rate = math.sqrt(body.eps / (body.kap + (1.0 + body.eps) ** 2))
+    events, none = np.empty(10, EVENT), np.empty(0, SEGMENT)
+    for t_end in (0.5, 2.0):
+        status, count, _ = interpreted(run)(body, state_of(offset), t_end, math.nan, 0, events, none, new_scratch(), events[:0])
+        assert (status, count) == (Status.COMPLETED, 2)
+        assert events["angle"][1] == pytest.approx(offset * math.cosh(rate * t_end), rel=1e-13, abs=0.0)
+        assert events["omega"][1] == pytest.approx(offset * rate * math.sinh(rate * t_end), rel=1e-12, abs=0.0)
+
+
+@pytest.mark.parametrize("f", [0.0, 0.05])
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_rolling_lasts_until_it_needs_all_friction(f, side):
+    """With the couple of rolling resistance too: |F| = μ N where slip starts, by the closed forms."""
+    with forced("interpreted"):
+        motion = hh.simulate(hh.Hoop.ideal(0.75), hh.Plane(rolling_resistance=f), hh.Start.rolling(3.1 * side), duration=1.0)
+    slip, body = motion.find("slip_start")[0], motion.scenario.to_body()
+    om = slip.omega * motion.units.time
+    friction, normal = interpreted(forces_rolling)(body, math.sin(slip.angle), math.cos(slip.angle), om)
+    assert abs(friction) == pytest.approx(body.mu_s * normal, rel=1e-11)
+    assert normal > 0.0

@@ -1,0 +1,129 @@
+"""Where doubles do not decide: margins that vanish by the physics, and just beside."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from numpy.polynomial import chebyshev
+
+import hophoop as hh
+from hophoop._jit import interpreted
+from hophoop.numerics.collocation import NODES
+from hophoop.panels.panel import A, B
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.rigid.doubts import CLOSE, grazes_zero, has_graze, mode_is_in_doubt, note_doubt
+
+SCRATCH = new_scratch()
+
+
+def body_of(eps=0.0, kap=1.0, mu=0.5, slope=0.0, **plane):
+    return hh.Scenario(hoop=hh.Hoop(eccentricity=eps, inertia_ratio=kap), plane=hh.Plane(mu=mu, slope=slope, **plane)).to_body()
+
+
+def in_doubt(body, angle=0.0, vt=0.0, om=0.0):
+    return interpreted(mode_is_in_doubt)(body, interpreted(start_state)(0.0, 0.0, angle, vt, 0.0, om))
+
+
+@pytest.mark.parametrize("kap", [1.0, 0.5])
+def test_a_ring_that_just_rolls_on_a_slope(kap):
+    """It needs tan β κ/(1 + κ) of friction."""
+    slope = 0.75
+    needed = math.tan(slope) * kap / (1.0 + kap)
+    assert in_doubt(body_of(kap=kap, mu=needed, slope=slope))
+    assert in_doubt(body_of(kap=kap, mu=needed * (1.0 + 5e-12), slope=slope))
+    for mu in (needed * (1.0 + 1e-10), needed * (1.0 - 1e-10)):
+        assert not in_doubt(body_of(kap=kap, mu=mu, slope=slope))
+    assert not in_doubt(body_of(kap=kap, mu=math.inf, slope=slope))
+
+
+def test_on_a_slope_of_45_degrees():
+    """Where g_n − g_t would be no size at all."""
+    slope = math.pi / 4.0
+    assert in_doubt(body_of(mu=0.5 * math.tan(slope) * (1.0 + 5e-12), slope=slope))
+
+
+@pytest.mark.parametrize("slip", [1.0, -1.0])
+def test_slip_that_just_lifts(slip):
+    """With the load at the top the rim is free where ε θ̇² = g."""
+    body = body_of(0.5, 0.75)
+    free = math.sqrt(1.0 / body.eps)
+    assert in_doubt(body, vt=slip, om=free)
+    assert not in_doubt(body, vt=slip, om=free * (1.0 + 1e-10))
+    assert not in_doubt(body, vt=slip, om=free * (1.0 - 1e-10))
+
+
+def test_rolling_that_just_lifts():
+    body = body_of(0.5, 0.75)
+    free = math.sqrt(1.0 / body.eps)
+    assert in_doubt(body, om=free)
+    assert not in_doubt(body, om=free * (1.0 + 1e-10))
+    assert not in_doubt(body, om=free * (1.0 - 1e-10))
+
+
+def test_without_friction_and_without_mass_there_is_no_margin():
+    assert not in_doubt(body_of(0.5, 0.75, mu=0.0), om=math.sqrt(2.0))
+    massless = hh.Scenario(hoop=hh.Hoop.ideal(1.0)).to_body()
+    assert not in_doubt(massless, angle=0.0, om=1.0)
+    assert not in_doubt(body_of(0.5, 0.75, gravity=0.0))  # nothing moves, nothing is decided
+
+
+def test_the_first_doubt_stays():
+    interpreted(note_doubt)(SCRATCH, 1.0, 2.0)
+    interpreted(note_doubt)(SCRATCH, 3.0, 4.0)
+    assert SCRATCH.doubt.tolist() == [1.0, 2.0]
+    SCRATCH.doubt[:] = math.nan
+
+
+def grazes(function, scale=1.0):
+    return interpreted(grazes_zero)(function(NODES), scale, SCRATCH)
+
+
+@pytest.mark.parametrize("place", [-0.9, -0.3, 0.0, 0.55, 0.95])
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+def test_a_smallest_value_of_zero_is_a_graze(place, size):
+    assert grazes(lambda xi: size * ((xi - place) ** 2 + 0.5 * CLOSE), size)
+    assert not grazes(lambda xi: size * ((xi - place) ** 2 + 20.0 * CLOSE), size)
+    assert not grazes(lambda xi: size * ((xi - place) ** 2 - 20.0 * CLOSE), size)
+    assert not grazes(lambda xi: size * (0.5 * CLOSE - (xi - place) ** 2), size)  # a largest value
+
+
+@pytest.mark.parametrize("which", [0, 1, 2, 3])
+def test_each_of_four_smallest_values_is_looked_at(which):
+    """1 + T₈, which is zero four times, lifted but for one of them."""
+    zeros = np.cos(np.pi * np.array([7.0, 5.0, 3.0, 1.0]) / 8.0)
+
+    def waves(xi):
+        wave = 1.0 + chebyshev.chebval(xi, [0.0] * 8 + [1.0])
+        return wave + 1e-3 * (xi - zeros[which]) ** 2
+
+    assert grazes(waves)
+    assert not grazes(lambda xi: waves(xi) + 1e-5)
+
+
+def test_what_falls_all_the_way_has_no_smallest_value_inside():
+    assert not grazes(lambda xi: -1.0 * xi)
+    assert not grazes(np.exp)
+
+
+class Sides(NamedTuple):
+    """What `has_graze` asks of a panel."""
+
+    sigma: int
+    vt: float
+    u: float
+
+
+@pytest.mark.parametrize("om", [3.0, -3.0])
+def test_slip_is_measured_beside_both_speeds(om):
+    """v_t that comes to 2e-11 grazes zero beside speeds of 6, not beside 1."""
+    body = body_of(0.5, 0.75)
+    scratch = new_scratch()
+    scratch.work[A] = 1.0 + NODES**2
+    scratch.work[B] = NODES**2 + 4.0 * CLOSE
+    state = interpreted(start_state)(0.0, 0.0, 0.0, 3.0, 0.0, om)
+    assert interpreted(has_graze)(body, Sides(1, 3.0, 1.0), state, scratch)
+    assert not interpreted(has_graze)(body, Sides(1, 0.0, 1.0), state, scratch)

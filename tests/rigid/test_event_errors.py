@@ -1,0 +1,94 @@
+"""Estimated errors of events where calculus gives them: rounding of each event, times what the motion makes of it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._jit import forced
+from hophoop.rigid import errors
+
+ROUNDING = 4e-16
+RING = hh.Hoop(eccentricity=0.0, inertia_ratio=1.0)  # with radius, mass and gravity 1, all units are 1
+
+
+def motion_of(start: hh.Start, duration: float, mu: float = 0.5, slope: float = 0.0, restitution: float = 0.0) -> hh.Trajectory:
+    plane = hh.Plane(gravity=1.0, mu=mu, slope=slope, restitution=restitution)
+    with forced("interpreted"):
+        motion = hh.simulate(RING, plane, start, duration=duration)
+        assert motion.errors is not None  # computed here
+    return motion
+
+
+def squares(*parts: float) -> float:
+    return ROUNDING * math.sqrt(sum(part * part for part in parts))
+
+
+def test_rolling_on_the_level():
+    """x = ω t: of ω its rounding counts; v_t, v_n and the height are zero by what rolling is, friction has no work."""
+    motion = motion_of(hh.Start.rolling(2.0), 3.0)
+    assert motion.sequence == "R"
+    assert motion.errors.x[-1] == pytest.approx(squares(1.0 + 6.0, 2.0 * 3.0), rel=1e-6, abs=0.0)
+    assert motion.errors.omega[-1] == pytest.approx(squares(1.0 + 2.0, 2.0), rel=1e-6, abs=0.0)
+    assert motion.errors.angle[-1] == pytest.approx(squares(1.0 + 6.0, 2.0 * 3.0, 1.0), rel=1e-6, abs=0.0)
+    assert motion.errors.t[-1] == pytest.approx(squares(1.0 + 3.0), rel=1e-6, abs=0.0)
+    assert motion.errors.x[0] == squares(1.0)
+
+
+def test_a_fall():
+    """t = √(2 h), changed by (1 + h)/√(2 h) where the height is by 1 + h; the speed of the fall likewise."""
+    motion = motion_of(hh.Start(height=2.0), 3.0)
+    assert [event.kind for event in motion.events] == ["start", "impact", "rest", "end"]
+    assert motion.errors.t[1] == pytest.approx(squares(1.0 + 2.0, 3.0 / 2.0), rel=1e-6, abs=0.0)
+    assert motion.errors.height[1] == pytest.approx(squares(1.0), rel=1e-6, abs=0.0)
+
+
+def test_a_throw():
+    """t = v + √(v² + 2 h): the rounding of v is that of all speeds; at the apex, where v is 0, the height's counts again."""
+    motion = motion_of(hh.Start(height=1.5, vx=3.0, vy=1.0, omega=0.5), 3.5)
+    assert [event.kind for event in motion.events[:3]] == ["start", "apex", "impact"]
+    speeds = 0.5 + 2.5 + 1.0  # θ̇, v_t and v_n
+    assert motion.errors.t[1] == pytest.approx(squares(1.0 + 1.0, speeds), rel=1e-6, abs=0.0)
+    by_speed, by_height, at_apex = speeds * (1.0 + 1.0 / 2.0), (1.0 + 1.5) / 2.0, (1.0 + 2.0) / 2.0
+    assert motion.errors.t[2] == pytest.approx(squares(1.0 + 3.0, by_speed, by_height, at_apex), rel=1e-6, abs=0.0)
+
+
+def test_slip_to_an_end():
+    """v_t ends at t = v_t/(2 μ): v_t and μ count, and θ̇ by the slip that it makes."""
+    motion = motion_of(hh.Start(vx=2.0, omega=0.5), 4.0, mu=0.5)
+    assert motion.events[1].kind == "stick"
+    slip, stop = 1.5, 1.5
+    assert motion.events[1].t == pytest.approx(stop, rel=1e-14)
+    assert motion.errors.t[1] == pytest.approx(squares(1.0 + stop, (0.5 + slip) / slip * stop, stop), rel=1e-6, abs=0.0)
+
+
+def test_an_event_just_before_the_end_is_found_with_the_smaller_change():
+    """A rounding of the height that is tried at 1e-8 would land after the end, one of 1e-11 does not."""
+    near = motion_of(hh.Start(height=2.0), 2.0 + 1e-9)
+    assert near.errors.t[1] == pytest.approx(squares(1.0 + 2.0, 3.0 / 2.0), rel=1e-3, abs=0.0)
+    assert np.isfinite(near.errors.x).all()
+    nearer = motion_of(hh.Start(height=2.0), 2.0 + 1e-13)
+    assert np.isinf(nearer.errors.t[1:]).all()
+    assert nearer.errors.t[0] == squares(1.0)
+
+
+def test_an_event_that_cannot_be_computed_again_leaves_the_others(monkeypatch):
+    motion = motion_of(hh.Start(vx=2.0, omega=0.5), 4.0)
+    body, events = motion.scenario.to_body(), motion._events
+    again = errors._again
+
+    def none_at_first(body, row, t_end, room):
+        assert room > 2 * len(events)
+        return None if row["t"] == 0.0 else again(body, row, t_end, room)
+
+    monkeypatch.setattr(errors, "_again", none_at_first)
+    with forced("interpreted"):
+        table = errors.event_errors(body, events, 4.0)
+    of_x = errors.FIELDS.index("x")
+    assert table[1, of_x] == squares(1.0 + events[1]["x"])
+    assert table[2, of_x] == pytest.approx(
+        squares(1.0 + events[2]["x"], 1.25 * 2.5), rel=1e-6, abs=0.0
+    )  # of θ̇ from the stick on

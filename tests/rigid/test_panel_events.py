@@ -1,0 +1,164 @@
+"""Where a margin on a panel comes to zero: by polynomials whose zeros are known."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._jit import interpreted
+from hophoop.numerics.collocation import NODES
+from hophoop.numerics.roots import NOT_FOUND
+from hophoop.panels.panel import COSINE, RATE, SLIP, U
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.rigid import panel_events
+from hophoop.rigid.phase import opening_of
+
+SCRATCH = new_scratch()
+
+
+def fall(values, fresh=False, floor=0.0):
+    return interpreted(panel_events.fall_of)(np.array(values), fresh, floor, SCRATCH)
+
+
+@pytest.mark.parametrize("zero", [-0.9, -0.2, 0.0, 0.7])
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
+def test_a_margin_that_falls_through_zero(zero, size):
+    place, _ = fall(size * (zero - NODES) * (2.0 + NODES))
+    assert place == pytest.approx(zero, abs=1e-14)
+
+
+def test_a_margin_that_rises_or_stays_has_no_fall():
+    assert fall(0.5 + NODES, fresh=True)[0] == NOT_FOUND
+    assert fall(1.5 + NODES) == (NOT_FOUND, False)
+    assert fall(np.full(16, 1.0)) == (NOT_FOUND, False)
+    # a function that the panel resolves does not go far below its nodes: no zero is looked for
+    assert fall(1.3 * 2.0 * panel_events.FAR_FROM_ZERO + (1.0 + NODES)) == (NOT_FOUND, False)
+
+
+def test_a_margin_below_zero_at_the_begin_of_a_panel_has_fallen_there():
+    """Unless the phase begins there, where a margin of zero is none yet."""
+    assert fall(-0.5 - 0.1 * NODES)[0] == -1.0
+    assert fall(-0.5 + NODES)[0] == -1.0
+    assert fall(NODES + 1.0 - 1e-13)[0] == -1.0  # also where no node shows it
+    assert fall(1.0 * (NODES + 1.0), fresh=True)[0] == NOT_FOUND
+
+
+@pytest.mark.parametrize("floor", [1e-16, 1e-3])
+def test_a_margin_that_is_zero_but_for_rounding_counts_as_zero(floor):
+    assert fall(np.full(16, -0.9 * floor), floor=floor)[0] == NOT_FOUND
+    assert fall(np.full(16, -1.1 * floor), floor=floor)[0] == -1.0
+    below = np.full(16, -0.1 * floor)
+    below[-1] = -1.1 * floor
+    assert fall(below, floor=floor)[0] == -1.0
+
+
+@pytest.mark.parametrize("place", [-0.6, 0.1, 0.9])
+@pytest.mark.parametrize("size", [1e-6, 1.0, 1e6])
+def test_a_parabola_that_touches_zero_is_near_it(place, size):
+    assert fall(size * (NODES - place) ** 2, fresh=True)[1]
+    assert not fall(size * ((NODES - place) ** 2 + 0.1), fresh=True)[1]
+    assert not fall(size * ((NODES - place) ** 2 - 0.1), fresh=True)[1]
+
+
+def body_of(eccentricity, inertia_ratio, **plane):
+    hoop = hh.Hoop(eccentricity=eccentricity, inertia_ratio=inertia_ratio)
+    return hh.Scenario(hoop=hoop, plane=hh.Plane(mu=0.0, **plane)).to_body()
+
+
+@pytest.mark.parametrize(("eps", "kap"), [(0.75, 0.4375), (0.9, 0.02), (0.3, 2.0), (0.0, 1.0)])
+def test_the_rounding_of_slip_without_friction(eps, kap):
+    """From rest at the top to the bottom the weight gives 2 ε of energy, all to ½ κ θ̇²: the rim then slips at (1 − ε) θ̇."""
+    at_rest = interpreted(start_state)(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    lowest = (1.0 - eps) * math.sqrt(2.0 * 2.0 * eps / kap)
+    found = interpreted(panel_events.graze_rounding)(body_of(eps, kap), at_rest)
+    assert found == pytest.approx(1e-14 * (2.0 * math.sqrt(eps) + lowest), rel=1e-14, abs=0.0)
+    moving = interpreted(start_state)(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
+    assert interpreted(panel_events.graze_rounding)(body_of(eps, kap), moving) == pytest.approx(
+        found + 5e-14, rel=1e-14, abs=0.0
+    )
+    assert interpreted(panel_events.graze_rounding)(body_of(eps, kap, gravity=0.0), moving) == pytest.approx(
+        5e-14, rel=1e-14, abs=0.0
+    )
+
+
+def test_the_rounding_of_slip_without_mass_in_the_rim():
+    moving = interpreted(start_state)(0.0, 0.0, 0.0, -2.0, 0.0, -3.0)
+    found = interpreted(panel_events.graze_rounding)(body_of(1.0, 0.0), moving)
+    assert found == pytest.approx(1e-14 * (2.0 + 3.0 + 2.0), rel=1e-14, abs=0.0)
+
+
+class Panel(NamedTuple):
+    """What the end of slip asks of a panel and of its end."""
+
+    sigma: int = 1
+    time: float = 2.0
+
+
+def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0):
+    """(ξ, what, doubtful, whether a doubt is noted) for v_t and N/κ at the nodes."""
+    hoop, plane = hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), hh.Plane(mu=mu)
+    body = hh.Scenario(hoop=hoop, plane=plane).to_body()
+    scratch = new_scratch()
+    scratch.work[COSINE] = -1.0
+    scratch.work[U] = (load - body.gn) / body.eps
+    scratch.work[SLIP] = sigma * slip
+    state = interpreted(start_state)(0.0, 0.0, math.pi, sigma * 1.0, 0.0, 1.0)._replace(t=3.0)
+    panel = Panel(sigma)
+    xi, what, doubtful = interpreted(panel_events.end_of_slip)(body, panel, panel, state, fresh, zeros, scratch)
+    noted = scratch.doubt.tolist() == [3.0, 5.0]
+    assert noted or np.isnan(scratch.doubt).all()
+    return xi, what, doubtful, noted
+
+
+@pytest.mark.parametrize("sigma", [1, -1])
+@pytest.mark.parametrize("mu", [0.5, 0.0])
+def test_slip_ends_or_the_rim_lifts_whichever_is_first(sigma, mu):
+    one = np.full(16, 1.0)
+    stop, lift = panel_events.STOP, panel_events.LIFT
+    for first, second, what in ((0.25 - NODES, one, stop), (one, 0.25 - NODES, lift), (0.25 - NODES, 0.75 - NODES, stop)):
+        found = end_of_slip(first, second, mu=mu, sigma=sigma)
+        assert found[:2] == (pytest.approx(0.25, abs=1e-14), what)
+        assert not found[3]
+    assert end_of_slip(0.75 - NODES, 0.25 - NODES, mu=mu, sigma=sigma)[1] == lift
+    xi, what, _, noted = end_of_slip(0.25 - NODES, 0.25 - NODES, mu=mu, sigma=sigma)  # lift-off is first, and doubtful
+    assert (xi, what, noted) == (pytest.approx(0.25, abs=1e-14), lift, mu > 0.0)
+    assert end_of_slip(one, one, mu=mu, sigma=sigma)[0] == NOT_FOUND
+
+
+def test_slip_that_has_ended_before_the_first_node():
+    """From a speed that is lost in what the panel makes of it."""
+    one, slip = np.full(16, 1.0), -(1.0 + NODES)
+    assert end_of_slip(slip, one, fresh=True)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip(slip, one)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip(1.0 + NODES, one, fresh=True)[0] == NOT_FOUND
+    # begun at no speed: with friction the mode says the direction, without it rounding of θ may be wrong
+    assert end_of_slip(slip, one, fresh=True, zeros=1)[0] == NOT_FOUND
+    assert end_of_slip(slip, one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip((1.0 + NODES) * NODES, one, fresh=True, zeros=1, mu=0.0)[0] == NOT_FOUND
+
+
+def test_where_the_time_is_over():
+    scratch = new_scratch()
+    scratch.work[RATE] = 0.5  # the panel takes 1
+    for left, xi in ((0.25, -0.5), (0.5, 0.0), (1.0, 1.0), (1.5, 1.0), (0.0, -1.0), (-1.0, -1.0)):
+        assert interpreted(panel_events.end_of_time)(left, scratch) == pytest.approx(xi, abs=1e-14)
+
+
+def test_how_a_flight_opens():
+    """f_n, and how many derivatives of the gap are zero: none above the plane, three where f_n is zero, too."""
+    body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75)).to_body()
+    fast, free = 2.0, math.sqrt(2.0)  # ε θ̇² = 2 g and g, with the load at the top
+
+    def opening(y, v_n, om):
+        return interpreted(opening_of)(body, interpreted(start_state)(0.0, y, 0.0, 0.0, v_n, om))
+
+    assert opening(1.0, 0.0, fast) == (1.0, 0)
+    assert opening(0.0, 1.0, fast) == (1.0, 1)
+    assert opening(0.0, 0.0, fast) == (1.0, 2)
+    assert opening(0.0, 0.0, free) == (0.0, 3)
+    assert opening(0.0, 0.0, free * (1.0 + 1e-12))[1] == 2

@@ -1,0 +1,90 @@
+"""Samples between events: slip without rotation by hand, and where a time falls among segments and on a panel."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._jit import forced, interpreted
+from hophoop.numerics.collocation import NODES
+from hophoop.records.layout import SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.rigid.sampling import find_segment, place_on_panel
+
+TIMES = np.array([0.0, 0.125, 0.25, 0.5])
+
+
+def test_a_ring_that_slides_down_without_friction():
+    plane = hh.Plane(gravity=8.0, slope=0.25, mu=0.0)
+    with forced("interpreted"):
+        motion = hh.simulate(hh.Hoop.ideal(0.0), plane, hh.Start(x=1.0, vx=2.0), duration=0.5)
+        at = motion.at(TIMES)
+    along = 8.0 * math.sin(0.25)
+    assert at.x == pytest.approx(1.0 + 2.0 * TIMES + 0.5 * along * TIMES**2, rel=1e-15)
+    assert at.vx == pytest.approx(2.0 + along * TIMES, rel=1e-15)
+    assert at.slip == pytest.approx(at.vx, rel=1e-15)
+    assert at.normal_force == pytest.approx(8.0 * math.cos(0.25), rel=1e-15)
+    assert (at.omega == 0.0).all()
+    assert (at.friction_force == 0.0).all()
+    assert (motion._events["t"][-1], motion._events["t_low"][-1]) == (0.5 / motion.units.time, 0.0)
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_slip_in_which_friction_and_weight_have_no_torque(side):
+    """With the load level with C, ε in front of it: N ε is held by μ N at the arm of 1."""
+    hoop, plane = hh.Hoop(eccentricity=0.5, inertia_ratio=0.75, mass=2.0), hh.Plane(gravity=8.0, mu=0.5)
+    start = hh.Start(vx=4.0 * side, angle=-0.5 * math.pi * side)
+    with forced("interpreted"):
+        motion = hh.simulate(hoop, plane, start, duration=0.5)
+        at = motion.at(TIMES)
+    assert motion.sequence == ("K" if side > 0.0 else "S")
+    slid = 4.0 * TIMES - 0.5 * 4.0 * TIMES**2
+    assert at.x == pytest.approx(side * slid, rel=1e-14)
+    assert at.slip == pytest.approx(side * (4.0 - 4.0 * TIMES), rel=1e-14)
+    assert at.friction_force == pytest.approx(-side * 0.5 * 16.0, rel=1e-15)
+    assert at.friction == pytest.approx(0.5 * 16.0 * slid, rel=1e-14)
+
+
+@pytest.mark.parametrize("slope", [0.05, -0.05])
+def test_a_ring_that_is_held_on_a_slope(slope):
+    """By friction, which bears its weight along the plane, and by the couple."""
+    plane = hh.Plane(gravity=8.0, slope=slope, mu=0.5, rolling_resistance=0.125)
+    with forced("interpreted"):
+        motion = hh.simulate(hh.Hoop.ideal(0.0, mass=3.0), plane, hh.Start(), duration=0.5)
+        at = motion.at(TIMES)
+    assert motion.status == "at_rest"
+    assert at.friction_force == pytest.approx(-3.0 * 8.0 * math.sin(slope), rel=1e-15)
+    assert at.normal_force == pytest.approx(3.0 * 8.0 * math.cos(slope), rel=1e-15)
+    assert (at.x == 0.0).all()
+
+
+def test_what_rolling_resistance_has_taken():
+    """Of a ring: f N for each metre."""
+    plane = hh.Plane(gravity=8.0, mu=0.5, rolling_resistance=0.0625)
+    with forced("interpreted"):
+        motion = hh.simulate(hh.Hoop.ideal(0.0, radius=2.0, mass=3.0), plane, hh.Start.rolling(4.0), duration=0.5)
+        at = motion.at(TIMES)
+    along = 4.0 * TIMES - 0.5 * 0.5 * 8.0 * 0.0625 * TIMES**2  # half of it slows the centre, half the rotation
+    assert at.x == pytest.approx(along, rel=1e-13)
+    assert at.rolling_resistance == pytest.approx(0.0625 * 3.0 * 8.0 * along, rel=1e-12)
+    assert at.angle == pytest.approx(along / 2.0, rel=1e-13)
+
+
+def test_a_time_at_a_border_is_in_the_segment_before_or_after():
+    segments = np.zeros(3, SEGMENT)
+    segments["t"] = [0.0, 1.0, 2.0]
+    for t, before, after in ((0.0, 0, 0), (0.5, 0, 0), (1.0, 0, 1), (1.5, 1, 1), (2.0, 1, 2), (9.0, 2, 2)):
+        assert interpreted(find_segment)(segments, t, True) == before
+        assert interpreted(find_segment)(segments, t, False) == after
+
+
+@pytest.mark.parametrize("end", [1.0, 0.5])
+def test_the_place_of_a_time_on_a_panel(end):
+    """On one that takes 2 and is left at its end or inside; beside the ends the rounding of the series is not asked."""
+    segment, scratch = np.zeros(1, SEGMENT)[0], new_scratch()
+    segment["xi"] = end
+    for tau, place in ((0.0, -1.0), (1e-20, -1.0), (-1e-9, -1.0), (0.25, -0.75), (1.25, 0.25), (2.0, end), (2.5, end)):
+        assert interpreted(place_on_panel)(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)

@@ -1,0 +1,97 @@
+"""A motion whose first events are given: the same events, and the same motion between them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop._jit import interpreted
+from hophoop.physics.body import Event
+from hophoop.records.layout import EVENT, SEGMENT
+from hophoop.records.scratch import new_scratch
+from hophoop.records.state import start_state
+from hophoop.rigid.kernel import run
+from hophoop.rigid.sampling import COLUMNS, sample
+from hophoop.simulation import segments_of_script
+
+# (hoop, plane, start in units of R and √(g R), duration)
+MOTIONS = {
+    "hop": (hh.Hoop.ideal(0.75), hh.Plane(), (0.0, 0.0, 0.0, 0.0, 0.0, 0.99), 4.0),
+    "bounces": (hh.Hoop.ideal(0.5), hh.Plane(restitution=0.5, mu=0.3), (0.0, 0.4, 0.5, 0.0, 0.0, -1.5), 2.0),
+    "spun": (hh.Hoop.ideal(0.75), hh.Plane(mu_static=0.6, mu_kinetic=0.4), (0.0, 0.0, 0.5, 0.0, 0.0, 0.7), 3.0),
+    "slid without rotation": (
+        hh.Hoop(eccentricity=0.5, inertia_ratio=0.75),
+        hh.Plane(mu=0.5),
+        (0.0, 0.0, -0.5 * math.pi, 1.0, 0.0, 0.0),
+        3.0,
+    ),
+    "slid on a slope": (hh.Hoop.ideal(0.0), hh.Plane(mu=0.0, slope=0.25), (0.0, 0.0, 0.0, 1.0, 0.0, 0.0), 3.0),
+    "resisted": (hh.Hoop.ideal(0.3), hh.Plane(mu=0.5, rolling_resistance=0.05), (0.0, 0.0, 2.0, 0.0, 0.0, 0.3), 6.0),
+}
+
+
+def motion_of(body, start, t_end, script=None):
+    events, segments = np.zeros(100, EVENT), np.zeros(2000, SEGMENT)
+    state = interpreted(start_state)(*start)
+    script = events[:0] if script is None else script
+    with np.errstate(all="ignore"):  # numbers of a table are NumPy's, which warn where a kernel gives up a panel
+        status, count, pieces = interpreted(run)(body, state, t_end, math.nan, 0, events, segments, new_scratch(), script)
+    # `run` writes the segments after the script
+    return status, events[:count], np.concatenate([segments_of_script(body, script), segments[:pieces]])
+
+
+def samples(body, segments, times):
+    out = np.empty((len(times), len(COLUMNS)))
+    interpreted(sample)(body, segments, times, False, out)
+    return out
+
+
+def check(body, t_end, whole, again):
+    assert again[0] == whole[0]
+    assert again[1]["kind"].tolist() == whole[1]["kind"].tolist()
+    for name in EVENT.names:
+        np.testing.assert_allclose(again[1][name], whole[1][name], rtol=1e-11, atol=1e-12, err_msg=name)
+    pieces = again[2]
+    assert (pieces["t"][1:] == pieces["t_end"][:-1]).all()
+    assert (pieces["t"][0], pieces["t_end"][-1]) == (0.0, t_end)
+    times = np.linspace(0.0, t_end, 23)[1:-1]
+    np.testing.assert_allclose(samples(body, pieces, times), samples(body, whole[2], times), rtol=1e-9, atol=1e-11)
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_a_script_of_any_length_gives_the_same_motion(name):
+    """The last event twice: from there on it is computed. Of what follows the end nothing is asked."""
+    hoop, plane, start, t_end = MOTIONS[name]
+    body = hh.Scenario(hoop=hoop, plane=plane).to_body()
+    whole = motion_of(body, start, t_end)
+    assert len(whole[1]) > 2 or name == "slid on a slope"
+    for last in range(len(whole[1]) - 1):
+        if (last and whole[1]["t"][last] == whole[1]["t"][last + 1]) or whole[1]["kind"][last] == Event.REST:
+            continue  # what comes next at the same time has its own reason
+        script = whole[1][[*range(last + 1), last]]
+        check(body, t_end, whole, motion_of(body, start, t_end, script))
+
+
+@pytest.mark.parametrize("name", ["hop", "bounces", "spun", "resisted"])
+def test_a_script_may_end_inside_of_a_phase(name):
+    """In a state of the motion, halfway to the next event."""
+    hoop, plane, start, t_end = MOTIONS[name]
+    body = hh.Scenario(hoop=hoop, plane=plane).to_body()
+    whole = motion_of(body, start, t_end)
+    for last in range(len(whole[1]) - 1):
+        begin, end = whole[1]["t"][last : last + 2]
+        if not begin < end or whole[1]["kind"][last] == Event.REST:
+            continue
+        inside = whole[1][last : last + 1].copy()
+        state = dict(zip(COLUMNS, samples(body, whole[2], np.array([0.5 * (begin + end)]))[0], strict=True))
+        inside["t"], inside["t_low"], inside["x_low"], inside["kind"] = 0.5 * (begin + end), 0.0, 0.0, Event.TURN
+        inside["before_mode"] = inside["after_mode"]
+        for column in ("x", "height", "angle", "vx", "vy", "omega", "slip", "friction", "impact_normal", "impact_tangential"):
+            inside[column] = state[column]
+        inside["theta"], inside["theta_low"] = state["theta"], state["theta_low"]
+        inside["turns"] = round((state["angle"] - state["theta"]) / (2.0 * math.pi))
+        inside["rolling_resistance"] = state["rolling_resistance"]
+        check(body, t_end, whole, motion_of(body, start, t_end, np.concatenate([whole[1][: last + 1], inside])))
