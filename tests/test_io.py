@@ -363,3 +363,20 @@ def test_files_of_before_rolling_resistance_load(contact, tmp_path, monkeypatch)
     times = motion.times(7)
     assert np.array_equal(loaded.at(times).angle, motion.at(times).angle)
     assert not np.any(loaded.at(times).rolling_resistance)
+
+
+def test_files_of_before_turns_were_counted_load(tmp_path, monkeypatch):
+    """Segments of a compliant motion had whole angles, and `origin`, the time of their begin, in place of `turns`."""
+    motion = hh.simulate(hh.Scenario(duration=3.0, contact=hh.Compliant(stiffness=1e4)))
+    segments = motion.tables["segments"]
+    assert segments["turns"].any()
+    names = segments.dtype.names or ()
+    older = segments.astype([("origin" if name == "turns" else name, "f8") for name in names])
+    older["origin"] = segments["t"]
+    older["angle_0"] = segments["angle_0"] + 2.0 * np.pi * segments["turns"]
+    written = hh.Trajectory(motion.scenario, 0, motion.tables["events"], older, motion.version)
+    monkeypatch.setattr(written, "at", motion.at)  # a motion of today samples with today's columns
+    written.save(tmp_path / "old.nc")
+    loaded = hh.load(tmp_path / "old.nc")
+    assert loaded.at(motion.times(50)).angle == pytest.approx(motion.at(motion.times(50)).angle, abs=1e-13)
+    assert loaded.ledger.residual == pytest.approx(motion.ledger.residual, abs=1e-12)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -27,6 +28,9 @@ LIGHT = 1e-3
 ALL_STEPS = 5000
 MOST_BITS = 100  # below 1: a scenario with smaller numbers, below 1e-30, is left as the doubles have it
 CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
+# Where more events than so many come in less, going on until there are none may never end: so small a part of that time
+# between two of them does.
+FEW, BETWEEN = 4, 1.0 / 16.0
 MOST_TURNED = 10.0  # rad: by so much at most does a fast start turn in this time
 NO_SCRIPT = np.empty(0, EVENT)
 
@@ -94,9 +98,37 @@ class Budget:
     ----------
     steps : float
         Of the longer computation [1].
+    least : float
+        What the farthest of them took; who goes farther makes all of its steps again [1].
+    reached : float
+        How far it went [√(R/g)].
     """
 
     steps: float
+    least: float = 0.0
+    reached: float = 0.0
+
+
+def pause(times: list[float], least: float) -> float | None:
+    """Where events that come one after another leave a time between two of them.
+
+    Parameters
+    ----------
+    times : list of float
+        Of the events, in order.
+    least : float
+        How long the time must be, in their unit.
+
+    Returns
+    -------
+    t : float or None
+        The middle of the first time that is as long; None where there is none, or where the events are few.
+    """
+    if len(times) > FEW:
+        for before, after in pairwise(times):
+            if after - before >= least:
+                return 0.5 * (before + after)
+    return None
 
 
 def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -> np.ndarray:
@@ -117,6 +149,7 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
         The last one, of kind END, is the state from which the kernel goes on; of length 0 where no more digits help.
     """
     from hophoop.precise import solve
+    from hophoop.precise.series import TooManySteps
 
     clear = min(CLEAR, MOST_TURNED / max(speed_of(scenario), 1.0))
     until = end + clear
@@ -125,20 +158,27 @@ def script_until(scenario: Scenario, end: float, budget: Budget | None = None) -
     budget = Budget(whole) if budget is None else budget
     if whole == 0:
         return NO_SCRIPT
+    between = None
     for _ in range(8):
         try:
+            if until >= budget.reached and budget.least > budget.steps:
+                raise TooManySteps
             solution = solve(scenario, DIGITS, until=until if until < last else None, most_steps=budget.steps)
         except ArithmeticError:
             budget.steps = 0
             return NO_SCRIPT
-        budget.steps = solution.body.work.left
+        left = solution.body.work.left
+        if until >= budget.reached:
+            budget.least, budget.reached = budget.steps - left, until
+        budget.steps = left
         records = list(solution.records)
         if solution.status != Status.COMPLETED:
             break
         before = [float(record.state.t) for record in records if record.kind != Event.END]
-        if not before or until >= last or until - before[-1] >= 0.5 * clear:
+        if not before or until >= last or until - before[-1] >= 0.5 * clear or until == between:
             break
-        until = before[-1] + clear
+        between = pause([t for t in before if t >= end], BETWEEN * clear)
+        until = before[-1] + clear if between is None else between
     if solution.status != Status.COMPLETED:
         # what ends the motion is for the kernel to say: it goes on from the last event before
         while records and records[-1].kind in _LAST:

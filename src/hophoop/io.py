@@ -85,7 +85,7 @@ def _load(file: Path, kind: str) -> Trajectory:
             Scenario.from_dict(json.loads(attributes["scenario"])),
             int(Status[attributes["status"].upper()]),
             _completed(_unpacked(groups["events"])),
-            _completed(_unpacked(groups["segments"])),
+            _counted(_completed(_unpacked(groups["segments"]))),
             str(attributes["version"]),
         )
     except (KeyError, ValueError, TypeError, AttributeError, RecursionError) as error:
@@ -134,6 +134,17 @@ def _completed(table: np.ndarray) -> np.ndarray:
     for name in names:
         wider[name] = table[name]
     return wider
+
+
+def _counted(table: np.ndarray) -> np.ndarray:
+    """The segments with turns, which those of a compliant motion of before do not have: their angles are whole ones."""
+    names = table.dtype.names or ()
+    if "origin" not in names:
+        return table
+    layout = [("turns" if name == "origin" else name, table.dtype[name]) for name in names]
+    counted = table.astype(np.dtype(layout))
+    counted["turns"] = 0.0
+    return counted
 
 
 def _read(file: Path, kind: str) -> dict[str, Any]:

@@ -199,6 +199,8 @@ class Trajectory:
         kinetic, potential = (float(energy) for energy in self._energies(_columns(last)))
         friction, normal, tangential, rolling = (float(last[name]) * unit.energy for name in LOSSES)
         begin, end = self.at(0.0, side="left"), self.at(self._seconds(float(last["t"])))
+        if self.scenario.contact.model != "rigid":  # many steps may share the last digit of a late time: all of one of them
+            kinetic, potential, friction, rolling = end.kinetic, end.potential, end.friction, end.rolling_resistance
         residual = (kinetic + potential + end.spring + end.damping + friction + normal + tangential + rolling) - (
             begin_kinetic + begin_potential + begin.spring
         )

@@ -90,9 +90,9 @@ export const floats = (given) => (path) =>
  * @param {Checked} checked
  * @param {Record<string, any>} data its keys, which are changed
  * @param {Map<string, any>} values by path
- * @param {(hoop: any, float: (path: string) => boolean) => CheckedHoop} readHoop
+ * @param {(section: string, keys: any, float: (path: string) => boolean) => any} read a section by itself
  */
-export function replaced(checked, data, values, readHoop) {
+export function replaced(checked, data, values, read) {
   const paths = [...values.keys()];
   const pair = contradiction(paths);
   if (pair) {
@@ -113,7 +113,11 @@ export function replaced(checked, data, values, readHoop) {
       if (!isTable(table)) throw new InputError(say("no_section_parts", { path, section }));
       if (!spelt.has(section) && ends(path).some((key) => Object.hasOwn(table, key))) {
         spelt.add(section);
-        const other = speltOut(checked, path, () => readHoop(data.hoop, float));
+        // as it was before single values in it are replaced
+        const given = values.has(section)
+          ? read(section, values.get(section), float)
+          : /** @type {any} */ (checked)[section];
+        const other = speltOut(given, path, () => read("hoop", data.hoop, float));
         for (const [key, one] of Object.entries(other)) if (!values.has(`${section}.${key}`)) table[key] = one;
       }
       for (const key of ends(path)) delete table[key];
@@ -134,22 +138,22 @@ function put(table, key, value) {
 
 /**
  * The same section given the other way, where that keeps what the path does not name.
- * @param {Checked} checked
+ * @param {any} given the section
  * @param {string} path
  * @param {() => CheckedHoop} hoopToBe
  * @returns {Record<string, any>}
  */
-function speltOut({ hoop, plane, start }, path, hoopToBe) {
-  const { mass, eccentricity, inertia_ratio } = hoop;
+function speltOut(given, path, hoopToBe) {
+  const { mass, eccentricity, inertia_ratio } = given;
   if (path === "hoop.eccentricity" || path === "hoop.inertia_ratio") return { mass, eccentricity, inertia_ratio };
   if (path === "hoop.load_fraction") return { mass };
   if (path === "plane.mu_static" || path === "plane.mu_kinetic") {
     const written = (/** @type {number} */ mu) => (mu === Infinity ? "inf" : mu);
-    return { mu_static: written(plane.mu_static), mu_kinetic: written(plane.mu_kinetic) };
+    return { mu_static: written(given.mu_static), mu_kinetic: written(given.mu_kinetic) };
   }
   if (path.startsWith("start.") && path !== "start.speed") {
     // a rolling start, as the free one of the hoop as it will be
-    const { height, vx, vy, omega } = stateOf(start, hoopToBe().radius);
+    const { height, vx, vy, omega } = stateOf(given, hoopToBe().radius);
     return { height, vx, vy, omega };
   }
   return {};

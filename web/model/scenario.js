@@ -122,7 +122,9 @@ export function fromQuery(query, mechanics) {
  * @param {Mechanics} mechanics
  */
 export function withValues(checked, values, mechanics) {
-  const keys = replaced(checked, toDict(checked), values, (hoop, path) => readHoop(hoop, mechanics, path));
+  const keys = replaced(checked, toDict(checked), values, (name, data, float) =>
+    readAlone(name, data, mechanics, float),
+  );
   return fromDict(keys, mechanics, findings(floats([...values.keys()])));
 }
 
@@ -136,7 +138,9 @@ export function withValues(checked, values, mechanics) {
 export function sectionsWith(checked, values, mechanics) {
   const found = findings();
   try {
-    const keys = replaced(checked, toDict(checked), values, (hoop, path) => readHoop(hoop, mechanics, path));
+    const keys = replaced(checked, toDict(checked), values, (name, data, float) =>
+      readAlone(name, data, mechanics, float),
+    );
     const names = new Set([...values.keys()].map((path) => path.split(".")[0]));
     const sections = [...names].map((name) => [name, readSection(name, keys[name], mechanics, found)]);
     return found.said.length ? null : Object.fromEntries(sections);
@@ -147,16 +151,17 @@ export function sectionsWith(checked, values, mechanics) {
 }
 
 /**
- * A hoop by itself.
+ * A section by itself; throws what is wrong with it.
+ * @param {string} name
  * @param {any} data
  * @param {Mechanics} mechanics
  * @param {(path: string) => boolean} float
  */
-function readHoop(data, mechanics, float) {
+function readAlone(name, data, mechanics, float) {
   const found = findings(float);
-  const hoop = section("Hoop", data, "hoop", found, (one) => completeHoop(one, mechanics));
-  if (!hoop) throw new InputError(whole(found.said));
-  return hoop;
+  const one = readSection(name, data, mechanics, found);
+  if (found.said.length) throw new InputError(whole(found.said));
+  return one;
 }
 
 // --- written -----------------------------------------------------------------------------------

@@ -9,7 +9,7 @@ import numpy as np
 from hophoop._jit import jit
 from hophoop.compliant.events import FRICTION_CHANGE, GUARDS, NONE, first_exit, guard, remaining, sign_change
 from hophoop.compliant.motion import rates
-from hophoop.compliant.phase import FLIGHT, Phase, begun, ended, keep, mode_of, note, tried
+from hophoop.compliant.phase import FLIGHT, Phase, begun, ended, keep, mode_of, note, tried, within_turn
 from hophoop.compliant.records import DYNAMIC, HOLD, OM, SIZE, STEP, TH, VN, VT, Y, Z
 from hophoop.compliant.step import FAILED, attempt, make_poly, poly_value, predict
 from hophoop.compliant.tableau import STAGES
@@ -75,10 +75,10 @@ def arm(comp, regime, armed, work):
 @jit
 def come_to_rest(phase, t_end, stable, log, rows, work):
     """(the end at rest, segments)."""
-    note(log, REST, phase.mode, phase.mode, phase.t, work.state)
+    note(log, REST, phase.mode, phase.mode, phase.t, phase.turns, work.state)
     if has_room(log):
         log.events[log.written[0] - 1]["stable"] = 1 if stable else 0
-    rows = keep(log, rows, phase.t, t_end, HOLD, phase.mode, phase.regime, 0.0, work)
+    rows = keep(log, rows, phase, t_end, HOLD, 0.0, work)
     return ended(phase, t_end, AT_REST), rows
 
 
@@ -102,19 +102,20 @@ def accept(phase, after, behind, length, log, rows, work):
     """(the phase after a step, segments), with the turning point on the way."""
     u = work.state
     way = phase.way
-    rows = keep(log, rows, phase.t, after, STEP, phase.mode, phase.regime, length, work)
+    rows = keep(log, rows, phase, after, STEP, length, work)
     spin = poly_value(work.poly, OM, 1.0)
     if way * spin < 0.0:
         s = sign_change(work.poly, OM) if work.poly[OM, 0] * spin < 0.0 else 0.0
         for m in range(SIZE):
             work.start[m] = poly_value(work.poly, m, s)
         work.start[OM] = 0.0
-        note(log, TURN, phase.mode, phase.mode, phase.t + s * length, work.start)
+        note(log, TURN, phase.mode, phase.mode, phase.t + s * length, phase.turns, work.start)
     if spin != 0.0:
         way = 1.0 if spin > 0.0 else -1.0
     for m in range(SIZE):
         u[m] += work.stages[STAGES - 1, m] if m < DYNAMIC else work.integrals[STAGES - 1, m - DYNAMIC]
-    return Phase(after, behind, phase.mode, phase.regime, False, phase.h, length, way, phase.status), rows
+    turns, u[TH] = within_turn(phase.turns, u[TH])
+    return Phase(after, turns, behind, phase.mode, phase.regime, False, phase.h, length, way, phase.status), rows
 
 
 @jit
@@ -122,7 +123,7 @@ def change(comp, phase, which, armed, log, work):
     """The phase after a guard has fallen: another regime of the friction, or flight."""
     u = work.state
     if which != FRICTION_CHANGE:
-        note(log, TAKEOFF, phase.mode, FLIGHT, phase.t, u)
+        note(log, TAKEOFF, phase.mode, FLIGHT, phase.t, phase.turns, u)
         if comp.k * abs(u[Y]) < 1e-8:
             u[Y] = 0.0
         return begun(phase, phase.t, FLIGHT, phase.regime)
@@ -133,11 +134,11 @@ def change(comp, phase, which, armed, log, work):
     else:
         regime = AHEAD if u[VT] > 0.0 else -AHEAD
     mode = mode_of(regime)
-    note(log, STICK if regime == 0 else SLIP_START, phase.mode, mode, phase.t, u)
+    note(log, STICK if regime == 0 else SLIP_START, phase.mode, mode, phase.t, phase.turns, u)
     if comp.friction != TANH:
         return begun(phase, phase.t, mode, regime)
     arm(comp, regime, armed, work)  # smooth across its threshold
-    return Phase(phase.t, phase.behind, mode, regime, False, phase.h, phase.before, phase.way, phase.status)
+    return Phase(phase.t, phase.turns, phase.behind, mode, regime, False, phase.h, phase.before, phase.way, phase.status)
 
 
 @jit

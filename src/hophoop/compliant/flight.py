@@ -7,11 +7,12 @@ import math
 import numpy as np
 
 from hophoop._jit import jit
-from hophoop.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note
+from hophoop.compliant.phase import FLIGHT, IMPACT, begun, ended, keep, mode_of, note, turned, within_turn
 from hophoop.compliant.records import DAMPING, FLY, FRICTION, OM, RESISTED, SIZE, TH, VN, VT, X, Y, Z
 from hophoop.numerics.collocation import NODES, ORDER, coefficients
+from hophoop.numerics.double_double import turns_and_rest
 from hophoop.numerics.roots import NOT_FOUND, first_fall
-from hophoop.panels.landing import MOST_PANELS, PHASE, first_landing
+from hophoop.panels.landing import first_landing
 from hophoop.physics.body import Event, Status
 from hophoop.physics.compliant import BRISTLE, KELVIN_VOIGT, first_regime, normal_force
 from hophoop.physics.contact import free_acceleration
@@ -19,18 +20,22 @@ from hophoop.physics.flight import flight_displacement, flight_gap
 
 APEX = np.int64(Event.APEX)
 EVENT_LIMIT = int(Status.EVENT_LIMIT)
+MOST_PANELS = 20_000  # looked at in one flight below the plane's level
+PHASE = 3.0  # rad of rotation in one panel: the first coefficient left out, J₁₆(1.5), is 5e-16
 LANDED, CLEAR, LASTS, GIVEN_UP = 0, 1, 2, 3
 
 
 @jit
 def fly_state(body, comp, begin, opening, tau, out):
-    """The state after the time tau of a flight; `opening` is f_n at its start."""
+    """Fill `out` with the state after the time tau of a flight; `opening` is f_n at its start. Returns the turns made."""
     s = math.sin(begin[TH])
     c = math.cos(begin[TH])
     out[Y], out[VN] = flight_gap(body, s, c, begin[OM], begin[Y], begin[VN], opening, tau)
     along, out[VT] = flight_displacement(body, begin[VT], begin[OM], s, c, tau)
     out[X] = begin[X] + along
-    out[TH] = begin[TH] + begin[OM] * tau
+    # of the same angle as in the gap, which may be of many turns
+    more, rest, low = turns_and_rest(begin[OM] * tau)
+    turns, out[TH] = within_turn(more, begin[TH] + (rest + low))
     out[OM] = begin[OM]
     out[Z] = 0.0
     out[FRICTION] = begin[FRICTION]
@@ -43,6 +48,7 @@ def fly_state(body, comp, begin, opening, tau, out):
     before = min(begin[Y], 0.0)
     after = min(out[Y], 0.0)
     out[DAMPING] = begin[DAMPING] + 0.5 * comp.k * (before - after) * (before + after)
+    return turns
 
 
 @jit
@@ -92,12 +98,9 @@ def fly_below(body, comp, begin, opening, limit, work):
 
 
 @jit
-def fly_above(body, begin, opening, zeros, limit, work):
+def fly_above(body, begin, opening, zeros, limit):
     """(what, τ, τ of the apex or −1) of a flight from the plane's level or above it."""
-    landing, apex, seen = first_landing(
-        body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit,
-        work.values, work.series, work.stack,
-    )  # fmt: skip
+    landing, apex, seen = first_landing(body, begin[TH], begin[OM], begin[Y], begin[VN], opening, zeros, limit)
     if 0.0 <= landing <= limit:
         return LANDED, landing, apex
     return (GIVEN_UP if seen < limit else LASTS), seen, apex
@@ -116,14 +119,14 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
         what, tau = LANDED, 0.0
     else:
         zeros = 0 if u[Y] > 0.0 else 1 if u[VN] > 0.0 else 2
-        what, tau, apex = fly_above(body, u, opening, zeros, t_end - t, work)
+        what, tau, apex = fly_above(body, u, opening, zeros, t_end - t)
     if 0.0 < apex < tau:
-        fly_state(body, comp, u, opening, apex, work.start)
+        more = fly_state(body, comp, u, opening, apex, work.start)
         work.start[VN] = 0.0
-        note(log, APEX, FLIGHT, FLIGHT, t + apex, work.start)
+        note(log, APEX, FLIGHT, FLIGHT, t + apex, phase.turns + more, work.start)
     after = t_end if what == LASTS else t + tau
-    rows = keep(log, rows, t, after, FLY, phase.mode, phase.regime, opening, work)
-    fly_state(body, comp, u, opening, tau, work.start)
+    rows = keep(log, rows, phase, after, FLY, opening, work)
+    phase = turned(phase, fly_state(body, comp, u, opening, tau, work.start))
     if what == CLEAR or (what == LANDED and u[Y] >= 0.0):
         work.start[Y] = 0.0
     for m in range(SIZE):
@@ -134,5 +137,5 @@ def flight_step(body, comp, phase, t_end, log, rows, work):
         return begun(phase, after, FLIGHT, phase.regime), rows
     regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
     mode = mode_of(regime)
-    note(log, IMPACT, FLIGHT, mode, after, u)
+    note(log, IMPACT, FLIGHT, mode, after, phase.turns, u)
     return begun(phase, after, mode, regime), rows

@@ -11,8 +11,27 @@ from hophoop.compliant.contact_step import contact_step
 from hophoop.compliant.events import GUARDS
 from hophoop.compliant.flight import flight_step
 from hophoop.compliant.parameters import to_compliance, to_start
-from hophoop.compliant.phase import FLIGHT, GOING, Phase, ended, mode_of, note
-from hophoop.compliant.records import DYNAMIC, HOLD, KIND, OM, SEGMENT, SIZE, TH, VN, VT, WIDTH, Y, Z, new_work
+from hophoop.compliant.phase import FLIGHT, GOING, Phase, ended, mode_of, note, within_turn
+from hophoop.compliant.records import (
+    DYNAMIC,
+    FIRST,
+    FLY,
+    HOLD,
+    KIND,
+    MODE,
+    OM,
+    SEGMENT,
+    SIZE,
+    TH,
+    TURNS,
+    VN,
+    VT,
+    WIDTH,
+    Y,
+    Z,
+    new_work,
+)
+from hophoop.compliant.tableau import STAGES
 from hophoop.physics.body import Event, Status
 from hophoop.physics.compliant import BRISTLE, first_regime, normal_force
 from hophoop.records.layout import EVENT
@@ -49,8 +68,9 @@ def begin(comp, touching, log, work):
     if touching:
         regime = first_regime(comp, normal_force(comp, u[Y], u[VN])[0], u[Z], u[VT])
         mode = mode_of(regime)
-    note(log, START, NO_MODE if touching else FLIGHT, mode, 0.0, u)
-    return Phase(0.0, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
+    turns, u[TH] = within_turn(0.0, u[TH])
+    note(log, START, NO_MODE if touching else FLIGHT, mode, 0.0, turns, u)
+    return Phase(0.0, turns, 0.0, mode, regime, True, 0.0, 0.0, 0.0, GOING)
 
 
 @jit
@@ -96,7 +116,7 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
         else:
             phase, rows = contact_step(body, comp, phase, t_end, rtol, armed, log, rows, work)
         reached[0] = phase.t / t_end
-    note(log, END, phase.mode, phase.mode, phase.t, work.state)
+    note(log, END, phase.mode, phase.mode, phase.t, phase.turns, work.state)
     if log.written[0] < 0:
         return EVENT_LIMIT, events.shape[0], rows, log.written[1]
     return COMPLETED if phase.status == GOING else phase.status, log.written[0], rows, log.written[1]
@@ -137,9 +157,13 @@ def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) ->
         if status != EVENT_LIMIT or count < size or size == limit:
             break
         size = min(8 * size, limit)
-    if pieces == 0:  # nothing happened before the limit: a piece of no length holds the start
+    if pieces == 0:  # no time has passed before the limit: a piece of no length holds the start
         pieces = 1
         rows[0] = 0.0
-        rows[0, KIND] = HOLD
+        rows[0, KIND] = HOLD if touching else FLY
+        rows[0, MODE] = events[count - 1]["after_mode"]
+        rows[0, TURNS] = events[count - 1]["turns"]
+        rows[0, FIRST :: STAGES + 1] = start
+        rows[0, FIRST + TH * (STAGES + 1)] = events[count - 1]["theta"]
     segments = np.ascontiguousarray(rows[:pieces]).view(SEGMENT)[:, 0]
     return status, events[:count].copy(), segments

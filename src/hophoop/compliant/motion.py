@@ -6,8 +6,11 @@ import math
 
 from hophoop._jit import jit
 from hophoop.compliant.records import DAMPING, DYNAMIC, FRICTION, OM, RESISTED, TH, VN, VT, X, Y, Z
-from hophoop.physics.compliant import BRISTLE, bristle_rate, friction_force, normal_force, resisting_couple
+from hophoop.physics.compliant import BRISTLE, bristle_rate, friction_force, normal_force, resisting_couple, spring_energy
 from hophoop.physics.contact import delassus, free_acceleration
+from hophoop.physics.energy import kinetic_energy, potential_energy
+
+kinetic, potential = jit(kinetic_energy), jit(potential_energy)
 
 
 @jit
@@ -53,6 +56,13 @@ def powers(body, comp, regime, u, out, begin):
     out[begin + RESISTED - DYNAMIC] = 0.0
     if body.resist > 0.0:
         out[begin + RESISTED - DYNAMIC] = -resisting_couple(comp, body.resist, normal, u[OM])[0] * u[OM]
+
+
+@jit
+def stored(body, comp, u):
+    """(energy of motion and in the springs, potential energy as at x = 0)."""
+    moving = kinetic(body, u[TH], u[OM], u[VT], u[VN], 0.0)
+    return moving + spring_energy(comp, u[Y], u[Z]), potential(body, 0.0, u[Y], u[TH])
 
 
 @jit

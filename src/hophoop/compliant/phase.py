@@ -14,13 +14,13 @@ from hophoop.compliant.records import (
     LENGTH,
     MODE,
     OM,
-    ORIGIN,
     REGIME,
     RESISTED,
     SIZE,
     STEP,
     T_END,
     TH,
+    TURNS,
     VN,
     VT,
     T,
@@ -29,8 +29,9 @@ from hophoop.compliant.records import (
     grown,
 )
 from hophoop.compliant.tableau import STAGES
+from hophoop.numerics.double_double import turns_and_rest
 from hophoop.physics.body import Event, Mode
-from hophoop.records.state import moved, start_state, with_losses, with_resisted
+from hophoop.records.state import FARTHEST, moved, start_state, with_losses, with_resisted
 from hophoop.records.writing import has_room, quiet, write_event
 
 # As NumPy's integers: Numba would compile a function again for every Python integer that it is called with.
@@ -43,6 +44,7 @@ class Phase(NamedTuple):
     """Where a motion is; its state is in `work.state`."""
 
     t: float
+    turns: float  # whole ones; the state has θ within the turn, with all its digits however far the hoop has rolled
     behind: float  # what rounding has kept from t so far: steps may be shorter than its last digit
     mode: int | np.int64
     regime: int | np.int64  # of the friction
@@ -56,19 +58,37 @@ class Phase(NamedTuple):
 @jit
 def begun(phase, t, mode, regime):
     """The phase that begins at a time."""
-    return Phase(t, phase.behind, mode, regime, True, phase.h, phase.before, phase.way, GOING)
+    return Phase(t, phase.turns, phase.behind, mode, regime, True, phase.h, phase.before, phase.way, GOING)
 
 
 @jit
 def tried(phase, h, before):
     """The same phase, to be tried again with another step."""
-    return Phase(phase.t, phase.behind, phase.mode, phase.regime, False, h, before, phase.way, GOING)
+    return Phase(phase.t, phase.turns, phase.behind, phase.mode, phase.regime, False, h, before, phase.way, GOING)
 
 
 @jit
 def ended(phase, t, status):
     """The motion ends in this phase."""
-    return Phase(t, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.way, status)
+    return Phase(t, phase.turns, phase.behind, phase.mode, phase.regime, False, phase.h, phase.before, phase.way, status)
+
+
+@jit
+def within_turn(turns, th):
+    """(turns, θ) with θ counted in the turn it is in, once it is far from the present one."""
+    if abs(th) <= FARTHEST:
+        return turns, th
+    more, rest, low = turns_and_rest(th)
+    return turns + more, rest + low
+
+
+@jit
+def turned(phase, turns):
+    """The same phase, so many turns further."""
+    return Phase(
+        phase.t, phase.turns + turns, phase.behind, phase.mode, phase.regime, phase.begins,
+        phase.h, phase.before, phase.way, phase.status,
+    )  # fmt: skip
 
 
 @jit
@@ -80,35 +100,35 @@ def mode_of(regime):
 
 
 @jit
-def as_state(t, u):
+def as_state(t, turns, u):
     """The state as events are written."""
     start = start_state(u[X], u[Y], u[TH], u[VT], u[VN], u[OM])
-    there = moved(start, t, 0.0, start.x, 0.0, start.y, start.turns, start.th, start.th_low)
+    there = moved(start, t, 0.0, start.x, 0.0, start.y, start.turns + turns, start.th, start.th_low)
     return with_resisted(with_losses(there, u[FRICTION], 0.0, 0.0), u[RESISTED])
 
 
 @jit
-def note(log, kind, before, after, t, u):
+def note(log, kind, before, after, t, turns, u):
     """Append an event that changes no velocity."""
-    state = as_state(t, u)
+    state = as_state(t, turns, u)
     write_event(log, quiet(kind, before, state), after, state, 0.0, -1)
     if kind == IMPACT and has_room(log):
         log.events[log.written[0] - 1]["collision"] = 1
 
 
 @jit
-def keep(log, rows, t, t_end, kind, mode, regime, length, work):
+def keep(log, rows, phase, t_end, kind, length, work):
     """Append a segment; returns the array, which may be a longer copy."""
     pieces = log.written[1]
     log.written[1] = pieces + 1
     rows = grown(rows, pieces)
     row = rows[pieces]
-    row[T] = t
+    row[T] = phase.t
     row[T_END] = t_end
     row[KIND] = kind
-    row[MODE] = mode
-    row[REGIME] = regime
-    row[ORIGIN] = t
+    row[MODE] = phase.mode
+    row[REGIME] = phase.regime
+    row[TURNS] = phase.turns
     row[LENGTH] = length
     for m in range(SIZE):
         for j in range(STAGES + 1):

@@ -20,12 +20,12 @@ MEASURED = 9  # the error of a step is a mean over so many
 
 # Kinds of segments.
 STEP, FLY, HOLD = 0.0, 1.0, 2.0
-# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − origin)/step; FLY and HOLD keep p_0
-# alone, and FLY has f_n at its start for `step`.
-T, T_END, KIND, MODE, REGIME, ORIGIN, LENGTH, FIRST = range(8)  # FIRST: where the polynomials begin
+# Columns of a segment. A STEP is the polynomial Σ_j p_j s^j, s = (t − its begin)/step; FLY and HOLD keep p_0
+# alone, and FLY has f_n at its start for `step`. The angle is θ within the turn; `turns` are whole.
+T, T_END, KIND, MODE, REGIME, TURNS, LENGTH, FIRST = range(8)  # FIRST: where the polynomials begin
 WIDTH = FIRST + SIZE * (STAGES + 1)
 SEGMENT = np.dtype(
-    [(name, "f8") for name in ("t", "t_end", "kind", "mode", "regime", "origin", "step")]
+    [(name, "f8") for name in ("t", "t_end", "kind", "mode", "regime", "turns", "step")]
     + [(f"{name}_{power}", "f8") for name in VARIABLES for power in range(STAGES + 1)]
 )
 

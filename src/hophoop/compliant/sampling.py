@@ -18,12 +18,12 @@ from hophoop.compliant.records import (
     LENGTH,
     MODE,
     OM,
-    ORIGIN,
     REGIME,
     RESISTED,
     SIZE,
     T_END,
     TH,
+    TURNS,
     VN,
     VT,
     WIDTH,
@@ -33,13 +33,14 @@ from hophoop.compliant.records import (
     Z,
 )
 from hophoop.compliant.tableau import STAGES
+from hophoop.numerics.double_double import TWO_PI, TWO_PI_LOW
 from hophoop.physics.compliant import spring_energy
 from hophoop.scenario import Scenario
 
 # Columns of a sample, in kernel units.
 COLUMNS = (
     "mode", "x", "height", "angle", "vx", "vy", "omega", "slip", "friction_force", "normal_force",
-    "friction", "impact_normal", "impact_tangential", "spring", "damping", "rolling_resistance",
+    "friction", "impact_normal", "impact_tangential", "spring", "damping", "rolling_resistance", "theta",
 )  # fmt: skip
 
 
@@ -70,15 +71,16 @@ def sample(body, comp, rows, times, left, out):
         regime = int(row[REGIME])
         for m in range(SIZE):
             begin[m] = row[FIRST + m * (STAGES + 1)]
+        turns = row[TURNS]
         friction = 0.0
         normal = 0.0
         if kind == FLY:
-            fly_state(body, comp, begin, row[LENGTH], t - row[T], u)
+            turns += fly_state(body, comp, begin, row[LENGTH], t - row[T], u)
         elif kind == HOLD:
             u[:] = begin
         else:
             # a step may be shorter than the last digit of its times
-            s = min((t - row[ORIGIN]) / row[LENGTH], 1.0)
+            s = 1.0 if t >= row[T_END] else min((t - row[T]) / row[LENGTH], 1.0)
             for m in range(SIZE):
                 at = FIRST + m * (STAGES + 1)
                 value = row[at + STAGES]
@@ -94,7 +96,7 @@ def sample(body, comp, rows, times, left, out):
         place[0] = row[MODE]
         place[1] = u[X]
         place[2] = u[Y]
-        place[3] = u[TH]
+        place[3] = turns * TWO_PI + (u[TH] + turns * TWO_PI_LOW)
         place[4] = u[VT] + u[OM]
         place[5] = u[VN]
         place[6] = u[OM]
@@ -107,6 +109,7 @@ def sample(body, comp, rows, times, left, out):
         place[13] = spring_energy(comp, u[Y], u[Z])
         place[14] = u[DAMPING]
         place[15] = u[RESISTED]
+        place[16] = u[TH]
 
 
 def sampled(scenario: Scenario, segments: np.ndarray, times: np.ndarray, left: bool) -> np.ndarray:

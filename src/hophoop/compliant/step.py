@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import jit
-from hophoop.compliant.motion import jacobian, powers, rates
-from hophoop.compliant.records import DYNAMIC, MEASURED, SIZE, TH
+from hophoop.compliant.motion import jacobian, powers, rates, stored
+from hophoop.compliant.records import DYNAMIC, MEASURED, OM, SIZE, VN, VT, X
 from hophoop.compliant.tableau import (
     DEFECT,
     ERROR,
@@ -22,12 +22,12 @@ from hophoop.compliant.tableau import (
     TO_REAL,
     A,
 )
-from hophoop.numerics.double_double import TWO_PI
 
 ITERATIONS = 10
 NEWTON = 1e-3  # of the tolerance: what Newton's iteration may leave
+LEDGER = 0.1  # of rtol: how much of the energy a step may leave out of the ledger
+ROUNDING = 4e-16  # of an energy, beside the speeds that it is a difference of
 FAILED = 1e300  # an error that no step may have
-ROUNDED = 2.0**-50  # of θ: after millions of radians a step is asked for no more than the digits that the angle still has
 
 
 @jit
@@ -168,11 +168,8 @@ def attempt(body, comp, regime, work, start, h, rtol):
     Leaves the stages, the integrals and the dense output in `work`; returns the error over the tolerance,
     FAILED where Newton's iteration does not converge.
     """
-    rtol = max(rtol, ROUNDED * abs(start[TH]))
     for m in range(SIZE):
         work.scale[m] = rtol * (work.atol[m] + abs(start[m]))
-    if abs(start[TH]) > TWO_PI:  # after many turns an angle needs its digits within the turn
-        work.scale[TH] = rtol * (work.atol[TH] + TWO_PI)
     jacobian(body, comp, regime, start, work.jacobian)
     for i in range(DYNAMIC):
         for j in range(DYNAMIC):
@@ -228,7 +225,28 @@ def attempt(body, comp, regime, work, start, h, rtol):
         for m in range(DYNAMIC):
             size += (work.real_side[m] / work.scale[m]) ** 2
     result = math.sqrt((size + total) / MEASURED)
-    return result if result < FAILED else FAILED
+    if not result < FAILED:
+        return FAILED
+    if result <= 1.0:  # of a light ring the estimate says too little
+        result = max(result, ledger_error(body, comp, work, start, rtol))
+    return result
+
+
+@jit
+def ledger_error(body, comp, work, start, rtol):
+    """What the ledger does not close by over a step, over its tolerance."""
+    end = work.trial
+    for m in range(DYNAMIC):
+        end[m] = start[m] + work.stages[STAGES - 1, m]
+    lost = 0.0
+    for m in range(SIZE - DYNAMIC):
+        if m != X - DYNAMIC:
+            lost += work.integrals[STAGES - 1, m]
+    before, height = stored(body, comp, start)
+    after, higher = stored(body, comp, end)
+    gain = (after - before) + (higher - height) + lost - body.gt * work.integrals[STAGES - 1, X - DYNAMIC]
+    rounding = (abs(end[VT]) + abs(end[VN]) + abs(end[OM])) * math.sqrt(after)
+    return abs(gain) / (LEDGER * rtol * (1.0 + before + after) + ROUNDING * rounding)
 
 
 @jit

@@ -33,7 +33,7 @@ from hophoop.records.times import kernel_times
 
 CONTACT, HEAD_COUNT, EVENT_WIDTH, CHOSEN_COUNT = len(COMPLIANT), len(HEADS), len(EVENT_COLUMNS), len(CHOSEN)
 RAW_WIDTH = len(sampling.COLUMNS)
-SPRING, DAMPER = sampling.COLUMNS.index("spring"), sampling.COLUMNS.index("damping")
+SPRING, DAMPER, THETA = (sampling.COLUMNS.index(name) for name in ("spring", "damping", "theta"))
 BUFFER = int(Status.BUFFER)
 
 
@@ -143,5 +143,5 @@ def compliant_samples(given, contact, rows, count, times, n, left, out):
         write_state(body, scales, line, states[k])
         states[k, 13] = line[SPRING] * scales.energy
         states[k, 14] = line[DAMPER] * scales.energy
-        states[k, 15] = kinetic(body, line[3], line[6], line[7], line[5], 0.0) * scales.energy
-        states[k, 16] = potential(body, line[1], line[2], line[3]) * scales.energy
+        states[k, 15] = kinetic(body, line[THETA], line[6], line[7], line[5], 0.0) * scales.energy
+        states[k, 16] = potential(body, line[1], line[2], line[THETA]) * scales.energy

@@ -15,9 +15,12 @@ from hophoop.numerics.trigonometry import versine_of
 @lean_jit
 def skim_duration(body, c, sink):
     """Time until the load strikes the plane, from cos θ and its rate of sinking, which is not below 0."""
+    gained = 2.0 * body.gn * (1.0 + c)  # in the square of the rate
+    if sink * sink > gained:  # of a fast one the difference would have no digits
+        return 2.0 * (1.0 + c) / (sink + math.sqrt(sink * sink + gained))
     if body.gn == 0.0:
-        return (1.0 + c) / sink if sink > 0.0 else math.inf
-    return (-sink + math.sqrt(sink * sink + 2.0 * body.gn * (1.0 + c))) / body.gn
+        return math.inf
+    return (-sink + math.sqrt(sink * sink + gained)) / body.gn
 
 
 @lean_jit

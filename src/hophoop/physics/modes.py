@@ -16,6 +16,7 @@ ROLL, SPIN, SKID, FLIGHT = int(Mode.ROLL), int(Mode.SPIN), int(Mode.SKID), int(M
 # Answers beyond the modes: what rule 4 records before the motion goes on.
 INCONSISTENT, INDETERMINATE, UNDECIDED = 10, 11, 12
 
+ROUNDING = 2e-15  # of forces, beside gravity and centrifugal acceleration
 TIE = 1e-13  # below this, beside gravity and centrifugal acceleration, a quantity counts as zero
 
 
@@ -64,9 +65,11 @@ def can_roll(body, th, om):
     a, b = cone_weights(body.mu_s)
     tie = TIE * (body.gn + abs(body.gt) + u)
     margin = a * normal - b * abs(friction)
-    if normal > tie and margin > tie:
+    # with little friction a small force decides, that a light ring is started by; beyond its rounding it is no tie
+    close = min(tie, TIE * (a * abs(normal) + b * abs(friction)) + ROUNDING * (body.gn + abs(body.gt) + u))
+    if normal > tie and margin > close:
         return True
-    if normal < -tie or margin < -tie:
+    if normal < -tie or margin < -close:
         return False
     series_n, series_p, series_m, _ = candidate_series(body, th, om, 0)
     scale = body.gn + abs(body.gt) + u

@@ -1,6 +1,6 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources b62f678f4fdacc8b117d308f297da2df */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources d4ccb5ece8e28938543961114e6d0e8d */
 var bl=Object.create;var Ji=Object.defineProperty;var wl=Object.getOwnPropertyDescriptor;var yl=Object.getOwnPropertyNames;var vl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var xl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of yl(e))!kl.call(s,i)&&i!==t&&Ji(s,i,{get:()=>e[i],enumerable:!(n=wl(e,i))||n.enumerable});
-return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Is=>{"use strict";Object.defineProperty(Is,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
+return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
 "2d").drawImage(i,0,0),o}toDataURL(e,t,n,i,o,a){var r=new XMLSerializer().serializeToString(e),l=document.documentMode;if(l){var c=/xmlns="http:\/\/www\.w3\.org\/2000\/svg".+xmlns="http:\/\/www\.w3\.org\/2000\/svg/gi;
 c.test(r)&&(r=r.replace('xmlns="http://www.w3.org/2000/svg','xmlns:xlink="http://www.w3.org/1999/xlink'))}a||(a={});var u="data:image/svg+xml;charset=utf-8,"+encodeURIComponent(
@@ -79,7 +79,7 @@ var d=Math.sqrt(h[0]*h[0]+h[1]*h[1]);return[h[0]/d,h[1]/d]};return e.prototype.a
 w=this.__currentPosition&&this.__currentPosition.y;if(!(typeof b>"u"||typeof w>"u")){if(f<0)throw new Error("IndexSizeError: The radius provided ("+f+") is nega\
 tive.");if(b===h&&w===d||h===p&&d===g||f===0){this.lineTo(h,d);return}var y=u([b-h,w-d]),k=u([p-h,g-d]);if(y[0]*k[1]===y[1]*k[0]){this.lineTo(h,d);return}var E=y[0]*
 k[0]+y[1]*k[1],R=Math.acos(Math.abs(E)),M=u([y[0]+k[0],y[1]+k[1]]),A=f/Math.sin(R/2),D=h+A*M[0],O=d+A*M[1],C=[-y[1],y[0]],ee=[k[1],-k[0]],re=function(Vi){var Zi=Vi[0],
-gl=Vi[1];return gl>=0?Math.acos(Zi):-Math.acos(Zi)},Kt=re(C),fl=re(ee);this.lineTo(D+C[0]*f,O+C[1]*f),this.arc(D,O,f,Kt,fl)}},e.prototype.stroke=function(){this.
+gl=Vi[1];return gl>=0?Math.acos(Zi):-Math.acos(Zi)},Ht=re(C),fl=re(ee);this.lineTo(D+C[0]*f,O+C[1]*f),this.arc(D,O,f,Ht,fl)}},e.prototype.stroke=function(){this.
 __currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","fill stroke markers"),this.__applyCurrentDefaultPath(),this.__applyStyleToCurrentElement(
 "stroke")},e.prototype.fill=function(){this.__currentElement.nodeName==="path"&&this.__currentElement.setAttribute("paint-order","stroke fill markers"),this.__applyCurrentDefaultPath(),
 this.__applyStyleToCurrentElement("fill")},e.prototype.rect=function(h,d,p,g){this.__currentElement.nodeName!=="path"&&this.beginPath(),this.moveTo(h,d),this.lineTo(
@@ -117,11 +117,11 @@ __currentPosition={x:R,y:M}}},e.prototype.clip=function(){var h=this.__closestGr
 h.setAttribute("clip-path",o("url(#{id})",{id:p})),h.appendChild(g),this.__currentElement=g},e.prototype.drawImage=function(){var h=Array.prototype.slice.call(arguments),
 d=h[0],p,g,f,b,w=0,y=0,k,E,R,M,A,D,O,C,ee,re;if(h.length===3)p=h[1],g=h[2],k=d.width,E=d.height,f=k,b=E;else if(h.length===5)p=h[1],g=h[2],f=h[3],b=h[4],k=d.width,
 E=d.height;else if(h.length===9)w=h[1],y=h[2],k=h[3],E=h[4],p=h[5],g=h[6],f=h[7],b=h[8];else throw new Error("Invalid number of arguments passed to drawImage: "+
-arguments.length);R=this.__closestGroupOrSvg(),this.__currentElement;let Kt=this.getTransform().translate(p,g);if(d instanceof e){if(M=d.getSvg().cloneNode(!0),
+arguments.length);R=this.__closestGroupOrSvg(),this.__currentElement;let Ht=this.getTransform().translate(p,g);if(d instanceof e){if(M=d.getSvg().cloneNode(!0),
 M.childNodes&&M.childNodes.length>1){for(A=M.childNodes[0];A.childNodes.length;)re=A.childNodes[0].getAttribute("id"),this.__ids[re]=re,this.__defs.appendChild(
-A.childNodes[0]);D=M.childNodes[1],D&&(this.__applyTransformation(D,Kt),R.appendChild(D))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(O=this.__createElement(
+A.childNodes[0]);D=M.childNodes[1],D&&(this.__applyTransformation(D,Ht),R.appendChild(D))}}else(d.nodeName==="CANVAS"||d.nodeName==="IMG")&&(O=this.__createElement(
 "image"),O.setAttribute("width",f),O.setAttribute("height",b),O.setAttribute("preserveAspectRatio","none"),(w||y||k!==d.width||E!==d.height)&&(C=this.__document.
-createElement("canvas"),C.width=f,C.height=b,ee=C.getContext("2d"),ee.drawImage(d,w,y,k,E,0,0,f,b),d=C),this.__applyTransformation(O,Kt),O.setAttributeNS("http:\
+createElement("canvas"),C.width=f,C.height=b,ee=C.getContext("2d"),ee.drawImage(d,w,y,k,E,0,0,f,b),d=C),this.__applyTransformation(O,Ht),O.setAttributeNS("http:\
 //www.w3.org/1999/xlink","xlink:href",d.nodeName==="CANVAS"?d.toDataURL():d.getAttribute("src")),R.appendChild(O))},e.prototype.createPattern=function(h,d){var p=this.
 __document.createElementNS("http://www.w3.org/2000/svg","pattern"),g=a(this.__ids),f;return p.setAttribute("id",g),p.setAttribute("width",h.width),p.setAttribute(
 "height",h.height),p.setAttribute("patternUnits","userSpaceOnUse"),h.nodeName==="CANVAS"||h.nodeName==="IMG"?(f=this.__document.createElementNS("http://www.w3.o\
@@ -146,13 +146,13 @@ o}})}),["getBoundingClientRect"].forEach(function(i){t[i]=function(){return e[i]
 ed type of context for SVGCanvas");return this.ctx};Ne.prototype.toObjectURL=function(){var s=new XMLSerializer().serializeToString(this.svg),e=new Blob([s],{type:"\
 image/svg+xml;charset=utf-8"});return URL.createObjectURL(e)};Ne.prototype.toDataURL=function(s,e,t){return Pa.toDataURL(this.svg,this.width,this.height,s,e,t)};
 Ne.prototype.addEventListener=function(){return this.svg.addEventListener.apply(this.svg,arguments)};Ne.prototype.getElement=function(){return this.wrapper};Ne.
-prototype.getAttribute=function(s){return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Is.Context=La;Is.
+prototype.getAttribute=function(s){return this.wrapper.getAttribute(s)};Ne.prototype.setAttribute=function(s,e){this.wrapper.setAttribute(s,e)};Ns.Context=La;Ns.
 Element=Ne});function ve(s){let e=Number.parseInt(s.slice(1,7),16);return[e>>16&255,e>>8&255,e&255]}var Yi=s=>gt(s)>.2?"#111111":"#ffffff",bt=(s,e)=>`rgba(${ve(s).join(",")}\
 ,${e})`,El=s=>{let e=s/255;return e<=.04045?e/12.92:((e+.055)/1.055)**2.4};function gt(s){let[e,t,n]=ve(s).map(El);return .2126*e+.7152*t+.0722*n}function wt(s,e){
 if(!e||!/^#[0-9a-f]{6}$/i.test(s))return s;if(gt(s)<.002)return"#eceef2";let t=s;for(let n=0;gt(t)<.2&&n<1;n+=.05)t=`#${ve(s).map(i=>Math.round(i+(255-i)*n).toString(
-16).padStart(2,"0")).join("")}`;return t}var Ut=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Tl(){let s=[];
-for(let e=0;e<256;e++){let t=e/255*(Ut.length-1),n=Math.min(Math.floor(t),Ut.length-2),i=ve(Ut[n]),o=ve(Ut[n+1]);s.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-n))))}
-return s}var et=Tl(),Vt=et.map(s=>`rgb(${s.join(",")})`),Ml=["#123a8c","#8a6d00"],de=(s,e)=>wt(Ml[s],e);var Qi={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
+16).padStart(2,"0")).join("")}`;return t}var Kt=["#440154","#472d7b","#3b528b","#2c728e","#21918c","#28ae80","#5ec962","#addc30","#fde725"];function Tl(){let s=[];
+for(let e=0;e<256;e++){let t=e/255*(Kt.length-1),n=Math.min(Math.floor(t),Kt.length-2),i=ve(Kt[n]),o=ve(Kt[n+1]);s.push(i.map((a,r)=>Math.round(a+(o[r]-a)*(t-n))))}
+return s}var et=Tl(),Ut=et.map(s=>`rgb(${s.join(",")})`),Ml=["#123a8c","#8a6d00"],de=(s,e)=>wt(Ml[s],e);var Qi={roll:"Rollen",spin:"Durchdrehen",skid:"Rutschen",flight:"Flug",skim:"Streifen","slip −":"Schlupf −","slip +":"Schlupf +",rolls:"rollt",spins:"dreht \
 durch",skids:"rutscht",flies:"fliegt","skims the plane":"streift die Ebene","rolls at {angle}":"rollt ab {angle}","spins at {angle}":"dreht ab {angle} durch","s\
 kids at {angle}":"rutscht ab {angle}","flies at {angle}":"fliegt ab {angle}","skims the plane at {angle}":"streift ab {angle} die Ebene","hops at {angle}":"hüpf\
 t bei {angle}","lands at {angle}":"landet bei {angle}","bounces at {angle}":"springt bei {angle} wieder ab","slips the other way at {angle}":"gleitet ab {angle}\
@@ -1326,26 +1326,26 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。"],to=Object.fromEntries(Object.keys(tt).map((s,e)=>[
 s,Ll[e]]));var un=new Map;function me(s){try{return localStorage.getItem(s)??un.get(s)??null}catch{return un.get(s)??null}}function pe(s,e){un.set(s,e);try{localStorage.setItem(
 s,e)}catch{}}var kt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},mn={de:Qi,es:Xi,fr:eo,zh:to},Dl=new Set(["de","es","fr"]),io="hophoop-language",oo=4e3,
-Nl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Zt=/\{(\w+)\}/g,ke="en",ao=[],yt=new Map,vt=new Set,st=new Set,Ae=()=>ke;
+Nl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Vt=/\{(\w+)\}/g,ke="en",ao=[],yt=new Map,vt=new Set,st=new Set,Ae=()=>ke;
 function pn(s){ke=s in kt?s:"en",yt=new Map,vt=new Set,st.clear(),ao=Object.keys(mn[ke]??{}).filter(e=>e.includes("{")).map(ql).sort((e,t)=>so(t.key)-so(e.key))}
 function Il(){let s=me(io);return s&&s in kt?s:(globalThis.navigator?.languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in kt)??"en"}function ro(s){pe(
-io,s)}var so=s=>s.replace(Zt,"").length;function ql(s){let e=[...s.matchAll(Zt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
+io,s)}var so=s=>s.replace(Vt,"").length;function ql(s){let e=[...s.matchAll(Vt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
 return{key:s,names:e,pattern:new RegExp(`^${t.join("(.+?)")}$`,"su")}}var fe=s=>Dl.has(ke)?s.replace(/(\d)\.(\d)/g,"$1,$2"):s;function v(s,e){let t=mn[ke];if(e)
 return B(ho(t?.[s]??no(s),e));if(!t||!/\p{L}/u.test(s))return fe(s);if(vt.has(s))return s;let n=yt.get(s);if(n!==void 0)return n;let i=s.trim(),o=t[i]??Ol(i,t)??
-no(i),a=s.replace(i,()=>o);return yt.size>oo&&yt.clear(),yt.set(s,a),B(a)}function B(s){return vt.size>oo&&vt.clear(),vt.add(s),s}var lo=(s,e)=>s.replace(Zt,(t,n)=>String(
-e[n])),ho=(s,e)=>s.replace(Zt,(t,n)=>n.startsWith("word")?String(e[n]):v(String(e[n])));function Ol(s,e){for(let{key:t,pattern:n,names:i}of ao){let o=s.match(n);
+no(i),a=s.replace(i,()=>o);return yt.size>oo&&yt.clear(),yt.set(s,a),B(a)}function B(s){return vt.size>oo&&vt.clear(),vt.add(s),s}var lo=(s,e)=>s.replace(Vt,(t,n)=>String(
+e[n])),ho=(s,e)=>s.replace(Vt,(t,n)=>n.startsWith("word")?String(e[n]):v(String(e[n])));function Ol(s,e){for(let{key:t,pattern:n,names:i}of ao){let o=s.match(n);
 if(o)return ho(e[t],Object.fromEntries(i.map((a,r)=>[a,o[r+1]])))}return Cl(s)}function Cl(s){if(s.includes(" → "))return s.split(" → ").map(e=>v(e)).join("\
  → ")}function co(s){if(!mn[ke])return s;let[,e,t]=s.match(/^(.*?)\.(?: (.*))?$/su)??["",s,""],{comma:n,stop:i}=ke==="zh"?{comma:"，",stop:"。"}:{comma:", ",
 stop:"."},a=`${e[0]?.toLowerCase()??""}${e.slice(1)}`.split(/, (?!\d)/).map(r=>v(r)).join(n);return B(`${a[0]?.toLocaleUpperCase(ke)??""}${a.slice(1)}${i}${t?` ${v(
 t)}`:""}`)}function no(s){let e=/\p{L}{3,}/u.test(s)&&!Nl.test(s);return ke!=="en"&&e&&st.size<200&&st.add(s),fe(s)}var fn=new WeakMap,dn=new WeakMap;function gn(s){
 let e=document.createTextNode(v(s));return fn.set(e,s),e}function nt(s,e,t){let n=dn.get(s)??{};n[e]=t,dn.set(s,n),s.setAttribute(e,v(t))}function jl(s){let e=document.
 createTreeWalker(s,NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=(t.nodeValue??"").replace(/\s+/g," ");n.trim()&&fn.set(t,n)}for(let t of s.
-querySelectorAll("[aria-label]"))nt(t,"aria-label",t.getAttribute("aria-label")??"");Jt(s)}function Jt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|
+querySelectorAll("[aria-label]"))nt(t,"aria-label",t.getAttribute("aria-label")??"");Zt(s)}function Zt(s){let e=document.createTreeWalker(s,NodeFilter.SHOW_ELEMENT|
 NodeFilter.SHOW_TEXT);for(let t=e.nextNode();t;t=e.nextNode()){let n=fn.get(t);n!==void 0&&(t.nodeValue=v(n));let i=dn.get(t);for(let[o,a]of Object.entries(i??{}))
 t.setAttribute(o,v(a))}}pn(Il());var Wl=new Set(["aria-label","title","placeholder","label"]);function m(s,e={},...t){let n=document.createElement(s),i=n;for(let[o,a]of Object.entries(e))a==null||
 a===!1||(o.startsWith("on")?n.addEventListener(o.slice(2),a):o==="class"?n.className=a:o in n&&o!=="list"&&typeof a!="string"?i[o]=a:Wl.has(o)?nt(n,o,String(a)):
 n.setAttribute(o,a===!0?"":a));for(let o of t.flat())o==null||o===!1||n.append(o.nodeType?o:gn(String(o)));return n}function P(s,e){e?s.replaceChildren(gn(e)):s.
-replaceChildren()}var Yt=s=>s!==null&&s.getRootNode().activeElement===s,ge=s=>s.getContext("2d");function V(s){let e=s.getBoundingClientRect(),t=Math.min(globalThis.
+replaceChildren()}var Jt=s=>s!==null&&s.getRootNode().activeElement===s,ge=s=>s.getContext("2d");function V(s){let e=s.getBoundingClientRect(),t=Math.min(globalThis.
 devicePixelRatio||1,2.5),n=Math.max(Math.round(e.width*t),1),i=Math.max(Math.round(e.height*t),1);(s.width!==n||s.height!==i)&&(s.width=n,s.height=i);let o=ge(s);
 return o.setTransform(t,0,0,t,0,0),{context:o,width:n/t,height:i/t}}function Fl(s){if(/^#[0-9a-f]{6}$/i.test(s))return s;let e=ge(m("canvas",{width:1,height:1}));
 e.fillStyle=s,e.fillRect(0,0,1,1);let[t,n,i]=e.getImageData(0,0,1,1).data;return`#${[t,n,i].map(o=>o.toString(16).padStart(2,"0")).join("")}`}function bn(s){let e=getComputedStyle(
@@ -1367,12 +1367,12 @@ s.replace(/^#/,"")),t={},n=Number(e.get("t")??Number.NaN);n>=0&&(t.time=n);let i
 y)])));let o=Number(e.get("zoom")??Number.NaN);o>0&&(t.zoom=_(o,.05,60));let a=mo(e.get("pan"),2);a&&(t.pan=a.map(w=>_(w,-20,20)));let r=mo(e.get("from"),3);r&&
 (t.from=r);let l=e.get("more");l&&(t.more=l);let[c,u,h,d,p,g,f]=e.get("map")?.split(",")??[],b=[h,d,g,f].map(Number);return f!==void 0&&b.every(Number.isFinite)&&
 b[0]<b[1]&&b[2]<b[3]&&(t.map={what:c,x:[u,b[0],b[1]],y:[p,b[2],b[3]]}),t}function mo(s,e){let t=(s??"").split(",").map(Number);return s&&t.length===e&&t.every(Number.
-isFinite)?t:null}var Hl=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),...s===null?[]:[s]]},Qt=class{constructor(e){
+isFinite)?t:null}var Hl=()=>{let s=new URLSearchParams(location.hash.slice(1)).get("with");return[location.search.slice(1),...s===null?[]:[s]]},Yt=class{constructor(e){
 this.lab=e,this.number=0,this.soon=ie(()=>this.write("same"),Gl),this.listen=()=>this.arrived(),addEventListener("popstate",this.listen)}close(){removeEventListener(
 "popstate",this.listen)}write(e){let{lab:t}=this;if(!t.motions.lanes.length)return;let n=t.link();e==="step"?history.pushState({number:++this.number},"",n):history.
 replaceState({number:this.number},"",n)}travel(e){return new Promise(t=>{let n=()=>t();addEventListener("popstate",n,{once:!0}),setTimeout(n,300),history.go(e)})}async arrived(){
 let e=history.state?.number??0,t=Hl();JSON.stringify(t)===JSON.stringify(this.lab.motions.queries())?this.number=e:await this.lab.motions.arrive(t)?this.number=
-e:e!==this.number&&history.go(this.number-e)}};var _t=[.05,.1,.25,.5,1,2,4],Xt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
+e:e!==this.number&&history.go(this.number-e)}};var _t=[.05,.1,.25,.5,1,2,4],Qt=class{constructor(){this.time=0,this.duration=1,this.speed=1,this.playing=!1,this.loop=!0,this.last=null,this.listeners=new Set}changed(){
 for(let e of this.listeners)e(this)}seek(e){this.time=_(e,0,this.duration),this.changed()}play(e=!this.playing){this.playing=e,this.last=null,e&&this.time>=this.
 duration&&(this.time=0),this.changed()}faster(e){let t=_t.indexOf(this.speed);this.speed=_t[_(t+e,0,_t.length-1)],this.changed()}tick(e){if(!this.playing)return!1;
 let t=this.last===null?0:Math.min(e-this.last,100)/1e3;return this.last=e,this.time+=t*this.speed,this.time>=this.duration&&(this.loop&&this.duration>0?this.time%=
@@ -1391,9 +1391,9 @@ input.value=this.shown,this.accept()}show(e){this.shown=fe(e),this.typing||this.
 ss","at"]},rod:{label:"Rod",keys:["mass","length","at"]}},Zl={mass:["mass","kg"],inner_radius:["inner radius","m"],outer_radius:["outer radius","m"],radius:["ra\
 dius","m"],at:["distance from centre","m"],length:["length","m"]},Jl=(s,e,t)=>({ring:{shape:s,mass:t,inner_radius:.95*e,outer_radius:e},disk:{shape:s,mass:t,radius:.1*
 e,at:.8*e},point_mass:{shape:s,mass:t,at:e},rod:{shape:s,mass:t,length:.5*e,at:.5*e}})[s];function wo(s){let e=s["hoop.radius"],t=s["hoop.mass"],n=Math.min(Math.
-max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:es(t*(1-n)),inner_radius:es(.98*e),outer_radius:e},{shape:"point_mass",mass:es(t*n),at:e}]}var es=s=>Number(
-s.toPrecision(6)),ts=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=m("div",{class:"parts"}),this.element=m("div",{},this.list,m("select",
-{"aria-label":"Add a part",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,Jl(n,this.radius,es(.2*this.mass))])}},m("option",{value:""},
+max(s["hoop.eccentricity"],.01),.99);return[{shape:"ring",mass:Xt(t*(1-n)),inner_radius:Xt(.98*e),outer_radius:e},{shape:"point_mass",mass:Xt(t*n),at:e}]}var Xt=s=>Number(
+s.toPrecision(6)),es=class{parts;text;radius;mass;constructor(e){this.onchange=e,this.list=m("div",{class:"parts"}),this.element=m("div",{},this.list,m("select",
+{"aria-label":"Add a part",onchange:t=>{let n=t.target.value;t.target.value="",n&&this.send([...this.parts,Jl(n,this.radius,Xt(.2*this.mass))])}},m("option",{value:""},
 "+ add a part …"),Object.entries(bo).map(([t,{label:n}])=>m("option",{value:t},n))))}send(e){this.onchange([["hoop.parts",e]])}show(e,t,n){let i=JSON.stringify(
 e);if(i===this.text||this.list.contains(this.list.getRootNode().activeElement)){this.parts=e;return}Object.assign(this,{text:i,parts:e,radius:t,mass:n}),this.list.
 replaceChildren(...e.map((o,a)=>this.row(o,a)))}row(e,t){let{label:n,keys:i}=bo[e.shape];return m("fieldset",{class:"part"},m("legend",{},n,this.parts.length>1&&
@@ -1412,9 +1412,9 @@ unit))}show(e,t=null){if(this.held)return;let n=e!=null,i=n?e:t;if(i==null){this
 entry.show(n?Number.isFinite(o)?String(Number(o.toPrecision(9))):"∞":""),this.entry.input.placeholder=n?"":v("auto {value}",{value:S(o,2)}),this.entry.input.title=
 n?j(String(o),this.info.unit):"";let a=_(this.info.logarithmic?Math.log10(o):o,this.low(),this.high());Math.abs(Number(this.range.value)-a)>1e-6&&(this.range.value=
 String(a)),this.say(o)}};function Ql(s,e){let t=m("select",{"data-path":s.path,onchange:()=>e([[s.path,t.value]],!0)},s.options.map(([i,o])=>m("option",{value:i},
-o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ss=class{way;kind;gravity;apart;derived;film;constructor(e,t){
+o)));return{element:m("label",{class:"choice",title:s.help},m("span",{},s.label),t),select:t,path:s.path}}var ts=class{way;kind;gravity;apart;derived;film;constructor(e,t){
 this.onchange=(n,i=!0)=>t(n,i),this.sliders=new Map;for(let n of Object.values(e.groups))for(let i of n)this.sliders.set(i.path,new yn(i,this.onchange));this.choices=
-new Map(e.choices.map(n=>[n.path,Ql(n,this.onchange)])),this.parts=new ts(this.onchange),this.gravities=e.gravities,this.element=m("div",{class:"controls"},this.
+new Map(e.choices.map(n=>[n.path,Ql(n,this.onchange)])),this.parts=new es(this.onchange),this.gravities=e.gravities,this.element=m("div",{class:"controls"},this.
 hoop(),this.plane(),this.start(),this.contact())}at(e){let t=this.sliders.get(e)??this.choices.get(e);if(!t)throw new Error(`There is no control of ${e}.`);return t.
 element}select(e,t,n){let i=m("select",{onchange:()=>n(i.value)},t.map(([o,a])=>m("option",{value:o},a)));return{select:i,element:m("label",{class:"choice"},m("\
 span",{},e),i)}}group(e,...t){let n=e==="Start"||e==="Plane"||!matchMedia("(max-width: 760px)").matches;return m("details",{class:"group",open:n},m("summary",{},
@@ -1460,7 +1460,7 @@ abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*vn)return{points:0,text:"The
 plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=vo(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
 ({from:o})=>o<t.t);if(n.some(({mode:o})=>o==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
 ng."};let i=s.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:ko(i.height,th),text:"It rises by {height}.",values:{height:Re(i.height)}}:{points:0,
-text:"It does not hop."}}}],_n=s=>s>=95?3:s>=75?2:s>=40?1:0;var _o="hophoop-best-",nh=s=>"★".repeat(_n(s))+"☆".repeat(3-_n(s)),ns=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(kn.map(t=>[t.key,m("button",
+text:"It does not hop."}}}],_n=s=>s>=95?3:s>=75?2:s>=40?1:0;var _o="hophoop-best-",nh=s=>"★".repeat(_n(s))+"☆".repeat(3-_n(s)),ss=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(kn.map(t=>[t.key,m("button",
 {type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=m("p",{}),this.meter=m("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
 100","aria-label":"Score"}),this.result=m("p",{class:"challenge-result",role:"status"}),this.kept=m("p",{class:"hint"}),this.element=m("section",{class:"challen\
 ges card","aria-label":"Challenges",hidden:!0},m("header",{},m("h2",{},"Challenges"),m("button",{type:"button",class:"quiet","aria-label":"Leave the challenges",
@@ -1471,28 +1471,28 @@ this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,t
 "aria-pressed",String(t===e.key));P(this.text,e.text),this.changed()}async load(e){let{lab:t}=this;try{let n=await t.backend.call("film",{query:e});t.clock.play(
 !1),t.clock.time=0,t.motions.replace(n)}catch(n){t.notice.fail(n)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:n,text:i,values:o={}}=e.score(t.film());
 this.meter.value=n;let a=v("{stars} {points} points. {what}",{stars:nh(n),points:n,what:v(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
-me(_o+e.key)??0);n>r&&!t.stage.options.ahead&&pe(_o+e.key,String(n)),P(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var xo=.09,ih=.03,xn=Math.PI/180,is=Math.PI/4,So=2*Math.PI,xt=s=>s-So*Math.round(s/So);function os(s,e){let t=s.at(e),n=e===0;return{angle:xt(t.angle),height:Math.
+me(_o+e.key)??0);n>r&&!t.stage.options.ahead&&pe(_o+e.key,String(n)),P(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var xo=.09,ih=.03,xn=Math.PI/180,ns=Math.PI/4,So=2*Math.PI,xt=s=>s-So*Math.round(s/So);function is(s,e){let t=s.at(e),n=e===0;return{angle:xt(t.angle),height:Math.
 max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Eo=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),ze=s=>Number(s.toFixed(4))+0;function To(s,e,t){
 if(s==="plane")return[["plane.slope",ze(e.slope)]];if(e.height>0)return[["start.angle",ze(e.angle)],["start.height",ze(e.height)],["start.vx",ze(e.vx)],["start.\
 vy",ze(e.vy)],["start.omega",ze(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",ze(e.angle)],["start.speed",ze(n)]]}var St=class{constructor(e,t,n,i,o){
-this.grip=e,this.film=t,this.view=i,this.before=os(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
+this.grip=e,this.film=t,this.view=i,this.before=is(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
 i.point(a.x,0),this.from=this.read(o),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:i}}move(e,t){
-let n=this.read(e),{radius:i}=this.film;if(this.turned+=xt(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-is,is);
+let n=this.read(e),{radius:i}=this.film;if(this.turned+=xt(n.turn-this.from.turn-this.turned),this.grip==="plane"){let o=_(this.before.slope+this.turned,-ns,ns);
 this.held.slope=Math.abs(o)<xn?0:o}else if(this.grip==="load")this.held.angle=xt(this.before.angle+this.turned);else{let o=this.before.height+n.away-this.from.away;
 this.held.height=o<ih*i?0:o;let a=n.along-this.from.along;this.held.angle=xt(this.before.angle+(this.held.height>0?0:a/i)),this.moved=n.x-this.from.x}for(this.trail.
 push({t:t/1e3,along:n.along,away:n.away,turned:this.turned});this.trail.length>2&&this.trail[0].t<t/1e3-xo;)this.trail.shift();return this.held}release(e){let{held:t,
 trail:n,film:i}=this,o=n.at(-1),a=n[0],r=o&&a?o.t-a.t:0,l=!o||r<.012||e/1e3-o.t>xo,c=Eo(i);return l||this.grip==="plane"||(this.grip==="load"?t.omega=_((o.turned-
 a.turned)/r,-c/i.radius,c/i.radius):(t.vx=_((o.along-a.along)/r,-c,c),t.vy=t.height>0?_((o.away-a.away)/r,-c,c):0)),t}};function Mo(s,e,t,n,i){let o={ArrowLeft:-1,
 ArrowRight:1}[e]??0,a={ArrowDown:-1,ArrowUp:1}[e]??0;if(!o&&!a)return null;let r=t?.2:1;if(s==="load"){let h=xt(n.angle+(o||a)*5*xn*r);return{...n,angle:h}}if(s===
-"plane"){let h=_(n.slope+(o||-a)*xn*r,-is,is);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Eo(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
+"plane"){let h=_(n.slope+(o||-a)*xn*r,-ns,ns);return{...n,slope:Math.abs(h)<1e-9?0:h}}let l=Eo(i),c=_(n.height+a*.05*r*i.radius,0,4*i.radius),u=_(n.vx+o*.1*r,-l,
 l);return{...n,height:c<1e-9?0:c,vx:u}}function J(s,e,t,n=()=>{}){let i=new AbortController,{signal:o}=i,a=(l,c)=>s.addEventListener(l,u=>u.pointerId===e.pointerId&&c(u),{signal:o}),r=l=>c=>{i.abort(),
 n(c,l)};s.setPointerCapture(e.pointerId),a("pointermove",t),a("pointerup",r(!0)),a("pointercancel",r(!1))}function Ao(s,e){let t=new Map,n=null,i=()=>{let[a,r]=[
 ...t.values()];return{span:Math.max(Math.hypot(a.clientX-r.clientX,a.clientY-r.clientY),1),clientX:.5*(a.clientX+r.clientX),clientY:.5*(a.clientY+r.clientY)}};s.
 addEventListener("pointerdown",a=>{a.pointerType!=="mouse"&&(t.set(a.pointerId,a),n=t.size===2?i():null)}),s.addEventListener("pointermove",a=>{if(!t.has(a.pointerId)||
 (t.set(a.pointerId,a),t.size!==2||!n))return;let r=i();e(r.span/n.span,r),n=r});for(let a of["pointerup","pointercancel"])s.addEventListener(a,r=>{t.delete(r.pointerId),
 n=null});let o=a=>a.touches.length>1&&a.cancelable&&a.preventDefault();return s.addEventListener("touchmove",o,{passive:!1}),()=>t.size>1}var oh=700,Sn=44,ah=[["plane","Slope of the plane","Tilt the plane: drag, or arrow keys"],["hoop","The hoop: height and speed","Lift, roll or throw the hoop: dr\
-ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],as=class{static Pull=St;pull=null;held=null;before=null;constructor(e){this.
+ag, or arrow keys"],["load","Angle of the load","Turn the load: drag, or arrow keys"]],os=class{static Pull=St;pull=null;held=null;before=null;constructor(e){this.
 lab=e,this.places=new Map(ah.map(([o,a,r])=>[o,this.place(o,a,r)])),this.tip=m("output",{class:"grip-tip","aria-hidden":"true",hidden:!0}),this.element=m("div",
 {class:"grips",role:"group","aria-label":"The hoop in your hand"},[...this.places.values()],this.tip),e.stage.element.before(this.element);let{flat:t,plane:n}=e.
 stage;t.grab=o=>this.take(o),n.addEventListener("pointermove",o=>this.hover(o)),n.addEventListener("pointerleave",()=>this.hover(null));let i=o=>this.pull&&o.cancelable&&
@@ -1503,7 +1503,7 @@ toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.po
 u=this.onPlane(t),h=_(1.1*r*a,Sn,190),d=[["plane",u,Sn],["hoop",l,h],["load",c,Sn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
 e(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.tell(o)}onPlane(e){let t=e.
 point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+i,0)}tell(e){
-let t=this.pull?.held??this.held??os(e,this.lab.clock.time),n={load:G(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:Re(t.height),speed:S(t.vx,3)}),plane:G(
+let t=this.pull?.held??this.held??is(e,this.lab.clock.time),n={load:G(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:Re(t.height),speed:S(t.vx,3)}),plane:G(
 t.slope)},i={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
 r.getAttribute("aria-valuetext")!==n[a]&&(r.setAttribute("aria-valuetext",n[a]),r.setAttribute("aria-valuenow",String(Number(i[a].toPrecision(4)))),r.setAttribute(
 "aria-valuemin",String(o[a][0])),r.setAttribute("aria-valuemax",String(Number(o[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
@@ -1515,7 +1515,7 @@ c=w=>({clientX:w.clientX-l.left,clientY:w.clientY-l.top-r.top}),u=new St(t,n.fil
 g(),d&&this.back())};return addEventListener("keydown",b,{capture:!0,signal:f.signal}),J(o,e,w=>{if(!p){if(i.pinched()){g(),d&&this.back();return}!d&&Math.hypot(
 w.clientX-e.clientX,w.clientY-e.clientY)<3||(d||(i.fixed=r.scale,this.hold(),this.begin()),d=!0,u.move(c(w),w.timeStamp),i.shift=[h[0]+u.moved,h[1]],this.change(
 t,u.held,!1),this.show(t,u.held))}},(w,y)=>{p||(g(),d&&(y?(this.change(t,u.release(w.timeStamp),!0),this.end(!0)):this.back()))}),!0}key(e,t){if(t.ctrlKey||t.metaKey||
-t.altKey)return;let{lab:n}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=os(n.film(),n.clock.time);let i=Mo(
+t.altKey)return;let{lab:n}=this;if(t.key==="Escape"&&this.held)this.back();else if(t.key==="Enter")this.chosen(!0);else{this.held??=is(n.film(),n.clock.time);let i=Mo(
 e,t.key,t.shiftKey,this.held,n.film());if(!i)return;this.before===null&&(this.hold(),this.begin()),this.held=i,this.change(e==="load"?"hoop":e,i,!1),this.show(e,
 i),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
 ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,n){this.lab.motions.change(To(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${G(t.angle)}`,
@@ -1740,7 +1740,7 @@ ery","changes","samples"],theory:["scenario","query","changes"],regions:["scenar
 file:["scenario","query","changes","name"]},regions:{widest:1e300,usual:[0,6.283185307179586,-12,12]},table:{rate:200,variables:{mode:"1",x:"m",height:"m",angle:"\
 rad",vx:"m/s",vy:"m/s",omega:"rad/s",slip:"m/s",friction_force:"N",normal_force:"N",kinetic:"J",potential:"J",total:"J",friction:"J",impact_normal:"J",impact_tangential:"\
 J",rolling_resistance:"J",spring:"J",damping:"J"}},shown:["hoop.radius","hoop.mass","hoop.load_fraction","hoop.eccentricity","hoop.inertia_ratio","plane.mu","pl\
-ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Ro,Et=s=>s==="inf"?1/0:s;var x={sources:"ad776d85b3b0f203ba2f780483181717",module:"d6ea5b32807b4629",derivatives:"080fb4e9e1efac7b",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+ane.rolling_resistance","plane.mu_static","plane.mu_kinetic","start.speed","start.height","start.vx","start.vy","start.omega"]};var T=Ro,Et=s=>s==="inf"?1/0:s;var x={sources:"0614a13c11f6a1e159fe1e28bab0fd46",module:"e06da5c94450f66f",derivatives:"76af32257cdecc74",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -1771,14 +1771,14 @@ e(s.rtol))}var _e={start:"start",slip_start:"slip begins",stick:"slip ends",slip
 ghest point",bounce_limit:"bounces end",painleve_inconsistent:"Painlevé: no solution",painleve_indeterminate:"Painlevé: several solutions",jam:"jam",kane_gain:"\
 energy gain (Kane)",skim:"skimming begins",rest:"at rest",end:"end"},Lo=s=>s.kind==="takeoff"||s.to==="H"&&s.from!=="H"&&s.kind!=="impact";var uh=new Set(["turn","apex","kane_gain","rest"]),dh=3,mh=1e-10;function ph(s){let e=[],t=-1,n=-1;for(let[i,{kind:o,from:a,to:r,t:l,height:c}]of s.entries())t>=
 0&&o==="apex"&&(n<0||c>s[n].height)&&(n=i),!uh.has(o)&&(t>=0&&a==="H"&&l>s[t].t&&(e.push({begin:t,top:n,end:o==="end"?-1:i}),t=n=-1),r==="H"&&o!=="end"&&([t,n]=
-[i,-1]));return e}var rs=class{constructor(e,t,n){let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),
+[i,-1]));return e}var as=class{constructor(e,t,n){let{larger:i=null,smaller:o=null,count:a=0}=t??{};this.events=e.events,this.count=Math.min(a,e.events.length),
 this.radius=e.radius,this.side=i??o,this.step=i?n:-n,this.edge=!i||!o,this.sided=!this.edge&&(i?.sided||fh(i,o))}rate(e,t){return this.side?this.side.rates[e*x.
 changes.length+zo[t]]:Number.NaN}of(e,t){return this.step*this.rate(e,t)}get failed(){return this.side&&this.side.reason!=="none"?this.side.failed:-1}hops(){return ph(
 this.events.slice(0,this.count)).map(({begin:e,top:t,end:n})=>{let i=o=>n<0?Number.NaN:this.of(n,o)-this.of(e,o);return{begin:e,end:n,height:this.of(t<0?e:t,"he\
 ight"),distance:i("x"),duration:i("t")}})}};function fh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function No(s,e){
 let t=Math.abs(s);if(e==="°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?j(S(t,3),e):j(S(
-o*t,3),`${a}${e}`)}var ls=(s,e)=>Math.abs(s)>mh*Math.max(e,.001);function Io(s,e){return Number.isFinite(s)?ls(s,1)?`${s>0?"+":"−"}${No(s,e)}`:"0":"–"}function Rn(s){
-let e=s.filter(([t])=>Number.isFinite(t)&&ls(t,1)).map(([t,n,i,o])=>v(t>0?i:o,{amount:No(t,n)})).join(Ae()==="zh"?"，":", ");return B(e)}var Do=["m","{amount} \
+o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.abs(s)>mh*Math.max(e,.001);function Io(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${No(s,e)}`:"0":"–"}function Rn(s){
+let e=s.filter(([t])=>Number.isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>v(t>0?i:o,{amount:No(t,n)})).join(Ae()==="zh"?"，":", ");return B(e)}var Do=["m","{amount} \
 further to the right","{amount} further to the left"],gh=["s","{amount} later","{amount} earlier"];function qo(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[
 r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,dh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Rn([[u,"m","{amount} higher","{amount} lower"],[p,
 "m","{amount} longer","{amount} shorter"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount\
@@ -1786,14 +1786,14 @@ r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,dh).entries()){let
 t&&r!=="start"&&r!=="end");if(o>=0){let r=Rn([[s.of(o,"t"),...gh],[s.of(o,"x"),...Do]]);r&&n.push(v("The first event, {what}: {list}.",{what:v(_e[e[o].kind]),list:r}))}
 let a=t-1;if(a>0&&e[a].kind==="end"){let r=Math.sign(e[a].vx)*s.of(a,"vx"),l=Rn([[s.of(a,"x"),...Do],[r,"m/s","{amount} faster","{amount} slower"]]);l&&n.push(v(
 "At the end, after {time} s: {list}.",{time:S(e[a].t,4),list:l}))}return n}var We={jam:"✖",painleve_inconsistent:"◆",painleve_indeterminate:"◇",kane_gain:"✚",bounce_limit:"≋",skim:"◗",rest:"■",takeoff:"▲",impact:"▼",turn:"\
-↺",apex:"•"},hs=Object.keys(We);function Oo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>hs.indexOf(o.kind)-hs.indexOf(a.kind)||o.x-a.x),i=[];
-for(let{kind:o,x:a}of n){let r=hs.indexOf(o)<hs.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.x-(l[0].
+↺",apex:"•"},ls=Object.keys(We);function Oo(s,e=11){let n=[...s.filter(({kind:o})=>o in We)].sort((o,a)=>ls.indexOf(o.kind)-ls.indexOf(a.kind)||o.x-a.x),i=[];
+for(let{kind:o,x:a}of n){let r=ls.indexOf(o)<ls.indexOf("takeoff"),l=i.filter(c=>Math.abs(c.x-a)<e);l.length?l.length===1&&l[0].rare&&!i.some(c=>Math.abs(c.x-(l[0].
 x+e))<e-1e-9)?l[0].mark!==We[o]&&i.push({mark:We[o],x:l[0].x+e,rare:!1,hidden:0}):l[0].hidden+=1:i.push({mark:We[o],x:a,rare:r,hidden:0})}return i.sort((o,a)=>o.
 x-a.x).map(({mark:o,x:a})=>({mark:o,x:a}))}function Co(s,e,t){let n=[],i=new Map,o=-1,a=(l,c,u)=>{let h=n.at(-1);h&&h.mode===l&&Math.abs(h.from+h.wide-c)<1e-6?h.
 wide+=u:n.push({mode:l,from:c,wide:u})},r=()=>{i.size&&a([...i].reduce((l,c)=>c[1]>l[1]?c:l)[0],o,1),i=new Map};for(let{mode:l,from:c,to:u}of s){let[h,d]=[Math.
 max(e(c),0),Math.min(e(u),t)];if(d>h)for(let p=h;p<d-1e-9;){if((Math.floor(p+1e-9)!==o||!i.size)&&(r(),o=Math.floor(p+1e-9),d-p>=1&&Math.abs(p-o)<1e-6)){let f=Math.
 floor(d-p+1e-9);a(l,o,f),p=o+f;continue}let g=Math.min(d,o+1);i.set(l,(i.get(l)??0)+g-p),p=g}}return r(),n}var jo=.7,Wo=34,bh=3,wh=400,yh=8,zn=13;function Fo(s){let{events:e,count:t}=s;return e.slice(0,Math.min(t,wh)).map(({kind:n,x:i,height:o},a)=>({kind:n,x:i,y:o,dx:s.
-of(a,"x"),dy:s.of(a,"height")}))}function Bo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&ls(r,e)).sort((r,l)=>r-l);if(!n.length)
+of(a,"x"),dy:s.of(a,"height")}))}function Bo(s,e,t){let n=s.map(({dx:r,dy:l})=>Math.hypot(r,l)).filter(r=>Number.isFinite(r)&&rs(r,e)).sort((r,l)=>r-l);if(!n.length)
 return 0;let i=Math.max(jo*e,Wo/t)/n[Math.floor(n.length/2)];if(i<=1)return 1;let o=10**Math.floor(Math.log10(i)),a=i/o;return(a>=5?5:a>=2?2:1)*o}function $o(s,e,t){
 let n=[],i=bh*Math.max(jo*s.film.radius,Wo/s.scale);for(let{kind:o,x:a,y:r,dx:l,dy:c}of e){let u=Number.isFinite(l)&&Number.isFinite(c),h=u?t*Math.hypot(l,c):0,
 d=h>i?i/h:1,p=u?[d*t*l,d*t*c]:[0,0],g=s.point(a,r),f=s.point(a+p[0],r+p[1]);if(Math.max(g[0],f[0])<-20||Math.min(g[0],f[0])>s.width+20)continue;let[b,w]=[Math.min(
@@ -1804,7 +1804,7 @@ s.lineCap="round",i&&(s.lineWidth=f>3?3:1,s.beginPath(),s.moveTo(t[0],t[1]),s.li
 s.moveTo(l[0],l[1]),s.lineTo(n[0]-u*d,n[1]-h*d),s.stroke(),s.setLineDash([]),s.beginPath(),s.arc(l[0],l[1],f>3?5.5:3.5,0,2*Math.PI),s.fill(),!(c<1)&&(s.lineWidth=
 f>3?4:1,s.beginPath(),s.moveTo(n[0],n[1]),s.lineTo(n[0]-u*d-h*d*.55,n[1]-h*d+u*d*.55),s.lineTo(n[0]-u*d+h*d*.55,n[1]-h*d-u*d*.55),s.closePath(),s.stroke(),s.fill());
 s.lineCap="butt";let p=o?r:"?";p&&(s.font=`600 11px ${e.font}`,s.textAlign="center",s.lineWidth=3,s.strokeStyle=e.paper,s.fillStyle=e.ink,s.strokeText(p,l[0],l[1]-
-7),s.fillText(p,l[0],l[1]-7))}var Go=Math.PI/180,kh=100,Ho="plane.mu",_h=/^(contact\.|duration$)/,xh=200,cs=T.reasons;function Ko(s,e){return s.textContent=e,s}var us=class{on=!1;path=Ho;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
+7),s.fillText(p,l[0],l[1]-7))}var Go=Math.PI/180,kh=100,Ho="plane.mu",_h=/^(contact\.|duration$)/,xh=200,hs=T.reasons;function Ko(s,e){return s.textContent=e,s}var cs=class{on=!1;path=Ho;changes=null;arrows=[];factor=0;three=!1;asked=null;known="";texts="";speak=!1;constructor(e){
 this.lab=e,this.later=ie(()=>this.fetch(),kh),this.switch=m("button",{type:"button",class:"switch",title:"What a little more would do (a)","aria-pressed":"false",
 onclick:()=>this.turn()},"Arrows"),this.picked=m("select",{onchange:()=>this.pick(this.picked.value)}),this.step=m("span",{class:"more-step"}),this.take=m("butt\
 on",{type:"button",onclick:()=>this.apply()},"Do it"),this.said=m("ul",{class:"more-said"}),this.reason=m("p",{class:"more-reason",hidden:!0}),this.scale=m("p",
@@ -1825,7 +1825,7 @@ join(),this.picked.replaceChildren(...e.map(({path:n},i)=>Ko(m("option",{value:n
 null,this.arrows=[],this.factor=0}async fetch(){if(!this.on)return;let{lab:e,path:t}=this,n=e.film(),i=this.parameter();this.asked?.abort(),this.asked=new AbortController;
 let{signal:o}=this.asked;if(this.known=`${t} ${n.query}`,!i||!Number.isFinite(i.value))return this.refuse("It is infinite: there is no more of it.");if(!e.backend.
 changes)return this.refuse("This needs a browser that runs WebAssembly.");try{let a=await e.backend.changes(n.scenario,t,i.value,o);if(o.aborted||e.film()!==n)return;
-if(!a)return this.refuse(cs.edge);this.changes=new rs(n,a,i.step),this.arrows=Fo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="A\
+if(!a)return this.refuse(hs.edge);this.changes=new as(n,a,i.step),this.arrows=Fo(this.changes),this.factor=0,this.tell()}catch(a){let{name:r,message:l}=a;r!=="A\
 bortError"&&!o.aborted&&this.refuse(l)}e.request()}refuse(e){this.forget(),this.take.disabled=!0;for(let t of[this.step,this.said,this.body])t.replaceChildren();
 this.rows.hidden=this.scale.hidden=!0,this.reason.hidden=!1,P(this.reason,e),this.speak&&this.lab.story.say(v(e)),this.speak=!1,this.lab.request()}tell(){let{changes:e}=this,
 t=this.parameter();if(!e||!t)return;let{info:n,value:i}=t,o=c=>j(S(n.degrees?c/Go:c,5),n.unit),a=`${o(i)} → ${o(i+e.step)}`;this.step.textContent=a,this.take.
@@ -1834,19 +1834,19 @@ m("li",{}),c)));let l=this.why(e);this.reason.hidden=!l,this.reason.textContent=
  ${a}.`,...r,l&&v(l)].filter(Boolean).join(" "))),this.speak=!1}frame(){let{three:e}=this.lab.stage.options;this.on&&e!==this.three&&this.changes&&this.tellScale(),
 this.three=e}tellScale(){let{three:e}=this.lab.stage.options,t=e?"The arrows are drawn in the picture in the plane: leave 3D to see them.":v("The arrows in the \
 picture lead from where the rim touches to where it would, {factor} times as long.",{factor:S(this.factor,3)});this.scale.textContent=e||this.factor?v(t):""}why(e){
-let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=v(_e[r]??r),u=v(cs[n.reason]);return B(v("From {what} at \
-{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?B(v("To one side only: {reason}.",{reason:v(cs.edge)})):a?B(v("To one side only: \
-{reason}.",{reason:v(cs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Io(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
+let{failed:t,side:n,events:i,edge:o,sided:a}=e;if(t>=0&&n){let{kind:r,t:l}=i[Math.min(t,i.length-1)],c=v(_e[r]??r),u=v(hs[n.reason]);return B(v("From {what} at \
+{time} s on no derivative: {reason}.",{what:c,time:S(l,4),reason:u}))}return o?B(v("To one side only: {reason}.",{reason:v(hs.edge)})):a?B(v("To one side only: \
+{reason}.",{reason:v(hs.sided)})):""}fill(e){let t=(i,o,a)=>{let r=Io(i,o),l=r[0]==="+"?"▲ ":r[0]==="−"?"▼ ":"";return m("td",{"data-rate":String(a)},l&&m(
 "span",{"aria-hidden":"true"},l),B(r))},n=[["t","s"],["x","m"],["height","m"],["angle","°"]];this.body.replaceChildren(...e.events.slice(0,Math.min(e.count,xh)).
 map(({kind:i,t:o},a)=>m("tr",{onclick:()=>this.lab.clock.seek(o)},m("th",{scope:"row"},_e[i]??i,m("small",{},` ${S(o,4)} s`)),n.map(([r,l])=>t(e.of(a,r),l,e.rate(
 a,r))))))}apply(){let e=this.parameter();if(!e||!this.changes)return;let t=Number((e.value+this.changes.step).toPrecision(12));this.lab.motions.change([[this.path,
-t]],!0)}};var ds=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
+t]],!0)}};var us=class{constructor(e){this.lab=e,this.left=()=>{!document.fullscreenElement&&this.full&&this.turn(!1)},document.addEventListener("fullscreenchange",this.left),
 this.full=!1,this.on=!1,this.onchange=()=>{}}async turn(e=!this.on){let{root:t}=this.lab;if(this.on=e,t.classList.toggle("presenting",e),this.onchange(),this.lab.
 show(),!e){let n=this.full;this.full=!1,n&&document.fullscreenElement&&await document.exitFullscreen().catch(()=>{});return}try{await t.requestFullscreen?.(),this.
 full=!!document.fullscreenElement}catch{}}close(){document.removeEventListener("fullscreenchange",this.left)}};var Uo=.22,Vo=.03;function Zo(s,e){let t=s.at(e),n=s.mass*(s.gravity||9.81),i=t.mode==="H"||!(t.normal_force>0)?0:t.normal_force/n,o=i/(1+i),a=t.mode==="S"||t.mode===
 "K",r=Math.abs(t.slip)/Math.sqrt((s.gravity||9.81)*s.radius);return{tone:o,pitch:55*(1+Math.min(i,8))**.5,hiss:a?o*_(.15+r,0,1):0}}function Jo(s,e,t){let n=Math.
 sqrt(2*(s.gravity||9.81)*s.radius);return s.events.filter(({kind:i,t:o,before:a})=>i==="impact"&&a&&o>e&&o<=t).map(({before:i})=>_(Math.abs(i.vy)/n,.02,1))}function Sh(s){
-let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let i=0;i<t.length;i++)n=n*16807%2147483647,t[i]=2*n/2147483647-1;return e}var ms=class{static heard=Zo;static knocks=Jo;context=null;on=!1;last=0;start(){
+let e=s.createBuffer(1,s.sampleRate,s.sampleRate),t=e.getChannelData(0),n=1;for(let i=0;i<t.length;i++)n=n*16807%2147483647,t[i]=2*n/2147483647-1;return e}var ds=class{static heard=Zo;static knocks=Jo;context=null;on=!1;last=0;start(){
 let e=new AudioContext,t=e.createOscillator();t.type="triangle";let n=e.createBufferSource();n.buffer=Sh(e),n.loop=!0;let i=e.createBiquadFilter();i.type="bandp\
 ass",i.frequency.value=1800,i.Q.value=.6;let[o,a]=[e.createGain(),e.createGain()];o.gain.value=a.gain.value=0,t.connect(o).connect(e.destination),n.connect(i).connect(
 a).connect(e.destination),t.start(),n.start(),this.context=e,Object.assign(this,{tone:t,low:o,high:a})}turn(e){this.on=e,e&&!this.context&&this.start(),e?this.context?.
@@ -1870,7 +1870,7 @@ ts, normal part",symbol:"W_i",unit:"J",values:te("normal_loss")},rolling_resista
 resistance")}},Yo=({name:s,symbol:e})=>[s," ",e];var Eh=["time","angle","x","vx","spin","normal_force","friction_force"],Th=[1,.5,.2,.1,.05,.02,.01],Ln=601;function Qo(s,e,t){let n=Math.min(Math.floor(s.duration/
 t+1e-9)+1,Ln),i=[];for(let o=0;o<n;o++){let a=Number((o*t).toPrecision(12));i.push({time:a,mode:s.at(a).mode,values:e.map(r=>Mh(s,r,a))})}return i}function Mh(s,e,t){
 if(e==="time")return t;let n=s.at(t);if(e in n&&e!=="angle")return n[e];let i=n.angle*180/Math.PI;if(e==="angle")return i;if(e==="turns")return i-360*Math.floor(
-i/360);let o=H[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return o[a]+l*(o[r]-o[a])}var ps=class{film;rows=[];now;constructor(e){
+i/360);let o=H[e].values(s),a=s.index(t),r=Math.min(a+1,s.length-1),l=s.t[r]>s.t[a]?(t-s.t[a])/(s.t[r]-s.t[a]):0;return o[a]+l*(o[r]-o[a])}var ms=class{film;rows=[];now;constructor(e){
 this.lab=e,this.columns=[...Eh],this.step=m("select",{onchange:()=>this.fill()},Th.map(t=>m("option",{value:String(t)},`${t} s`))),this.step.value="0.1",this.picks=
 m("div",{class:"table-picks"},Object.entries(H).filter(([t])=>t!=="time").map(([t,{name:n}])=>this.pick(t,n))),this.caption=m("caption",{}),this.head=m("thead",
 {}),this.body=m("tbody",{}),this.element=m("section",{class:"table","aria-label":"Table of the motion",hidden:!0},m("header",{},m("h2",{},"Table"),m("label",{class:"\
@@ -1946,47 +1946,47 @@ l=u=>{i===null&&(t=qn(u),n=!0,a.setAttribute("aria-valuenow",String(Math.round(t
 getBoundingClientRect(),[d,p]=[u.clientX-h.left-h.width/2,u.clientY-h.top-h.height/2];l(Math.atan2(d,-p)*180/Math.PI)};return a.addEventListener("pointerdown",u=>{
 u.preventDefault(),a.focus({preventScroll:!0}),c(u),J(a,u,c)}),a.addEventListener("keydown",u=>{let h={ArrowLeft:-5,ArrowDown:-5,ArrowRight:5,ArrowUp:5,PageDown:-45,
 PageUp:45}[u.key];h!==void 0&&(u.preventDefault(),u.stopPropagation(),l(t+(u.shiftKey?h/5:h)))}),requestAnimationFrame(r),{element:a,redraw:r,made:()=>n,judge:u=>(i=
-qn(u),r(),Oh(t,i))}}var Mt=9,[we,fs,Fe,In]=[34,12,12,26];function sa({label:s,unit:e,most:t},n){let i=Array(Mt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
+qn(u),r(),Oh(t,i))}}var Mt=9,[we,ps,Fe,In]=[34,12,12,26];function sa({label:s,unit:e,most:t},n){let i=Array(Mt).fill(t/4),o=!1,a=null,r=m("canvas",{class:"sketc\
 h-canvas"}),l=i.map((w,y)=>m("span",{class:"sketch-point",role:"slider",tabindex:"0","aria-label":`${s} with the load at ${45*y}°`,"aria-orientation":"vertical",
 "aria-valuemin":"0","aria-valuemax":String(t),onkeydown:k=>{let E={ArrowUp:1,ArrowRight:1,ArrowDown:-1,ArrowLeft:-1}[k.key];E&&(k.preventDefault(),k.stopPropagation(),
 g(y,i[y]+E*t/(k.shiftKey?100:20)))}})),c=m("div",{class:"guess sketch",role:"group","aria-label":"Draw the curve: pull the points up and down"},r,l),u=()=>r.getBoundingClientRect(),
-h=w=>we+w/(Mt-1)*(u().width-we-fs),d=w=>Fe+(1-w/t)*(u().height-Fe-In),p=()=>{let{context:w,width:y,height:k}=V(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
+h=w=>we+w/(Mt-1)*(u().width-we-ps),d=w=>Fe+(1-w/t)*(u().height-Fe-In),p=()=>{let{context:w,width:y,height:k}=V(r),E=getComputedStyle(c),R=A=>E.getPropertyValue(
 A).trim();w.clearRect(0,0,y,k),w.strokeStyle=R("--line"),w.fillStyle=R("--soft"),w.font="11px system-ui, sans-serif";for(let A=0;A<Mt;A+=2)w.textAlign="center",
 w.fillText(`${45*A}°`,h(A),k-8),w.strokeRect(h(A),Fe,0,k-Fe-In);for(let A of[0,t/2,t])w.textAlign="right",w.fillText(String(A),we-6,d(A)+4),w.strokeRect(we,d(A),
-y-we-fs,0);w.textAlign="left",w.fillText(e,we+4,Fe+10);let M=(A,D,O)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(O),w.beginPath(),A.forEach((C,ee)=>{let re=we+
-ee/(A.length-1)*(y-we-fs);ee?w.lineTo(re,d(_(C,0,t))):w.moveTo(re,d(_(C,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.
+y-we-ps,0);w.textAlign="left",w.fillText(e,we+4,Fe+10);let M=(A,D,O)=>{w.strokeStyle=D,w.lineWidth=2.5,w.setLineDash(O),w.beginPath(),A.forEach((C,ee)=>{let re=we+
+ee/(A.length-1)*(y-we-ps);ee?w.lineTo(re,d(_(C,0,t))):w.moveTo(re,d(_(C,0,t)))}),w.stroke(),w.setLineDash([])};M(i,R("--accent"),[6,4]),a&&M(a,R("--ink"),[]),l.
 forEach((A,D)=>{A.style.transform=`translate(${h(D)}px, ${d(i[D])}px)`})},g=(w,y)=>{a||(i[w]=_(y,0,t),o=!0,l[w].setAttribute("aria-valuenow",i[w].toPrecision(3)),
-l[w].setAttribute("aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),k=_((w.clientX-y.left-we)/(y.width-we-fs),0,1),E=Math.round(k*
+l[w].setAttribute("aria-valuetext",`${i[w].toPrecision(2)} ${e}`),p(),n())},f=null,b=w=>{let y=u(),k=_((w.clientX-y.left-we)/(y.width-we-ps),0,1),E=Math.round(k*
 (Mt-1)),R=t*(1-(w.clientY-y.top-Fe)/(y.height-Fe-In)),M=f??E,A=i[M];for(let D=Math.min(M,E);D<=Math.max(M,E);D++)g(D,M===E?R:A+(R-A)*(D-M)/(E-M));f=E};c.addEventListener(
 "pointerdown",w=>{w.preventDefault(),f=null,b(w),J(c,w,b)});for(let[w,y]of l.entries())y.setAttribute("aria-valuenow",i[w].toPrecision(3));return requestAnimationFrame(
-p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(Mt-1);return Ch(i,i.map((k,E)=>w[Math.round(E*y)]))}}}var bs=2*Math.PI,ne=(s,e)=>s.events.find(t=>t.kind===e),gs=s=>G(s-bs*Math.floor(s/bs));function Wh(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
-t;r++){let l=s.columns.angle[0]+bs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
+p),{element:c,redraw:p,made:()=>o,judge:w=>{a=w,p();let y=(w.length-1)/(Mt-1);return Ch(i,i.map((k,E)=>w[Math.round(E*y)]))}}}var gs=2*Math.PI,ne=(s,e)=>s.events.find(t=>t.kind===e),fs=s=>G(s-gs*Math.floor(s/gs));function Wh(s,e,t=72){let{angle:n}=s.columns,i=s.columns[e],o=[],a=0;for(let r=0;r<=
+t;r++){let l=s.columns.angle[0]+gs*r/t;for(;a+1<s.length&&n[a+1]<l;)a+=1;let c=Math.min(a+1,s.length-1),u=n[c]>n[a]?Math.min((l-n[a])/(n[c]-n[a]),1):0;o.push(i[a]+
 u*(i[c]-i[a]))}return o}var Fh=(s,e)=>s.t[s.columns.angle.findIndex(t=>t>=e)]??s.duration,Bh={R:"roll",S:"spin",K:"skid",H:"bounce"},Be=[{key:"littlewood",title:"\
 Littlewood’s question",text:"A hoop without mass has a weight on its rim. With the weight at the top it gets the smallest push and rolls. J. E. Littlewood ask\
 ed in 1953 what happens when the weight is level with the centre.",question:"What do you think?",queries:["hoop.load_fraction=1&start.speed=0.1&duration=3"],guess:s=>Rt(
 [["roll","It rolls on."],["hop","It hops: the hoop leaves the plane."],["skim","The weight falls freely, and the hoop skims the plane below it."]],s),until:([s])=>{
 let[e,t]=[ne(s,"skim"),ne(s,"impact")];return e?e.t+.7*((t?.t??s.duration)-e.t):s.duration},answer:([s])=>{let e=ne(s,"skim")??ne(s,"takeoff");return{truth:e?.kind===
-"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:gs(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
+"skim"?"skim":e?"hop":"roll",text:"At {angle} there is no contact force any more.",values:{angle:fs(e?.angle??0)}}},why:"Littlewood said that the hoop hops. But\
  the contact force is zero, not upwards: the weight falls freely, and a rim without mass follows it along the plane. To hop, a hoop needs some mass in its rim."},
 {key:"speed",title:"A ring with mass",text:"Now a quarter of the mass is in the ring. Again the load is at the top, and the hoop gets the smallest push.",question:"\
 Draw how fast the hoop’s centre goes during the first turn.",queries:["start.speed=0.1&duration=8"],guess:s=>sa({label:"Speed of the centre",unit:"m/s",most:10},
-s),until:([s])=>Fh(s,bs),answer:([s])=>{let e=Wh(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:S(Math.max(
+s),until:([s])=>Fh(s,gs),answer:([s])=>{let e=Wh(s,"vx");return{truth:e,text:"With the load at the bottom the centre has {speed} m/s.",values:{speed:S(Math.max(
 ...e),2)}}},why:"The lowest point of a rolling hoop is at rest. There the load has no kinetic energy, and the light ring has all that the heavy load has lost: i\
 t is faster than a stone that falls from the same height."},{key:"slip",title:"Why it slips",text:"A harder push: 2.8 m/s at the top. Rolling needs friction, an\
 d friction has a limit: it is at most μ N.",question:"Where is the load when friction gives way for the first time? Turn the mark.",queries:["start.speed=2.8"],
 guess:s=>On("Angle of the load where it begins to slip",s),until:([s])=>(ne(s,"slip_start")?.t??0)+.02,answer:([s])=>{let e=ne(s,"slip_start"),t=s.at(e.t).normal_force/
-(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:gs(e.
+(s.mass*s.gravity);return{truth:e.angle*180/Math.PI,text:"It begins to slip at {angle}. There the plane carries only {share} of the weight.",values:{angle:fs(e.
 angle),share:`${S(100*t,2)} %`}}},why:"The load on its way down and round presses little on the plane, so that N is small, while the ring has to be made faster:\
  that takes friction. Watch the diagram ‘Use of friction’: it comes to 1."},{key:"hop",title:"The hop",text:"A little faster, 3.1 m/s. This time the hoop le\
 aves the plane, before the first turn is over.",question:"Where is the load when the hoop takes off? Turn the mark.",queries:[""],guess:s=>On("Angle of the load\
  where it takes off",s),until:([s])=>(ne(s,"takeoff")?.t??0)+.12,answer:([s])=>{let e=ne(s,"takeoff"),t=s.at(e.t-1e-6);return{truth:e.angle*180/Math.PI,text:"It\
- takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:gs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
+ takes off at {angle}, while its rim slips at {slip} m/s.",values:{angle:fs(e.angle),slip:S(Math.abs(t.slip),3)}}},why:"A rolling hoop would be braked by the pl\
 ane while the load comes up. Friction is too weak for that: the rim spins, the hoop goes on turning fast, and the load pulls it off the plane before it is at th\
 e top."},{key:"landing",title:"The landing",text:"The hoop is in the air. Its centre of gravity goes on a parabola, and it turns evenly.",question:"What does it\
  do just after it has landed?",queries:[""],guess:s=>Rt([["roll","It rolls at once."],["skid","It skids: the rim slides ahead."],["spin","It spins: the rim turn\
 s too fast."],["bounce","It bounces."]],s),until:([s])=>(ne(s,"impact")?.t??s.duration)+.15,answer:([s])=>{let[e,t]=[ne(s,"takeoff"),ne(s,"impact")],n=s.events.
 find(i=>i.kind==="apex");return{truth:Bh[s.at((t?.t??0)+1e-6).mode],text:"It was in the air for {time} s and rose by {height} cm; it lands with the load at {ang\
-le}.",values:{time:S((t?.t??0)-(e?.t??0),3),height:S(100*(n?.height??0),3),angle:gs(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong \
+le}.",values:{time:S((t?.t??0)-(e?.t??0),3),height:S(100*(n?.height??0),3),angle:fs(t?.angle??0)}}},why:"An impact takes no time, but its friction is as strong \
 as its push: here it is enough to stop all slip. With less friction, or more restitution, the landing would be another one. Try it afterwards."},{key:"friction",
 title:"More friction, more hop?",text:"Three hoops get the same push of 3.1 m/s, on planes with friction 0.05, 0.2 and 1.0.",question:"Which of them hops highes\
 t?",queries:["plane.mu=0.05","plane.mu=0.2",""],guess:s=>Rt([["0","μ = 0.05"],["1","μ = 0.2"],["2","μ = 1.0"]],s),until:s=>.3+Math.max(0,...s.map(e=>ne(e,"im\
@@ -2000,7 +2000,7 @@ s the slide at once."],["both","Both agree with the laws."]],s),until:s=>Math.mi
 rminate"))?"both":"flight",text:"Hoop A and hoop B start alike, and both motions obey every law."}),why:"Painlevé found this in 1895. For a rigid body the laws \
 have two answers here, in other states none. Real bodies yield a little, and that decides: choose the compliant contact under ‘Contact’."},{key:"yours",title:"\
 Your turn",text:"Take the hoop: turn the load, lift the hoop and let it drop, flick it, tilt the plane. Or accept a challenge, and see how your scores are compu\
-ted from the motion itself.",question:"",queries:[""]}];var na="hophoop-visit",ws=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
+ted from the motion itself.",question:"",queries:[""]}];var na="hophoop-visit",bs=class{step=null;guess=null;films=[];points=new Map;play;next;stop=null;loop=null;asked=0;constructor(e,t){this.lab=e,this.onchallenges=
 t,this.body=m("div",{class:"visit-body"}),this.said=m("div",{class:"visit-answer",role:"status"}),this.element=m("section",{class:"visit card","aria-label":"Gui\
 ded visit",hidden:!0},this.body,this.said)}get guessing(){return!!this.guess&&!this.said.textContent}offer(){me(na)||(this.element.hidden=!1,P(this.said,""),this.
 body.replaceChildren(m("div",{class:"buttons offer"},m("p",{},m("b",{},"New here?")," ","Eight short questions: guess, then play."),m("button",{type:"button",class:"\
@@ -2024,8 +2024,8 @@ null||e.playing&&e.time<this.stop||!(e.time>=this.stop-1e-9||!e.playing))return;
 let{step:e,guess:t}=this;if(!e?.answer||!t)return;let{truth:n,text:i,values:o={}}=e.answer(this.films),a=t.judge(n);this.points.set(e.key,a),this.said.replaceChildren(
 m("p",{},m("b",{},`${a} of 100 points.`)," ",lo(i,o)),m("p",{},e.why??"")),this.veil(),this.next.classList.add("main"),this.lab.show(),this.said.scrollIntoView(
 {block:"nearest"})}total(){let e=[...this.points.values()].reduce((t,n)=>t+n,0);this.said.replaceChildren(m("p",{},`You have ${e} of ${100*this.points.size} poi\
-nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ys=class{words={t:v,untranslated:st};constructor(e){this.lab=e,this.grips=new as(e),this.sound=new ms,this.present=new ds(e),this.challenges=new ns(e),this.
-visit=new ws(e,()=>this.challenges.open()),this.table=new ps(e),this.more=new us(e),this.teach=ea(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),
+nts.`))}challenge(){this.leave(),this.onchallenges()}changed(){this.guess?.redraw?.(),this.guessing&&this.veil()}};var ws=class{words={t:v,untranslated:st};constructor(e){this.lab=e,this.grips=new os(e),this.sound=new ds,this.present=new us(e),this.challenges=new ss(e),this.
+visit=new bs(e,()=>this.challenges.open()),this.table=new ms(e),this.more=new cs(e),this.teach=ea(t=>this.challenges.load(t),()=>this.visit.start()),this.layOut(),
 this.spoken()}layOut(){let{lab:e}=this,t=e.stage.element.parentElement,n=e.root.querySelector(".side");n?n.prepend(this.visit.element,this.challenges.element):t.
 before(this.visit.element,this.challenges.element),t.after(this.more.element,this.table.element),e.transport.element.querySelector(".switches")?.append(this.more.
 switch),e.root.append(this.teach),e.transport.element.querySelector(".switches")?.before(this.tools()),e.header.element.querySelector(".right")?.prepend(this.menu(),
@@ -2039,10 +2039,10 @@ let e=(n,i)=>m("button",{type:"button",onclick:()=>{t.open=!1,i()}},n),t=m("deta
 body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
 he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener(
 "pointerdown",n=>{t.contains(n.target)||(t.open=!1)}),t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector(
-"summary")?.focus())}),t}languages(){return En(()=>{this.spoken(),Jt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Ae(),this.lab.hosted&&(document.
+"summary")?.focus())}),t}languages(){return En(()=>{this.spoken(),Zt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Ae(),this.lab.hosted&&(document.
 documentElement.lang=Ae(),document.title=v("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
 this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
-this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var zt=(s,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},s),vs=class{constructor(e,t,n){let i=new Map;for(let a of e)i.set(a.group,[...i.get(
+this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var zt=(s,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},s),ys=class{constructor(e,t,n){let i=new Map;for(let a of e)i.set(a.group,[...i.get(
 a.group)??[],a]);this.fresh=!1,this.presets=m("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
 value);this.fresh=a!==void 0,a&&n.take(a)},onblur:()=>{this.fresh=!1},onpointerdown:()=>{this.fresh=!1}},m("option",{value:""},"Motions to start from …"),[...i].
 map(([a,r])=>m("optgroup",{label:a},r.map(({key:l,title:c})=>m("option",{value:l},c))))),this.undo=zt(Y("undo"),"Undo (z)",n.undo),this.redo=zt(Y("redo"),"Redo \
@@ -2059,14 +2059,14 @@ t of nothing"],["≋","bounces without number end"],["◗ ■","skimming begins,
 tr",{},m("th",{scope:"row"},t(n),n),i.map(o=>m("td",{},o)))));function ia(s,e,t){let n=m("dialog",{class:"help","aria-label":"Keys and help"},m("h2",{},"The hoo\
 p"),m("p",{},"A ring with a load on its rim rolls on a plane. Friction can only hold so much, and the plane can only push: so it slips, hops, lands – or does so\
 mething that rigid-body mechanics cannot decide. Move a slider and see."),Cn("Modes",Gh,i=>m("i",{class:"dot",style:`background:${e.modes[i]}`})),Cn("Marks on t\
-he bar of time",Hh),Cn("Keys",$h),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var ks=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
+he bar of time",Hh),Cn("Keys",$h),t,m("p",{class:"hint"},`hophoop ${s}`),m("button",{type:"button",class:"close",onclick:()=>n.close()},"Close"));return n}var vs=class{constructor(e){this.tabs=["A","B"].map((t,n)=>m("button",{type:"button","aria-pressed":"false",onclick:()=>e(n)},`Hoop ${t}`)),this.bar=m("div",{class:"\
 tabs",role:"group","aria-label":"Which hoop the controls change",hidden:!0},this.tabs),this.text=m("p",{class:"preset-text"}),this.element=m("div",{class:"lanes"},
 this.bar,this.text)}show(e,t){this.bar.hidden=e<2;for(let[n,i]of this.tabs.entries())i.setAttribute("aria-pressed",String(n===t))}};var oa="hophoop-single-keys",Kh=(s,e)=>({" ":()=>s.clock.play(),ArrowLeft:()=>e?s.transport.jump(-1):s.transport.nudge(-1),ArrowRight:()=>e?s.transport.jump(1):
 s.transport.nudge(1),Home:()=>s.clock.seek(0),End:()=>s.clock.seek(s.clock.duration),h:()=>s.transport.jump(1,"takeoff"),l:()=>s.transport.jump(1,"impact"),"[":()=>s.
 clock.faster(-1),"]":()=>s.clock.faster(1),t:()=>s.toggle("traces"),f:()=>s.toggle("forces"),c:()=>s.toggle("speed"),a:()=>s.extras.more.turn(),w:()=>s.toggle("\
 whole"),3:()=>s.toggle("three"),"+":()=>s.stage.zoom(1.25),"=":()=>s.stage.zoom(1.25),"-":()=>s.stage.zoom(.8),0:()=>s.stage.zoom(0),z:()=>s.travel(-1),y:()=>s.
 travel(1),d:()=>s.theme.toggle(),p:()=>s.share.code(),"?":()=>s.help.showModal()});function Uh(s,e){let t=e.key.toLowerCase();e.altKey||!(t==="z"||t==="y")||(e.
-preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function Vh(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var _s=class{constructor(e){
+preventDefault(),s.travel(t==="y"||e.shiftKey?1:-1))}function Vh(s){let e=s.share.menu;e.open&&(e.open=!1,e.querySelector("summary")?.focus())}var ks=class{constructor(e){
 this.on=!e||me(oa)!=="off";let t=m("input",{type:"checkbox",checked:this.on,onchange:()=>{this.on=t.checked,e&&pe(oa,this.on?"on":"off")}});this.element=m("labe\
 l",{class:"check"},t,"Single keys (letters, digits, signs) do what the table says")}};function Zh(s,e){let t=e.target;if(s.root.querySelector("dialog[open]"))return;
 if(e.key==="Escape"){Vh(s);return}if(t.matches?.("input:not([type=range], [type=checkbox]), textarea"))return;if(e.ctrlKey||e.metaKey){Uh(s,e);return}if(e.altKey||
@@ -2083,19 +2083,19 @@ s.help),t.classList.toggle("no-controls",!o("controls")),l}function Jh(s){s.id="
 er");return e.onclick=t=>{t.preventDefault(),s.focus()},e}var Yh={f8:Float64Array,f4:Float32Array,u1:Uint8Array};function at(s){let e=s instanceof DataView||ArrayBuffer.isView(s)?s:new DataView(s),t=new Uint8Array(e.buffer,
 e.byteOffset,e.byteLength);t.byteOffset%8&&(t=t.slice());let n=new DataView(t.buffer,t.byteOffset).getUint32(0,!0),i=JSON.parse(new TextDecoder().decode(t.subarray(
 4,4+n))),o={};for(let{name:a,type:r,shape:l,place:c}of i.arrays){let u=l.reduce((h,d)=>h*d,1);o[a]=new Yh[r](t.buffer,t.byteOffset+4+n+c,u)}return{header:i,arrays:o}}var Pt=class extends Error{},Qh=500,Xh=4,ec="The server does not answer. What is here goes on playing; changes need `hophoop lab` to run again.";async function ca(s,e,t){
-for(;;)try{return await s()}catch(n){if(!(n instanceof Pt))throw n;e(n.message),await new Promise(i=>setTimeout(i,Qh)),t.throwIfAborted()}}var xs=class{constructor(e){
+for(;;)try{return await s()}catch(n){if(!(n instanceof Pt))throw n;e(n.message),await new Promise(i=>setTimeout(i,Qh)),t.throwIfAborted()}}var _s=class{constructor(e){
 this.base=e,this.shares=!0}async call(e,t,n){let i={method:"POST",headers:{"Content-Type":"application/json"},body:JSON.stringify(t),signal:n},o=await this.answered(
 new URL(`lab/${e}`,this.base),i);if(o.status===202)throw new Pt((await o.json()).detail);return at(await o.arrayBuffer())}async answered(e,t){for(let n=Xh;;n--){
 let i=await fetch(e,t).catch(a=>{throw a.name==="AbortError"?a:new Error(ec)});if(i.ok)return i;let o=Number(i.headers.get("Retry-After"));if(i.status!==503||!(o>
 0)||n<=1){let a=await i.json().catch(()=>({}));throw new Error(a.detail??`The server answered ${i.status}.`)}await new Promise(a=>setTimeout(a,1e3*Math.min(o,10))),
 t?.signal?.throwIfAborted()}}async file(e,t){return(await this.answered(new URL(`api/v1/files/${e}?${t}`,this.base))).blob()}link(e,t){return`${new URL(e?`?${e}`:
-"",this.base)}${t}`}},tc=2e4,sc=3e5,Ss=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
+"",this.base)}${t}`}},tc=2e4,sc=3e5,xs=class{constructor(e){this.model=e,this.shares=!1,this.waiting=new Map,this.number=0,this.view=Math.random().toString(36).
 slice(2),this.listen=(t,n)=>this.answered(t,n),e.on("msg:custom",this.listen)}answered(e,t){let n=e?.view===this.view&&this.waiting.get(e.number);n&&(clearTimeout(
 n.timer),this.waiting.delete(e.number),e.compiling?n.reject(new Pt(e.compiling)):e.error?n.reject(new Error(e.error)):n.resolve(at(t[0])))}call(e,t,n){let i=++this.
 number;return new Promise((o,a)=>{let r=setTimeout(()=>{this.waiting.delete(i),a(new Error("The notebook’s kernel does not answer; run the cell again."))},e===
 "file"?sc:tc);this.waiting.set(i,{resolve:o,reject:a,timer:r}),n?.addEventListener("abort",()=>{clearTimeout(r),this.waiting.delete(i),a(new DOMException("super\
 seded","AbortError"))}),this.model.send({view:this.view,number:i,call:e,body:t})})}async file(e,t){let{arrays:n}=await this.call("file",{query:t,name:e});return new Blob(
-[n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[ua,nc]=[62,92],ic=12,$e=10,oc=36,da=Math.PI/180,ye=["x","y"],Es=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
+[n.content])}link(){return null}close(){this.model.off("msg:custom",this.listen)}};var[ua,nc]=[62,92],ic=12,$e=10,oc=36,da=Math.PI/180,ye=["x","y"],Ss=class{box;constructor(e){this.known=new Map(e.map(t=>[t.path,t])),this.paths={x:"start.speed",
 y:"plane.mu"},this.windows={x:this.whole("x"),y:this.whole("y")},this.left=ua}info(e){return this.known.get(this.paths[e])}whole(e){return[...this.info(e).range]}home(){
 for(let e of ye)this.windows[e]=this.whole(e)}choose(e,t){let n=e==="x"?"y":"x";this.paths[n]===t&&(this.paths[n]=this.paths[e]),this.paths[e]=t,this.home()}asked(e,t){
 let[n,i]=this.windows[e];return{path:this.paths[e],from:n,to:i,cells:t}}bounds(e){let{range:t,allowed:n}=this.info(e),i=2*(t[1]-t[0]);return[Math.max(n[0],t[0]-
@@ -2117,7 +2117,7 @@ let g=h?` − ${String(d).replace("-","−")}`:"",f=`${v(o.label)}${g}${o.unit?`
 this.box.width,t-5):(e.translate(12,$e+.5*this.box.height),e.rotate(-Math.PI/2)),e.fillText(f,0,0),e.restore()}}};function Ge([s,e],[t,n]){let i=Math.min(e-s,n-
 t);return s<t?[t,t+i]:e>n?[n-i,n]:[s,e]}function jn(s,e,t,n,i){for(let[o,a]of[[i,4],[n,1.8]])s.strokeStyle=o,s.lineWidth=a,s.beginPath(),s.arc(e,t,7,0,2*Math.PI),
 s.moveTo(e-13,t),s.lineTo(e-4,t),s.moveTo(e+4,t),s.lineTo(e+13,t),s.moveTo(e,t-13),s.lineTo(e,t-4),s.moveTo(e,t+4),s.lineTo(e,t+13),s.stroke()}var rt=s=>matchMedia("(hover: none)").matches?"two fingers zoom":`once clicked, or with Ctrl, the wheel zooms${s&&`; ${s}`}; double-click for all`,ac=.0018,ma=200,
-[rc,lc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Yt(n()))&&(o.preventDefault(),
+[rc,lc]=[1/.6,1/1.7];function ae(s,{zoom:e,home:t,chosen:n=()=>s,keys:i=!1}){return s.addEventListener("wheel",o=>{(o.ctrlKey||o.metaKey||Jt(n()))&&(o.preventDefault(),
 e(Math.exp(-Math.min(Math.max(o.deltaY,-ma),ma)*ac),o))},{passive:!1}),s.addEventListener("dblclick",t),i&&s.addEventListener("keydown",o=>{if(o.key==="+"||o.key===
 "=")e(rc);else if(o.key==="-")e(lc);else if(o.key==="0")t();else if(o.key==="Escape")s.blur();else return;o.preventDefault(),o.stopPropagation()}),Ao(s,e)}var pa={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]},fa=48;function ga(s){let{body:e}=s,t=!1,n=ae(e,{zoom:(i,o)=>s.axes.box&&s.zoom(1/i,o?Wn(
 s,o):s.pointed??void 0),home:()=>s.home(),keys:!0});e.addEventListener("pointerdown",i=>cc(s,i,n,o=>t=o)),e.addEventListener("pointermove",i=>{s.axes.box&&!t&&i.
@@ -2142,8 +2142,8 @@ i",{class:"blank"}),"none"):""]}let o=new Map;for(let r of n)o.set(r,(o.get(r)??
 0,10).map(([r])=>{let{color:l,text:c}=i[r];return m("span",{},m("i",{style:`background:${l}`,"aria-hidden":"true"}),c)}),a.length>10?m("span",{},`and ${a.length-
 10} more`):""]}function _a(s,e){for(let{header:t,values:n}of[...s].reverse()){let{x:i,y:o,classes:a}=t,r=Math.floor((e.x-i.from)/(i.to-i.from)*i.cells),l=Math.floor(
 (e.y-o.from)/(o.to-o.from)*o.cells);if(r<0||l<0||r>=i.cells||l>=o.cells)continue;let c=n[l*i.cells+r];if(a)return v(a[c]?.text??"not allowed");let[u,h]=wa(t);return Number.
-isFinite(c)?j(S(c*u,4),h):v("none")}return"…"}var xa=[[24,16],[72,48],[216,144]],Ts=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:n,say:i,changed:o}){this.backend=
-e,this.onmotion=n,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new Es(a),this.what="sequence",this.layers=[],this.canvas=m("canvas",{class:"plo\
+isFinite(c)?j(S(c*u,4),h):v("none")}return"…"}var xa=[[24,16],[72,48],[216,144]],Es=class{film;look;asked;stale;computing;key_now;kind;level;pointed=null;constructor(e,t,{take:n,say:i,changed:o}){this.backend=
+e,this.onmotion=n,this.say=i,this.changed=o;let a=t.controls.map_axes;this.axes=new Ss(a),this.what="sequence",this.layers=[],this.canvas=m("canvas",{class:"plo\
 t-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),this.body=m("div",{class:"map-body",tabindex:"0",role:"application","aria-label":"Map of motions. Arrow ke\
 ys move the mark, Enter takes the motion, plus and minus zoom."},this.canvas,this.tip),this.keys=m("div",{class:"map-keys"}),this.state=m("span",{class:"hint"});
 let r=l=>{let c=m("select",{"data-axis":l,onchange:()=>this.setAxis(l,c.value)},a.map(({path:u,label:h})=>m("option",{value:u},h)));return c};this.selects={x:r(
@@ -2167,15 +2167,15 @@ changes:n,...r,what:this.what},c=await ca(()=>this.backend.call("map",l,e),p=>{P
 h)}`:d),this.redraw()}this.level=xa.length}catch(o){let{name:a,message:r}=o;if(a==="AbortError")return;P(this.state,r)}this.computing=!1}redraw(){if(!this.film)
 return;let{look:e}=this,{context:t,width:n,height:i}=V(this.canvas);this.axes.fit(n,i),t.clearRect(0,0,n,i),t.save(),this.axes.clip(t),t.imageSmoothingEnabled=!1;
 let{axes:o}=this;for(let r of this.layers){let[l,c]=r.x.map(d=>o.x(d)),[u,h]=r.y.map(d=>o.y(d));t.drawImage(r.picture,l,h,c-l,u-h)}let a=this.here();a&&jn(t,o.x(
-a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Yt(this.body)&&jn(t,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=n=>{
+a.x),o.y(a.y),e.ink,e.paper),this.pointed&&Jt(this.body)&&jn(t,o.x(this.pointed.x),o.y(this.pointed.y),"#D55E00",e.paper),t.restore(),o.draw(t,i,e)}here(){let e=n=>{
 let[i,o]=n.split(".");return this.film.values[n]??this.film.scenario[i]?.[o]},t={x:e(this.axes.paths.x),y:e(this.axes.paths.y)};return typeof t.x=="number"&&typeof t.
 y=="number"?t:null}said(e){return`${this.axes.said(e)}: ${_a(this.layers,e)}`}take(e){this.onmotion([[this.axes.paths.x,e.x],[this.axes.paths.y,e.y]])}zoom(e,t){
-this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Ms=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
+this.tip.hidden=!0,this.axes.zoom(e,t)&&(this.redraw(),this.soon())}};var Ts=class{constructor(){this.past=[],this.future=[],this.now=null,this.what="",this.when=-1/0}note(e,t="",n=performance.now()){let i=this.now;if(this.now=e,i===
 null||Fn(i,e))return"same";let o=t!==""&&t===this.what&&n-this.when<1e3&&this.past.length>0;return this.what=t,this.when=n,this.future=[],o?"again":(this.past.push(
 i),this.past.length>500&&this.past.shift(),"step")}next(e){return(e<0?this.past:this.future).at(-1)??null}step(e){let[t,n]=e<0?[this.past,this.future]:[this.future,
 this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.now=i,this.what="")}arrive(e){if(!(this.now&&Fn(this.now,e))){for(let t of[-1,1]){let n=t<0?this.past:
 this.future,i=n.length-n.findLastIndex(o=>Fn(o,e));if(!(i>n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
-Fn=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var As=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Ms,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
+Fn=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var Ms=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Ts,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
 1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Le(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.since??=performance.now(),n.pending=[...(n.pending??[]).filter(([
@@ -2190,10 +2190,10 @@ travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e)
 shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.
 lanes.length===1?(this.lanes.push({film:this.lanes[0].film}),this.active=1):(this.lanes.splice(1-this.active,1),this.active=0),this.listener.shown(),this.note()}choose(e){
 this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let n=[this.lanes.length>1?`with=${encodeURIComponent(this.film(1).query)}`:"",e].filter(
-Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var bc=6e3,Rs=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
+Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var bc=6e3,As=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
 message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},bc)}};var q=52,De=10,z=8,zs=30;function Sa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},bc)}};var q=52,De=10,z=8,Rs=30;function Sa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),n<o-4*r&&(n=o-.6*r),n=Math.min(n,0),i=Math.max(i,0),e&&([n,i]=[-Math.max(-n,i),Math.max(
 -n,i)]);let l=.06*(i-n)||1;return[n<0?n-l:n,i+l]}function Ea(s,e,t,n){let{look:i,box:o,heights:a,range:r}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.line,s.fillStyle=
 i.soft,s.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=Z(a[1]-a[0],l);s.textAlign="right",s.textBaseline="middle";for(let f of le(
@@ -2209,10 +2209,10 @@ soft,s.fillStyle=i.soft,s.lineWidth=1,s.strokeRect(q+.5,z+.5,e.box.width-1,e.box
 PI,r=a-o>200?45:Z(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);s.beginPath(),s.moveTo(u,z+e.box.height),s.lineTo(u,z+e.box.height+
 4),s.stroke(),s.fillText(oe(c*r,r),u,z+e.box.height+15)}s.textAlign="right",s.fillText(v("angle θ within a turn [°]"),t-De,n-3),s.textBaseline="middle";let l=e.
 top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))s.fillText(oe(c,Z(l,5)),q-6,e.y(c));s.textBaseline="alphabetic",s.save(),s.translate(11,z+.5*e.box.height),
-s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var Ps={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ls(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
-s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=Ps[e].map((o,a)=>(n+=
+s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var zs={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ps(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
+s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=zs[e].map((o,a)=>(n+=
 o,`${a%2?"transparent":s??"var(--ink)"} ${n-o}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${i.
-join(", ")})`}return t}var Ds=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,n){this.backend=e,this.clock=t,this.colors=n,this.
+join(", ")})`}return t}var Ls=class{films;active;look;box;window;pictures;reached;forwards;backwards;keyed;sharpening;constructor(e,t,n){this.backend=e,this.clock=t,this.colors=n,this.
 canvas=m("canvas",{class:"plot-canvas"}),this.over=m("canvas",{class:"plot-canvas plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"\
 plot-body",role:"img",tabindex:"0","aria-label":"Plane of angle and angular velocity with the regions of rolling, slip and flight"},this.canvas,this.over),this.
 element=m("section",{class:"phase"},m("header",{},m("h3",{},"Plane of θ and θ̇"),this.keys),this.body,m("p",{class:"hint"},"Colours: the mode that follows co\
@@ -2234,11 +2234,11 @@ return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return th
 this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.forwards=e.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=e.some(i=>i.columns.omega.
 some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return q+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){
 return z+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:i,height:o}=V(
-this.canvas);if(this.box={width:i-q-De,height:o-z-zs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(q,z,this.box.width,this.box.height),n.clip(),this.pictures){
+this.canvas);if(this.box={width:i-q-De,height:o-z-Rs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(q,z,this.box.width,this.box.height),n.clip(),this.pictures){
 n.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,u,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(u)-this.y(h)];n.fillStyle=
 t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ma(n,this,this.pictures[0].paradox)}for(let[a,r]of this.
 films.entries())this.way(n,r,a);if(n.restore(),Aa(n,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(
-r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot-key"},Ls(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:i,omega:o,mode:a}=t.
+r));this.keys.replaceChildren(...a.map(([r,l])=>m("span",{class:"plot-key"},Ps(e.modes[r]),l)))}this.cursor(this.clock.time)}way(e,t,n){let{angle:i,omega:o,mode:a}=t.
 columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyle=this.films.length>1?de(n,this.look.dark):this.look.ink,e.beginPath();let l=null;
 for(let c=0;c<t.length;c++){if(!Number.isFinite(o[c])){l=null;continue}let u=Math.floor(i[c]/r),h=i[c]-u*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(u!==
 l.lap){let d=u>l.lap?r:0;e.lineTo(this.x(d),this.y(o[c])),e.moveTo(this.x(r-d),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));
@@ -2255,21 +2255,21 @@ m("section",{class:"plot","data-plot":e},m("header",{},m("h3",{},t),this.keys),t
 ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return H[this.
 shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.
 films)for(let i of this.abscissa(n))i<e&&(e=i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}draw(e,t,n,i){this.films=e,this.active=t,this.look=n;let{context:o,width:a,
-height:r}=V(this.canvas);this.box={width:a-q-De,height:r-z-zs},o.clearRect(0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((c,u)=>this.shades(
+height:r}=V(this.canvas);this.box={width:a-q-De,height:r-z-Rs},o.clearRect(0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((c,u)=>this.shades(
 c,u).map((h,d)=>({...h,film:c,lane:u,number:d})));this.heights=this.limits??this.findHeights(l),this.shared.axis==="time"&&this.bands(o,e[t],i),Ea(o,this,a,r),o.
 save(),o.beginPath(),o.rect(q,z,this.box.width,this.box.height),o.clip();for(let c of l)this.curve(o,c);if(e.length>1)for(let c of l)c.number===0&&this.letter(o,
 c);o.restore(),this.legend(this.shades(e[t],t),n.dark),this.describe(l)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.curves(e).map(o=>({
-...o,color:o.color&&wt(o.color,n)}));let i=Object.keys(Ps);return this.curves(e).map((o,a)=>({...o,color:de(t,n),dash:i[a%i.length]}))}x(e){return q+(e-this.range[0])/
+...o,color:o.color&&wt(o.color,n)}));let i=Object.keys(zs);return this.curves(e).map((o,a)=>({...o,color:de(t,n),dash:i[a%i.length]}))}x(e){return q+(e-this.range[0])/
 (this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{
 film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(i[a])}return Sa(
 t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),q,q+this.box.width),a=_(this.x(i.to),q,q+this.box.width);a<=o||(e.fillStyle=bt(n.modes[i.
-mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(Ps[i??"s\
+mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(zs[i??"s\
 olid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.isFinite(
 c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{
 film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(
 i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=
 this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+t;this.named!==
-n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ls(i.color,i.dash),i.name,
+n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ps(i.color,i.dash),i.name,
 " ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.films.
 length>1?`${"AB"[a]}: `:"",u={name:v(i),low:S(r,3),high:S(l,3)};return l>=r?`${c}${v("{name} from {low} to {high}",u)}`:""}),n=v("Diagram: {title} in {unit}.",{
 title:v(this.title),unit:v(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,
@@ -2295,7 +2295,7 @@ values:e.columns.friction_loss},{name:e.scenario.contact.model==="compliant"?"lo
 normal_loss,dash:"dot"},...e.scenario.plane.rolling_resistance?[{name:"lost to rolling resistance",values:e.columns.rolling_resistance,dash:"dot"}]:[]]},{key:"f\
 orces",title:"Contact forces",unit:"force [N]",curves:e=>[{name:"normal N",color:s.normal_force,values:e.columns.normal_force},{name:"friction F",color:s.friction_force,
 dash:"dash",values:e.columns.friction_force}]},{key:"utilization",title:"Use of friction",unit:"|F| / μN",limits:[0,1.08],curves:e=>[{name:"|F| / μN",color:s.
-friction_force,values:e.columns.utilization}]}]}var Ns=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
+friction_force,values:e.columns.utilization}]}]}var Ds=class{films;active;look;constructor(e,t){this.colors=t,this.shared={axis:"time",range:null,clock:e,changed:()=>this.
 redraw()},this.plots=[...yc(t).map(i=>new lt(i,this.shared)),Ra(this.shared)];for(let i of this.plots)i.onseek=o=>e.seek(o);this.seen=new Map(this.plots.map(i=>[
 i.element,!0]));let n=new IntersectionObserver(i=>{for(let{target:o,isIntersecting:a}of i)this.seen.set(o,a);this.redraw()},{rootMargin:"400px"});for(let i of this.
 plots)n.observe(i.element);this.axis=m("select",{"aria-label":"Horizontal axis of the diagrams",onchange:()=>{this.shared.axis=this.axis.value,this.shared.range=
@@ -2318,7 +2318,7 @@ stead.");let t=m("canvas",{width:2*Math.ceil(e.width/2),height:2*Math.ceil(e.hei
 n.ondataavailable=r=>i.push(r.data);let o=new Promise(r=>n.onstop=r),{loop:a}=s.clock;return s.clock.loop=!1,s.clock.seek(0),s.notice.say("Recording one run …"),
 s.afterFrame=()=>{Oa(s,t),!s.clock.playing&&n.state==="recording"&&n.stop()},n.start(),s.clock.play(!0),await o,s.afterFrame=null,s.clock.loop=a,new Blob(i,{type:n.
 mimeType})}var kc=[["motion.toml","Scenario (TOML)"],["motion.csv","States (CSV)"],["motion.nc","Motion (netCDF)"],["motion.json","Events (JSON)"],["motion.mp4","Film (MP4\
-)"]],qs=class{constructor(e){this.lab=e,this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
+)"]],Is=class{constructor(e){this.lab=e,this.menu=m("details",{class:"menu"},m("summary",{class:"button"},"Keep"),m("div",{class:"menu-body"},e.backend.shares&&
 this.item("Copy the link",()=>this.copyLink()),kc.filter(([t])=>e.backend.files?.includes(t)??!0).map(([t,n])=>this.item(n,()=>this.download(t))),this.item("Pic\
 ture (PNG)",()=>this.picture("png",Ia)),this.item("Picture (SVG)",()=>this.picture("svg",qa)),this.item("Record a film here (WebM)",()=>this.record()),this.item(
 "Show me the Python",()=>this.code()))),this.dialog=m("dialog",{class:"code-dialog","aria-label":"The same motion in Python"}),e.root.addEventListener("pointerd\
@@ -2330,7 +2330,7 @@ e …":`Fetching ${e} …`),it(await this.lab.backend.file(e,t.query),`hophoop-$
 call("code",{scenario:this.lab.film().scenario});this.show("The same motion in Python",e.python,"The scenario as a file",e.toml)}show(...e){let t=[];for(let n=0;n<
 e.length;n+=2){let i=e[n+1],o=m("button",{type:"button"},"Copy");o.onclick=async()=>{await navigator.clipboard?.writeText(i).catch(()=>{}),P(o,"Copied")},t.push(
 m("header",{},m("h2",{},e[n]),o),m("pre",{tabindex:"0"},m("code",{},document.createTextNode(i))))}this.dialog.replaceChildren(...t,m("button",{type:"button",class:"\
-close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Wa=120,Os=class{top=0;constructor(e,t,n,i,o,a,r,l,c,u,h){this.context=e,this.width=t,this.height=n,this.film=i,this.options=a,this.look=r,this.colors=l,this.
+close",onclick:()=>this.dialog.close()},"Close")),this.dialog.showModal()}};var Wa=120,qs=class{top=0;constructor(e,t,n,i,o,a,r,l,c,u,h){this.context=e,this.width=t,this.height=n,this.film=i,this.options=a,this.look=r,this.colors=l,this.
 common=h,this.pose=i.at(o);let d=i.radius,{left:p,right:g}=i.extent,{top:f}=h;this.cosine=Math.cos(i.slope),this.sine=Math.sin(i.slope);let b=2*h.radius+Math.min(
 f,6*h.radius),w=Math.min(.66*n/b,.36*t/h.radius);if(a.whole){let y=(g-p)*this.cosine+2.6*d,k=(g-p)*Math.abs(this.sine)+2.6*d+f;this.scale=Math.min(t/y,.86*n/k,w)*
 c,this.focus=[.5*(p+g),0],this.place=[.5*t+u[0],(i.slope?.62:.8)*n+u[1]]}else this.scale=w*c,this.focus=[Number.isFinite(this.pose.x)?this.pose.x:0,0],this.place=
@@ -2352,7 +2352,7 @@ film:i,pose:o,scale:a}=this,[r,l]=this.point(o.x,i.radius+o.height);n.strokeStyl
 look:i,colors:o,scale:a}=this,r=e.radius,l=_(.07*r*a,2,14),c=r-.5*l/a,u=[t.x,r+t.height],h=(b,w=c)=>this.point(u[0]+w*Math.sin(b),u[1]+w*Math.cos(b));if(n.lineCap=
 "butt",i.dark&&(n.strokeStyle=i.soft,n.lineWidth=l+2,n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke()),this.options.speed){let b=this.common.
 speed;n.lineWidth=l;let w=2*Math.PI/Wa;for(let y=0;y<Wa;y++){let k=t.angle+y*w,E=Math.hypot(t.vx+r*t.omega*Math.cos(k+.5*w),t.vy-r*t.omega*Math.sin(k+.5*w));n.strokeStyle=
-Vt[_(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(k-.04*w)),n.lineTo(...h(k+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
+Ut[_(Math.round(255*E/b)||0,0,255)],n.beginPath(),n.moveTo(...h(k-.04*w)),n.lineTo(...h(k+1.04*w)),n.stroke()}}else n.strokeStyle=o.modes[t.mode],n.lineWidth=l,
 n.beginPath(),n.arc(...this.point(u[0],u[1]),c*a,0,2*Math.PI),n.stroke();n.strokeStyle=i.soft,n.lineWidth=1,n.beginPath(),n.moveTo(...this.point(u[0],u[1])),n.lineTo(
 ...h(t.angle)),n.stroke();let d=(b,w,y,k)=>{n.beginPath(),n.arc(...b,w,0,2*Math.PI),n.fillStyle=y,n.fill(),n.lineWidth=1.5,n.strokeStyle=k,n.stroke()};d(this.point(
 u[0],u[1]),2.5,i.soft,i.soft);let p=e.scenario.hoop.parts;p?this.parts(p,u):d(h(t.angle),_(.1*r*a,4,16),i.ink,i.paper);let g=e.eccentricity*r,f=this.point(u[0]+
@@ -2369,20 +2369,20 @@ f);for(let[R,M]of[[c.paper,6],[o,3]])l.strokeStyle=R,l.fillStyle=R,l.lineWidth=M
 l.moveTo(...g),l.lineTo(g[0]-b*y-w*y*.5,g[1]-w*y+b*y*.5),l.lineTo(g[0]-b*y+w*y*.5,g[1]-w*y-b*y*.5),l.fill(),d){let[R,M]=[p[0]+.55*b*f,p[1]+.55*w*f];l.strokeStyle=
 c.paper,l.lineWidth=2,l.beginPath();for(let A of[-3,3])l.moveTo(R+b*(A-3)-w*7,M+w*(A-3)+b*7),l.lineTo(R+b*(A+3)+w*7,M+w*(A+3)-b*7);l.stroke()}l.font=`600 12px ${c.
 font}`;let k=l.measureText(a).width;l.lineWidth=3,l.strokeStyle=r?c.ground:c.paper,l.textAlign="left";let E=r?[p[0]-.5*k-32*this.sine,p[1]+32*this.cosine]:[g[0]+
-12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-k-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Cs=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
+12,_(g[1]+4,16,p[1]-.36*this.film.radius*this.scale)];E[0]=_(E[0],4,u-k-4),l.strokeText(a,E[0],E[1]),l.fillText(a,E[0],E[1])}};var Os=class{constructor(e,t){this.canvas=e,this.onview=t,this.zoom=1,this.shift=[0,0],this.views=[],this.fixed=null,this.grab=()=>!1,this.over=()=>{},e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.reset(),chosen:()=>e.parentElement})}reset(){this.zoom=1,this.shift=[0,0],
 this.onview()}pan(){let{width:e,height:t}=this.canvas.getBoundingClientRect();return[this.shift[0]/(e||1),this.shift[1]/(t||1)]}look(e=1,[t,n]=[0,0]){let{width:i,
 height:o}=this.canvas.getBoundingClientRect();this.zoom=e,this.shift=[t*i,n*o]}zoomBy(e){this.zoom=_(this.zoom*e,.05,60),this.onview()}drag(e){if(this.grab(e))return;
 let t=[e.clientX,e.clientY],n=this.shift;J(this.canvas,e,i=>{this.pinched()||(this.shift=[n[0]+i.clientX-t[0],n[1]+i.clientY-t[1]],this.onview())})}draw(e,t,n,i,o){
 let{context:a,width:r,height:l}=V(this.canvas);a.clearRect(0,0,r,l),!(r<40||l<40)&&(this.views=this.paint(a,r,l,e,t,n,i,o))}paint(e,t,n,i,o,a,r,l){let c=n/i.length,
 u={top:Math.max(...i.map(h=>h.extent.top)),radius:Math.max(...i.map(h=>h.radius)),speed:Math.max(...i.map(h=>h.extent.speed))};return i.map((h,d)=>{e.save(),e.beginPath(),
-e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new Os(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
+e.rect(0,d*c,t,c),e.clip(),e.translate(0,d*c);let p=new qs(e,t,c,h,o,a,r,l,this.zoom,this.shift,u);return p.top=d*c,p.scale=this.fixed??p.scale,p.draw(),this.over(
 p,d),i.length>1&&(p.mark("AB"[d],de(d,r.dark)),e.fillStyle=de(d,r.dark),e.font=`700 17px ${r.font}`,e.textAlign="left",e.fillText("AB"[d],12,c-12)),e.restore(),
 d>0&&(e.fillStyle=r.line,e.fillRect(0,d*c-.5,t,1)),p})}};function Un(s,e){let t=new Float32Array(16);for(let n=0;n<4;n++)for(let i=0;i<4;i++){let o=0;for(let a=0;a<4;a++)o+=s[4*a+i]*e[4*n+a];t[4*n+i]=o}return t}function Fa(s,e,t,n){
-let i=1/Math.tan(s/2),o=1/(t-n);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(n+t)*o,-1,0,0,2*n*t*o,0])}function Ba(s,e){let t=He(Vn(s,e)),n=He(js([0,1,0],t)),
-i=js(t,n);return new Float32Array([n[0],i[0],t[0],0,n[1],i[1],t[1],0,n[2],i[2],t[2],0,-Kn(n,s),-Kn(i,s),-Kn(t,s),1])}var Vn=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
-Kn=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],js=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function He(s){let e=Math.hypot(...s)||1;return[
-s[0]/e,s[1]/e,s[2]/e]}function Ws(s,e,t,n){let i=He(e),o=He(js(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=js(o,i);return new Float32Array([...o.map(r=>r*n),0,...i.
+let i=1/Math.tan(s/2),o=1/(t-n);return new Float32Array([i/e,0,0,0,0,i,0,0,0,0,(n+t)*o,-1,0,0,2*n*t*o,0])}function Ba(s,e){let t=He(Vn(s,e)),n=He(Cs([0,1,0],t)),
+i=Cs(t,n);return new Float32Array([n[0],i[0],t[0],0,n[1],i[1],t[1],0,n[2],i[2],t[2],0,-Kn(n,s),-Kn(i,s),-Kn(t,s),1])}var Vn=(s,e)=>[s[0]-e[0],s[1]-e[1],s[2]-e[2]],
+Kn=(s,e)=>s[0]*e[0]+s[1]*e[1]+s[2]*e[2],Cs=(s,e)=>[s[1]*e[2]-s[2]*e[1],s[2]*e[0]-s[0]*e[2],s[0]*e[1]-s[1]*e[0]];function He(s){let e=Math.hypot(...s)||1;return[
+s[0]/e,s[1]/e,s[2]/e]}function js(s,e,t,n){let i=He(e),o=He(Cs(i,Math.abs(i[2])>.9?[1,0,0]:[0,0,1])),a=Cs(o,i);return new Float32Array([...o.map(r=>r*n),0,...i.
 map(r=>r*t),0,...a.map(r=>r*n),0,...s,1])}function Zn(s){let[e,t]=[Math.cos(s),Math.sin(s)];return new Float32Array([e,-t,0,0,t,e,0,0,0,0,1,0,0,0,0,1])}function he(s){let e=Number.parseInt(s.slice(1,7),
 16);return[(e>>16)/255,(e>>8&255)/255,(e&255)/255]}function ht(s,e,t){let n=s.createProgram(),i=[[s.VERTEX_SHADER,e],[s.FRAGMENT_SHADER,t]];for(let[a,r]of i){let l=s.createShader(a);if(s.shaderSource(l,r),s.compileShader(
 l),!s.getShaderParameter(l,s.COMPILE_STATUS))throw new Error(String(s.getShaderInfoLog(l)));s.attachShader(n,l)}if(s.linkProgram(n),!s.getProgramParameter(n,s.LINK_STATUS))
@@ -2451,7 +2451,7 @@ float side;
      a.xy += across * side * wide * pixel * a.w;
      gl_Position = a;
      color = tint;
-   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Fs=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
+   }`,"precision highp float; varying vec3 color; void main() { gl_FragColor = vec4(color, 1.0); }"],Ws=class{constructor(e,t,n,i,{keep:o=!1}={}){let a=e.getContext(
 "webgl",{antialias:!0,stencil:!0,preserveDrawingBuffer:o});if(!a)throw new Error("This browser draws nothing in space (WebGL is missing).");this.gl=a,this.canvas=
 e,this.sun=He(n),this.dark=i,this.slant=[n[0]/n[1],1,n[2]/n[1]],this.rim=ht(a,Ha[0],Ha[1]),this.body=ht(a,Ka[0],Ka[1]),this.line=ht(a,Ua[0],Ua[1]),this.torus=$a(
 a),this.sphere=Ga(a),this.cylinder=Yn(a,1),this.cone=Yn(a,0),this.colors=a.createTexture(),a.bindTexture(a.TEXTURE_2D,this.colors);let r=new Uint8Array(t.flatMap(
@@ -2464,11 +2464,11 @@ o,a]of Object.entries(i)){let r=e.uniforms[o];r!==void 0&&(typeof a=="number"?n.
 r,a))}}ground(e){let{gl:t}=this;t.depthFunc(t.ALWAYS),e(),t.depthFunc(t.LESS)}shadows(e){let{gl:t}=this;t.enable(t.BLEND),t.blendFuncSeparate(t.SRC_ALPHA,t.ONE_MINUS_SRC_ALPHA,
 t.ZERO,t.ONE),t.enable(t.STENCIL_TEST),t.stencilFunc(t.EQUAL,0,255),t.stencilOp(t.KEEP,t.KEEP,t.INCR),t.depthFunc(t.ALWAYS),t.depthMask(!1),e(),t.depthMask(!0),
 t.depthFunc(t.LESS),t.disable(t.STENCIL_TEST),t.disable(t.BLEND)}solid(e,t,n,{shadow:i=!1,lit:o=!0}={}){let{gl:a}=this;this.use(this.body,{model:t,color:n,shadow:i?
-this.dark:0,lit:Number(o)}),ct(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,i){this.solid(this.sphere,Ws(e,[0,1,0],t,t),n,{shadow:i})}ring({
+this.dark:0,lit:Number(o)}),ct(a,this.body,e),a.drawElements(a.TRIANGLES,e.count,a.UNSIGNED_SHORT,0)}ball(e,t,n,i){this.solid(this.sphere,js(e,[0,1,0],t,t),n,{shadow:i})}ring({
 center:e,radius:t,tube:n,broad:i,angle:o,velocity:a,omega:r,plain:l=null},c){let{gl:u}=this;this.use(this.rim,{center:e,size:[t,n,i,o],motion:[...a,r],most:this.
 fastest,shadow:c?this.dark:0,plain:l??[0,0,0],colored:l?0:1}),ct(u,this.rim,this.torus),u.drawElements(u.TRIANGLES,this.torus.count,u.UNSIGNED_SHORT,0)}rod(e,t,n,i,o,a=!1){
-this.solid(this.cylinder,Ws(e,t,n,i),o,{shadow:a})}arrow(e,t,n,i,o){if(!(n>.02*i))return;let a=Math.min(.18*i,n),r=e.map((l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,
-n-a,.029*i,o),this.solid(this.cone,Ws(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,n){let i=[];for(let o=0;o<e;o++){let a=t(o),r=t(Math.min(o+1,e-1));if(Math.hypot(
+this.solid(this.cylinder,js(e,t,n,i),o,{shadow:a})}arrow(e,t,n,i,o){if(!(n>.02*i))return;let a=Math.min(.18*i,n),r=e.map((l,c)=>l+t[c]*(n-a));n>a&&this.rod(e,t,
+n-a,.029*i,o),this.solid(this.cone,js(r,t,a,Math.min(.075*i,.6*a)),o)}trace(e,t,n){let i=[];for(let o=0;o<e;o++){let a=t(o),r=t(Math.min(o+1,e-1));if(Math.hypot(
 r[0]-a[0],r[1]-a[1])<1e-9&&o>0){let l=t(o-1);r=a.map((c,u)=>2*c-l[u])}for(let l of[-1,1])i.push(...a,0,...r,0,...n(o),l)}return Ke(this.gl,i,{position:3,next:3,
 tint:3,side:1})}drawTrace(e,t,{width:n,distance:i=0,shift:o,depth:a}){let{gl:r,canvas:l}=this;this.use(this.line,{pixel:[2/l.width,2/l.height],width:n,distance:i,
 shift:o,depth:a}),ct(r,this.line,e),r.drawArrays(r.TRIANGLE_STRIP,0,2*t)}onScreen([e,t,n]){let i=this.view,[o,a,r]=[0,1,3].map(l=>i[l]*e+i[4+l]*t+i[8+l]*n+i[12+
@@ -2480,7 +2480,7 @@ l]);return r>0?[(.5+.5*o/r)*this.canvas.width,(.5-.5*a/r)*this.canvas.height]:nu
      float even = mod(floor(q.x) + floor(q.y), 2.0);
      float away = smoothstep(0.25, 1.0, length(p) / reach);
      gl_FragColor = vec4(mix(mix(dark, light, even), far, away), 1.0);
-   }`],Bs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Fs(e,et,_c,xc,{keep:!0}),this.floor=ht(this.space.gl,Ya[0],Ya[1]),this.corners=Ke(this.
+   }`],Fs=class{constructor(e,t){this.canvas=e,this.onview=t,this.space=new Ws(e,et,_c,xc,{keep:!0}),this.floor=ht(this.space.gl,Ya[0],Ya[1]),this.corners=Ke(this.
 space.gl,[-1,-1,1,-1,-1,1,1,1],{corner:2}),this.turned={...Lt},this.lines=new WeakMap,this.share=1,this.pace=16,this.before=0,this.focus=0,this.reach=1,e.addEventListener(
 "pointerdown",n=>this.drag(n)),this.pinched=ae(e,{zoom:n=>this.zoomBy(n),home:()=>this.zoomBy(0),chosen:()=>e.parentElement})}zoomBy(e){e?this.turned.distance=_(
 this.turned.distance/e,1.6,60):this.turned={...Lt},this.onview()}from(){let{azimuth:e,height:t,distance:n}=this.turned;return e===Lt.azimuth&&t===Lt.height&&n===
@@ -2504,15 +2504,15 @@ sign(t.friction_force);this.space.arrow(r,[0,1,0],l(t.normal_force),o,he(i.norma
 let i=this.lines.get(e);if(i?.dark===t.dark)return i;let o=e.radius,{x:a,height:r,angle:l,mode:c}=e.columns,u=(f,b)=>this.space.trace(e.length,w=>[a[w]+f*Math.sin(
 l[w]),o+r[w]+f*Math.cos(l[w])],b),[h,d,p]=[he(n.gravity_center),he(n.airborne),he(t.ink)],g={dark:t.dark,load:u(o,()=>p),center:u(e.eccentricity*o,f=>c[f]===3?d:
 h)};return this.lines.set(e,g),g}drawTraces(e,t,n,i,o,a){let{load:r,center:l}=this.linesOf(e,i,o),c=Math.min(e.index(t.t)+2,e.length),u={shift:this.focus,depth:n};
-this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Sc=["hoop","mode","time","angle","v","R θ̇","gap"],$s=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
-three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Cs(this.plane,t),this.deep=
+this.space.drawTrace(r,c,{width:a,...u}),this.space.drawTrace(l,c,{width:1.6*a,...u})}};var Sc=["hoop","mode","time","angle","v","R θ̇","gap"],Bs=class{constructor(e,t){this.colors=e,this.onview=t,this.options={traces:!0,forces:!0,speed:!0,whole:!1,
+three:!1,ahead:!1},this.plane=m("canvas",{class:"stage-canvas"}),this.space=m("canvas",{class:"stage-canvas",hidden:!0}),this.flat=new Os(this.plane,t),this.deep=
 null,this.outputs=Sc.map(i=>({name:m("dt",{},i),value:m("dd",{})})),this.outputs[1].value.className="mode",this.fastest=m("span",{}),this.legend=m("div",{class:"\
-legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Vt.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
+legend","aria-hidden":"true"},m("i",{style:`background: linear-gradient(90deg, ${Ut.filter((i,o)=>o%15===0).join(",")})`}),m("span",{},"0"),m("span",{},"rim spe\
 ed"),this.fastest);let n=(i,o)=>m("span",{},m("i",{class:"dot",style:`background:${i}`}),o);this.order=m("span",{hidden:!0},"A in front, B behind"),this.element=
 m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.plane,this.space,m("dl",{class:"readout","aria-hidden":"true"},this.outputs.flatMap(
 ({name:i,value:o})=>[i,o])),this.legend,m("div",{class:"stage-keys","aria-hidden":"true"},n("var(--ink)","load"),n(e.gravity_center,"centre of gravity"),n(e.airborne,
 "the same in flight"),this.order))}canvas(){return this.options.three?this.space:this.plane}draw(e,t,n,{look:i,inks:o}){let{options:a}=this;this.legend.hidden=!a.
-speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Bs(this.
+speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Fs(this.
 space,this.onview),this.deep.draw(e,n.time,a,i,o,n.playing)):this.flat.draw(e,n.time,a,i,o),this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:i}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,n,i,!1,t),this.space}read(e,t,n){let i=e[t],o=i.at(n),a=[e.length>1?"AB"[t]:"",v(this.colors.mode_names[o.mode]),
 fe(`${o.t.toFixed(3)} s`),G(o.angle),j(S(o.vx,3),"m/s"),j(S(o.omega*i.radius,3),"m/s"),o.height>0?Re(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
@@ -2520,7 +2520,7 @@ outputs[c];h.textContent!==u&&(h.textContent=u)}let[r,l]=this.outputs;r.value.hi
 mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",`${v("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
 options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,
 flat:t,deep:n}=this;return{options:e,zoom:t.zoom,pan:t.pan(),from:n?.from()}}restore({options:e,zoom:t,pan:n,from:i}){if(e){let{three:o,...a}=e;Object.assign(this.
-options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var Gs=class{film;items;current;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m("ol",{class:"\
+options,a)}this.flat.look(t,n),i&&this.deep?.look(i)}zoom(e){this.options.three?this.deep?.zoomBy(e):e?this.flat.zoomBy(e):this.flat.reset()}};var $s=class{film;items;current;constructor(e){this.clock=e,this.summary=m("p",{class:"summary"}),this.doubt=m("p",{class:"hint",hidden:!0}),this.list=m("ol",{class:"\
 story-list"}),this.heading=m("h2",{},"What happens"),this.live=m("div",{class:"spoken",role:"status","aria-live":"polite"}),this.element=m("section",{class:"sto\
 ry","aria-label":"The motion in words"},this.heading,this.summary,this.doubt,this.list,this.live)}draw(e,t,n){this.film=e[t],P(this.heading,e.length>1?`What hap\
 pens to hoop ${"AB"[t]}`:"What happens"),this.summary.replaceChildren(...e.flatMap((i,o)=>[e.length>1?m("b",{},`${"AB"[o]}: `):"",i.summary,i.status==="event_li\
@@ -2530,14 +2530,14 @@ m("span",{class:"when"},`${S(i.t,4)} s`),m("span",{},i.text)))),this.list.replac
 live,e)}announce(e){this.say(B(e.map(t=>t.summary).join(" ")))}cursor(e){let{story:t}=this.film,n=-1;for(let o=0;o<t.length&&t[o].t<=e+1e-9;o++)n=o;if(n===this.
 current)return;this.items[this.current]?.classList.remove("now"),this.items[n]?.classList.add("now"),this.items[this.current]?.removeAttribute("aria-current"),this.
 items[n]?.setAttribute("aria-current","step"),this.current=n;let i=this.items[n];if(i){let o=i.offsetTop-this.list.offsetTop;(o<this.list.scrollTop||o+i.offsetHeight>
-this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}},Hs=class{constructor(){this.list=m("dl",{}),this.heading=m("h2",
+this.list.scrollTop+this.list.clientHeight)&&(this.list.scrollTop=o-.4*this.list.clientHeight)}}},Gs=class{constructor(){this.list=m("dl",{}),this.heading=m("h2",
 {},"What theory says"),this.element=m("section",{class:"theory"},this.heading,this.list)}draw(e,t=""){P(this.heading,t?`What theory says of hoop ${t}`:"What the\
-ory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var Qa="hophoop-theme",Ec=["gravity_center","airborne","normal_force","friction_force"],Ks=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
+ory says"),this.list.replaceChildren(...e.flatMap(({label:n,text:i})=>[m("dt",{},n),m("dd",{},i)]))}};var Qa="hophoop-theme",Ec=["gravity_center","airborne","normal_force","friction_force"],Hs=class{constructor(e,t,n,i){this.root=e,this.colors=t,this.hosted=n,this.
 changed=i,this.chosen=null,this.media=matchMedia("(prefers-color-scheme: dark)"),this.listen=()=>this.apply(),this.media.addEventListener("change",this.listen),
 this.mark(),this.look=bn(e),this.inks={...t},this.read()}mark(){let e=this.hosted?me(Qa):null;this.root.dataset.theme=this.chosen??e??(this.media.matches?"dark":
 "light"),this.hosted&&(document.documentElement.style.colorScheme=this.root.dataset.theme)}read(){this.look=bn(this.root),this.inks={...this.colors};for(let e of Ec)
 this.inks[e]=wt(this.colors[e],this.look.dark)}apply(){this.mark(),this.read(),this.changed()}toggle(){this.chosen=this.root.dataset.theme==="dark"?"light":"dar\
-k",this.hosted&&pe(Qa,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Us=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
+k",this.hosted&&pe(Qa,this.chosen),this.apply()}close(){this.media.removeEventListener("change",this.listen)}};var Ks=class{films;said;constructor(e){this.clock=e,this.window=null,this.canvas=m("canvas",{class:"timeline-canvas"}),this.tip=m("div",{class:"tip",hidden:!0}),
 this.element=m("div",{class:"timeline",role:"slider",tabindex:"0","aria-label":"Time","aria-valuemin":"0","aria-orientation":"horizontal"},this.canvas,this.tip),
 this.element.addEventListener("pointerdown",t=>this.scrub(t)),this.element.addEventListener("pointermove",t=>this.hover(t)),this.element.addEventListener("point\
 erleave",()=>this.tip.hidden=!0),this.pinched=ae(this.element,{zoom:(t,n)=>this.zoom(1/t,n?this.timeAt(n):this.clock.time),home:()=>this.zoom(1/0,0),keys:!0})}ends(){
@@ -2562,7 +2562,7 @@ font}`,!(a<13||e.measureText(t).width+8>i)&&(e.fillStyle=Yi(r),e.textAlign="cent
 etic")}marks(e,t,n,i,o,a){e.font=`11px ${a.font}`,e.textAlign="center";let r=t.events.filter(({kind:l})=>l!=="start"&&l!=="end").map(({kind:l,t:c})=>({kind:l,x:n(
 c)})).filter(({x:l})=>l>=-1&&l<=o+1);if(e.fillStyle=a.panel,r.length<o/6)for(let{x:l}of r)e.fillRect(l-.5,i,1,5);e.fillStyle=a.ink;for(let{mark:l,x:c}of Oo(r))e.
 fillText(l,_(c,6,o-6),i-4)}};var Tc=1/60,Mc=[["traces","Traces","t"],["forces","Forces","f"],["speed","Rim speed","c"],["whole","Whole path","w"],["three","3D","3"]],Ac={three:"In space"},Ie=(s,e,t)=>m(
-"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Xa=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Vs=class{titled="";constructor(e,t,n,i,o){
+"button",{type:"button",title:e,"aria-label":e,onclick:t},s),Xa=(s,e)=>m("span",{},m("span",{"aria-hidden":"true"},`${s} `),e),Us=class{titled="";constructor(e,t,n,i,o){
 this.clock=e,this.films=t,this.say=i,this.tell=o,this.playButton=Ie(Y("play"),"Play (space)",()=>e.play()),this.playButton.classList.add("play"),this.speeds=m("\
 select",{"aria-label":"Speed of the film",onchange:()=>{e.speed=Number(this.speeds.value)}},_t.map(a=>m("option",{value:String(a)},`${a}×`))),this.speeds.value=
 "1",this.switches=new Map(Mc.map(([a,r,l])=>{let c=`${a==="three"?Ac.three:r} (${l})`;return[a,m("button",{type:"button",class:"switch",title:c,onclick:()=>n(a)},
@@ -2577,14 +2577,14 @@ flatMap((u,h)=>u.events.map(d=>({event:d,lane:h}))).filter(({event:u})=>!t||(t==
 o=e>0?n.find(({event:u})=>u.t>i+1e-9):n.findLast(({event:u})=>u.t<i-1e-9);if(!o&&t&&(o=n[0]),!o){t&&this.say(t==="takeoff"?"This motion has no flight.":"This mo\
 tion has no landing.");return}this.clock.seek(o.event.t);let{event:a,lane:r}=o,l=this.films().length>1?`${v(`Hoop ${"AB"[r]}`)}: `:"",c=v(_e[a.kind]??a.kind);this.
 tell(B(`${l}${v("{what} at {angle}, {time} s",{what:c,angle:G(a.angle),time:S(a.t,4)})}`))}};var ut=class{constructor(e,t,n,{hosted:i=!1,panels:o=null,onmotion:a=()=>{}}={}){this.root=e,this.backend=t,this.hosted=i,this.onmotion=a,la(e,i);let{colors:r}=n;
-this.known=n.presets,this.address=i?new Qt(this):null,this.clock=new Xt,this.motions=new As(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
-story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new Rs,this.theme=new Ks(
-e,r,i,()=>this.show()),this.stage=new $s(r,()=>{this.request(),this.address?.soon()}),this.transport=new Vs(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
-notice.say(l),l=>this.story.say(l)),this.timeline=new Us(this.clock),this.story=new Gs(this.clock),this.theory=new Hs,this.plots=new Ns(this.clock,r),this.phase=
-new Ds(t,this.clock,r),this.map=new Ts(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
-controls=new ss(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new qs(this),this.singleKeys=new _s(i),this.help=ia(n.version,r,this.singleKeys.element),
-this.hoops=new ks(l=>this.motions.choose(l)),this.header=new vs(n.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
-compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=ha(this,o),this.extras=new ys(this),this.requested=
+this.known=n.presets,this.address=i?new Yt(this):null,this.clock=new Qt,this.motions=new Ms(t,{shown:l=>this.changed(l),refined:()=>this.request(),settled:()=>this.
+story.announce(this.films()),noted:l=>this.noted(l),travelled:async l=>this.address?.travel(l),failed:(l,c)=>this.failed(l,c)}),this.notice=new As,this.theme=new Hs(
+e,r,i,()=>this.show()),this.stage=new Bs(r,()=>{this.request(),this.address?.soon()}),this.transport=new Us(this.clock,()=>this.films(),l=>this.toggle(l),l=>this.
+notice.say(l),l=>this.story.say(l)),this.timeline=new Ks(this.clock),this.story=new $s(this.clock),this.theory=new Gs,this.plots=new Ds(this.clock,r),this.phase=
+new Ls(t,this.clock,r),this.map=new Es(t,n,{take:l=>{this.clock.time=0,this.motions.change(l,!0)},say:l=>this.story.say(l),changed:()=>this.address?.soon()}),this.
+controls=new ts(n.controls,(l,c)=>this.motions.change(l,c)),this.share=new Is(this),this.singleKeys=new ks(i),this.help=ia(n.version,r,this.singleKeys.element),
+this.hoops=new vs(l=>this.motions.choose(l)),this.header=new ys(n.presets,this.share.menu,{take:l=>this.take(l),undo:()=>this.travel(-1),redo:()=>this.travel(1),
+compare:()=>this.motions.compare(),theme:()=>this.theme.toggle(),help:()=>this.help.showModal()}),this.sticky=ha(this,o),this.extras=new ws(this),this.requested=
 !1,this.surrounding=!1,this.taken=null,this.afterFrame=null,this.asked=null,this.later=ie(()=>this.fetchTheory(),120),this.frames=0,this.latencies=[],this.frame=
 this.frame.bind(this),this.clock.listeners.add(()=>{this.request(),this.clock.playing||this.address?.soon()}),this.deaf=aa(this,i),this.sizes=new ResizeObserver(
 ()=>this.show())}async open(e,t={}){await this.motions.load(e),this.clock.duration=Math.max(...this.films().map(n=>n.duration)),this.restore(t),this.begin()}begin(){
@@ -2618,7 +2618,7 @@ size=n,this.limit=i,this.idle=[],this.hired=0,this.queue=[]}hand(){let e=this.id
 resolve(new Xn(this.start,this.compiled))):new Promise(t=>this.queue.push(t))}release(e){let t=this.queue.shift();t?t(e):this.idle.push(e)}async ask(e,t,n,i=[]){
 n?.throwIfAborted();let o=await this.hand(),a=()=>o.stop(new DOMException("superseded","AbortError")),r=setTimeout(()=>o.stop(new Qn(`This takes longer than ${this.
 limit/1e3} s, and was stopped.`)),this.limit);try{return n?.throwIfAborted(),n?.addEventListener("abort",a),await o.ask(e,t,i)}finally{clearTimeout(r),n?.removeEventListener(
-"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Zs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
+"abort",a),this.release(o)}}close(){for(let e of this.idle)e.worker.terminate()}};var Vs=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let n=this.rooms.get(e);if(n&&n.bytes>=t)return n.place;n&&this.exports.free(n.place),this.
 rooms.delete(e);let i=this.exports.malloc(t);if(!i)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:i,bytes:t}),
 i}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let n=this.room(e,8*Math.max(t.length,1));return this.floats(n,t.length).set(t),n}};var Rc=150,zc=240,Pc=6e3,[db,er,tr]=[0,1,2],Lc={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["fri\
 ction_force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_norm\
@@ -2631,8 +2631,8 @@ o),l++;let u={t:a};for(let[h,d]of Object.entries(Lc)){let p=new Float64Array(i);
 i,u.omega),u}function Nc(s,e,t){let n=x.samples.length,i=new Float64Array(e),o=0;for(let a=e-1;a>=0&&!o;a--)o=Math.sign(t[a])||0;for(let a=e-1;a>=0;a--){o=Math.
 sign(t[a])||o;let r=s[a*n+Tn.mode],l=r===er?-1:r===tr?1:0;i[a]=l===0?r:l*o<0?er:tr}return i}function sr(s,e){let t=new Map,n=new Float64Array(e);for(let i=0;i<e;i++){let o=Ic(s.subarray(i*x.keys,(i+1)*x.keys));if(o===""){n[i]=Number.NaN;continue}let a=t.
 get(o);a===void 0&&(a=t.size,t.set(o,a)),n[i]=a}return{values:n,sequences:[...t.keys()]}}function Ic(s){let e="";for(let t of s){let n=t;for(let i=0;i<x.letters_a_key&&
-n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===x.more?"+":x.letters[o-1])}}return e}var qc=256,Oc=2048,Cc=4096,jc=2e5,Wc=x.statuses.indexOf("buffer"),Fc=new Set(["turn","apex","kane_gain","rest"]),ti=s=>Number.isFinite(s)?s:null,Js=class{constructor(e){
-this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Zs(this.exports),this.mostEvents=qc,this.mostSegments=Oc,this.mostRows=
+n;i++){let o=Number(n&7n);n>>=3n,o&&(e+=o===x.more?"+":x.letters[o-1])}}return e}var qc=256,Oc=2048,Cc=4096,jc=2e5,Wc=x.statuses.indexOf("buffer"),Fc=new Set(["turn","apex","kane_gain","rest"]),ti=s=>Number.isFinite(s)?s:null,Zs=class{constructor(e){
+this.exports=new WebAssembly.Instance(e,{}).exports,this.exports._initialize?.(),this.memory=new Vs(this.exports),this.mostEvents=qc,this.mostSegments=Oc,this.mostRows=
 Cc}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel ended ${e} with ${n}.`)}compute(e){let{memory:t}=this,n=x.events.length;for(;;){let i=t.
 room("table",8*n*this.mostEvents),o=t.room("heads",8*x.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,
 x.heads.length).slice(),r=a[be.events];if(a[be.status]===Wc)this.makeRoom(e,a[be.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
@@ -2678,7 +2678,7 @@ t=s[Q.from_mode],n={t:s[Q.t],kind:e,from:t<0?null:x.letters[t],to:x.letters[s[Q.
 new Blob([s],{type:"text/javascript"}));return()=>new Worker(e,{type:"module"})}async function ar(s){let e=await fetch(s);if(!e.ok)throw new Error(`The kernel i\
 s not there: ${s.pathname} gives ${e.status}.`);return e.headers.get("Content-Type")==="application/wasm"?WebAssembly.compileStreaming(e):WebAssembly.compile(await e.
 arrayBuffer())}async function rr(s){let e=new Blob([s]).stream().pipeThrough(new DecompressionStream("gzip"));return WebAssembly.compile(await new Response(e).arrayBuffer())}
-var Dt=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Js(e),this.motions=new dt(t,e,2,si);let i=navigator.hardwareConcurrency||
+var Dt=class s{constructor(e,t,n){this.start=t,this.derivatives=n,this.rates=null,this.mechanics=new Zs(e),this.motions=new dt(t,e,2,si);let i=navigator.hardwareConcurrency||
 2;this.maps=new dt(t,e,Math.max(1,Math.min(i-1,8)),si)}static async load(e){let t=await ar(new URL(`hophoop.wasm?${x.module}`,e)),n=()=>ar(new URL(`hophoop-deri\
 vatives.wasm?${x.derivatives}`,e)),i=new URL(`kernel.js?${x.module}`,e);return i.origin===globalThis.location?.origin?new s(t,()=>new Worker(i,{type:"module"}),
 n):new s(t,or(await(await fetch(i)).text()),n)}static async unpack(e,t,n){return new s(await rr(e),or(t),async()=>rr(await n()))}motion(e,t){return this.motions.
@@ -2713,21 +2713,21 @@ a.at(-1))%2===0?Nt(s)+a:Nt(s)+n}function W(s,e){return s.replace(/\{(\w+)(!r)?(?
 ce(r):a==="g"?Se(r,o===""?6:Number(o)||1):a==="e"?su(r,Number(o)):a==="f"?ri(r,Number(o)):String(r)})}function ce(s,e=!0){return s==null?"None":s===!0?"True":s===
 !1?"False":typeof s=="number"?e?Ve(s):gr(s):typeof s=="string"?dr(s):Array.isArray(s)?`[${s.map(n=>ce(n,e)).join(", ")}]`:`{${Object.entries(s).map(([n,i])=>`${dr(
 n)}: ${ce(i,e)}`).join(", ")}}`}function gr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Ve(s)}function It(s){return typeof s=="number"?gr(s):
-typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${Ys(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
-ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var Ys=(s,e)=>s.toString(16).padStart(e,"0"),nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
+typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${Js(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
+ect"?`{${Object.entries(s).map(([e,t])=>`${It(e)}: ${It(t)}`).join(", ")}}`:String(s)}var Js=(s,e)=>s.toString(16).padStart(e,"0"),nu=/[\p{C}\p{Zl}\p{Zp}\p{Zs}]/u,
 br=s=>s===" "||!nu.test(s);function wr(s){if(s===`
-`)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${Ys(e,2)}`:e<65536?`\\u${Ys(e,4)}`:`\\U${Ys(e,8)}`}function dr(s){
+`)return"\\n";if(s==="\r")return"\\r";if(s==="	")return"\\t";let e=s.codePointAt(0);return e<256?`\\x${Js(e,2)}`:e<65536?`\\u${Js(e,4)}`:`\\U${Js(e,8)}`}function dr(s){
 let e=s.includes("'")&&!s.includes('"')?'"':"'",t=[...s].map(n=>n===e||n==="\\"?`\\${n}`:br(n)?n:wr(n));return e+t.join("")+e}var yr=s=>[...s].map(e=>br(e)?e:wr(
-e)).join("");function Qs(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var mr="[\\s\\x1c-\\x1f\\x85]*",iu=new RegExp(`^${mr}([+-]?)(?:(in\
+e)).join("");function Ys(s){let e=[...s];return e.length<=60?s:`${e.slice(0,57).join("")}...`}var mr="[\\s\\x1c-\\x1f\\x85]*",iu=new RegExp(`^${mr}([+-]?)(?:(in\
 f(?:inity)?|nan)|((?:\\d+(?:_\\d+)*\\.?(?:\\d+(?:_\\d+)*)?|\\.\\d+(?:_\\d+)*)(?:e[+-]?\\d+(?:_\\d+)*)?))${mr}$`,"i");function vr(s){let e=iu.exec(s);if(!e||s.includes(
 "\uFEFF"))return;let[,t,n,i]=e,o=n?n[0].toLowerCase()==="n"?Number.NaN:1/0:Number(i.replaceAll("_",""));return t==="-"?-o:o}var{texts:kr,scenario:_r}=T,L=class extends Error{constructor(e){super(yr(e)),this.name="InputError"}},X=class extends L{},N=(s,e={})=>W(kr[s],e),ue=s=>s!==null&&
 typeof s=="object"&&!Array.isArray(s);function Oe(s=()=>!1,e=""){return{said:[],above:e,float:s}}function F(s,e,t,n,i){Ze(s,e,t,N(n,i))}function Ze(s,e,t,n){let i=typeof t==
-"bigint"?String(t):ce(t,s.float(e)),o=s.above+e||kr.whole_scenario;s.said.push(N("finding",{path:o,shown:Qs(i),allowed:n}))}function qt(s,e,t,n,i={}){let{fields:o,
+"bigint"?String(t):ce(t,s.float(e)),o=s.above+e||kr.whole_scenario;s.said.push(N("finding",{path:o,shown:Ys(i),allowed:n}))}function qt(s,e,t,n,i={}){let{fields:o,
 place:a}=_r.models[s];if(!ue(e))return F(n,t,e,"table"),null;for(let c of Object.keys(e))if(!Object.hasOwn(o,c))return n.said.push(Ot(a,c,Object.keys(o))),null;
 let r=n.said.length,l={};for(let[c,u]of Object.entries(o)){if(u.kind==="section")continue;let h=i[u.kind];Object.hasOwn(e,c)&&h?l[c]=h(e[c],`${t}.${c}`,n):Object.
 hasOwn(e,c)?l[c]=li(u,e[c],`${t}.${c}`,n):u.required?n.said.push(N("missing",{path:`${n.above}${t}.${c}`})):l[c]=Et(u.default)}return n.said.length===r?{values:l,
 given:new Set(Object.keys(e))}:null}function Ot(s,e,t){let n=ur(e,t),i=n?N("did_you_mean",{close:n}):N("known_are",{known:t.join(", ")});return N("unknown_key",
-{path:`${s}${Qs(e)}`,hint:i})}function li(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return au(e,t,n);if(s.kind==="word")return s.options.
+{path:`${s}${Ys(e)}`,hint:i})}function li(s,e,t,n){if(e===null&&s.nullable)return null;if(s.kind==="parts")return au(e,t,n);if(s.kind==="word")return s.options.
 includes(e)||F(n,t,e,"literal_error",s),e;let i=s.kind==="friction",o=i&&e==="inf"?1/0:e;if(typeof o!="number")return F(n,t,e,"number");if(i&&!(o>=0))return F(n,
 t,e,"friction");if(s.kind==="whole"&&!Number.isInteger(o))return F(n,t,e,"whole");if(!i&&!Number.isFinite(o))return F(n,t,e,"finite_number");for(let[a,r]of s.limits??
 [])if(!ou(a,o,r))return F(n,t,s.kind==="whole"?BigInt(o):e,a,{limit:r});return s.range&&!Ce(s.range,o)?F(n,t,e,"range",s.range):o+0}function ou(s,e,t){return s===
@@ -2736,7 +2736,7 @@ return Array.isArray(s)?s.map((n,i)=>ru(n,`${e}.${i}`,t)):F(t,e,s,"list")}functi
 let{inner_radius:o,outer_radius:a}=i.values;return o>a&&t.said.push(N("ring_radii",{inner:o,outer:a})),i.values}function hi(s,e,t,n,i,o){if(!ue(s))return F(i,n,
 s,"table"),null;let a=Object.hasOwn(s,e)?s[e]:o;if(a===void 0||a===null&&o)return i.said.push(N("missing",{path:`${i.above}${n}.${e}`})),null;if(typeof a=="stri\
 ng"&&Object.hasOwn(t,a))return t[a];let r=typeof a=="string"?a:ce(a,i.float(`${n}.${e}`)),l=Object.keys(t).map(d=>`'${d}'`),c=`${l.slice(0,-1).join(", ")} or ${l.
-at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:Qs(ce(r)),allowed:u};return i.said.push(N("finding",h)),null}function Ct(s){let e=s.
+at(-1)}`,u=N("literal_error",{expected:c}),h={path:`${i.above}${n}.${e}`,shown:Ys(ce(r)),allowed:u};return i.said.push(N("finding",h)),null}function Ct(s){let e=s.
 length-1;return e?N(e===1?"other_problem":"other_problems",{first:s[0].replace(/\.$/,""),count:e}):s[0]}var xr=T.scenario.ends,ci=s=>Object.hasOwn(xr,s)?xr[s]:[];function di(s){let e=s.indexOf(".");return e<0?[s,""]:[s.slice(0,e),s.slice(e+1)]}function jt(s){for(let e of s){
 let[t]=di(e),n=ci(e).map(i=>`${t}.${i}`);for(let i of s)if(n.some(o=>i===o||i.startsWith(`${o}.`)))return[e,i]}return null}var Sr=new Set(T.scenario.paths),lu=new Set(
 T.map.words),Tr=/^hoop\.parts\.\d+\.(\w+)$/,Mr=Object.assign(Object.create(null),...Object.values(T.scenario.parts).map(s=>T.scenario.models[s].fields));function Ar(s){
@@ -2745,13 +2745,13 @@ word":!lu.has(s)}function Er(s){let[e,t]=di(s);return(e==="start"?10:0)+(t===""?
 t.endsWith(".")?t:`${t}.`));function pi(s,e,t,n){let i=[...t.keys()],o=jt(i);if(o){let[l,c]=o,[u,h]=o.map(d=>new Ue(ce(t.get(d),!1)));throw new L(N("two_ways",{
 one:l,other:c,one_value:u,other_value:h}))}let a=new Set,r=mi(i);for(let l of i.sort((c,u)=>Er(c)-Er(u))){let c=structuredClone(t.get(l)),[u,h]=di(l);if(h==="")
 ui(e,u,c);else if(l==="contact.model")e.contact={model:c};else{Object.hasOwn(e,u)||ui(e,u,{});let d=e[u];if(!ue(d))throw new L(N("no_section_parts",{path:l,section:u}));
-if(!a.has(u)&&ci(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=hu(s,l,()=>n(e.hoop,r));for(let[g,f]of Object.entries(p))t.has(`${u}.${g}`)||(d[g]=f)}for(let p of ci(
-l))delete d[p];cu(d,h.split("."),c,l)}}return e}function ui(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,configurable:!0,writable:!0})}function hu({hoop:s,
-plane:e,start:t},n,i){let{mass:o,eccentricity:a,inertia_ratio:r}=s;if(n==="hoop.eccentricity"||n==="hoop.inertia_ratio")return{mass:o,eccentricity:a,inertia_ratio:r};
-if(n==="hoop.load_fraction")return{mass:o};if(n==="plane.mu_static"||n==="plane.mu_kinetic"){let l=c=>c===1/0?"inf":c;return{mu_static:l(e.mu_static),mu_kinetic:l(
-e.mu_kinetic)}}if(n.startsWith("start.")&&n!=="start.speed"){let{height:l,vx:c,vy:u,omega:h}=qe(t,i().radius);return{height:l,vx:c,vy:u,omega:h}}return{}}function cu(s,e,t,n){
-let i=s,o=e.pop(),a=l=>new L(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)if(r(l))i=i[Number(l)];else if(ue(
-i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(ue(i))ui(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:uu,limits:se}=T,{allowed:du,events:mu,flight_turns:pu,quantities:fu}=T.map,gu=1e-300,I=(s,e={})=>W(uu[s],e),fi=s=>I("doubt",{time:Se(s,4)});function Ee(s){
+if(!a.has(u)&&ci(l).some(p=>Object.hasOwn(d,p))){a.add(u);let p=t.has(u)?n(u,t.get(u),r):s[u],g=hu(p,l,()=>n("hoop",e.hoop,r));for(let[f,b]of Object.entries(g))
+t.has(`${u}.${f}`)||(d[f]=b)}for(let p of ci(l))delete d[p];cu(d,h.split("."),c,l)}}return e}function ui(s,e,t){Object.defineProperty(s,e,{value:t,enumerable:!0,
+configurable:!0,writable:!0})}function hu(s,e,t){let{mass:n,eccentricity:i,inertia_ratio:o}=s;if(e==="hoop.eccentricity"||e==="hoop.inertia_ratio")return{mass:n,
+eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:n};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
+s.mu_static),mu_kinetic:a(s.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=qe(s,t().radius);return{height:a,vx:r,vy:l,
+omega:c}}return{}}function cu(s,e,t,n){let i=s,o=e.pop(),a=l=>new L(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
+if(r(l))i=i[Number(l)];else if(ue(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(ue(i))ui(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:uu,limits:se}=T,{allowed:du,events:mu,flight_turns:pu,quantities:fu}=T.map,gu=1e-300,I=(s,e={})=>W(uu[s],e),fi=s=>I("doubt",{time:Se(s,4)});function Ee(s){
 let{duration:e,hoop:t,contact:n}=s;if(e>se.duration)throw new X(I("too_long",{duration:e,most:se.duration}));let i=t.parts?.length??0;if(i>se.parts)throw new X(
 I("too_many_parts",{parts:i,most:se.parts}));let o=Dr(Lr(s));if(o>se.turns)throw new X(I("too_many_turns",{duration:e,turns:o,most:se.turns}));if(n.model==="com\
 pliant"){let a=bu(s,o);if(a>se.steps)throw new X(I("too_stiff",{steps:a,most:se.steps}))}return n.max_events<=se.events?s:{...s,contact:{...n,max_events:se.events}}}
@@ -2766,50 +2766,50 @@ c>se.turns)throw new X(I("cell_turns",{turns:c,most:se.turns}));if(l<=se.map_tur
 map_turns}))}function zr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
 s}var Wt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Pr(s,e){let t=du[s.startsWith("plane.mu")?"plane.mu":s];return!t||Ce(
 t,e)}var{scenario:mt}=T,yu=["load_fraction","eccentricity","inertia_ratio"],Nr=["mu_static","mu_kinetic"],vu=["height","vx","vy","omega"],Je=class extends Error{};function $(s,e){
-throw new Je(N(s,e))}function Xs(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function bi({values:s,given:e},t){let n={...s},i=yu.filter(
-u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),Xs("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,ku(n.radius,n.parts,
-t))):n.load_fraction!==null||!i.length?(Xs("hoop","load_fraction",i),n.load_fraction??=mt.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
+throw new Je(N(s,e))}function Qs(s,e,t){let n=t.find(i=>i!==e);n&&$("together",{section:s,other:n,way:e})}function Ir({values:s,given:e},t){let n={...s},i=yu.filter(
+u=>e.has(u)&&s[u]!==null);n.parts!==null?(n.parts.length||$("no_parts"),Qs("hoop","parts",[...i,...e.has("mass")?["mass"]:[]]),Object.assign(n,ku(n.radius,n.parts,
+t))):n.load_fraction!==null||!i.length?(Qs("hoop","load_fraction",i),n.load_fraction??=mt.models.Hoop.fields.eccentricity.default,n.eccentricity=n.load_fraction,
 n.inertia_ratio=t.ideal(n.load_fraction)):i.length===1&&$("half_a_hoop",{missing:i[0]==="eccentricity"?"inertia_ratio":"eccentricity",given:i[0]});let{mass:o,inertia_ratio:a,
 load_fraction:r,eccentricity:l}=n,c=mt.ranges;if(Ce(c["hoop.mass"],o)||$("hoop_mass",{mass:o,words:c["hoop.mass"].words}),!Ce(c["hoop.inertia_ratio"],a)){let{words:u}=c["\
 hoop.inertia_ratio"];$(n.parts?"parts_inertia":"load_inertia",{load_fraction:r,inertia_ratio:a,words:u})}return a===0&&l!==1&&$("massless_eccentricity",{eccentricity:l}),
 n}function ku(s,e,t){let{reaches:n,...i}=t.combine(s,e),o=n.findIndex(a=>a>s*(1+mt.touch));return o>=0&&$("beyond_the_rim",{index:o,shape:e[o].shape,reach:n[o],
-radius:s}),i}function Ir({values:s,given:e}){let t={...s};t.apart=Nr.some(r=>e.has(r)),t.mu!==null?(Xs("plane","mu",Nr.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
+radius:s}),i}function qr({values:s,given:e}){let t={...s};t.apart=Nr.some(r=>e.has(r)),t.mu!==null?(Qs("plane","mu",Nr.filter(r=>e.has(r))),t.mu_static=t.mu,t.mu_kinetic=
 t.mu):t.mu_static===t.mu_kinetic&&(t.mu=t.mu_static);let{mu_static:n,mu_kinetic:i,slope:o}=t;i>n&&$("kinetic_above_static",{mu_kinetic:i,mu_static:n}),Math.abs(
-o)<.5*Math.PI||$("vertical",{slope:o});let a=mt.ranges["plane.slope"];return Ce(a,o)||$("slope",{slope:o,words:a.words}),t}function qr({values:s,given:e}){let t={
-...s};return t.speed!==null?(Xs("start","speed",vu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function Or({values:s}){let e=s;
-return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&$("together",{section:"contact",other:"restitution",way:"damping"}),e}function Cr(s,e,t){let{
+o)<.5*Math.PI||$("vertical",{slope:o});let a=mt.ranges["plane.slope"];return Ce(a,o)||$("slope",{slope:o,words:a.words}),t}function Or({values:s,given:e}){let t={
+...s};return t.speed!==null?(Qs("start","speed",vu.filter(n=>e.has(n))),t.vx=t.speed,t.omega=null):t.omega===null&&$("no_omega"),t}function Cr({values:s}){let e=s;
+return e.model==="compliant"&&e.damping!==null&&e.restitution!==null&&$("together",{section:"contact",other:"restitution",way:"damping"}),e}function jr(s,e,t){let{
 hoop:n,plane:i,contact:o}=s,a=n.inertia_ratio===0,r=o.model==="compliant";a&&i.slope!==0&&$("massless_slope",{slope:i.slope});let l=i.rolling_resistance;l!==0&&
 a&&$("massless_resistance",{given:l});let c=l===0?void 0:e.resistance?.(n.eccentricity,n.inertia_ratio);c!==void 0&&!(l<c)&&$("resistance",{given:l,most:c}),a&&
 r&&$("massless_compliant"),r&&i.mu_static===1/0&&$("compliant_friction"),r&&e.compliance&&_u(o,e.compliance(t(s)))}function _u(s,e){for(let[i,{of:o,...a}]of Object.
 entries(mt.relative)){let r=s[i];if(r===null)continue;let l=e[i];Ce(a,l)||$("relative_contact",{name:i,value:r,relative:l,unit:o,words:a.words})}let{depth:t}=e,
-n=Et(mt.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var xu=1e3;function jr(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>xu)throw new L(N("unreadable_query",{reason:"Max number of fields excee\
+n=Et(mt.most_depth);t>n&&$("too_soft",{stiffness:s.stiffness,depth:t,most:n})}var xu=1e3;function Wr(s){let e=s.startsWith("?")?s.slice(1):s;if(e&&e.split("&").length>xu)throw new L(N("unreadable_query",{reason:"Max number of fields excee\
 ded"}));let t=new Map;for(let[o,a]of new URLSearchParams(`&${e}`)){let r=o.split("."),l=r.pop(),c=t;for(let u of r)if(c.has(u)||c.set(u,new Map),c=c.get(u),!(c instanceof
 Map))throw new L(N("beside_a_value",{path:o,above:o.slice(0,o.lastIndexOf("."))}));if(c.has(l))throw new L(N("given_twice",{path:o}));c.set(l,vr(a)??a)}let n=t.
-get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",Su(i)),wi(t)}function Su(s){let e=Array.from({length:s.size},(n,i)=>String(
-i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new L(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function wi(s){return Array.isArray(
-s)?s.map(wi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,wi(t)])):s}function Wr(s){return Fr(s,"").map(([e,t])=>`${e}=${Eu(e,t)}`).join("&")}function Fr(s,e){
-return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>Fr(n,e?`${e}.${t}`:t))}function Eu(s,e){return en(s,e).replace("e+","e").replace(
-/\.0$/,"")}function en(s,e){return typeof e=="string"?e:Tu.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ve(e)}var Tu=new Set(Object.values(T.scenario.models).flatMap(
-({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Te}=T,Mu={rigid:"Rigid",compliant:"Compliant"};function yi(s,e,t=Oe()){let n=vi(s,e,t);if(!n)throw new L(Ct(t.said));return n}function vi(s,e,t){let{
+get("hoop"),i=n instanceof Map&&n.get("parts");return i instanceof Map&&n.set("parts",Su(i)),bi(t)}function Su(s){let e=Array.from({length:s.size},(n,i)=>String(
+i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new L(N("parts_out_of_order",{name:n}));return e.map(n=>s.get(n))}function bi(s){return Array.isArray(
+s)?s.map(bi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,bi(t)])):s}function Fr(s){return Br(s,"").map(([e,t])=>`${e}=${Eu(e,t)}`).join("&")}function Br(s,e){
+return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>Br(n,e?`${e}.${t}`:t))}function Eu(s,e){return Xs(s,e).replace("e+","e").replace(
+/\.0$/,"")}function Xs(s,e){return typeof e=="string"?e:Tu.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ve(e)}var Tu=new Set(Object.values(T.scenario.models).flatMap(
+({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Te}=T,Mu={rigid:"Rigid",compliant:"Compliant"};function wi(s,e,t=Oe()){let n=yi(s,e,t);if(!n)throw new L(Ct(t.said));return n}function yi(s,e,t){let{
 fields:n,place:i}=Te.models.Scenario;if(!ue(s))return F(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
-Ot(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Te.default[r];return[r,$r(r,l,e,t)]}));return t.said.
-length?null:Gr(t,()=>ki(a,e))}function $r(s,e,t,n){if(s==="hoop")return Ft("Hoop",e,s,n,o=>bi(o,t));if(s==="plane")return Ft("Plane",e,s,n,Ir);if(s==="start")return Ft(
-"Start",e,s,n,qr);if(s!=="contact")return li(Te.models.Scenario.fields[s],e,s,n);let i=hi(e,"model",Mu,s,n,"rigid");return i&&Ft(i,e,s,n,Or)}function ki(s,e){return Cr(
-s,e,K),s}function Ft(s,e,t,n,i){let o=qt(s,e,t,n);return o&&Gr(n,()=>i(o))}function Gr(s,e){try{return e()}catch(t){if(!(t instanceof Je))throw t;return s.said.
-push(t.message),null}}function _i(s,e){return yi(jr(s),e,Oe(()=>!0))}function tn(s,e,t){let n=pi(s,Me(s),e,(i,o)=>Hr(i,t,o));return yi(n,t,Oe(mi([...e.keys()])))}
-function sn(s,e,t){let n=Oe();try{let i=pi(s,Me(s),e,(r,l)=>Hr(r,t,l)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,$r(r,i[r],t,n)]);return n.
-said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof L)return null;throw i}}function Hr(s,e,t){let n=Oe(t),i=Ft("Hoop",s,"hoop",n,o=>bi(o,e));if(!i)throw new L(
-Ct(n.said));return i}var Au=s=>s===1/0?"inf":s,Bt=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,Au(s[t])])),xi=s=>Object.keys(Te.models[s].fields);
-function Me({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:Ru(e),plane:zu(t),start:Pu(n),contact:Bt(i,xi(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function Ru(s){if(s.parts){let t=s.parts.map(n=>Bt(n,xi(Te.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
-y","inertia_ratio"]:["load_fraction"];return Bt(s,["radius","mass",...e])}function zu(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
-0&&e.push("rolling_resistance"),Bt(s,xi("Plane").filter(t=>!e.includes(t)))}function Pu(s){return Bt(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
+Ot(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Te.default[r];return[r,vi(r,l,e,t)]}));return t.said.
+length?null:Gr(t,()=>ki(a,e))}function vi(s,e,t,n){if(s==="hoop")return en("Hoop",e,s,n,o=>Ir(o,t));if(s==="plane")return en("Plane",e,s,n,qr);if(s==="start")return en(
+"Start",e,s,n,Or);if(s!=="contact")return li(Te.models.Scenario.fields[s],e,s,n);let i=hi(e,"model",Mu,s,n,"rigid");return i&&en(i,e,s,n,Cr)}function ki(s,e){return jr(
+s,e,K),s}function en(s,e,t,n,i){let o=qt(s,e,t,n);return o&&Gr(n,()=>i(o))}function Gr(s,e){try{return e()}catch(t){if(!(t instanceof Je))throw t;return s.said.
+push(t.message),null}}function _i(s,e){return wi(Wr(s),e,Oe(()=>!0))}function tn(s,e,t){let n=pi(s,Me(s),e,(i,o,a)=>Hr(i,o,t,a));return wi(n,t,Oe(mi([...e.keys()])))}
+function sn(s,e,t){let n=Oe();try{let i=pi(s,Me(s),e,(r,l,c)=>Hr(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vi(r,i[r],t,n)]);return n.
+said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof L)return null;throw i}}function Hr(s,e,t,n){let i=Oe(n),o=vi(s,e,t,i);if(i.said.length)throw new L(
+Ct(i.said));return o}var Au=s=>s===1/0?"inf":s,Ft=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,Au(s[t])])),xi=s=>Object.keys(Te.models[s].fields);
+function Me({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:Ru(e),plane:zu(t),start:Pu(n),contact:Ft(i,xi(i.model==="rigid"?"Rigid":"Compl\
+iant"))}}function Ru(s){if(s.parts){let t=s.parts.map(n=>Ft(n,xi(Te.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
+y","inertia_ratio"]:["load_fraction"];return Ft(s,["radius","mass",...e])}function zu(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
+0&&e.push("rolling_resistance"),Ft(s,xi("Plane").filter(t=>!e.includes(t)))}function Pu(s){return Ft(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
 "x","angle","speed"])}function Si(s,e){let{Hoop:t,Start:n}=Te.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
-default,load_fraction:a.default}}return s==="plane"?Te.default.plane:s==="start"?{...Br(n),speed:void 0}:Br(Te.models[e==="compliant"?"Compliant":"Rigid"])}var Br=({
-fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function Gt(s){let e={};for(let[t,n]of Object.entries(Me(s))){let i=Te.default[t];
-if($t(n,i))continue;if(!ue(n)){e[t]=n;continue}let o=Si(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!$t(o[r],l));e[t]=a.length?Object.fromEntries(
-a):n}return Wr(e)}function $t(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
-Object.keys(e).length&&t.every(n=>$t(s[n],e[n]))}var Lu=8,{cell:Ei,laws:Du,quantities:Kr}=T.map;async function Ti(s,{x:e,y:t},n,i){let o=Wt(e),a=Wt(t),r=Nu(s,e.path,t.path)?Iu(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
+default,load_fraction:a.default}}return s==="plane"?Te.default.plane:s==="start"?{...$r(n),speed:void 0}:$r(Te.models[e==="compliant"?"Compliant":"Rigid"])}var $r=({
+fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function $t(s){let e={};for(let[t,n]of Object.entries(Me(s))){let i=Te.default[t];
+if(Bt(n,i))continue;if(!ue(n)){e[t]=n;continue}let o=Si(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Bt(o[r],l));e[t]=a.length?Object.fromEntries(
+a):n}return Fr(e)}function Bt(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
+Object.keys(e).length&&t.every(n=>Bt(s[n],e[n]))}var Lu=8,{cell:Ei,laws:Du,quantities:Kr}=T.map;async function Ti(s,{x:e,y:t},n,i){let o=Wt(e),a=Wt(t),r=Nu(s,e.path,t.path)?Iu(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
 [[t.path,a[p]],[e.path,o[d]]]);return sn(s,g,n)},l=o.length*a.length,c=new Float64Array(Ei.length*l),u={...s},h=performance.now();for(let d=0;d<a.length;d++){performance.
 now()-h>Lu&&(await new Promise(p=>setTimeout(p)),i?.throwIfAborted(),h=performance.now());for(let p=0;p<o.length;p++){let g=r(p,d),f=g&&Ou(Object.assign(u,g),n);
 if(!f)continue;let b=d*o.length+p;for(let w=0;w<Ei.length;w++)c[w*l+b]=qu[w](f)}}return{count:l,rows:c}}function Nu({start:s},e,t){let n=[e,t].map(o=>o.split(".")[0]);
@@ -2820,12 +2820,12 @@ Je))throw t;return null}}var Mi=s=>Kr[s].span;function Ai({x:s,y:e,what:t},n){le
 l.map(u=>({name:u,text:cr(u,t),color:hr(u,t)})):null;return{header:{x:s,y:e,what:t,label:i,unit:o,classes:c},arrays:{values:r}}}function Cu({values:s,sequences:e},t){
 if(!t)return{values:s,names:[]};let n=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=
 0?i?.[a]??a:Number.NaN),names:n}}var{scenario:on}=T,ju=30;function Ur(s,e){for(let t of on.sections[s]??["Scenario"]){let n=on.models[t].fields[e];if(n)return n.unit}return""}function Zr(s,e){return e===
-"inf"?"inf":typeof e=="string"?JSON.stringify(e):en(s,e)}function Vr(s,e,t){let n=`${s} = ${Zr(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(ju)} # ${t}`}function an(s){
+"inf"?"inf":typeof e=="string"?JSON.stringify(e):Xs(s,e)}function Vr(s,e,t){let n=`${s} = ${Zr(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(ju)} # ${t}`}function an(s){
 let{duration:e,...t}=Me(s),n=[Vr("duration",e,Ur("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
 isArray(r))n.push(Vr(a,r,Ur(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${Zr(u,h)}`);n.push(`  { ${c.join(", ")}\
  },`)}n.push("]")}}return`${n.join(`
 `)}
-`}var Wu={hoop:"Hoop",plane:"Plane",start:"Start"},Fu=["load_fraction","mu"];function Ri(s){let e=Me(s),t=$t(e.contact,on.default.contact)?"":`    contact=${nn(
+`}var Wu={hoop:"Hoop",plane:"Plane",start:"Start"},Fu=["load_fraction","mu"];function Ri(s){let e=Me(s),t=Bt(e.contact,on.default.contact)?"":`    contact=${nn(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
@@ -2841,7 +2841,7 @@ isArray(r))n.push(Vr(a,r,Ur(i,a)));else{n.push(`${a} = [`);for(let l of r){let c
 `].join("")}function nn(s,{parts:e,...t}){let n=s==="start"&&"speed"in t,i=n?"Start.rolling":Wu[s]??(t.model==="rigid"?"Rigid":"Compliant"),o=n?{angle:0,x:0}:Si(
 s,t.model),a=Object.entries(t).filter(([r,l])=>Fu.includes(r)||o[r]!==l).map(([r,l])=>`${r}=${zi(r,l)}`);return e&&a.push(`parts=[${e.map(Bu).join(", ")}]`),`hh\
 .${i}(${a.join(", ")})`}function Bu({shape:s,...e}){let t=Object.entries(e).map(([n,i])=>`${n}=${zi(n,i)}`);return`hh.${on.parts[s]}(${t.join(", ")})`}function zi(s,e){
-return e==="inf"?'float("inf")':typeof e=="string"?ce(e):en(s,e)}var{letters:Yr,modes:Li,verbs:Di,events:$u,statuses:Gu,story:Ye,summary:pt}=T.words,Hu=["turn","apex","end"],Ku=400,[,Pi,Jr,Uu,Vu]=Li,Zu="⁰¹²³⁴⁵⁶⁷⁸⁹";
+return e==="inf"?'float("inf")':typeof e=="string"?ce(e):Xs(s,e)}var{letters:Yr,modes:Li,verbs:Di,events:$u,statuses:Gu,story:Ye,summary:pt}=T.words,Hu=["turn","apex","end"],Ku=400,[,Pi,Jr,Uu,Vu]=Li,Zu="⁰¹²³⁴⁵⁶⁷⁸⁹";
 function Qr(s,e){let{omega:t,to:n}=s[e];return t===0&&(n==="S"||n==="K")&&e+1<s.length}var Ni=s=>[...s.keys()].filter(e=>Qr(s,e)),Ii=(s,e)=>.5*(s[e].t+s[e+1].t);
 function qi(s,e=Ku){let t=[],n=0,i=el(s.events);for(let[o,a]of s.events.entries()){let r=i.get(o);if(r===0)continue;let l=r===void 0?Yu(s,o,a):W(Ye.more_bounces,
 {count:r});if(l){if(t.length>=e){n++;continue}t.push({t:a.t,event:o,mode:Yr[Li.indexOf(rn(s,o))],text:l})}}return n&&t.push({...t[t.length-1],text:W(Ye.left_out,
@@ -2862,7 +2862,7 @@ Jr:s==="K"?e<0?Pi:Jr:Li[Yr.indexOf(s)]}var tl=s=>s.kind==="turn"&&(s.to==="S"||s
 return s>=.995?`${Qe(s)} m`:s>=.00995?`${Qe(s*100)} cm`:`${Qe(s*1e3)} mm`}function Qe(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Se(s,3).split("e"),n=t===
 void 0?"":`·10${td(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var td=s=>[...String(s)].map(e=>e==="-"?"⁻":Zu[Number(e)]).join("");var nl=2e3,sd=s=>s===1/0?"inf":s;function ln(s,{status:e,sequence:t,events:n,final:i,energy:o}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:Me(
 s),status:e,sequence:t,events:n,final:i,energy:o}}function Ci(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{...ln(s,e),events:e.events.slice(0,
-nl),query:Gt(s),duration:e.duration,values:nd(s),automatic:id(s,n),massless:s.hoop.inertia_ratio===0,summary:Oi(i),story:qi(i),ending:T.words.statuses[e.status],
+nl),query:$t(s),duration:e.duration,values:nd(s),automatic:id(s,n),massless:s.hoop.inertia_ratio===0,summary:Oi(i),story:qi(i),ending:T.words.statuses[e.status],
 shortened:e.events.length>nl}}function nd(s){let{speed:e}=s.start,t={...s,start:{...qe(s.start,s.hoop.radius),speed:e}},n=i=>{let[o,a]=i.split(".");return sd(t[o][a])};
 return Object.fromEntries(T.shown.map(i=>[i,n(i)]))}function id(s,e){if(s.contact.model==="rigid"||!e.compliance)return{};let{stiffness:t,slip_speed:n}=e.compliance(
 K(s)).automatic;return{"contact.stiffness":t,"contact.slip_speed":n,"contact.restitution":s.plane.restitution}}var{rate:od,variables:ji}=T.table,{letters:ad}=T.words,Wi=(s,e)=>JSON.stringify(ln(s,e),null,1);function Fi(s){let e=Math.min(Math.max(Math.floor(s*od)+1,2),T.limits.
@@ -2879,7 +2879,7 @@ n}function ud(s,e,t){let n=ll(s,e,t,4,I("window"));if(!n)return null;let[i,o,a,r
 n}function il(s,e,t){return qt("Axis",s,e,t,{number_path:dd})?.values??null}function dd(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Ar(s);return n?
 t.said.push(n):Rr(s)||Ze(t,e,s,I("number_path")),s}function md(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Object.keys(ld.quantities);return n.includes(
 s)||Ze(t,e,s,I("one_of",{known:n.join(", ")})),s}var{limits:hn}=T;function cn(s,e,t){let n=al(s,e);if(n)throw new L(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Oe(),l=null;i!==void 0&&!ue(i)?F(r,"scenario",
-i,"table"):i!==void 0&&(l=vi(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&F(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!fd(
+i,"table"):i!==void 0&&(l=yi(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&F(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!fd(
 h)).map(gd)):F(r,"changes",a,"list");let c=rl(s,e,r);if(r.said.length)throw new L(Ct(r.said));pd(a.length,c),(o!==null||!l)&&(l=_i(o??"",t));let u=new Map;for(let[
 h,d]of a)jt([...u.keys(),h])&&(l=tn(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?tn(l,u,t):l}}var ft=(s,e)=>cn("film",s,e).checked;function pd(s,{x:e,
 y:t}){if(s>hn.changes)throw new X(I("too_many_changes",{pairs:s,most:hn.changes}));if(!e)return;if(e.path===t.path)throw new L(I("equal_axes",{path:e.path}));let n=e.
@@ -2897,13 +2897,13 @@ let a=t.jam_angles.map(Xe).join(", ");return i("jam",t.jam_angles[0]??null,"rad"
 U.rest_at,{where:Xe(r)})),n}function Gi(s,e,t){return s<T.words.least_speed?W(t,{would:e}):Number.isFinite(s)?W(U.above,{would:e,speed:Se(s,4)}):U.no_speed}function vd(s,{
 mu_static:e}){return Number.isFinite(s)?W(s<=e?U.friction_enough:U.friction_short,{mu:Se(s,3)}):U.no_friction}function kd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
 null)return U.never;let n=s<=t?U.paradox_here:U.paradox_not_here;return W(n,{mu:Se(s,3),where:Xe(e)})}var xd=360,Sd=240,Ki={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Ed=["motion.nc","motion.mp4","mo\
-tion.gif"],Ht=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
+tion.gif"],Gt=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
 keys(Ki),...i?Ed:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=cn(e,t,this.mechanics);if(e==="fi\
 lm")return this.film(i,n);if(e==="samples"){let a=K(Ee(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
 python:Ri(i),toml:an(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(K(i),n);return{header:{thresholds:Hi(i,a)},arrays:{}}}if(e==="regions"){
 let{window:a}=o,r=K(i),l=await this.kernel.regions(r,a,xd,Sd,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(`The \
 page does not answer ${e}.`)}async film(e,t){let n=K(Ee(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
-t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:Gt(e)},t);let r=await this.turning(n,i,t),
+t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:$t(e)},t);let r=await this.turning(n,i,t),
 l=Ci(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:fi(a)},arrays:o}}async turning(e,{events:t},n){let i=Ni(t);if(!i.length)return()=>0;let o=Float64Array.
 from(i,r=>Ii(t,r)),{omega:a}=await this.kernel.samples(e,o,n);return r=>a[i.indexOf(r)]}async changes(e,t,n,i){if(!this.kernel.changes)throw new TypeError("This\
  kernel has no derivatives.");let o=K(Ee(ft({scenario:e},this.mechanics)));if(o.contact)throw new L(I("compliant_changes"));let a=$i(e,t,n,this.mechanics);if(!a)
@@ -2911,13 +2911,13 @@ return null;let{rates:r,smaller:l,larger:c}=a,u=await this.kernel.changes(o,r,i)
 x:t,y:n,what:i},o){let a=Mi(i),r=gi(e,{x:t,y:n,what:i}),l=await Ti(r,{x:t,y:n},this.mechanics,o);return Ai({x:t,y:n,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){
 if(!(e in Ki)){if(this.server)return this.server.file(e,t);throw new L(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Ki[e]})}async fileText(e,t){
 let n=ft({query:t},this.mechanics);if(e==="motion.toml")return an(n);let i=Ee(n),o=K(i),a=await this.kernel.motion(o);if(e==="motion.json")return Wi(i,a);let r=Fi(
-a.duration);return Bi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Ui(s,e,t){let n=e&&new xs(e);try{let i=await Dt.load(s);return new Ht(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function dl(s){
-navigator.serviceWorker?.register(s).catch(()=>{})}async function ml(s){let e=new Ss(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await Dt.
-unpack(s.get("module"),s.get("worker"),t);return new Ht(n,n.mechanics,{server:e})}catch{return e}}var Td=new URL("./",import.meta.url);async function Md(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
+a.duration);return Bi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Ui(s,e,t){let n=e&&new _s(e);try{let i=await Dt.load(s);return new Gt(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function dl(s){
+navigator.serviceWorker?.register(s).catch(()=>{})}async function ml(s){let e=new xs(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await Dt.
+unpack(s.get("module"),s.get("worker"),t);return new Gt(n,n.mechanics,{server:e})}catch{return e}}var Td=new URL("./",import.meta.url);async function Md(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
 ]"),n,i;try{n=await Ui(Td,t?null:e,e),i=(await n.call("setup",{})).header}catch(l){s.textContent=l.message;return}t&&dl(t.getAttribute("content")??"");let o=new ut(
 s,n,i,{hosted:!0});Object.assign(globalThis,{hophoopLab:o});let a=new URLSearchParams(location.hash.slice(1)).get("with"),r=go(location.hash);try{await o.open([
 location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(null,"",e),await o.open([""]),o.notice.fail(l)}}async function vy(s,e,t,n){let i=await Ui(
 e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new ut(s,i,o,{panels:n});return await a.open([t]),a}async function Ad({model:s,el:e}){let t=document.
 createElement("div");e.append(t);let n=await ml(s),i=new ut(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
 i.motions.set([at(s.get("film"))]),i.begin();let o=()=>i.motions.replace(at(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
-i.close()}}var pl=document.getElementById("hophoop-lab");pl&&Md(pl);var ky={render:Ad};export{jl as adopt,Ae as current,ky as default,En as languageMenu,vy as mount,Jt as repeat,v as t,st as untranslated};
+i.close()}}var pl=document.getElementById("hophoop-lab");pl&&Md(pl);var ky={render:Ad};export{jl as adopt,Ae as current,ky as default,En as languageMenu,vy as mount,Zt as repeat,v as t,st as untranslated};
