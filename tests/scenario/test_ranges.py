@@ -9,7 +9,7 @@ import pytest
 
 import hophoop as hh
 from fuzz.ranges_table import ranges_table
-from hophoop.scenario.ranges import RANGES
+from hophoop.scenario.ranges import RANGES, RELATIVE_SLIP_SPEED, RELATIVE_STIFFNESS
 from strategies import said
 
 # how a scenario with this value is built; what is not here follows the path itself
@@ -38,6 +38,18 @@ def test_both_ends_are_allowed(path):
     allowed = RANGES[path]
     for value in (allowed.least, allowed.most, *allowed.also):
         build(path, value)
+
+
+def test_a_range_ends_at_a_power_of_ten():
+    """Which the table shows rounded; the slope ends near the vertical."""
+    kept = [allowed for path, allowed in RANGES.items() if path != "plane.slope"]
+    for allowed in (*kept, RELATIVE_STIFFNESS, RELATIVE_SLIP_SPEED):
+        for end in (allowed.least, allowed.most):
+            assert end == 0.0 or abs(end) == float(f"1e{round(math.log10(abs(end)))}")
+    schema = hh.Scenario.model_json_schema()["$defs"]
+    for model in ("Rigid", "Compliant"):
+        events = schema[model]["properties"]["max_events"]
+        assert (events["minimum"], events["maximum"], events["default"]) == (1, RANGES["contact.max_events"].most, 10**5)
 
 
 @pytest.mark.parametrize("path", RANGES)

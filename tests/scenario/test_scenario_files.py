@@ -1,5 +1,6 @@
 """Scenarios as files, links and parameters by path."""
 
+import itertools
 import json
 import math
 import random
@@ -284,3 +285,45 @@ def test_refusals_of_several_values(values, expected):
 def test_a_whole_section_and_what_stands_in_it():
     made = hh.Scenario().with_values({"start.angle": 0.5, "start": hh.Start.rolling(2.0), "plane": {"mu": 0.3}})
     assert made == hh.Scenario(start=hh.Start.rolling(2.0, angle=0.5), plane=hh.Plane(mu=0.3))
+
+
+def test_a_section_given_whole_is_the_one_that_is_changed():
+    """What a parameter in it does not name is as in the new section, not as in the old one."""
+    base = hh.Scenario()
+    start = base.with_values({"start.omega": 5.0, "start": hh.Start.rolling(2.0, angle=0.5)}).start
+    assert start == hh.Start(vx=2.0, omega=5.0, angle=0.5)
+    start = base.with_values({"start": hh.Start(height=1.0, vx=3.0), "start.omega": 2.0}).start
+    assert start == hh.Start(height=1.0, vx=3.0, omega=2.0)
+    hoop = base.with_values({"hoop.inertia_ratio": 0.3, "hoop": {"load_fraction": 0.5, "mass": 3.0}}).hoop
+    assert hoop == hh.Hoop(mass=3.0, eccentricity=0.5, inertia_ratio=0.3)
+    assert base.with_values({"plane": hh.Plane(mu=0.5), "plane.mu_kinetic": 0.3}).plane == hh.Plane(
+        mu_static=0.5, mu_kinetic=0.3
+    )
+    changes = {"hoop": {"radius": -1.0}, "hoop.eccentricity": 0.5}
+    assert said(lambda: base.with_values(changes)) == "hoop.radius = -1.0 must be greater than 0."
+
+
+def test_wholes_come_before_what_stands_in_them_in_any_order():
+    values = {"contact.rtol": 1e-6, "plane.mu": 0.5, "contact.model": "compliant", "contact": hh.Rigid(max_events=5)}
+    expected = hh.Scenario(plane=hh.Plane(mu=0.5), contact=hh.Compliant(rtol=1e-6))
+    for order in itertools.permutations(values):
+        assert hh.Scenario().with_values({path: values[path] for path in order}) == expected
+    values = {"hoop.parts.0.mass": 2.0, "hoop.parts": [hh.PointMass(1.0, at=0.5)], "hoop": {"radius": 0.5}}
+    expected = hh.Scenario(hoop=hh.Hoop.from_parts(0.5, (hh.PointMass(2.0, at=0.5),)))
+    for order in itertools.permutations(values):
+        assert hh.Scenario().with_values({path: values[path] for path in order}) == expected
+
+
+def test_values_that_are_given_stay_as_they_are():
+    given = {"plane": {"mu": 0.5}, "plane.slope": 0.1, "hoop.parts": [{"shape": "disk", "mass": 1.0, "radius": 0.1, "at": 0.5}]}
+    copy = json.loads(json.dumps(given))
+    hh.Scenario().with_values({**given, "hoop.parts.0.mass": 2.0})
+    assert given == copy
+
+
+def test_replacing_a_whole_part():
+    base = hh.Scenario(hoop=hh.Hoop.from_parts(1.0, [hh.Ring(1.0, 0.9, 1.0), hh.PointMass(2.0, at=0.9)]))
+    disk = hh.Disk(1.0, 0.1, at=0.5)
+    assert base.replace("hoop.parts.1", disk).hoop.parts == (hh.Ring(1.0, 0.9, 1.0), disk)
+    for step in ("2", "-1", "last"):
+        assert f"the scenario has no {step!r}" in said(lambda step=step: base.replace(f"hoop.parts.{step}", disk))

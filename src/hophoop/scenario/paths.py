@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from pydantic import ValidationError
 
@@ -22,6 +22,7 @@ _SECTIONS: dict[str, tuple[type[Frozen], ...]] = {
     "contact": (Rigid, Compliant),
 }
 _PARTS = (Ring, Disk, PointMass, Rod)
+_Model = TypeVar("_Model", bound=Frozen)
 
 # Where a quantity can be given in more ways than one, giving it one way ends the others.
 ENDS: dict[str, Sequence[str]] = {
@@ -162,10 +163,10 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
     data = scenario.to_dict()
     spelt_out: set[str] = set()
     for path in sorted(values, key=_rank):
-        value = values[path]
+        value = _keys(values[path])
         section, _, rest = path.partition(".")
         if not rest:
-            data[section] = value.to_dict() if isinstance(value, Frozen) else value
+            data[section] = value
             continue
         if path == "contact.model":
             # The two models share hardly a key.
@@ -176,7 +177,7 @@ def with_replaced(scenario: Scenario, values: Mapping[str, Any]) -> dict[str, An
             raise InputError(say("no_section_parts", path=path, section=section))
         if section not in spelt_out and any(key in table for key in ENDS.get(path, ())):
             spelt_out.add(section)
-            spelt = _spelt_out(scenario, data, path)
+            spelt = _spelt_out(_as_given(scenario, values, section), data, path)
             table.update({key: value for key, value in spelt.items() if f"{section}.{key}" not in values})
         for key in ENDS.get(path, ()):
             table.pop(key, None)
@@ -190,22 +191,38 @@ def _rank(path: str) -> tuple[int, int]:
     return (section == "start", 0 if not rest else 1 if path in ("contact.model", "hoop.parts") else 2)
 
 
-def _spelt_out(scenario: Scenario, data: Mapping[str, Any], path: str) -> dict[str, Any]:
+def _keys(value: Any) -> Any:
+    """A value as keys that may be written over without a change of what was given."""
+    if isinstance(value, Frozen):
+        return value.to_dict()
+    if isinstance(value, Mapping):
+        return {key: _keys(item) for key, item in value.items()}
+    return [_keys(item) for item in value] if isinstance(value, list | tuple) else value
+
+
+def _as_given(scenario: Scenario, values: Mapping[str, Any], section: str) -> Frozen:
+    """A section as it was before single values in it are replaced."""
+    kept: Frozen = getattr(scenario, section)
+    return _validated(type(kept), values[section]) if section in values else kept
+
+
+def _validated(model: type[_Model], value: Any) -> _Model:
+    try:
+        return model.model_validate(value)
+    except ValidationError as error:
+        raise InputError.of(error) from None
+
+
+def _spelt_out(given: Frozen, data: Mapping[str, Any], path: str) -> dict[str, Any]:
     """The same section given the other way, where that keeps what the path does not name."""
-    hoop, plane, start = scenario.hoop, scenario.plane, scenario.start
-    if path in ("hoop.eccentricity", "hoop.inertia_ratio"):
-        return {"mass": hoop.mass, "eccentricity": hoop.eccentricity, "inertia_ratio": hoop.inertia_ratio}
-    if path == "hoop.load_fraction":
-        return {"mass": hoop.mass}
-    if path in ("plane.mu_static", "plane.mu_kinetic"):
-        return {"mu_static": plane.mu_static, "mu_kinetic": plane.mu_kinetic}
-    if path in ("start.height", "start.vx", "start.vy", "start.omega"):
+    if isinstance(given, Hoop) and path != "hoop.parts":
+        kept = ("mass",) if path == "hoop.load_fraction" else ("mass", "eccentricity", "inertia_ratio")
+        return {name: getattr(given, name) for name in kept}
+    if isinstance(given, Plane) and path != "plane.mu":
+        return {"mu_static": given.mu_static, "mu_kinetic": given.mu_kinetic}
+    if isinstance(given, Start) and path != "start.speed":
         # a rolling start, as the free one of the hoop as it will be
-        try:
-            hoop = Hoop.model_validate(data["hoop"])
-        except ValidationError as error:
-            raise InputError.of(error) from None
-        state = start.state(hoop)
+        state = given.state(_validated(Hoop, data["hoop"]))
         return {"height": state.height, "vx": state.vx, "vy": state.vy, "omega": state.omega}
     return {}
 

@@ -179,7 +179,7 @@ def _tag_key(place: str) -> str:
 
 def _either(words: Sequence[str]) -> str:
     quoted = [f"'{word}'" for word in words]
-    return quoted[0] if len(quoted) == 1 else f"{', '.join(quoted[:-1])} or {quoted[-1]}"
+    return f"{', '.join(quoted[:-1])} or {quoted[-1]}"
 
 
 def _show(value: Any) -> str:

@@ -1,0 +1,100 @@
+"""Sentences to the letter: how long a text is shown, what is counted, what a word stands beside."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+import hophoop as hh
+from hophoop.scenario import InputError, parameter
+from hophoop.scenario.base import Frozen
+from hophoop.scenario.formats import MOST_BYTES
+from hophoop.scenario.sentences import findings_sentence, shortened
+from strategies import said
+
+
+def test_sixty_characters_are_shown_and_the_last_three_of_more_are_dots():
+    assert shortened(60 * "k") == 60 * "k"
+    assert shortened("k" * 55 + "lmnopq") == "k" * 55 + "lm..."
+
+
+def test_a_problem_of_another_kind_is_said_in_its_own_words():
+    finding = {"type": "other", "loc": ("start", "x"), "input": 3, "msg": "IT is so"}
+    assert findings_sentence([finding]) == "start.x = 3: iT is so."
+
+
+def test_what_pydantic_found_comes_without_its_links():
+    with pytest.raises(InputError) as caught:
+        hh.Scenario.from_dict({"plane": {"gravity": -1}})
+    assert "url" not in caught.value.errors[0]
+
+
+def test_several_words_are_joined_by_an_or():
+    keys = {"hoop": {"parts": [{"shape": "cube"}]}}
+    expected = "hoop.parts.0.shape = 'cube' must be 'ring', 'disk', 'point_mass' or 'rod'."
+    assert said(lambda: hh.Scenario.from_dict(keys)) == expected
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [(np.array([1.0, 2.0]), "array([1., 2.])"), (np.array("x"), "'x'"), (np.array(None), "None"), (np.float32(-0.5), None)],
+)
+def test_arrays_are_shown_as_they_are_and_scalars_as_numbers(value, shown):
+    expected = f"= {shown} must be a number." if shown else "= -0.5 must be at least 0."
+    assert said(lambda: hh.Plane(restitution=value)) == f"plane.restitution {expected}"
+
+
+def test_what_is_no_table_is_shown_up_to_forty_characters():
+    for length, shown in ((40, f'"{38 * "x"}"'), (41, "a text or number")):
+        text = json.dumps((length - 2) * "x")
+        assert said(lambda text=text: hh.Scenario.loads(text, "json")) == f"the text must hold a table of keys, not {shown}."
+
+
+def test_a_file_may_have_a_million_bytes(tmp_path):
+    assert MOST_BYTES == 1_000_000
+    path = tmp_path / "long.toml"
+    path.write_bytes(b"duration = 2.0".ljust(MOST_BYTES))
+    assert hh.Scenario.load(path).duration == 2.0
+
+
+def test_the_key_that_is_given_twice_is_named():
+    assert said(lambda: hh.Scenario.loads('{"duration": 1, "hoop": {}, "hoop": {}}')) == "The key 'hoop' is given twice."
+
+
+def test_a_link_has_at_most_a_thousand_keys():
+    pairs = [f"a{k}=1" for k in range(1001)]
+    assert "a0 is not a known key" in said(lambda: hh.Scenario.from_query("&".join(pairs[:-1])))
+    assert said(lambda: hh.Scenario.from_query("&".join(pairs))).startswith("The query cannot be read: ")
+
+
+def test_models_are_shown_as_they_were_given():
+    assert repr(hh.Start.rolling(2.0)) == "Start(x=0.0, angle=0.0, speed=2.0)"
+
+
+def test_files_are_written_for_readers(tmp_path):
+    assert '\nmodel = "rigid"\n' in hh.Scenario().to_toml()
+    hh.Scenario().save(tmp_path / "hop.json")
+    assert '{\n  "duration": 6.0,\n  "hoop": {\n    "radius": 1.0,' in (tmp_path / "hop.json").read_text(encoding="utf-8")
+
+
+def test_values_of_a_copy_are_named():
+    with pytest.raises(TypeError):
+        hh.Hoop().model_copy({"radius": 2.0})
+
+
+@pytest.mark.parametrize("path", ["a.b.0.mass", "hoop.ports.0.mass", "hoop.parts.first.mass", "plane.mu.0.mass", "parts.0"])
+def test_only_parts_have_four_steps(path):
+    assert said(lambda: parameter(path)).startswith(f"{path} is not a parameter of a scenario; known are duration, ")
+
+
+USUAL = [model() for model in (hh.Hoop, hh.Plane, hh.Start, hh.Rigid, hh.Compliant)]
+USUAL += [hh.Disk(1.0, 0.1), hh.Rod(1.0, 0.1)]
+
+
+@pytest.mark.parametrize("usual", USUAL, ids=lambda usual: type(usual).__name__)
+def test_the_schema_says_what_is_taken_where_nothing_is_given(usual: Frozen):
+    for name, field in type(usual).model_fields.items():
+        if field.default is not None and not field.is_required():
+            assert getattr(usual, name) == field.default, name
