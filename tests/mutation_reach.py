@@ -154,9 +154,9 @@ def _by_line(data: Any, files: set[str], items: Any, fixtures: dict[Any, str]) -
 
 @contextlib.contextmanager
 def silence() -> Iterator[None]:
-    """What is written to the terminal is thrown away."""
+    """What is written to the terminal is thrown away, and nothing is read from it: a change that reads would wait for ever."""
     sys.stdout.flush()
-    with open(os.devnull, "w") as nothing:
-        for number in (1, 2):
+    with open(os.devnull, "r+") as nothing:
+        for number in (0, 1, 2):
             os.dup2(nothing.fileno(), number)
         yield

@@ -3,13 +3,14 @@
 A first run without a change notes which test comes to which statement (`mutation_reach`). A module of tests may have a function
 `before_changes`, which computes once what it compares with, and calls nothing that is changed. A change within a function is
 then made by giving the function other code, and only the tests that come to the changed statement are run, those first that saw
-other changes of the function, then the quickest, until one fails. A change outside of functions is made as the module is
-imported, with all tests, those of the module first.
+other changes of the function, then the quickest, until one fails. A change outside of functions, or in one that only runs as
+modules are imported, is made as the module is imported, with all tests, those of the module first.
 """
 
 from __future__ import annotations
 
 import contextlib
+import functools
 import gc
 import importlib
 import importlib.abc
@@ -26,7 +27,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, NamedTuple
 
-from mutants import Mutant, codes
+from mutants import Mutant, codes, functions
 from mutation_reach import Reach, noted, silence
 
 # s of the processor, which others may share, that a test may take with a change, beside ten times what it took without: what
@@ -39,6 +40,7 @@ MEMORY = 8 * 2**30  # bytes; what eats more has been seen
 WORDS = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist", "-p", "no:randomly", "-s", "-W", "ignore")
 
 SEEN, UNSEEN, UNREACHED = "seen", "unseen", "unreached"
+IMPORTED = "imported"  # to be tried where the module is imported
 Report = Callable[[Mutant, str], None]
 
 
@@ -92,21 +94,23 @@ def run_all(made: Sequence[Mutant], names: dict[Path, str], tests: Tests, report
                 status = 0
         os._exit(status)
     os.close(writing)
-    orders: dict[str, list[str]] = {}
+    orders: dict[str, list[list[str]]] = {}
+    anew = [mutant for mutant in made if not mutant.function]
     with os.fdopen(reading) as stream:
         for line in stream:
             told = json.loads(line)
             if isinstance(told, dict):
                 orders = told
+            elif told[1] == IMPORTED:
+                anew.append(made[told[0]])
             else:
                 report(made[told[0]], told[1])
     if os.waitpid(child, 0)[1] != 0:
         raise SystemExit("The tests do not run or do not pass without a change.")
-    for mutant in made:
-        if not mutant.function:
-            report(
-                mutant, UNSEEN if _run_anew(mutant, names[mutant.path], tests.paths, orders[str(mutant.path)]) == 0 else SEEN
-            )
+    for mutant in anew:
+        order = orders[str(mutant.path)][mutant.key in tests.explained]
+        passed = _run_anew(mutant, names[mutant.path], tests.paths, order) == 0
+        report(mutant, SEEN if not passed else UNREACHED if mutant.function else UNSEEN)
 
 
 def _run_anew(mutant: Mutant, name: str, tests: Sequence[str], order: Sequence[str]) -> int:
@@ -178,7 +182,7 @@ class Runner:
         self.tests = tests
         self.report = report
         self.ran = False
-        self.orders: dict[str, list[str]] = {}  # tests of each module, the most telling first
+        self.orders: dict[str, list[list[str]]] = {}  # tests of each module, the most telling first; those of a brief try
         self.wins: Counter[tuple[Path, str, int]] = Counter()  # changes of a function that a test saw
 
     def pytest_runtestloop(self, session: Any) -> bool:
@@ -188,23 +192,24 @@ class Runner:
         _shorten(session.items)
         reach = noted(session, {str(path) for path in self.names}, LONGEST, self.tests.reach)
         print(f"... {len(reach.known())} of {len(reach.took)} tests are quick enough", file=sys.stderr, flush=True)
-        functions = _functions({str(path) for path in self.names})
+        found = _functions({str(path) for path in self.names})
         for module in {item.module for item in session.items if hasattr(item, "module")}:
             getattr(module, "before_changes", lambda: None)()
         gc.collect()
         gc.freeze()
         for mutant in self.made:
-            self.report(mutant, self._status(mutant, session, reach, functions))
+            self.report(mutant, self._status(mutant, session, reach, found))
         self.orders = {str(path): self._order(path, session, reach) for path in self.names}
         self.ran = True
         return True
 
-    def _status(self, mutant: Mutant, session: Any, reach: Reach, functions: dict[tuple[str, str], list[FunctionType]]) -> str:
+    def _status(self, mutant: Mutant, session: Any, reach: Reach, found: dict[tuple[str, str], list[FunctionType]]) -> str:
         key = (mutant.path, mutant.function)
         items = sorted(reach.tests(mutant.path, mutant.line), key=lambda k: reach.took[k] / (1.0 + 5.0 * self.wins[*key, k]))
         if not items:
-            return UNREACHED
-        changed = functions[str(mutant.path), mutant.function]
+            body = {line for line, name in places(mutant.path).items() if name == mutant.function}
+            return UNREACHED if any((str(mutant.path), line) in reach.lines for line in body) else IMPORTED
+        changed = found[str(mutant.path), mutant.function]
         if not changed:
             raise SystemExit(f"{mutant.function} of {mutant.path.name} is not in memory.")
         items = within(items, reach.took, BRIEF if mutant.key in self.tests.explained else self.tests.patience)
@@ -219,11 +224,12 @@ class Runner:
         self.wins[*key, int.from_bytes(which[:8], "big")] += 1
         return SEEN
 
-    def _order(self, path: Path, session: Any, reach: Reach) -> list[str]:
+    def _order(self, path: Path, session: Any, reach: Reach) -> list[list[str]]:
         touching = reach.touching(path)
         own = {k for k, item in enumerate(session.items) if item.path.stem == f"test_{path.stem}"}
         known = sorted(reach.known(), key=lambda k: (k not in own, k not in touching, reach.took[k]))
-        return [session.items[k].nodeid for k in within(known, reach.took, self.tests.patience)]
+        both = (within(known, reach.took, patience) for patience in (self.tests.patience, BRIEF))
+        return [[session.items[k].nodeid for k in chosen] for chosen in both]
 
 
 def within(items: Sequence[int], took: Sequence[float], patience: float) -> list[int]:
@@ -237,10 +243,16 @@ def within(items: Sequence[int], took: Sequence[float], patience: float) -> list
     return chosen
 
 
-def _change(mutant: Mutant, functions: Sequence[FunctionType]) -> None:
+def _change(mutant: Mutant, changed: Sequence[FunctionType]) -> None:
     code = codes(compile(mutant.source, str(mutant.path), "exec"))[mutant.function]
-    for function in functions:
+    for function in changed:
         function.__code__ = code
+
+
+@functools.cache
+def places(path: Path) -> dict[int, str]:
+    """For each line within a function of a module, its name."""
+    return functions(path.read_text(encoding="utf-8"))
 
 
 def _functions(files: set[str]) -> dict[tuple[str, str], list[FunctionType]]:

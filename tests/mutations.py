@@ -31,6 +31,7 @@ from mutation_runs import SEEN, UNREACHED, Tests, run_all
 from mutations_explained import EXPLAINED
 
 ROOT = Path(__file__).parents[1]
+UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # so that a date stays on its line
 SOURCE = ROOT / "src" / "hophoop"
 RESULTS = ROOT / "tests" / "results"
 
@@ -42,12 +43,13 @@ class Room(NamedTuple):
     tests: tuple[str, ...]
     interpreted: bool = True
     sample: int = 0  # changes drawn at random; 0 for all
+    seed: int = 2026  # of the draw: another one where tests were written for what the last one showed
     patience: float = 20.0  # s of tests for one change
 
 
 ROOMS = {
     "physics": Room(("physics/*.py",), ("tests/physics",)),
-    "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics"), sample=400),
+    "rigid": Room(("rigid/*.py",), ("tests/rigid", "tests/physics"), sample=400, seed=2027, patience=8.0),
     "derivatives": Room(
         tuple(
             f"derivatives/{name}.py"
@@ -109,7 +111,7 @@ def try_room(name: str, modules: list[str], tests: list[str], sample: int, only_
     made = [mutant for path in paths for mutant in kept_mutants(path, RESULTS)]
     there = len(made)
     if 0 < sample < there:
-        made = sorted(random.Random(2026).sample(made, sample), key=lambda one: (one.path, one.line))
+        made = sorted(random.Random(room.seed).sample(made, sample), key=lambda one: (one.path, one.line))
     names = {path: ".".join(("hophoop", *path.relative_to(SOURCE).with_suffix("").parts)) for path in paths_of(room)}
     of_tests = digest_of_tests(room.tests)
     stem = f"mutations-{name.replace('/', '-')}"
@@ -130,25 +132,39 @@ def try_room(name: str, modules: list[str], tests: list[str], sample: int, only_
     if missing or only_reach:
         run_all(missing, names, Tests(room.tests, room.patience, reach, EXPLAINED, not room.interpreted), report)
     found = []
-    for mutant in () if only_reach else made:
-        entry = journal.entry(mutant)
+    entries = [(mutant, journal.entry(mutant)) for mutant in made] if not only_reach else []
+    unseen = {mutant.key for mutant, entry in entries if entry and entry["status"] != SEEN}
+    for mutant, entry in entries:
         assert entry is not None
         status = entry["status"]
-        _tell(mutant, status)
+        _tell(mutant, status, mutant.key in unseen)
         explained = status != SEEN and mutant.key in EXPLAINED
         found.append({"module": mutant.path.stem, "status": status, "explained": explained, "on": entry["on"]})
     results.write_text(json.dumps({"room": name, "there": there, "found": found}), encoding="utf-8")
 
 
-def _tell(mutant: Mutant, status: str) -> None:
-    """Print a change that no test sees and nothing explains, and an explanation of one that a test sees."""
+def _tell(mutant: Mutant, status: str, unseen: bool) -> None:
+    """Print a change that no test sees and nothing explains, and an explanation of one that a test sees.
+
+    Several lines may be alike: `unseen` is whether one of them is not seen.
+    """
     if status == SEEN:
-        if mutant.key in EXPLAINED:
+        if mutant.key in EXPLAINED and not unseen:
             print(f"{mutant.path.name}:{mutant.line} is seen, and needs no explanation: {mutant.changed}", flush=True)
     elif mutant.key not in EXPLAINED:
         words = "no test comes here" if status == UNREACHED else "not seen"
         print(f"{mutant.path.name}:{mutant.line} in {mutant.function or 'the module'}: {words}", flush=True)
         print(f"    {mutant.text}\n    {mutant.changed}", flush=True)
+
+
+def file_of(name: str) -> Path:
+    """Where the last run of a room keeps what came."""
+    return RESULTS / f"mutations-{name.replace('/', '-')}.json"
+
+
+def last_results() -> list[dict[str, Any]]:
+    """What came of the last run of each room that has been tried here."""
+    return [json.loads(file_of(name).read_text(encoding="utf-8")) for name in ROOMS if file_of(name).exists()]
 
 
 def table(rooms: list[dict[str, Any]]) -> str:
@@ -172,9 +188,9 @@ def _row(room: dict[str, Any], module: str | None) -> str:
     seen = sum(one["status"] == SEEN for one in found)
     told = sum(one["explained"] for one in found)
     share = f"{100.0 * (seen + told) / len(found):.1f} %"
-    since = min(one["on"] for one in found)
+    since = min(one["on"] for one in found).replace("-", UNBROKEN)
     if module is not None:
-        cells = [f"&emsp;{module}", f"{len(found):,}", seen, told, len(found) - seen - told, share, since]
+        cells = [f"&nbsp;&nbsp;{module}", f"{len(found):,}", seen, told, len(found) - seen - told, share, since]
     else:
         tried, part = f"{len(found):,}", ""
         if len(found) < room["there"]:
@@ -210,7 +226,7 @@ def main() -> int:
         "--tests", action="append", default=[], help="only this file or folder; the rest is tried later without"
     )
     parser.add_argument("--anew", action="store_true", help="try again what was tried before")
-    parser.add_argument("--markdown", type=Path, help="write the table to this file")
+    parser.add_argument("--markdown", type=Path, help="write a table of the last run of every room to this file")
     parser.add_argument("--reach", action="store_true", help="only find out which test comes to which statement")
     parser.add_argument("--results", type=Path, help=argparse.SUPPRESS)
     options = parser.parse_args()
@@ -222,9 +238,11 @@ def main() -> int:
     for name in options.rooms or ROOMS:
         if name not in ROOMS:
             parser.error(f"{name} is not one of {', '.join(ROOMS)}.")
-        file = RESULTS / f"mutations-{name.replace('/', '-')}.json"
+        file = file_of(name)
+        if options.module or options.tests:  # the table is of whole rooms
+            file = file.with_suffix(".part.json")
         if options.anew:
-            file.with_suffix(".jsonl").unlink(missing_ok=True)
+            file_of(name).with_suffix(".jsonl").unlink(missing_ok=True)
         sample = options.sample if options.sample is not None else 0 if options.module else ROOMS[name].sample
         words = [sys.executable, __file__, name, "--results", str(file), "--sample", str(sample)]
         words += [word for module in options.module for word in ("--module", module)]
@@ -234,10 +252,9 @@ def main() -> int:
         rooms.append(json.loads(file.read_text(encoding="utf-8")))
     if options.reach:
         return 0
-    text = table(rooms)
-    print(text, end="")
+    print(table(rooms), end="")
     if options.markdown is not None:
-        options.markdown.write_text(text, encoding="utf-8")
+        options.markdown.write_text(table(last_results()), encoding="utf-8")
     bad = sum(one["status"] != SEEN and not one["explained"] for room in rooms for one in room["found"])
     return 1 if bad else 0
 

@@ -18,3 +18,9 @@ def test_codes_stay_as_files_have_them():
     assert codes(body.ImpactLaw) == {"NEWTON": 0, "POISSON": 1, "STRONGE": 2}
     assert body.MODE_LETTERS == "RSKHM"
     assert body.EVENT_NAMES[5] == "impact"
+
+
+def test_what_a_body_is_where_nothing_is_said():
+    """Its κ is what was given, and nothing resists its rolling."""
+    given = body.Body(eps=0.5, kap=0.75, mu_s=1.0, mu_k=1.0, gn=1.0, gt=0.0, rest=0.0, law=2, strike=False, slope=0.0)
+    assert (given.ideal, given.resist) == (False, 0.0)

@@ -187,3 +187,29 @@ def test_damping_beyond_twice_the_critical(restitution):
     ratio = compliant.damping_ratio(restitution)
     assert ratio > 2.0
     assert compliant.ratio_restitution(ratio) == pytest.approx(restitution, rel=1e-12)
+
+
+def test_the_couple_of_a_slow_rotation():
+    """It grows over 10⁻⁶ √(g/R) where nothing else is said, and is f N from there on, against the rotation."""
+    couple = 0.02 * 5.0
+    for om, part in ((1e-6, math.tanh(1.0)), (-1e-6, -math.tanh(1.0)), (1e-3, 1.0), (-1e-3, -1.0), (0.0, 0.0)):
+        found, by_force, by_speed = compliant.resisting_couple(SOFT[0], 0.02, 5.0, om)
+        assert found == pytest.approx(-couple * part, rel=1e-14)
+        by = slope(lambda normal, om=om: compliant.resisting_couple(SOFT[0], 0.02, normal, om)[0], 5.0)
+        assert by_force == pytest.approx(by, rel=1e-8)
+        by = slope(lambda value: compliant.resisting_couple(SOFT[0], 0.02, 5.0, value)[0], om, 1e-10)
+        assert by_speed == pytest.approx(by, rel=1e-6, abs=1e-6)
+
+
+def test_the_stiffness_where_none_is_given():
+    """The weight sinks it by a millionth of the radius."""
+    assert compliant.STIFFNESS == 10.0**6
+
+
+@pytest.mark.parametrize("k", [4.0, 1e6])
+def test_how_far_a_rim_sinks(k):
+    """½ k δ² = ½ v², v also from the fall, and the weight's 1/k; without gravity nothing falls."""
+    for falls, height, speed in ((True, 0.0, 3.0), (True, 8.0, 3.0), (False, 8.0, 3.0), (True, 0.5, 0.0)):
+        met = speed + (math.sqrt(2.0 * height) if falls else 0.0)
+        depth = compliant.sinking(k, falls, height, speed) - 1.0 / k
+        assert k * depth * depth == pytest.approx(met * met, rel=1e-9)

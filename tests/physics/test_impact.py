@@ -301,7 +301,7 @@ def _pushed(body, th, sigma, rho):
 
 @pytest.mark.parametrize("sigma", [-1, 1])
 @pytest.mark.parametrize("vt", [0.02, 2.0])
-@pytest.mark.parametrize("om", [0.3, -0.3, 0.9, -0.9])
+@pytest.mark.parametrize("om", [0.3, -0.3, 0.9, -0.9, 0.0123])
 @pytest.mark.parametrize("exact", [True, False])
 @pytest.mark.parametrize("f", [0.1, 1.0])
 def test_singular_slip_with_rolling_resistance(sigma, vt, om, exact, f):
@@ -328,6 +328,7 @@ def test_singular_slip_with_rolling_resistance(sigma, vt, om, exact, f):
         assert spun == pytest.approx(om + turn * p, rel=1e-8, abs=1e-10)
         assert after == pytest.approx(vt + rate * p, rel=1e-8, abs=1e-10)
         assert loss == pytest.approx(sigma * body.mu_k * (vt * p + 0.5 * rate * p * p), rel=1e-8)
+        assert (spun == 0.0) == (which == "turns")
         if which == "turns":
             assert spun == 0.0
         if which == "stops":

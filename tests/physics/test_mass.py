@@ -57,6 +57,56 @@ def test_parts_add_up_as_in_the_scenario() -> None:
         assert reaches == [part.reach for part in hoop.parts or ()]
 
 
+def points_of(part: object) -> np.ndarray:
+    """(mass, along, across) of points that a part may be taken for: on rings of equal area, on pieces of equal length."""
+    share = (np.arange(200) + 0.5) / 200
+    if isinstance(part, hh.PointMass):
+        return np.array([[part.mass, part.at, 0.0]])
+    if isinstance(part, hh.Rod):
+        place, nothing = part.length * (share - 0.5), np.zeros(200)
+        along, across = (place, nothing) if part.direction == "radial" else (nothing, place)
+        return np.stack([np.full(200, part.mass / 200), part.at + along, across], axis=1)
+    assert isinstance(part, hh.Ring | hh.Disk)
+    inner, outer = (part.inner_radius, part.outer_radius) if isinstance(part, hh.Ring) else (0.0, part.radius)
+    radii = np.sqrt(inner**2 + share * (outer**2 - inner**2))[:, None]
+    angles = 0.5 * np.pi * np.arange(4)
+    along, across = part.at + radii * np.cos(angles), radii * np.sin(angles)
+    return np.stack([np.full(800, part.mass / 800), along.ravel(), across.ravel()], axis=1)
+
+
+def test_parts_add_up_as_their_points_do() -> None:
+    for hoop in hoops():
+        whole, eccentricity, inertia = mass.combined.interpreted(hoop.radius, table_of(hoop))
+        points = np.concatenate([points_of(part) for part in hoop.parts or ()])
+        weights, along, across = (points / [1.0, hoop.radius, hoop.radius]).T
+        centre = np.sum(weights * along) / np.sum(weights)
+        assert whole == pytest.approx(np.sum(weights), rel=1e-12)
+        assert eccentricity == pytest.approx(abs(centre), rel=1e-10, abs=1e-14)
+        assert inertia == pytest.approx(np.sum(weights * ((along - centre) ** 2 + across**2)) / np.sum(weights), rel=2e-5)
+
+
+def test_parts_in_one_place_are_a_point_there() -> None:
+    """To the last bit, whatever the weights."""
+    random = np.random.default_rng(6)
+    for _ in range(50):
+        radius, at = float(random.uniform(0.1, 3.0)), float(random.uniform(0.0, 0.1))
+        parts = np.array([[mass.POINT_MASS, weight, 0.0, 0.0, at] for weight in random.uniform(0.1, 2.0, 3)])
+        assert mass.combined.interpreted(radius, parts)[1:] == (at / radius, 0.0)
+
+
+def test_how_far_a_part_reaches() -> None:
+    """To its farthest point: of a disk's edge, of a rod's ends."""
+    for at in (0.3, -0.3):
+        assert mass.part_reach.interpreted(mass.RING, 0.25, 0.5, 0.0) == 0.5
+        edge = np.hypot(at + 0.25 * np.cos(np.linspace(0.0, 2.0 * np.pi, 9)), 0.25 * np.sin(np.linspace(0.0, 2.0 * np.pi, 9)))
+        assert mass.part_reach.interpreted(mass.DISK, 0.25, 0.0, at) == pytest.approx(np.max(edge), rel=1e-15)
+        assert mass.part_reach.interpreted(mass.POINT_MASS, 0.0, 0.0, at) == 0.3
+        ends = [abs(at + half) for half in (0.125, -0.125)]
+        assert mass.part_reach.interpreted(mass.RADIAL_ROD, 0.25, 0.0, at) == pytest.approx(max(ends), rel=1e-15)
+        across = math.sqrt(at * at + 0.125 * 0.125)
+        assert mass.part_reach.interpreted(mass.TANGENTIAL_ROD, 0.25, 0.0, at) == pytest.approx(across, rel=1e-15)
+
+
 def test_inertias_by_quadrature() -> None:
     nodes, weights = np.polynomial.legendre.leggauss(40)
     inner, outer = 0.3, 1.1
@@ -77,3 +127,10 @@ def test_the_ideal_hoop_is_a_ring_and_a_point() -> None:
         assert eccentricity == pytest.approx(gamma, rel=1e-15)
         assert inertia == pytest.approx(mass.ideal_inertia.interpreted(gamma), rel=1e-14)
         assert inertia == pytest.approx(math.fsum([1.0, -gamma * gamma]), rel=1e-14)
+
+
+def test_a_load_on_the_rim_is_not_beyond_it() -> None:
+    """Where its place is rounded: no ε is above 1, to either side."""
+    for at in (1.0 + 1e-12, -1.0 - 1e-12):
+        whole, eccentricity, inertia = mass.combined.interpreted(1.0, np.array([[mass.POINT_MASS, 2.0, 0.0, 0.0, at]]))
+        assert (whole, eccentricity, inertia) == (2.0, 1.0, 0.0)

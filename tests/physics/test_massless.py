@@ -122,3 +122,12 @@ def test_a_load_that_rounding_lifts_above_the_top_stays_there():
     body = Body(1.0, 0.0, 0.5, 0.4, 1.0, 0.0, 0.0, 0, False, 0.0)
     _, th, _, om = skim_state(body, 0.0, 1e-9, 0.0, -1.5, 1, 1.5e-9)
     assert (th, om) == (0.0, 1.0)
+
+
+@pytest.mark.parametrize("sink", [0.0, 0.5, 2.0, 30.0, 1e8])
+@pytest.mark.parametrize("c", [-0.9, 0.3, 1.0])
+def test_the_load_has_fallen_its_height_when_it_strikes(sink, c):
+    """ẏ t + ½ g t² = 1 + cos θ, also where it sinks so fast that gravity hardly counts."""
+    body = Body(1.0, 0.0, 0.5, 0.5, 1.0, 0.0, 0.0, 2, False, 0.0)
+    t = skim_duration(body, c, sink)
+    assert sink * t + 0.5 * t * t == pytest.approx(1.0 + c, rel=1e-14)
