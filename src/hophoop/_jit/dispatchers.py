@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import enum
-import gc
 import importlib
 import os
 import pickle
@@ -25,7 +24,7 @@ from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering, NopythonRewrites
 from numba.core.untyped_passes import InlineClosureLikes
 
-from hophoop._jit import beside, signals, store
+from hophoop._jit import beside, quicker, signals, store
 from hophoop._jit.disk import DiskCache
 from hophoop._jit.kernels import Namespaces, Source
 
@@ -250,8 +249,7 @@ def compile_for(kernel: Source, kinds: Any) -> None:
     # one process at a time compiles it; the next loads what that one has made
     with (
         contextlib.nullcontext() if there else _alone(store.folder_of(kernel)),
-        _without_collection(),
-        _without_timers(),
+        quicker.compiling(),
         signals.kept(),
     ):
         dispatcher.compile(tuple(numba_type(kind) for kind in kinds))
@@ -273,29 +271,6 @@ def load(kernel: Source, kinds: Any, unknown: Callable[..., Any]) -> Callable[..
     dispatcher._compile_for_args = unknown
     result: Callable[..., Any] = dispatcher
     return result
-
-
-@contextlib.contextmanager
-def _without_collection() -> Iterator[None]:
-    # Numba makes millions of objects that stay: looking through them for waste takes a sixth of the time
-    was = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was:
-            gc.enable()
-
-
-@contextlib.contextmanager
-def _without_timers() -> Iterator[None]:
-    # Numba notes how long each lock is held, once for each function that is being compiled: a thirtieth of the time
-    was = event.install_timer
-    event.install_timer = lambda kind, callback: contextlib.nullcontext()
-    try:
-        yield
-    finally:
-        event.install_timer = was
 
 
 class _Progress(event.Listener):  # type: ignore[misc]
