@@ -26,7 +26,8 @@ import hophoop as hh
 from hophoop.maps import kernel
 from hophoop.rigid import sampling
 from hophoop.simulation import run
-import json, time
+import gc, json, time
+gc.disable()  # as in the process beside, which compiles
 kinds = {{}}
 def noting(part):
     def call(*arguments):

@@ -14,7 +14,14 @@ from numba.core.types.functions import BaseFunction
 
 from hophoop._jit import quicker
 
-PLACES = [(event, "install_timer"), (BaseFunction, "get_call_type"), (TargetConfig, "values"), (ir.Inst, "_rec_list_vars")]
+PLACES = [
+    (event, "install_timer"),
+    (event, "start_event"),
+    (event, "end_event"),
+    (BaseFunction, "get_call_type"),
+    (TargetConfig, "values"),
+    (ir.Inst, "_rec_list_vars"),
+]
 
 
 def test_all_is_as_before_once_it_has_failed():
@@ -60,6 +67,18 @@ def test_the_same_variables_of_every_instruction():
     assert sum(len(names) for _, names in expected) > 50
     with quicker.compiling():
         assert listed() == expected
+
+
+def test_events_are_told_to_those_who_listen():
+    with quicker.compiling(), event.install_recorder("numba:compile") as recorder:
+        event.start_event("numba:run_pass")
+        event.end_event("numba:run_pass")
+        with event.trigger_event("numba:compile", {"told": 1}):
+            pass
+    assert [(one.status, one.data) for _, one in recorder.buffer] == [
+        (event.EventStatus.START, {"told": 1}),
+        (event.EventStatus.END, {"told": 1}),
+    ]
 
 
 def test_builtins_are_asked_once_for_each_kind_of_arguments(monkeypatch):

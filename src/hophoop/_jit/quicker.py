@@ -22,6 +22,8 @@ def compiling() -> Iterator[None]:
         _without_collection(),
         # Numba notes how long each lock is held, once for each function that is being compiled: a thirtieth
         _replaced(event, "install_timer", lambda kind, callback: contextlib.nullcontext()),
+        _replaced(event, "start_event", _heard(event.start_event)),
+        _replaced(event, "end_event", _heard(event.end_event)),
         _replaced(BaseFunction, "get_call_type", _remembered(BaseFunction.get_call_type)),
         _replaced(TargetConfig, "values", _values),
         _replaced(ir.Inst, "_rec_list_vars", _variables),
@@ -49,6 +51,16 @@ def _replaced(owner: Any, name: str, by: Any) -> Iterator[None]:
         yield
     finally:
         setattr(owner, name, was)
+
+
+def _heard(told: Callable[..., None]) -> Callable[..., None]:
+    """Events of Numba that somebody listens to; one begins and ends with each of 50,000 calls of LLVM: a fortieth."""
+
+    def tell(kind: str, *details: Any, **named: Any) -> None:
+        if event._registered.get(kind):
+            told(kind, *details, **named)
+
+    return tell
 
 
 def _remembered(found: Callable[..., Any]) -> Callable[..., Any]:
