@@ -11,6 +11,7 @@ import numpy as np
 
 import hophoop
 from hophoop._jit import interpreted, precompile
+from hophoop._jit.beside import Job
 from hophoop.arbitration import MOST, NO_SCRIPT, Budget, latest, script_until, steps_allowed
 from hophoop.physics.body import Body, Status
 from hophoop.records.layout import EVENT, SEGMENT, first_rows
@@ -164,10 +165,19 @@ def sensitivity(scenario: Scenario, of: str | Sequence[str], wrt: str | Sequence
     return simulate(scenario).sensitivity(of, wrt)
 
 
-def compile_beside() -> None:
-    """Compile what rigid motions need in a process beside, where there is no compiled code yet.
+def compile_beside(compliant: bool = False) -> Job | None:
+    """Compile what motions need in a process beside, where there is no compiled code yet.
 
     For what computes motions for long enough to be worth it; `simulate` does the same by itself after a while.
+
+    Parameters
+    ----------
+    compliant : bool, default False
+        Whether motions with compliant contact are among them.
+
+    Returns
+    -------
+    job : hophoop._jit.beside.Job, or None where nothing is to be compiled
     """
     scenario = Scenario()
     body = to_body(scenario.hoop, scenario.plane)
@@ -175,12 +185,15 @@ def compile_beside() -> None:
     start = start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     times = np.zeros(1)
     out = np.empty((1, len(sampling.COLUMNS)))
-    precompile(
-        [
-            (run, (body, start, 1.0, math.nan, 0, events, segments, scratch, NO_SCRIPT)),
-            (sampling.sample, (body, segments, times, False, out)),
-        ]
-    )
+    calls = [  # the quickest first: who draws can go on
+        (sampling.sample, (body, segments, times, False, out)),
+        (run, (body, start, 1.0, math.nan, 0, events, segments, scratch, NO_SCRIPT)),
+    ]
+    if compliant:
+        from hophoop.compliant.kernel import run_call
+
+        calls.append(run_call())
+    return precompile(calls)
 
 
 def start_of(scenario: Scenario) -> State:

@@ -37,7 +37,7 @@ class ArticleFigure:
     draw: Callable[[Runs, Axes], Any]
     size: tuple[float, float] = WIDE
     ours: bool = False  # not in the article
-    long: bool = False  # of a motion that is followed for minutes: better drawn when compiled code is there
+    long: bool = False  # of a motion of minutes, or in compliant contact: drawn when compiled code is there
 
 
 def drawn(figure: ArticleFigure, runs: Runs) -> Figure:
@@ -235,6 +235,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
         _both_models,
         (9.5, 4.4),
         ours=True,
+        long=True,
     ),
     ArticleFigure(
         "landing_restitution",
@@ -243,6 +244,7 @@ FIGURES: tuple[ArticleFigure, ...] = (
         "normal share falls with e.",
         _landing_restitution,
         ours=True,
+        long=True,
     ),
     ArticleFigure(
         "phase_plane",

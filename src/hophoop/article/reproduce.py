@@ -63,8 +63,8 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
         Folder to write to, made if it is not there: ``index.html``, ``statements.json``, ``figures/`` and
         ``films/``.
     progress : callable, optional
-        Called with the name of a stage ('statements', 'figures', 'films'), how many steps are done and of
-        how many.
+        Called with the name of a stage ('kernels', 'statements', 'figures', 'films'), how many steps are done
+        and of how many.
     with_films : bool, default True
         Whether films are made, where the extra ``films`` is installed.
 
@@ -84,11 +84,14 @@ def reproduce(out: str | Path = "article", progress: Progress | None = None, wit
     (folder / "figures").mkdir(parents=True, exist_ok=True)
     say = progress or _silent
     runs = Runs()
-    compile_beside()
+    job = compile_beside(compliant=True)
     # beside figures and statements, which take as long
     beside = _films_beside(folder / "films") if with_films else None
     try:
         for k, figure in enumerate(sorted(FIGURES, key=lambda figure: figure.long)):
+            if figure.long and job is not None and not job.done:
+                job.wait(lambda done, total: say("kernels", done, total))
+                say("kernels", job.total, job.total)
             with _style():
                 sheet = drawn(figure, runs)
                 for ending in ("png", "svg"):

@@ -14,7 +14,12 @@ if TYPE_CHECKING:
 
     from hophoop.article import Statement
 
-STAGES = {"statements": "checking statements", "figures": "drawing figures", "films": "making films"}
+STAGES = {
+    "kernels": "compiling, this once",
+    "statements": "checking statements",
+    "figures": "drawing figures",
+    "films": "making films",
+}
 COLORS = {
     "agrees": "green",
     "agrees within reading accuracy": "cyan",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -37,7 +38,7 @@ from hophoop.physics.compliant import BRISTLE, first_regime, normal_force
 from hophoop.records.layout import EVENT
 from hophoop.records.layout import SEGMENT as RIGID_SEGMENT
 from hophoop.records.writing import Log, count_panel, has_room
-from hophoop.scenario import Scenario
+from hophoop.scenario import Compliant, Scenario
 
 START, END = np.int64(Event.START), np.int64(Event.END)
 NO_MODE = np.int64(-1)
@@ -120,6 +121,15 @@ def run(body, comp, start, touching, t_end, rtol, max_steps, events, no_segments
     if log.written[0] < 0:
         return EVENT_LIMIT, events.shape[0], rows, log.written[1]
     return COMPLETED if phase.status == GOING else phase.status, log.written[0], rows, log.written[1]
+
+
+def run_call() -> tuple[Any, tuple[Any, ...]]:
+    """`run`, and arguments that it could be called with: to compile it before it is."""
+    scenario = Scenario(contact=Compliant())
+    body, comp, t_end, rtol = to_compliance(scenario)
+    start, touching = to_start(scenario, body, comp)
+    nothing = np.empty(0, RIGID_SEGMENT)
+    return run, (body, comp, start, touching, t_end, rtol, MAX_STEPS, np.empty(1, EVENT), nothing, np.zeros(1))
 
 
 FIRST_EVENTS = 256
