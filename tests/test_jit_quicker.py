@@ -8,9 +8,11 @@ import numba
 import pytest
 from numba import types
 from numba.core import compiler, event, ir
+from numba.core.cpu import CPUContext
 from numba.core.registry import cpu_target
 from numba.core.targetconfig import TargetConfig
 from numba.core.types.functions import BaseFunction
+from numba.core.typing import Context
 
 from hophoop._jit import quicker
 
@@ -19,6 +21,8 @@ PLACES = [
     (event, "start_event"),
     (event, "end_event"),
     (BaseFunction, "get_call_type"),
+    (CPUContext, "load_additional_registries"),
+    (Context, "load_additional_registries"),
     (TargetConfig, "values"),
     (ir.Inst, "_rec_list_vars"),
 ]
@@ -79,6 +83,17 @@ def test_events_are_told_to_those_who_listen():
         (event.EventStatus.START, {"told": 1}),
         (event.EventStatus.END, {"told": 1}),
     ]
+
+
+def test_registries_are_loaded_once(monkeypatch):
+    asked = []
+    monkeypatch.setattr(CPUContext, "load_additional_registries", lambda self: asked.append(self))
+    with quicker.compiling():
+        for _ in range(3):
+            cpu_target.target_context.refresh()
+    assert asked == [cpu_target.target_context]
+    cpu_target.target_context.refresh()
+    assert len(asked) == 2
 
 
 def test_builtins_are_asked_once_for_each_kind_of_arguments(monkeypatch):

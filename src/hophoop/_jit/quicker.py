@@ -11,8 +11,10 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from numba.core import event, ir
+from numba.core.cpu import CPUContext
 from numba.core.targetconfig import TargetConfig
 from numba.core.types.functions import BaseFunction
+from numba.core.typing import Context
 
 
 @contextlib.contextmanager
@@ -25,6 +27,8 @@ def compiling() -> Iterator[None]:
         _replaced(event, "start_event", _heard(event.start_event)),
         _replaced(event, "end_event", _heard(event.end_event)),
         _replaced(BaseFunction, "get_call_type", _remembered(BaseFunction.get_call_type)),
+        _replaced(CPUContext, "load_additional_registries", _once(CPUContext.load_additional_registries)),
+        _replaced(Context, "load_additional_registries", _once(Context.load_additional_registries)),
         _replaced(TargetConfig, "values", _values),
         _replaced(ir.Inst, "_rec_list_vars", _variables),
     ):
@@ -61,6 +65,18 @@ def _heard(told: Callable[..., None]) -> Callable[..., None]:
             told(kind, *details, **named)
 
     return tell
+
+
+def _once(loaded: Callable[[Any], None]) -> Callable[[Any], None]:
+    """What other modules declare is looked for once, not with each function; none is imported meanwhile: a fortieth."""
+    done = set()
+
+    def load_additional_registries(self: Any) -> None:
+        if self not in done:
+            done.add(self)
+            loaded(self)
+
+    return load_additional_registries
 
 
 def _remembered(found: Callable[..., Any]) -> Callable[..., Any]:
