@@ -19,6 +19,7 @@ import math
 import multiprocessing
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -27,7 +28,7 @@ import numpy as np
 import hophoop as hh
 from hophoop._jit import jit
 from hophoop.arbitration import LATEST
-from hophoop.maps.kernel import CELL, body_of, second_of, start_of
+from hophoop.maps.kernel import CELL, DURATION, body_of, second_of, start_of
 from hophoop.physics.body import EVENT_NAMES, Event, ImpactLaw, Status
 from hophoop.records.layout import EVENT, SEGMENT
 from hophoop.records.scratch import new_scratch
@@ -88,6 +89,7 @@ def cell_of(sections: dict[str, Any], sign: float = 1.0) -> np.ndarray:
         "duration": sections["duration"],
         "max_events": EVENTS,
         "ideal": "load_fraction" in hoop,
+        "rolling_resistance": plane.get("rolling_resistance", 0.0),
         "allowed": 1,
     }
     return np.array([float(values[name]) for name in CELL]) + 0.0
@@ -164,7 +166,7 @@ def one_motion(cell, events, segments, scratch):
     second = second_of(cell, 0)
     body = body_of(cell, 0)
     start = start_of(cell, 0, second)
-    return run(body, start, cell[17, 0] / second, math.nan, 0, events, segments, scratch, events[:0])
+    return run(body, start, cell[DURATION, 0] / second, math.nan, 0, events, segments, scratch, events[:0])
 
 
 @jit
@@ -282,6 +284,30 @@ def report(total: dict[str, Any], motions: int, seconds: float) -> str:
     return "\n".join(lines)
 
 
+def plainly(total: dict[str, Any], asked: argparse.Namespace, seconds: float) -> dict[str, Any]:
+    """The result with names in place of numbers, as JSON can hold it."""
+
+    def by_name(found: dict[tuple[int, Any], Any], names: Sequence[str] | None = None) -> dict[str, dict[str, Any]]:
+        return {
+            kind: {names[name] if names else name: value for (j, name), value in found.items() if j == k}
+            for k, kind in enumerate(KINDS)
+        }
+
+    return {
+        "motions": asked.motions,
+        "first": asked.first,
+        "seed": asked.seed,
+        "jobs": asked.jobs,
+        "seconds": seconds,
+        "version": hh.__version__,
+        "statuses": by_name(total["statuses"]),
+        "worst": by_name(total["worst"], MEASURES),
+        "above 1e-11": by_name(total["above"], MEASURES),
+        "events": dict(total["events"]),
+        "odd": {name: found for name, found in total["odd"].items() if found},
+    }
+
+
 def markdown(plain: dict[str, Any]) -> str:
     """The tables of docs/stress.md, from what `--json` writes."""
 
@@ -379,21 +405,7 @@ def main() -> int:
     total = together(results)
     seconds = time.perf_counter() - begin
     print(report(total, arguments.motions, seconds))
-    plain = {
-        "motions": arguments.motions,
-        "first": arguments.first,
-        "seed": arguments.seed,
-        "jobs": arguments.jobs,
-        "seconds": seconds,
-        "version": hh.__version__,
-        "statuses": {KINDS[k]: {n: v for (j, n), v in total["statuses"].items() if j == k} for k in range(len(KINDS))},
-        "worst": {KINDS[k]: {MEASURES[m]: v for (j, m), v in total["worst"].items() if j == k} for k in range(len(KINDS))},
-        "above 1e-11": {
-            KINDS[k]: {MEASURES[m]: v for (j, m), v in total["above"].items() if j == k} for k in range(len(KINDS))
-        },
-        "events": dict(total["events"]),
-        "odd": {name: found for name, found in total["odd"].items() if found},
-    }
+    plain = plainly(total, arguments, seconds)
     if arguments.json:
         with open(arguments.json, "w", encoding="utf-8") as file:
             json.dump(plain, file, indent=2)
