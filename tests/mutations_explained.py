@@ -22,7 +22,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("panel_events", "end_of_slip", "elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] < 0.0:", "elif fresh and zeros > 0 and body.mu_k == 0.0 and stop == NOT_FOUND and extremes(work[B])[1] <= 0.0:"),
         ("panel_events", "fall_of", "if not state_is_fresh and left_value(scratch.series) <= 0.0:", "if not state_is_fresh and left_value(scratch.series) < 0.0:"),
         ("panel_events", "fall_of", "if row[i] < -floor:", "if row[i] <= -floor:"),
-        ("flight_phase", "is_last_bounce", "if not after.vn < last:", "if not after.vn <= last:"),
         ("flight_phase", "fly", "if 0.0 <= landing <= limit:", "if 0.0 <= landing < limit:"),
         ("contact_phase", "advance_contact", "if -1.0 < xi < 1.0:", "if -1.0 < xi <= 1.0:"),
         ("contact_phase", "advance_contact", "if not totals.tail <= RESOLVED:", "if not totals.tail < RESOLVED:"),
@@ -174,6 +173,100 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("flight", "", "MANY_TURNS = 1_000.0", "MANY_TURNS = 1001.0"),
         ("flight", "", "MANY_TURNS = 1_000.0", "MANY_TURNS = 999.0"),
     ),
+    # the module massless_phase
+    "a piece in which the rim skims has no direction of slip, no place within a panel and no acceleration at its start": (
+        ("massless_phase", "skim", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)", "write_segment(log, SKIM, no_panel(SKIMMING, 1, way), 0.0, 0.0, state, state.t + tau)"),
+        ("massless_phase", "skim", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)", "write_segment(log, SKIM, no_panel(SKIMMING, -1, way), 0.0, 0.0, state, state.t + tau)"),
+        ("massless_phase", "skim", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 1.0, 0.0, state, state.t + tau)"),
+        ("massless_phase", "skim", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), -1.0, 0.0, state, state.t + tau)"),
+        ("massless_phase", "skim", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 1.0, state, state.t + tau)"),
+        ("massless_phase", "skim", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, 0.0, state, state.t + tau)", "write_segment(log, SKIM, no_panel(SKIMMING, 0, way), 0.0, -1.0, state, state.t + tau)"),
+    ),
+    "a flight of no length has no panel, and its acceleration no time to act": (
+        ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, -1, 0.0), 0.0, 0.0, landed, landed.t)"),
+        ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 0, -1.0), 0.0, 0.0, landed, landed.t)"),
+        ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 1.0, landed, landed.t)"),
+        ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, -1.0, landed, landed.t)"),
+    ),
+    "the sine is 0 at the top alone, where the cosine is 1: there a load at rest stays, or gets the rate of its fall": (
+        ("massless_phase", "let_go", "if not (s * state.om > 0.0 or (state.om == 0.0 and s != 0.0) or math.cos(state.th) == 1.0):", "if not (s * state.om >= 0.0 or (state.om == 0.0 and s != 0.0) or math.cos(state.th) == 1.0):"),
+        ("massless_phase", "skim", "way = 1.0 if state.om > 0.0 or (state.om == 0.0 and math.sin(state.th) > 0.0) else -1.0", "way = 1.0 if state.om > 0.0 or (state.om == 0.0 and math.sin(state.th) >= 0.0) else -1.0"),
+    ),
+    "the way of the load is 1 or −1": (
+        ("massless_phase", "skim", "th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)", "th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way >= 0 else -1e-12)) + 1.0)"),
+        ("massless_phase", "skim", "th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > 0 else -1e-12)) + 1.0)", "th = math.pi * (2.0 * math.floor(0.5 * state.th / math.pi + (0.0 if way > -1 else -1e-12)) + 1.0)"),
+    ),
+    "an event takes its gain from another argument": (
+        ("massless_phase", "skim_step", "cause = Cause(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 0.0, 1)", "cause = Cause(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 1.0, 1)"),
+        ("massless_phase", "skim_step", "cause = Cause(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, 0.0, 1)", "cause = Cause(IMPACT, SKIM, after.vt, vn, math.nan, p_n, p_t, -1.0, 1)"),
+    ),
+    "only the sign of a direction counts, and a load that is not stopped has a speed": (
+        ("massless_phase", "skim_step", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)", "mode = ROLL if along == 0.0 else slip_mode(1 if along >= 0.0 else -1)"),
+        ("massless_phase", "skim_step", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)", "mode = ROLL if along == 0.0 else slip_mode( 2 if along > 0.0 else -1)"),
+        ("massless_phase", "skim_step", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else - 2)"),
+        ("massless_phase", "skim_step", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else -1)", "mode = ROLL if along == 0.0 else slip_mode(1 if along > 0.0 else - 0)"),
+    ),
+    # the module kernel
+    "SPIN is the slip whose direction is not above 0": (
+        ("kernel", "begin_massless", "mode = slip_mode(1 if state.vt > 0.0 else -1)", "mode = slip_mode(1 if state.vt > 0.0 else - 0)"),
+    ),
+    "the rim on the plane is put there, or a height or speed is just at a bound that is some number": (
+        ("kernel", "begin", "if 0.0 < state.y < LOWEST_START:", "if 0.0 <= state.y < LOWEST_START:"),
+        ("kernel", "begin", "if 0.0 < state.y < LOWEST_START:", "if 0.0 < state.y <= LOWEST_START:"),
+        ("kernel", "begin", "if body.resist > 0.0 and state.om * state.om < SMALLEST_SQUARE:  # as the phase will have it: the couple depends on it", "if body.resist > 0.0 and state.om * state.om <= SMALLEST_SQUARE: # as the phase will have it: the couple depends on it"),
+    ),
+    "a start on the plane comes here only if v_n is not 0": (
+        ("kernel", "begin", "if state.y == 0.0 and state.vn < 0.0:", "if state.y == 0.0 and state.vn <= 0.0:"),
+    ),
+    "no bounce was before, and 0 and less mean that": (
+        ("kernel", "begin", "return land(body, state, 0.0, log, scratch)", "return land(body, state, -1.0, log, scratch)"),
+    ),
+    "a script has two rows or none, as its last state stands there again": (
+        ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[0] >= 1:"),
+    ),
+    "a motion has its first event, so that the number of events is 1 or more, or −1; a full table takes no end": (
+        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[0] > 0 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
+        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[ 1] >= 0 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
+        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[ -1] >= 0 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
+        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[0] >= 1 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
+        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[0] >= -1 and log.written[1] >= 0: # also where the panels are used up: so far it has come"),
+        ("kernel", "run", "if log.written[0] < 0:", "if log.written[0] <= 0:"),
+        ("kernel", "run", "if log.written[0] < 0:", "if log.written[0] < 1:"),
+    ),
+    "a table of events has one axis, which is its first and its last": (
+        ("kernel", "run", "return EVENT_LIMIT, events.shape[0], log.written[1]", "return EVENT_LIMIT, events.shape[ -1], log.written[1]"),
+    ),
+    # the module flight_phase
+    "without rotation the way to turn is not asked for": (
+        ("flight_phase", "fly", "way = 1.0 if state.om > 0.0 else -1.0", "way = 1.0 if state.om >= 0.0 else -1.0"),
+    ),
+    "an apex is −1 where there is none, or above 0": (
+        ("flight_phase", "fly", "if 0.0 < apex < tau:", "if 0.0 <= apex < tau:"),
+        ("flight_phase", "fly", "if 0.0 < apex < tau:", "if -1.0 < apex < tau:"),
+    ),
+    "a piece of flight has no direction of slip, no way and no place within a panel": (
+        ("flight_phase", "fly", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)", "write_segment(log, FLIGHT, no_panel(FLY, -1, 0.0), 0.0, opening, state, after.t)"),
+        ("flight_phase", "fly", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)", "write_segment(log, FLIGHT, no_panel(FLY, 0, 1.0), 0.0, opening, state, after.t)"),
+        ("flight_phase", "fly", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), -1.0, opening, state, after.t)"),
+    ),
+    "a bounce just at a bound that is some number": (
+        ("flight_phase", "is_last_bounce", "if after.vn < SLOWEST_BOUNCE:", "if after.vn <= SLOWEST_BOUNCE:"),
+        ("flight_phase", "is_last_bounce", "return 2.0 * after.vn / (fall * (1.0 - ratio)) < CLOSING * max(state.t, 1.0)", "return 2.0 * after.vn / (fall * (1.0 - ratio)) <= CLOSING * max(state.t, 1.0)"),
+    ),
+    # the module limits
+    "a double beside whole turns is away from them by some units of its last place, and never by just the bound": (
+        ("limits", "limits_of", "if abs(rest) <= 4e-16 * span:", "if abs(rest) < 4e-16 * span:"),
+    ),
+    # the module phase
+    "a mark that is no status, as no number below 0 is": (
+        ("phase", "", "GOING = -1  # stands for the status of a motion that has not ended", "GOING = - 2 # stands for the status of a motion that has not ended"),
+    ),
+    # the module margins
+    "without a limit μ N is infinite where N is above 0, and N is not 0 there": (
+        ("margins", "margins_of", "limit = math.inf if math.isinf(mu) and normal > 0.0 else mu * normal", "limit = math.inf if math.isinf(mu) and normal >= 0.0 else mu * normal"),
+        ("margins", "margins_of", "limit = math.inf if math.isinf(mu) and normal > 0.0 else mu * normal", "limit = math.inf if math.isinf(mu) and normal > 1.0 else mu * normal"),
+    ),
+    # end of these modules
     "an even function": (
         ("mass", "part_reach", "return math.hypot(at, 0.5 * first)", "return math.hypot(at, -0.5 * first)"),
         ("energy", "kinetic_energy", "height = 2.0 * np.cos(0.5 * th) ** 2 - sine * th_low  # 1 + cos θ, with all its digits also near θ = π", "height = 2.0 * np.cos( -0.5 * th) ** 2 - sine * th_low # 1 + cos θ, with all its digits also near θ = π"),
@@ -310,9 +403,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("sentences", "_show", 'return shortened(repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 1) == 0 else value))', 'return shortened(repr(value.item() if hasattr(value, "item") and getattr(value, "ndim", 0) == 0 else value))'),
     ),
     "a number that a piece of this kind does not have, and nothing reads": (
-        ("phase", "ended", "return Phase(mode, state, False, phase.zeros, phase.opening, phase.level, phase.bounce, what, status)", "return Phase(mode, state, True, phase.zeros, phase.opening, phase.level, phase.bounce, what, status)"),
-        ("phase", "lifted", "return Phase(FLIGHT, state, True, 3, 0.0, START_LEVEL, phase.bounce, what, GOING)", "return Phase(FLIGHT, state, False, 3, 0.0, START_LEVEL, phase.bounce, what, GOING)"),
-        ("phase", "entered", "opening = 0.0", "opening = 1.0"),
         ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 0, 0.0), -1.0, 0.0, landed, landed.t)"),
         ("flight_phase", "fly", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)", "write_segment(log, FLIGHT, no_panel(FLY, 1, 0.0), 0.0, opening, state, after.t)"),
         ("contact_phase", "still_step", "write_segment(log, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, limits.t_end)", "write_segment(log, ROLL, no_panel(HOLD, 0, -1.0), 0.0, 0.0, state, limits.t_end)"),
@@ -322,8 +412,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("script", "fill_phase", "write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, until)", "write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 1.0, rate, state, until)"),
         ("script", "fill_phase", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening_of(body, state)[0], state, until)", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 1.0, opening_of(body, state)[0], state, until)"),
         ("script", "fill_phase", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, opening_of(body, state)[0], state, until)", "write_segment(log, mode, no_panel(FLY, 0, 1.0), 0.0, opening_of(body, state)[0], state, until)"),
-        ("phase", "slipping", "return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 0.0, START_LEVEL, phase.bounce, what, GOING)", "return Phase(mode, state, True, 2 if body.mu_s == body.mu_k else 1, 1.0, START_LEVEL, phase.bounce, what, GOING)"),
-        ("kernel", "begin_massless", "return ended(entered(body, mode, state, 0.0, ON, scratch), mode, state, ON, UNDETERMINED)", "return ended(entered(body, mode, state, 1.0, ON, scratch), mode, state, ON, UNDETERMINED)"),
         ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 1.0, 0.0, landed, landed.t)"),
         ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 0, 1.0), 0.0, 0.0, landed, landed.t)"),
         ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 1, 0.0), 0.0, 0.0, landed, landed.t)"),
@@ -351,7 +439,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "where the arrays were too short the motion is computed again": (
         ("errors", "event_errors", "plain = _again(body, row, t_end, 2 * count + 8)", "plain = _again(body, row, t_end, 3 * count + 8)"),
         ("errors", "event_errors", "plain = _again(body, row, t_end, 2 * count + 8)", "plain = _again(body, row, t_end, 2 * count + 9)"),
-        ("kernel", "run", "if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come", "if log.written[0] >= 0 and log.written[ 0] >= 0: # also where the panels are used up: so far it has come"),
     ),
     "a table of one column of rows": (
         ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[ -1] > 1:"),
@@ -360,14 +447,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     ),
     "a script has two rows or none": (
         ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[0] > 0:"),
-    ),
-    "lost in the rounding of θ, which is much larger where whole turns are left": (
-        ("limits", "angle_left", "rest = limits.span_rest - way * ((state.th - limits.th) + (state.th_low - limits.th_low))", "rest = limits.span_rest - way * ((state.th - limits.th) - (state.th_low - limits.th_low))"),
-        ("limits", "angle_left", "return turns * TWO_PI + (rest + turns * TWO_PI_LOW)", "return turns * TWO_PI + (rest - turns * TWO_PI_LOW)"),
-    ),
-    "the massless hoop is on the level: g_t = 0": (
-        ("massless_phase", "skim", "x = state.x + math.sin(state.th) + along * tau + 0.5 * body.gt * tau * tau", "x = state.x + math.sin(state.th) + along * tau + 1.5 * body.gt * tau * tau"),
-        ("massless_phase", "skim", "x = state.x + math.sin(state.th) + along * tau + 0.5 * body.gt * tau * tau", "x = state.x + math.sin(state.th) + along * tau + 0.5 * body.gt * tau / tau"),
     ),
     "which panels are tried, not what comes of them": (
         ("panel_choice", "shortened", "wide = width_of(0) / (4.0 * left * abs(state.om))", "wide = width_of(0) * (4.0 * left * abs(state.om))"),

@@ -81,10 +81,10 @@ def test_a_fall_that_does_not_end_in_time():
 def test_a_plane_without_slip_has_no_limit_where_it_presses():
     hoop = hh.Scenario(hoop=hh.Hoop.ideal(0.75), plane=hh.Plane(mu=math.inf)).to_body()
     limits = []
-    for omega in (0.0, 3.0):  # on the plane, and held down by it
+    for omega in (0.0, 1.5, 3.0):  # on the plane, and held down by it, by less than the weight or more
         found = dict(zip(MARGINS, interpreted(margins_of)(hoop, Mode.ROLL, 0.0, 0.0, omega, 0.0, 0.0), strict=True))
         limits.append((math.copysign(1.0, found["normal_force"]), found["friction_limit"]))
-    assert limits == [(1.0, math.inf), (-1.0, -math.inf)]
+    assert limits == [(1.0, math.inf), (-1.0, -math.inf), (-1.0, -math.inf)]
 
 
 @pytest.mark.parametrize("way", [1.0, -1.0])
