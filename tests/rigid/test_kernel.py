@@ -183,8 +183,23 @@ def test_where_the_events_are_used_up_the_pieces_so_far_are_counted():
     assert bouncing(100, 4) == (Status.BUFFER, 10, 4)  # up to the fifth impact
 
 
-@pytest.mark.xfail(strict=True, reason="the number of pieces is -1, and the caller leaves out the last one")
 def test_where_events_and_pieces_are_used_up_in_one_step_pieces_are_counted_too():
     for events in range(2, 12):
         for pieces in range(1, 6):
             assert bouncing(events, pieces)[2] >= 0
+
+
+def hopping_without_loss(most):
+    return hh.simulate(
+        hh.Hoop.ideal(0.0), hh.Plane(restitution=1.0), hh.Start(height=0.5), duration=1000.0, contact=hh.Rigid(max_events=most)
+    )
+
+
+@pytest.mark.parametrize("most", [511, 512, 513, 514])
+def test_a_motion_lasts_until_the_impact_for_which_there_is_no_room(most):
+    """With 512, events and segments are used up in one step; the last segment was left out then."""
+    motion = hopping_without_loss(most)
+    assert motion.status == "event_limit"
+    assert len(motion.events) == most
+    impacts = [event.t for event in hopping_without_loss(520).find("impact")]
+    assert motion.duration == min(t for t in impacts if t > motion.events[-1].t)

@@ -115,8 +115,9 @@ def run(body, start, t_end, angle_span, stop, events, segments, scratch, script)
     last = phase.mode if phase.mode <= SKIM else ROLL
     if log.written[0] >= 0 and log.written[1] >= 0:  # also where the panels are used up: so far it has come
         note(log, END, last, last, phase.state)
-    if log.written[0] < 0:
-        return EVENT_LIMIT, events.shape[0], log.written[1]
+    count = log.written[0] if log.written[0] >= 0 else events.shape[0]
     if log.written[1] < 0:
-        return BUFFER, log.written[0], segments.shape[0]
-    return phase.status if phase.status != GOING else EVENT_LIMIT, log.written[0], log.written[1]
+        return BUFFER, count, segments.shape[0]
+    if log.written[0] < 0:
+        return EVENT_LIMIT, count, log.written[1]
+    return phase.status if phase.status != GOING else EVENT_LIMIT, count, log.written[1]
