@@ -88,20 +88,28 @@ export class Plot {
   }
 
   /**
-   * Curves and axes; the cursor has its own canvas above.
+   * What it shows: enough for hands, and for the room of its legend, before any curve is drawn.
    * @param {Film[]} films
    * @param {number} active
    * @param {Look} look
-   * @param {Colors} colors
    */
-  draw(films, active, look, colors) {
+  take(films, active, look) {
     this.films = films;
     this.active = active;
     this.look = look;
+    this.range = this.shared.range ?? this.fullRange();
+    this.legend(this.shades(films[active], active), look.dark);
+  }
+
+  /**
+   * Curves and axes of what was taken; the cursor has its own canvas above.
+   * @param {Colors} colors
+   */
+  draw(colors) {
+    const { films, active } = this;
     const { context, width, height } = fitted(this.canvas);
     this.box = { width: width - LEFT - RIGHT, height: height - TOP - BOTTOM };
     context.clearRect(0, 0, width, height);
-    this.range = this.shared.range ?? this.fullRange();
     const drawn = films.flatMap((film, lane) =>
       this.shades(film, lane).map((curve, number) => ({ ...curve, film, lane, number })),
     );
@@ -115,7 +123,6 @@ export class Plot {
     for (const curve of drawn) this.curve(context, curve);
     if (films.length > 1) for (const curve of drawn) if (curve.number === 0) this.letter(context, curve);
     context.restore();
-    this.legend(this.shades(films[active], active), look.dark);
     this.describe(drawn);
   }
 
@@ -261,7 +268,7 @@ export class Plot {
 
   /** @param {number} time */
   cursor(time) {
-    if (!this.films) return;
+    if (!this.heights) return; // not drawn yet
     const { context, width, height } = fitted(this.over);
     context.clearRect(0, 0, width, height);
     this.films.forEach((whole, lane) => {
@@ -305,7 +312,7 @@ export class Plot {
    */
   valueAt(event) {
     const box = this.body.getBoundingClientRect();
-    const share = clamp((event.clientX - box.left - LEFT) / this.box.width, 0, 1);
+    const share = clamp((event.clientX - box.left - LEFT) / (box.width - LEFT - RIGHT), 0, 1);
     return this.range[0] + share * (this.range[1] - this.range[0]);
   }
 

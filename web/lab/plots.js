@@ -96,7 +96,7 @@ export class Plots {
     this.shared = { axis: "time", range: null, clock, changed: () => this.redraw() };
     this.plots = [...definitions(colors).map((definition) => new Plot(definition, this.shared)), ownPlot(this.shared)];
     for (const plot of this.plots) plot.onseek = (/** @type {number} */ time) => clock.seek(time);
-    // diagrams that are scrolled away wait until they are seen
+    // curves that are scrolled away wait until they are seen; not so the legends, whose room moves what is below
     this.seen = new Map(this.plots.map((plot) => [plot.element, true]));
     const watch = new IntersectionObserver(
       (entries) => {
@@ -156,7 +156,8 @@ export class Plots {
   redraw() {
     if (!this.films?.length) return;
     this.back.hidden = !this.shared.range;
-    for (const plot of this.visible()) plot.draw(this.films, this.active, this.look, this.colors);
+    for (const plot of this.plots) plot.take(this.films, this.active, this.look);
+    for (const plot of this.visible()) plot.draw(this.colors);
     this.cursor(this.shared.clock.time);
   }
 

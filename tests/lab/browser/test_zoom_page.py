@@ -48,6 +48,39 @@ def test_two_fingers_zoom_and_take_no_motion(visit, selector):
     assert page.evaluate("hophoopLab.film().query") == ""
 
 
+# the browser tells which diagrams are in view after a picture of the page or two, and fingers can be there before
+NO_DIAGRAM_SEEN = """
+window.IntersectionObserver = class extends IntersectionObserver {
+  constructor(tell, options) {
+    const unseen = (entry) =>
+      entry.target.matches(".plot") ? { target: entry.target, isIntersecting: false } : entry;
+    super((entries) => tell(entries.map(unseen)), options);
+  }
+};
+"""
+
+
+def test_a_diagram_that_is_not_drawn_yet_zooms_and_keeps_its_place(visit):
+    page = visit(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True, script=NO_DIAGRAM_SEEN)
+    wait_for(page, "!lab.surrounding && [...lab.plots.seen.values()].every(seen => !seen)")
+    target = page.locator("[data-plot=forces] .plot-body")
+    target.scroll_into_view_if_needed()
+    place = "() => [...document.querySelectorAll('.plot-body')].map((body) => body.getBoundingClientRect().y)"
+    before = page.evaluate(place)
+    box = target.bounding_box()
+    x, y = box["x"] + 0.6 * box["width"], box["y"] + 0.4 * box["height"]
+    touch = fingers(page)
+    touch("touchStart", (x - 20, y))
+    touch("touchStart", (x - 20, y), (x + 20, y))
+    touch("touchMove", (x - 80, y), (x + 80, y))
+    touch("touchEnd")
+    low, high = page.evaluate("hophoopLab.plots.shared.range")
+    assert high - low == pytest.approx(6 / 4, rel=0.15)
+    page.evaluate("for (const plot of hophoopLab.plots.plots) hophoopLab.plots.seen.set(plot.element, true)")
+    page.evaluate("hophoopLab.plots.redraw()")
+    assert page.evaluate(place) == pytest.approx(before, abs=0.5)  # a line of a legend has 16 pixels
+
+
 def test_the_wheel_scrolls_on_unless_the_stage_is_chosen(visit):
     page = visit()
     box = page.locator(".stage").bounding_box()

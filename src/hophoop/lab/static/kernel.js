@@ -1,4 +1,4 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources d4ccb5ece8e28938543961114e6d0e8d */
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 8b73818de1e0d14c1adb9a5b17489460 */
 var l={sources:"0614a13c11f6a1e159fe1e28bab0fd46",module:"e06da5c94450f66f",derivatives:"76af32257cdecc74",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",

@@ -1,4 +1,4 @@
-/* Built from web/lab/main.js by esbuild 0.28.2; sources d4ccb5ece8e28938543961114e6d0e8d */
+/* Built from web/lab/main.js by esbuild 0.28.2; sources 8b73818de1e0d14c1adb9a5b17489460 */
 var bl=Object.create;var Ji=Object.defineProperty;var wl=Object.getOwnPropertyDescriptor;var yl=Object.getOwnPropertyNames;var vl=Object.getPrototypeOf,kl=Object.prototype.hasOwnProperty;var _l=(s,e)=>()=>{try{return e||s((e={exports:{}}).exports,e),e.exports}catch(t){throw e=0,t}};var xl=(s,e,t,n)=>{if(e&&typeof e=="object"||typeof e=="function")for(let i of yl(e))!kl.call(s,i)&&i!==t&&Ji(s,i,{get:()=>e[i],enumerable:!(n=wl(e,i))||n.enumerable});
 return s};var Sl=(s,e,t)=>(t=s!=null?bl(vl(s)):{},xl(e||!s||!s.__esModule?Ji(t,"default",{value:s,enumerable:!0}):t,s));var Da=_l(Ns=>{"use strict";Object.defineProperty(Ns,"__esModule",{value:!0});function za(s){return!s||typeof s=="string"?s:s+""}var $n=class{async svg2canvas(e,t,n){
 let i=await new Promise(r=>{var l=new Image;l.onload=function(){r(l)},l.src=e});var o=document.createElement("canvas");return o.width=t,o.height=n,o.getContext(
@@ -1326,7 +1326,7 @@ ost} s；库本身没有此限制。","在此速度与半径下 duration = {valu
 处于允许范围的边缘","两侧的导数不同","柔性接触不计算导数：请选择刚性接触模型。"],to=Object.fromEntries(Object.keys(tt).map((s,e)=>[
 s,Ll[e]]));var un=new Map;function me(s){try{return localStorage.getItem(s)??un.get(s)??null}catch{return un.get(s)??null}}function pe(s,e){un.set(s,e);try{localStorage.setItem(
 s,e)}catch{}}var kt={en:"English",de:"Deutsch",es:"Español",fr:"Français",zh:"中文"},mn={de:Qi,es:Xi,fr:eo,zh:to},Dl=new Set(["de","es","fr"]),io="hophoop-language",oo=4e3,
-Nl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Vt=/\{(\w+)\}/g,ke="en",ao=[],yt=new Map,vt=new Set,st=new Set,Ae=()=>ke;
+Nl=/^((\d\S* )?(rad(\/s)?|kg|m\/s²?)|'?[\w.[\]]+\.\w+'?|'\w*'|([\w.]+, )+[\w.]+|hophoop.*)$/u,Vt=/\{(\w+)\}/g,ke="en",ao=[],yt=new Map,vt=new Set,st=new Set,Re=()=>ke;
 function pn(s){ke=s in kt?s:"en",yt=new Map,vt=new Set,st.clear(),ao=Object.keys(mn[ke]??{}).filter(e=>e.includes("{")).map(ql).sort((e,t)=>so(t.key)-so(e.key))}
 function Il(){let s=me(io);return s&&s in kt?s:(globalThis.navigator?.languages??[]).map(n=>n.slice(0,2).toLowerCase()).find(n=>n in kt)??"en"}function ro(s){pe(
 io,s)}var so=s=>s.replace(Vt,"").length;function ql(s){let e=[...s.matchAll(Vt)].map(([,n])=>n),t=s.split(/\{\w+\}/).map(n=>n.replace(/[.*+?^${}()|[\]\\]/g,"\\$&"));
@@ -1355,7 +1355,7 @@ setTimeout(()=>URL.revokeObjectURL(t.href),1e4)}function ie(s,e){let t=0;return(
 s)?"–":s>0?"∞":"−∞";if(s===0)return"0";let t=Math.abs(s),n;if(t>=1e6||t<1e-4){let[i,o]=s.toExponential(e-1).split("e");n=`${uo(i)}·10${Bl(Number(o))}`}else
 n=uo(s.toPrecision(e)),n.includes("e")&&(n=String(Math.round(s)));return fe(n.replace("-","−"))}function uo(s){return s.includes(".")&&!s.includes("e")?s.replace(
 /\.?0+$/,""):s}function Bl(s){let e={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"};return[...String(s)].map(t=>e[t]).join(
-"")}var j=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,G=s=>fe(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function Re(s){let e=Math.abs(s),[t,n]=e>=.995?
+"")}var j=(s,e)=>e?e==="°"?`${s}°`:`${s} ${e}`:s,G=s=>fe(`${(s*180/Math.PI).toFixed(1)}°`.replace("-","−"));function ze(s){let e=Math.abs(s),[t,n]=e>=.995?
 [1,"m"]:e>=.00995?[100,"cm"]:[1e3,"mm"];return j(S(s*t,3),n)}function Z(s,e){let t=s/Math.max(e,1),n=10**Math.floor(Math.log10(t)),i=t/n;return(i>5?10:i>2?5:i>1?
 2:1)*n}function le(s,e,t){if(!(e>s)||!Number.isFinite(s)||!Number.isFinite(e))return[];let n=Z(e-s,t),i=[];for(let o=Math.ceil(s/n-1e-9);o*n<=e+1e-9*n&&i.length<
 200;o++)i.push(o*n);return i}function oe(s,e){let t=_(-Math.floor(Math.log10(e)+1e-9),0,15);return Math.max(Math.abs(s),e)>=1e6||t>12?S(s,3):fe((Math.abs(s)<e*1e-6?
@@ -1448,7 +1448,7 @@ m/s.":"At most 3.1 m/s.":s.scenario.duration>6?"At most 6 s.":"":"It must start 
 ({kind:e})=>e==="takeoff");function Xl(s){return s.events.filter(({kind:e})=>e==="apex").map(({height:e})=>e)}var ko=(s,e)=>Math.min(Math.round(100*s/e),100),eh=1.596,
 th=.37,sh=.05,kn=[{key:"highest",title:"Hop highest",text:"On level ground, rolling, with at most 3.1 m/s: you choose the load, where it starts, and friction. H\
 ow high can the hoop rise within 6 s?",start:"",best:"hoop.load_fraction=0.9&plane.mu=0.29",score:s=>{let e=yo(s,3.1);if(e)return{points:0,text:e};let t=Math.max(
-0,...Xl(s));return t?{points:ko(t,eh),text:"It rises by {height}.",values:{height:Re(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
+0,...Xl(s));return t?{points:ko(t,eh),text:"It rises by {height}.",values:{height:ze(t)}}:{points:0,text:"It does not hop."}}},{key:"upright",title:"Land uprigh\
 t",text:"Let the hoop land with its load at the very top. Everything is allowed; the first hop has to be at least 5 cm high.",start:"",best:"hoop.load_fraction=\
 0.9&plane.mu=1.34&start.angle=0.7853981633974483&start.speed=5.69",score:s=>{let e=vo(s)[0],t=s.events.find(({kind:a,t:r})=>a==="impact"&&e&&r>e.t);if(!e||!t)return{
 points:0,text:"It does not hop."};let n=s.events.find(({kind:a,t:r})=>a==="apex"&&r>e.t);if(!n||n.height<sh)return{points:0,text:"The first hop is too low."};let i=Math.
@@ -1459,7 +1459,7 @@ t.speed=8",best:"hoop.load_fraction=0.33&plane.mu=1.5&start.angle=3.141592653589
 abs(Math.abs(s.scenario.start.angle??0)-Math.PI)>.5*vn)return{points:0,text:"The load must start at the bottom."};if(s.values["plane.mu_kinetic"]>1.5||s.values["\
 plane.mu_static"]>1.5)return{points:0,text:"Friction must be at most 1.5."};let t=vo(s)[0];if(!t)return{points:0,text:"It does not hop."};let n=s.phases.filter(
 ({from:o})=>o<t.t);if(n.some(({mode:o})=>o==="K"))return{points:0,text:"It skids before it hops."};if(n[0]?.mode!=="R")return{points:0,text:"It must start rolli\
-ng."};let i=s.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:ko(i.height,th),text:"It rises by {height}.",values:{height:Re(i.height)}}:{points:0,
+ng."};let i=s.events.find(({kind:o,t:a})=>o==="apex"&&a>t.t);return i?{points:ko(i.height,th),text:"It rises by {height}.",values:{height:ze(i.height)}}:{points:0,
 text:"It does not hop."}}}],_n=s=>s>=95?3:s>=75?2:s>=40?1:0;var _o="hophoop-best-",nh=s=>"★".repeat(_n(s))+"☆".repeat(3-_n(s)),ss=class{goal=null;constructor(e){this.lab=e,this.tabs=new Map(kn.map(t=>[t.key,m("button",
 {type:"button","aria-pressed":"false",onclick:()=>this.choose(t)},t.title)])),this.text=m("p",{}),this.meter=m("meter",{min:"0",max:"100",low:"40",high:"75",optimum:"\
 100","aria-label":"Score"}),this.result=m("p",{class:"challenge-result",role:"status"}),this.kept=m("p",{class:"hint"}),this.element=m("section",{class:"challen\
@@ -1472,9 +1472,9 @@ this.tabs.get(this.goal.key)?.focus({preventScroll:!0})}close(){this.goal=null,t
 !1),t.clock.time=0,t.motions.replace(n)}catch(n){t.notice.fail(n)}}changed(){let{goal:e,lab:t}=this;if(!e)return;let{points:n,text:i,values:o={}}=e.score(t.film());
 this.meter.value=n;let a=v("{stars} {points} points. {what}",{stars:nh(n),points:n,what:v(i,o)});this.result.textContent!==a&&(this.result.textContent=a);let r=Number(
 me(_o+e.key)??0);n>r&&!t.stage.options.ahead&&pe(_o+e.key,String(n)),P(this.kept,v("Your best: {points} points.",{points:Math.max(r,t.stage.options.ahead?0:n)}))}};var xo=.09,ih=.03,xn=Math.PI/180,ns=Math.PI/4,So=2*Math.PI,xt=s=>s-So*Math.round(s/So);function is(s,e){let t=s.at(e),n=e===0;return{angle:xt(t.angle),height:Math.
-max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Eo=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),ze=s=>Number(s.toFixed(4))+0;function To(s,e,t){
-if(s==="plane")return[["plane.slope",ze(e.slope)]];if(e.height>0)return[["start.angle",ze(e.angle)],["start.height",ze(e.height)],["start.vx",ze(e.vx)],["start.\
-vy",ze(e.vy)],["start.omega",ze(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",ze(e.angle)],["start.speed",ze(n)]]}var St=class{constructor(e,t,n,i,o){
+max(t.height,0),vx:n?t.vx:0,vy:n?t.vy:0,omega:n?t.omega:0,slope:s.slope}}var Eo=s=>2*Math.sqrt(Math.max(s.gravity,1)*s.radius),Pe=s=>Number(s.toFixed(4))+0;function To(s,e,t){
+if(s==="plane")return[["plane.slope",Pe(e.slope)]];if(e.height>0)return[["start.angle",Pe(e.angle)],["start.height",Pe(e.height)],["start.vx",Pe(e.vx)],["start.\
+vy",Pe(e.vy)],["start.omega",Pe(e.omega)]];let n=s==="load"?e.omega*t.radius:e.vx;return[["start.angle",Pe(e.angle)],["start.speed",Pe(n)]]}var St=class{constructor(e,t,n,i,o){
 this.grip=e,this.film=t,this.view=i,this.before=is(t,n),this.held={...this.before,vx:0,vy:0,omega:0};let a=t.at(n);this.center=[a.x,t.radius+a.height],this.foot=
 i.point(a.x,0),this.from=this.read(o),this.turned=0,this.trail=[],this.moved=0}read(e){let[t,n]=this.view.unpoint(e.clientX,e.clientY),i=this.grip==="plane"?Math.
 atan2(e.clientY-this.foot[1],e.clientX-this.foot[0]):Math.atan2(t-this.center[0],n-this.center[1]);return{x:e.clientX,y:e.clientY,along:t,away:n,turn:i}}move(e,t){
@@ -1503,7 +1503,7 @@ toggle("running",e.clock.playing);let{pose:i,film:o,scale:a}=t,r=o.radius,l=t.po
 u=this.onPlane(t),h=_(1.1*r*a,Sn,190),d=[["plane",u,Sn],["hoop",l,h],["load",c,Sn]];for(let[p,[g,f],b]of d){let w=this.places.get(p);w.style.transform=`translat\
 e(${g-b/2}px, ${t.top+f-b/2}px)`,w.style.width=w.style.height=`${b}px`,w.hidden=g<0||f<0||g>t.width||f>t.height}e.clock.playing||this.tell(o)}onPlane(e){let t=e.
 point(e.pose.x,0),i=(Math.min(t[0]+Math.max(1.9*e.film.radius*e.scale,90),e.width-30)-t[0])/(e.scale*Math.max(e.cosine,.2));return e.point(e.pose.x+i,0)}tell(e){
-let t=this.pull?.held??this.held??is(e,this.lab.clock.time),n={load:G(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:Re(t.height),speed:S(t.vx,3)}),plane:G(
+let t=this.pull?.held??this.held??is(e,this.lab.clock.time),n={load:G(t.angle),hoop:v("gap {height}, speed {speed} m/s",{height:ze(t.height),speed:S(t.vx,3)}),plane:G(
 t.slope)},i={load:t.angle*(180/Math.PI),hoop:t.height,plane:t.slope*(180/Math.PI)},o={load:[-180,180],hoop:[0,4*e.radius],plane:[-45,45]};for(let[a,r]of this.places)
 r.getAttribute("aria-valuetext")!==n[a]&&(r.setAttribute("aria-valuetext",n[a]),r.setAttribute("aria-valuenow",String(Number(i[a].toPrecision(4)))),r.setAttribute(
 "aria-valuemin",String(o[a][0])),r.setAttribute("aria-valuemax",String(Number(o[a][1].toPrecision(4)))))}under(e){if(this.element.hidden)return null;let t=null;
@@ -1519,7 +1519,7 @@ t.altKey)return;let{lab:n}=this;if(t.key==="Escape"&&this.held)this.back();else 
 e,t.key,t.shiftKey,this.held,n.film());if(!i)return;this.before===null&&(this.hold(),this.begin()),this.held=i,this.change(e==="load"?"hoop":e,i,!1),this.show(e,
 i),this.settle()}t.preventDefault(),t.stopPropagation()}hold(){this.lab.clock.play(!1),this.before=this.lab.film().query}begin(){let{lab:e}=this;e.stage.options.
 ahead=!0,e.clock.seek(0),e.root.classList.add("holding")}change(e,t,n){this.lab.motions.change(To(e,t,this.lab.film()),n)}show(e,t){let n={load:`θ = ${G(t.angle)}`,
-hoop:t.height>0?`y = ${Re(t.height)}`:`θ = ${G(t.angle)}`,plane:`β = ${G(t.slope)}`};P(this.tip,t.vx&&this.held?`${n[e]}, v = ${S(t.vx,3)} m/s`:n[e]),this.tip.
+hoop:t.height>0?`y = ${ze(t.height)}`:`θ = ${G(t.angle)}`,plane:`β = ${G(t.slope)}`};P(this.tip,t.vx&&this.held?`${n[e]}, v = ${S(t.vx,3)} m/s`:n[e]),this.tip.
 hidden=!1}chosen(e){this.held&&this.before!==null&&this.lab.motions.change([],!0),this.end(e)}end(e){let{lab:t}=this;this.held=null,this.before=null,this.tip.hidden=
 !0,t.stage.options.ahead=!1,t.root.classList.remove("holding"),e&&t.clock.seek(0),e&&!matchMedia("(prefers-reduced-motion: reduce)").matches&&t.clock.play(!0),t.
 request()}async back(){let{lab:e,before:t}=this;if(this.end(!1),t===null)return;let n=e.motions.lanes[e.motions.active];for(n.pending=null;n.busy;)await new Promise(
@@ -1533,7 +1533,7 @@ M11 2.5l4 4-4 4V8H6.8a2.3 2.3 0 0 0 0 4.6H11v2H6.8a4.3 4.3 0 0 1 0-8.6H11z",two:
 v3H2zM10 2h5v5h-2V4h-3zM2 10h2v3h3v2H2zM13 10h2v5h-5v-2h3z",theme:"M8.5 2a6.5 6.5 0 1 0 0 13 6.5 6.5 0 0 0 0-13zm0 2v9a4.5 4.5 0 0 1 0-9z"};function Y(s){let e="\
 http://www.w3.org/2000/svg",t=document.createElementNS(e,"svg");t.setAttribute("viewBox","0 0 17 17"),t.setAttribute("aria-hidden","true"),t.setAttribute("class",
 "icon");let n=document.createElementNS(e,"path");return n.setAttribute("d",rh[s]),t.append(n),t}function En(s){let e=m("select",{class:"language","aria-label":"Language",onchange:()=>{ro(e.value),pn(e.value),s()}},Object.entries(kt).map(([t,n])=>m("option",
-{value:t,lang:t},document.createTextNode(n))));return e.value=Ae(),e}var Ro={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
+{value:t,lang:t},document.createTextNode(n))));return e.value=Re(),e}var Ro={setup:{version:"0.1.0",controls:{groups:{hoop:[{path:"hoop.load_fraction",label:"Load fraction",symbol:"γ",unit:"",help:"Share of the mass in the load \
 of an ideal hoop",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},{path:"hoop.eccentricity",label:"Eccentricity",symbol:"ε",
 unit:"",help:"Distance of the centre of gravity from the centre, over the radius",least:0,most:1,step:.01,logarithmic:!1,degrees:!1,allowed:{least:0,most:1,also:[]}},
 {path:"hoop.inertia_ratio",label:"Inertia ratio",symbol:"κ",unit:"",help:"Moment of inertia about the centre of gravity over m R²",least:.01,most:1,step:.01,logarithmic:!1,
@@ -1764,7 +1764,7 @@ energy_lost:0,greatest_utilization:2,takeoff_time:1,takeoff_angle:1,hop_height:1
 ond","at"],kinds:["start","slip_start","stick","slip_reversal","takeoff","impact","turn","apex","bounce_limit","painleve_inconsistent","painleve_indeterminate",
 "jam","kane_gain","skim","rest","end"],letters:"RSKHM",statuses:["completed","at_rest","jammed","undetermined","event_limit","buffer"],event_bytes:232,segment_bytes:256,
 compliant_segment_bytes:536};var je=s=>Object.fromEntries(s.map((e,t)=>[e,t])),Wm=je(x.cell),be=je(x.heads),Q=je(x.events),Tn=je(x.samples),zo=je(x.changes),Po=je(x.numbers),Mn=je(x.words),
-ch={newton:0,poisson:1,stronge:2};function Pe(s){let e=new Float64Array(x.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
+ch={newton:0,poisson:1,stronge:2};function Le(s){let e=new Float64Array(x.cell.length),t={...Object.fromEntries(Object.entries(s).filter(([,n])=>typeof n=="numb\
 er")),law:ch[s.impact_law],strike:+(s.painleve==="impact"),ideal:Number(s.ideal),allowed:1};return x.cell.forEach((n,i)=>{e[i]=t[n]??0}),e}function An(s){let e=t=>t??
 Number.NaN;return Float64Array.of(x.laws.indexOf(s.law),x.friction_laws.indexOf(s.friction),e(s.stiffness),e(s.damping),e(s.restitution),e(s.slip_speed),e(s.tangential_stiffness),
 e(s.rtol))}var _e={start:"start",slip_start:"slip begins",stick:"slip ends",slip_reversal:"slip turns round",takeoff:"take-off",impact:"landing",turn:"turns back",apex:"hi\
@@ -1778,7 +1778,7 @@ this.events.slice(0,this.count)).map(({begin:e,top:t,end:n})=>{let i=o=>n<0?Numb
 ight"),distance:i("x"),duration:i("t")}})}};function fh(s,e){return s!==e&&(s?.rates.some((t,n)=>Number.isFinite(t)!==Number.isFinite(e?.rates[n]))??!1)}function No(s,e){
 let t=Math.abs(s);if(e==="°")return j(S(t*180/Math.PI,3),"°");let n=t<.0995,i=t<9995e-8,[o,a]=n?i?[1e6,"µ"]:[1e3,"m"]:[1,""];return e==="m/s"?j(S(t,3),e):j(S(
 o*t,3),`${a}${e}`)}var rs=(s,e)=>Math.abs(s)>mh*Math.max(e,.001);function Io(s,e){return Number.isFinite(s)?rs(s,1)?`${s>0?"+":"−"}${No(s,e)}`:"0":"–"}function Rn(s){
-let e=s.filter(([t])=>Number.isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>v(t>0?i:o,{amount:No(t,n)})).join(Ae()==="zh"?"，":", ");return B(e)}var Do=["m","{amount} \
+let e=s.filter(([t])=>Number.isFinite(t)&&rs(t,1)).map(([t,n,i,o])=>v(t>0?i:o,{amount:No(t,n)})).join(Re()==="zh"?"，":", ");return B(e)}var Do=["m","{amount} \
 further to the right","{amount} further to the left"],gh=["s","{amount} later","{amount} earlier"];function qo(s){let{events:e,count:t}=s,n=[],i=s.hops();for(let[
 r,{begin:l,end:c,height:u,distance:h,duration:d}]of i.slice(0,dh).entries()){let p=c>=0&&e[c].x<e[l].x?-h:h,g=Rn([[u,"m","{amount} higher","{amount} lower"],[p,
 "m","{amount} longer","{amount} shorter"],[d,"s","{amount} more in the air","{amount} less in the air"],[s.of(l,"t"),"s","begins {amount} later","begins {amount\
@@ -1913,7 +1913,7 @@ table"},m("thead",{},m("tr",{},["v₀ [m/s]","phases","does it hop?","at which a
 {scope:"row"},n(`${Xo}${Number(u)}`,u)),m("td",{}),m("td",{}),m("td",{})))))),c=m("dialog",{class:"teach","aria-label":"For teachers"},m("header",{},m("h2",{},"\
 For teachers"),m("button",{type:"button",onclick:()=>print()},"Print"),m("button",{type:"button",class:"close",onclick:()=>c.close()},"Close")),m("p",{},"The vi\
 sit asks before it shows; the presentation fills the screen; the table gives numbers to every student. ",m("button",{type:"button",class:"link",onclick:()=>{c.close(),
-e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var Dn="RSKHM",Dh=new Set(["x","angle","height"]),Nh=1/60,ta=8,Ih={x:"vx",angle:"omega",height:"vy"},Le=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
+e()}},"Start the visit")),o&&m("p",{},o.map(([u,h])=>m("a",{class:"teach-page",href:new URL(u,new URL(i,document.baseURI)).href},h))),a,r,l);return c}var Dn="RSKHM",Dh=new Set(["x","angle","height"]),Nh=1/60,ta=8,Ih={x:"vx",angle:"omega",height:"vy"},De=class{constructor(e){let{header:t}=e;this.scenario=t.scenario,
 this.query=t.query,this.duration=t.duration,this.status=t.status,this.sequence=t.sequence,this.events=t.events,this.values=t.values,this.automatic=t.automatic,this.
 said=t.summary,this.story=t.story,this.shortened=t.shortened,this.doubt=t.doubt??"",this.columns=e.arrays,this.t=e.arrays.t,this.length=this.t.length,this.radius=
 this.values["hoop.radius"],this.mass=this.values["hoop.mass"],this.eccentricity=this.values["hoop.eccentricity"],this.slope=this.scenario.plane.slope??0,this.gravity=
@@ -2008,7 +2008,7 @@ main",onclick:()=>this.start()},"Start the visit"),m("button",{type:"button",onc
 pe(na,"seen"),this.asked+=1,this.step=this.guess=this.stop=null,this.element.hidden=!0,this.unwind(),this.lab.root.classList.remove("visiting"),this.veil(),this.
 lab.show()}async go(e){let t=Be[e],n=++this.asked,{lab:i}=this;i.clock.play(!1),i.clock.time=0,this.step=t,this.stop=null,this.guess=null,this.unwind(),P(this.said,
 ""),this.element.hidden=!1,i.root.classList.toggle("visiting",e<Be.length-1);try{let o=await Promise.all(t.queries.map(a=>i.backend.call("film",{query:a})));if(n!==
-this.asked)return;this.films=o.map(a=>new Le(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),i.changed(),
+this.asked)return;this.films=o.map(a=>new De(a)),i.motions.active=0,i.motions.set(o.slice(0,2)),this.guess=t.guess?.(()=>this.guessed())??null,this.veil(),i.changed(),
 i.motions.note(),this.fill(e)}catch(o){i.notice.fail(o)}}veil(){this.lab.root.classList.toggle("guessing",this.guessing),this.guessing&&this.lab.stage.element.setAttribute(
 "aria-label",v("The hoop, before it is let go."))}fill(e){let t=Be[e];this.play=m("button",{type:"button",class:"main",disabled:!!this.guess,onclick:()=>this.show()},
 "Play");let n=e===Be.length-1,i=m("h2",{tabindex:"-1"},t.title);this.next=m("button",{type:"button",onclick:()=>this.go(e+1)},"Next"),this.body.replaceChildren(
@@ -2039,8 +2039,8 @@ let e=(n,i)=>m("button",{type:"button",onclick:()=>{t.open=!1,i()}},n),t=m("deta
 body"},e("Guided visit",()=>this.visit.start()),e("Challenges",()=>this.challenges.open()),e("What a little more would do",()=>this.more.turn(!0)),e("Table of t\
 he motion",()=>this.table.open(!0)),e("Presentation",()=>this.present.turn(!0)),e("For teachers",()=>this.teach.showModal())));return this.lab.root.addEventListener(
 "pointerdown",n=>{t.contains(n.target)||(t.open=!1)}),t.addEventListener("keydown",n=>{n.key!=="Escape"||!t.open||(n.stopPropagation(),t.open=!1,t.querySelector(
-"summary")?.focus())}),t}languages(){return En(()=>{this.spoken(),Zt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Ae(),this.lab.hosted&&(document.
-documentElement.lang=Ae(),document.title=v("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
+"summary")?.focus())}),t}languages(){return En(()=>{this.spoken(),Zt(this.lab.root),this.lab.show()})}spoken(){this.lab.root.lang=Re(),this.lab.hosted&&(document.
+documentElement.lang=Re(),document.title=v("hophoop lab: play with the hopping hoop"))}frame(){let{lab:e}=this;this.grips.draw(),this.sound.follow(e.film(),e.clock),
 this.table.cursor(e.clock.time),this.more.frame(),this.visit.frame(),this.mark()}changed(){this.grips.draw(),this.table.draw(this.lab.film()),this.more.changed(),
 this.challenges.changed(),this.visit.changed()}close(){this.sound.close(),this.present.close()}};var zt=(s,e,t)=>m("button",{type:"button",title:e,"aria-label":e,onclick:t},s),ys=class{constructor(e,t,n){let i=new Map;for(let a of e)i.set(a.group,[...i.get(
 a.group)??[],a]);this.fresh=!1,this.presets=m("select",{class:"presets","aria-label":"Motions to start from",onchange:()=>{let a=e.find(({key:r})=>r===this.presets.
@@ -2177,14 +2177,14 @@ this.past],i=t.pop();!i||!this.now||(n.push(this.now),this.now=i,this.what="")}a
 this.future,i=n.length-n.findLastIndex(o=>Fn(o,e));if(!(i>n.length)){for(let o=0;o<i;o++)this.step(t);return}}Object.assign(this,{past:[],future:[],now:e,what:""})}}},
 Fn=(s,e)=>JSON.stringify(s)===JSON.stringify(e);var Ms=class{constructor(e,t){this.backend=e,this.listener=t,this.history=new Ts,this.lanes=[],this.active=0,this.going=Promise.resolve()}film(e=this.active){return this.
 lanes[e].film}films(){return this.lanes.map(e=>e.film)}waiting(){return new Set((this.lanes[this.active].pending??[]).map(([e])=>e))}name(){return this.lanes.length>
-1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new Le(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
+1?"AB"[this.active]:""}set(e){this.lanes=e.map(t=>({film:new De(t)})),this.active=Math.min(this.active,this.lanes.length-1)}async load(e){this.set(await Promise.
 all(e.map(t=>this.backend.call("film",{query:t}))))}change(e,t){let n=this.lanes[this.active];n.since??=performance.now(),n.pending=[...(n.pending??[]).filter(([
 i])=>!e.some(([o])=>o===i)),...e],n.commit||=t,n.what=e.map(([i])=>i).join(),this.pump(n)}async pump(e){if(e.busy||!this.lanes.includes(e))return;if(!e.pending){
-e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new Le(await this.backend.call("film",{scenario:e.film.
+e.commit&&this.settle(e);return}let t=e.pending,{since:n}=e;e.pending=null,e.since=null,e.busy=!0;try{e.film=new De(await this.backend.call("film",{scenario:e.film.
 scenario,changes:t})),this.lanes.includes(e)&&this.listener.shown(n)}catch(i){this.lanes.includes(e)&&this.listener.failed(i,t)}finally{e.busy=!1}this.pump(e)}refine(e,t){
 for(let n of this.lanes){let{film:i}=n,o=n.refining||n.coarse===i?null:i.wanted(e,t);o&&(n.refining=!0,this.backend.call("samples",{scenario:i.scenario,window:o}).
 then(({arrays:a})=>{i.refine(a),this.listener.refined()}).catch(()=>{n.coarse=i}).finally(()=>{n.refining=!1}))}}settle(e){e.commit=!1,this.note(e.what),this.listener.
-settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new Le(
+settled()}queries(){return this.films().map(e=>e.query)}note(e){this.listener.noted(this.history.note(this.queries(),e))}replace(e){this.lanes[this.active]={film:new De(
 e)},this.listener.shown(),this.note()}travel(e){return this.inTurn(async()=>{let t=this.history.next(e);t&&(await this.load(t),this.history.step(e),await this.listener.
 travelled(e),this.listener.shown(),this.listener.noted("travelled"))})}arrive(e){return this.inTurn(async()=>{await this.load(e),this.history.arrive(e),this.listener.
 shown(),this.listener.noted("travelled")})}inTurn(e){return this.going=this.going.then(e).then(()=>!0,t=>(this.listener.failed(t),!1)),this.going}compare(){this.
@@ -2193,22 +2193,22 @@ this.active=e,this.listener.shown(),this.listener.noted("same")}link(e=""){let n
 Boolean).join("&");return this.backend.link(this.film(0).query,n&&`#${n}`)}};var bc=6e3,As=class{constructor(){this.message=m("p",{class:"message",role:"alert",hidden:!0}),this.toast=m("div",{class:"toast",role:"status",hidden:!0}),this.
 timer=0}fail(e){P(this.message,e.message),this.message.hidden=!1,this.seen()||this.say(e.message,this.message.isConnected)}seen(){let{top:e,bottom:t,height:n}=this.
 message.getBoundingClientRect();return this.message.isConnected&&n>0&&e>=0&&t<=innerHeight}clear(){this.message.hidden=!0}say(e,t=!1){this.toast.setAttribute("r\
-ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},bc)}};var q=52,De=10,z=8,Rs=30;function Sa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
+ole",t?"presentation":"status"),P(this.toast,e),this.toast.hidden=!1,clearTimeout(this.timer),this.timer=setTimeout(()=>{this.toast.hidden=!0},bc)}};var I=52,Se=10,z=8,Rs=30;function Sa(s,e){if(!s.length)return[0,1];let t=Float64Array.from(s).sort(),[n,i]=[t[0],t[t.length-1]],[o,a]=[t[Math.floor(.02*t.length)],
 t[Math.ceil(.98*t.length)-1]],r=Math.max(a-o,1e-12);i>a+4*r&&(i=a+.6*r),n<o-4*r&&(n=o-.6*r),n=Math.min(n,0),i=Math.max(i,0),e&&([n,i]=[-Math.max(-n,i),Math.max(
 -n,i)]);let l=.06*(i-n)||1;return[n<0?n-l:n,i+l]}function Ea(s,e,t,n){let{look:i,box:o,heights:a,range:r}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.line,s.fillStyle=
 i.soft,s.lineWidth=1;let l=Math.max(o.height/28,4);for(;le(a[0],a[1],l).length<3&&l<12;)l+=1;let c=Z(a[1]-a[0],l);s.textAlign="right",s.textBaseline="middle";for(let f of le(
-a[0],a[1],l)){let b=Math.round(e.y(f))+.5;s.globalAlpha=Math.abs(f)<1e-9*c?1:.55,s.beginPath(),s.moveTo(q,b),s.lineTo(t-De,b),s.stroke(),s.globalAlpha=1,s.fillText(
-oe(f,c),q-6,b)}let u=o.width/70,h=Z(r[1]-r[0],u);s.textAlign="center",s.textBaseline="alphabetic";let{name:d,unit:p}=H[e.shared.axis],g=p?`${v(d)} [${p}]`:v(d);
+a[0],a[1],l)){let b=Math.round(e.y(f))+.5;s.globalAlpha=Math.abs(f)<1e-9*c?1:.55,s.beginPath(),s.moveTo(I,b),s.lineTo(t-Se,b),s.stroke(),s.globalAlpha=1,s.fillText(
+oe(f,c),I-6,b)}let u=o.width/70,h=Z(r[1]-r[0],u);s.textAlign="center",s.textBaseline="alphabetic";let{name:d,unit:p}=H[e.shared.axis],g=p?`${v(d)} [${p}]`:v(d);
 for(let f of le(r[0],r[1],u)){let b=e.x(f);s.beginPath(),s.moveTo(b,z+o.height),s.lineTo(b,z+o.height+4),s.stroke(),s.fillText(oe(f,h),b,z+o.height+15)}s.textAlign=
-"right",s.fillText(g,t-De,n-3),s.save(),s.translate(11,z+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(v(e.unit),0,0),s.restore()}var wc="RSKHM?";function Ta(s,e,t){let n=s.length/e,i=m("canvas",{width:e,height:n}),o=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=wc[s[a*
+"right",s.fillText(g,t-Se,n-3),s.save(),s.translate(11,z+.5*o.height),s.rotate(-Math.PI/2),s.textAlign="center",s.fillText(v(e.unit),0,0),s.restore()}var wc="RSKHM?";function Ta(s,e,t){let n=s.length/e,i=m("canvas",{width:e,height:n}),o=new ImageData(e,n);for(let a=0;a<n;a++)for(let r=0;r<e;r++){let l=wc[s[a*
 e+r]],c=ve(t[l]??"#6E6E6E"),u=4*((n-1-a)*e+r);o.data.set([...c,255],u)}return ge(i).putImageData(o,0,0),i}function Ma(s,e,t){let n=t.length;s.strokeStyle=bt(e.look.
 dark?"#ffffff":"#000000",.28),s.lineWidth=1;for(let i=0;i<n;i++){if(!t[i])continue;let o=i;for(;o<n&&t[o]===t[i];)o++;let a=e.x(i*2*Math.PI/n),r=e.x(o*2*Math.PI/
 n);s.save(),s.beginPath(),s.rect(a,z,r-a,e.box.height),s.clip(),s.beginPath();let l=t[i];for(let c=-e.box.height;c<r-a+e.box.height;c+=7)s.moveTo(a+c,l>0?z+e.box.
 height:z),s.lineTo(a+c+e.box.height,l>0?z:z+e.box.height);s.stroke(),s.restore(),i=o}}function Aa(s,e,t,n){let{look:i}=e;s.font=`11px ${i.font}`,s.strokeStyle=i.
-soft,s.fillStyle=i.soft,s.lineWidth=1,s.strokeRect(q+.5,z+.5,e.box.width-1,e.box.height-1),s.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
+soft,s.fillStyle=i.soft,s.lineWidth=1,s.strokeRect(I+.5,z+.5,e.box.width-1,e.box.height-1),s.textAlign="center";let o=e.range[0]*180/Math.PI,a=e.range[1]*180/Math.
 PI,r=a-o>200?45:Z(a-o,6);for(let c=Math.ceil(o/r-1e-9);c*r<=a+1e-9;c++){let u=e.x(c*r*Math.PI/180);s.beginPath(),s.moveTo(u,z+e.box.height),s.lineTo(u,z+e.box.height+
-4),s.stroke(),s.fillText(oe(c*r,r),u,z+e.box.height+15)}s.textAlign="right",s.fillText(v("angle θ within a turn [°]"),t-De,n-3),s.textBaseline="middle";let l=e.
-top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))s.fillText(oe(c,Z(l,5)),q-6,e.y(c));s.textBaseline="alphabetic",s.save(),s.translate(11,z+.5*e.box.height),
+4),s.stroke(),s.fillText(oe(c*r,r),u,z+e.box.height+15)}s.textAlign="right",s.fillText(v("angle θ within a turn [°]"),t-Se,n-3),s.textBaseline="middle";let l=e.
+top()-e.bottom();for(let c of le(e.bottom(),e.top(),5))s.fillText(oe(c,Z(l,5)),I-6,e.y(c));s.textBaseline="alphabetic",s.save(),s.translate(11,z+.5*e.box.height),
 s.rotate(-Math.PI/2),s.textAlign="center",s.fillText("θ̇ [rad/s]",0,0),s.restore()}var zs={solid:[],dash:[6,4],dot:[2,3],long:[14,4],mixed:[8,3,2,3]};function Ps(s,e="solid"){let t=m("i",{class:"swatch","aria-hidden":"true"});if(t.style.borderTopColor=
 s??"var(--ink)",t.style.borderTopStyle={solid:"solid",dash:"dashed",dot:"dotted",long:"none",mixed:"none"}[e],e==="long"||e==="mixed"){let n=0,i=zs[e].map((o,a)=>(n+=
 o,`${a%2?"transparent":s??"var(--ink)"} ${n-o}px ${n}px`));t.style.height="2.5px",t.style.width="28px",t.style.background=`repeating-linear-gradient(90deg, ${i.
@@ -2226,15 +2226,15 @@ backend.call("regions",{scenario:e,window:t},n);return n?.throwIfAborted(),{wind
 return this.reached}findReach(){let e=0;for(let n of this.films??[]){let i=Float64Array.from(n.columns.omega,Math.abs).filter(Number.isFinite).sort();e=Math.max(
 e,i[Math.floor(.99*(i.length-1))]??0)}let t=Z(Math.max(e,1)*1.15,4);return Math.ceil(Math.max(e,1)*1.12/t)*t}home(){this.range=[0,2*Math.PI],this.window=null,this.
 wholeAgain(),this.redraw()}isWhole(){let[e,t]=this.range;return t-e>=2*Math.PI-1e-9&&(!this.window||this.window[1]-this.window[0]>=2*this.reach()-1e-9)}wholeAgain(){
-this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),n=(e.clientX-t.left-q)/this.box.width,i=1-(e.clientY-t.top-z)/
+this.sharpening?.abort(),this.pictures?.splice(1)}point(e){let t=this.body.getBoundingClientRect(),n=(e.clientX-t.left-I)/this.box.width,i=1-(e.clientY-t.top-z)/
 this.box.height;return[this.range[0]+n*(this.range[1]-this.range[0]),this.bottom()+i*(this.top()-this.bottom())]}middle(){return[.5*(this.range[0]+this.range[1]),
 .5*(this.bottom()+this.top())]}zoomAbout([e,t],n){let i=Math.max(e-(e-this.range[0])*n,0),o=Math.min(e+(this.range[1]-e)*n,2*Math.PI),a=this.reach(),r=Math.max(
 t-(t-this.bottom())*n,-a),l=Math.min(t+(this.top()-t)*n,a);this.range=[i,o],this.window=[r,l],this.isWhole()?this.wholeAgain():this.soon(),this.redraw()}bottom(){
 return this.window?this.window[0]:this.backwards?-this.reach():0}top(){return this.window?this.window[1]:this.forwards?this.reach():.12*this.reach()}draw(e,t,n){
 this.films=e,this.active=t,this.look=n,this.reached=this.findReach(),this.forwards=e.some(i=>i.columns.omega.some(o=>o>.3)),this.backwards=e.some(i=>i.columns.omega.
-some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return q+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){
+some(o=>o<-.3)),!this.forwards&&!this.backwards&&(this.forwards=!0),this.redraw()}x(e){return I+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){
 return z+(1-(e-this.bottom())/(this.top()-this.bottom()))*this.box.height}redraw(){if(!this.films)return;let{colors:e,look:t}=this,{context:n,width:i,height:o}=V(
-this.canvas);if(this.box={width:i-q-De,height:o-z-Rs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(q,z,this.box.width,this.box.height),n.clip(),this.pictures){
+this.canvas);if(this.box={width:i-I-Se,height:o-z-Rs},n.clearRect(0,0,i,o),n.save(),n.beginPath(),n.rect(I,z,this.box.width,this.box.height),n.clip(),this.pictures){
 n.imageSmoothingEnabled=!1;for(let{picture:a,window:r}of this.pictures){let[l,c,u,h]=r,d=[this.x(l),this.y(h),this.x(c)-this.x(l),this.y(u)-this.y(h)];n.fillStyle=
 t.panel,n.fillRect(d[0],d[1],d[2],d[3]),n.globalAlpha=.35,n.drawImage(a,d[0],d[1],d[2],d[3]),n.globalAlpha=1}Ma(n,this,this.pictures[0].paradox)}for(let[a,r]of this.
 films.entries())this.way(n,r,a);if(n.restore(),Aa(n,this,i,o),this.keyed!==t.dark){this.keyed=t.dark;let a=Object.entries(e.mode_names).filter(([r])=>"RSKH".includes(
@@ -2243,7 +2243,7 @@ columns,r=2*Math.PI;e.lineWidth=n?1.2:1.8,e.setLineDash(n?[4,3]:[]),e.strokeStyl
 for(let c=0;c<t.length;c++){if(!Number.isFinite(o[c])){l=null;continue}let u=Math.floor(i[c]/r),h=i[c]-u*r;if(l===null)e.moveTo(this.x(h),this.y(o[c]));else if(u!==
 l.lap){let d=u>l.lap?r:0;e.lineTo(this.x(d),this.y(o[c])),e.moveTo(this.x(r-d),this.y(o[c])),e.lineTo(this.x(h),this.y(o[c]))}else e.lineTo(this.x(h),this.y(o[c]));
 l={lap:u,mode:a[c]}}e.stroke(),e.setLineDash([])}cursor(e){if(!this.films||!this.box)return;let{context:t,width:n,height:i}=V(this.over);t.clearRect(0,0,n,i),this.
-films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,u=this.x(c),h=this.y(r.omega);u>=q&&u<=q+this.box.width&&h>=z&&h<=z+this.box.height&&
+films.forEach((o,a)=>{let r=o.at(e),l=2*Math.PI,c=r.angle-Math.floor(r.angle/l)*l,u=this.x(c),h=this.y(r.omega);u>=I&&u<=I+this.box.width&&h>=z&&h<=z+this.box.height&&
 (t.beginPath(),t.arc(u,h,a?4:5.5,0,2*Math.PI),t.fillStyle=this.colors.modes[r.mode],t.fill(),t.lineWidth=2,t.strokeStyle=this.films.length>1?de(a,this.look.dark):
 this.look.ink,t.stroke(),!(this.films.length<2)&&(t.font=`700 12px ${this.look.font}`,t.textAlign="left",t.fillStyle=t.strokeStyle,t.fillText("AB"[a],u+8,h-6)))})}seek(e){
 let t=this.body.getBoundingClientRect(),[n,i]=[e.clientX-t.left,e.clientY-t.top];if(this.pinched())return;let o=this.films[this.active],{angle:a,omega:r}=o.columns,
@@ -2254,31 +2254,31 @@ plot-over"}),this.keys=m("div",{class:"plot-keys"}),this.body=m("div",{class:"pl
 m("section",{class:"plot","data-plot":e},m("header",{},m("h3",{},t),this.keys),this.body),this.body.addEventListener("pointerdown",l=>this.press(l)),this.pinched=
 ae(this.body,{zoom:(l,c)=>this.films&&this.zoomAbout(c?this.valueAt(c):this.middle(),1/l),home:()=>this.zoomTo(null),keys:!0}),this.onseek=()=>{}}abscissa(e){return H[this.
 shared.axis].values(e)}fullRange(){if(this.shared.axis==="time")return[0,Math.max(...this.films.map(n=>n.duration),1e-9)];let[e,t]=[1/0,-1/0];for(let n of this.
-films)for(let i of this.abscissa(n))i<e&&(e=i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}draw(e,t,n,i){this.films=e,this.active=t,this.look=n;let{context:o,width:a,
-height:r}=V(this.canvas);this.box={width:a-q-De,height:r-z-Rs},o.clearRect(0,0,a,r),this.range=this.shared.range??this.fullRange();let l=e.flatMap((c,u)=>this.shades(
-c,u).map((h,d)=>({...h,film:c,lane:u,number:d})));this.heights=this.limits??this.findHeights(l),this.shared.axis==="time"&&this.bands(o,e[t],i),Ea(o,this,a,r),o.
-save(),o.beginPath(),o.rect(q,z,this.box.width,this.box.height),o.clip();for(let c of l)this.curve(o,c);if(e.length>1)for(let c of l)c.number===0&&this.letter(o,
-c);o.restore(),this.legend(this.shades(e[t],t),n.dark),this.describe(l)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.curves(e).map(o=>({
-...o,color:o.color&&wt(o.color,n)}));let i=Object.keys(zs);return this.curves(e).map((o,a)=>({...o,color:de(t,n),dash:i[a%i.length]}))}x(e){return q+(e-this.range[0])/
-(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){let t=[];for(let{
-film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(i[a])}return Sa(
-t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),q,q+this.box.width),a=_(this.x(i.to),q,q+this.box.width);a<=o||(e.fillStyle=bt(n.modes[i.
-mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(zs[i??"s\
-olid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.isFinite(
-c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash([])}letter(e,{
-film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.isFinite(
-i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,e.strokeStyle=
-this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+t;this.named!==
-n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ps(i.color,i.dash),i.name,
-" ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.films.
-length>1?`${"AB"[a]}: `:"",u={name:v(i),low:S(r,3),high:S(l,3)};return l>=r?`${c}${v("{name} from {low} to {high}",u)}`:""}),n=v("Diagram: {title} in {unit}.",{
-title:v(this.title),unit:v(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.films)return;let{context:t,
-width:n,height:i}=V(this.over);if(t.clearRect(0,0,n,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),u=Math.min(c+1,r.length-1),h=r.t[u]>
-r.t[c]?(l.t-r.t[c])/(r.t[u]-r.t[c]):0,d=this.abscissa(r),p=this.x(d[c]+h*(d[u]-d[c])),g=p>=q-1&&p<=q+this.box.width+1;g&&(t.strokeStyle=this.look.soft,t.lineWidth=
-1,t.beginPath(),t.moveTo(p,z),t.lineTo(p,z+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+h*(w-
-f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=S(y,3));let k=this.y(y);!g||!(k>=z-1&&k<=z+this.box.height+1)||(t.fillStyle=
+films)for(let i of this.abscissa(n))i<e&&(e=i),i>t&&(t=i);return t>e?[e,t]:[e-1,t+1]}take(e,t,n){this.films=e,this.active=t,this.look=n,this.range=this.shared.range??
+this.fullRange(),this.legend(this.shades(e[t],t),n.dark)}draw(e){let{films:t,active:n}=this,{context:i,width:o,height:a}=V(this.canvas);this.box={width:o-I-Se,height:a-
+z-Rs},i.clearRect(0,0,o,a);let r=t.flatMap((l,c)=>this.shades(l,c).map((u,h)=>({...u,film:l,lane:c,number:h})));this.heights=this.limits??this.findHeights(r),this.
+shared.axis==="time"&&this.bands(i,t[n],e),Ea(i,this,o,a),i.save(),i.beginPath(),i.rect(I,z,this.box.width,this.box.height),i.clip();for(let l of r)this.curve(i,
+l);if(t.length>1)for(let l of r)l.number===0&&this.letter(i,l);i.restore(),this.describe(r)}shades(e,t){let{dark:n}=this.look;if(this.films.length<2)return this.
+curves(e).map(o=>({...o,color:o.color&&wt(o.color,n)}));let i=Object.keys(zs);return this.curves(e).map((o,a)=>({...o,color:de(t,n),dash:i[a%i.length]}))}x(e){return I+
+(e-this.range[0])/(this.range[1]-this.range[0])*this.box.width}y(e){return z+(1-(e-this.heights[0])/(this.heights[1]-this.heights[0]))*this.box.height}findHeights(e){
+let t=[];for(let{film:n,values:i}of e){let o=this.abscissa(n);for(let a=0;a<i.length;a++)o[a]>=this.range[0]&&o[a]<=this.range[1]&&Number.isFinite(i[a])&&t.push(
+i[a])}return Sa(t,this.symmetric)}bands(e,t,n){for(let i of t.phases){let o=_(this.x(i.from),I,I+this.box.width),a=_(this.x(i.to),I,I+this.box.width);a<=o||(e.fillStyle=
+bt(n.modes[i.mode],.14),e.fillRect(o,z,a-o,this.box.height))}}curve(e,{film:t,color:n,dash:i,number:o}){e.strokeStyle=n??this.look.ink,e.lineWidth=1.8,e.setLineDash(
+zs[i??"solid"]),e.beginPath();let a=!1;for(let r of t.pieces()){let l=this.abscissa(r.film),{values:c}=this.curves(r.film)[o];for(let u=r.from;u<r.to;u++){if(!Number.
+isFinite(c[u])||!Number.isFinite(l[u])){a=!1;continue}let h=this.x(l[u]),d=_(this.y(c[u]),-1e4,1e4);a?e.lineTo(h,d):e.moveTo(h,d),a=!0}}e.stroke(),e.setLineDash(
+[])}letter(e,{film:t,lane:n,values:i,color:o}){let a=this.abscissa(t),r=this.range[0]+(n?.84:.7)*(this.range[1]-this.range[0]),l=a.findIndex(h=>h>=r);if(l<0||!Number.
+isFinite(i[l]))return;let[c,u]=[this.x(a[l]),_(this.y(i[l])-8,z+10,z+this.box.height-4)];e.font=`700 12px ${this.look.font}`,e.textAlign="center",e.lineWidth=4,
+e.strokeStyle=this.look.panel,e.strokeText("AB"[n],c,u),e.fillStyle=o??this.look.ink,e.fillText("AB"[n],c,u)}legend(e,t){let n=e.map(i=>i.name+i.color+i.dash).join()+
+t;this.named!==n&&(this.named=n,this.values=e.map(()=>m("span",{class:"value"})),this.keys.replaceChildren(...e.map((i,o)=>m("span",{class:"plot-key"},Ps(i.color,
+i.dash),i.name," ",this.values[o]))))}describe(e){let t=e.slice(0,6).map(({name:i,values:o,lane:a})=>{let[r,l]=[1/0,-1/0];for(let h of o)h<r&&(r=h),h>l&&(l=h);let c=this.
+films.length>1?`${"AB"[a]}: `:"",u={name:v(i),low:S(r,3),high:S(l,3)};return l>=r?`${c}${v("{name} from {low} to {high}",u)}`:""}),n=v("Diagram: {title} in {uni\
+t}.",{title:v(this.title),unit:v(this.unit)});this.body.setAttribute("aria-label",`${n} ${t.filter(Boolean).join("; ")}.`)}cursor(e){if(!this.heights)return;let{
+context:t,width:n,height:i}=V(this.over);if(t.clearRect(0,0,n,i),this.films.forEach((o,a)=>{let r=o.holding(e),l=r.at(e),c=r.index(l.t),u=Math.min(c+1,r.length-
+1),h=r.t[u]>r.t[c]?(l.t-r.t[c])/(r.t[u]-r.t[c]):0,d=this.abscissa(r),p=this.x(d[c]+h*(d[u]-d[c])),g=p>=I-1&&p<=I+this.box.width+1;g&&(t.strokeStyle=this.look.soft,
+t.lineWidth=1,t.beginPath(),t.moveTo(p,z),t.lineTo(p,z+this.box.height),t.stroke()),this.shades(r,a).forEach((f,b)=>{let w=f.values[u],y=Number.isFinite(w)?f.values[c]+
+h*(w-f.values[c]):f.values[c];a===this.active&&this.values?.[b]&&(this.values[b].textContent=S(y,3));let k=this.y(y);!g||!(k>=z-1&&k<=z+this.box.height+1)||(t.fillStyle=
 f.color??this.look.ink,t.beginPath(),t.arc(p,k,3.2,0,2*Math.PI),t.fill())})}),this.picked){let[o,a]=this.picked;t.fillStyle=bt("#0072B2",.2),t.fillRect(Math.min(
-o,a),z,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_((e.clientX-t.left-q)/this.box.width,0,1);return this.range[0]+n*(this.
+o,a),z,Math.abs(a-o),this.box.height)}}valueAt(e){let t=this.body.getBoundingClientRect(),n=_((e.clientX-t.left-I)/(t.width-I-Se),0,1);return this.range[0]+n*(this.
 range[1]-this.range[0])}press(e){if(!this.films)return;let t=this.body.getBoundingClientRect(),n=e.clientX-t.left,i=this.valueAt(e),o=this.pinched(),a=r=>{if(o||=
 this.pinched(),o)return;let l=r.clientX-t.left;this.picked=e.pointerType==="mouse"&&Math.abs(l-n)>5?[n,l]:null,e.pointerType!=="mouse"&&this.seek(this.valueAt(r)),
 this.cursor(this.shared.clock.time)};J(this.body,e,a,(r,l)=>{let c=this.valueAt(r),{picked:u}=this;this.picked=null,u&&l?this.zoomTo(i<c?[i,c]:[c,i]):u?this.cursor(
@@ -2303,8 +2303,8 @@ null,this.redraw()}},Bn(({name:i})=>`over ${i}`)),this.back=m("button",{type:"bu
 m("span",{class:"hint"}),this.element=m("div",{class:"plots"},m("div",{class:"plots-head"},this.axis,this.back,this.hint),this.plots.map(i=>i.element))}draw(e,t,n){
 this.films=e,this.active=t,this.look=n;let i=matchMedia("(hover: none)").matches?"slide to go there, two fingers zoom":`click to go there, drag to zoom; ${rt("")}`,
 o=e.length>1;P(this.hint,o?`A blue, B ochre; the dashes tell the quantities; numbers of ${"AB"[t]}; ${i}`:i),this.redraw()}redraw(){if(this.films?.length){this.
-back.hidden=!this.shared.range;for(let e of this.visible())e.draw(this.films,this.active,this.look,this.colors);this.cursor(this.shared.clock.time)}}visible(){return this.
-plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Na=Sl(Da(),1);var vc=3840;async function Ia(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(vc/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
+back.hidden=!this.shared.range;for(let e of this.plots)e.take(this.films,this.active,this.look);for(let e of this.visible())e.draw(this.colors);this.cursor(this.
+shared.clock.time)}}visible(){return this.plots.filter(e=>this.seen.get(e.element))}cursor(e){for(let t of this.visible())t.cursor(e)}};var Na=Sl(Da(),1);var vc=3840;async function Ia(s){let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=Math.max(vc/e,globalThis.devicePixelRatio||1),i=m("canvas",{width:Math.
 round(e*n),height:Math.round(t*n)}),o=ge(i);return o.setTransform(n,0,0,n,0,0),Gn(o,s,e,t),s.stage.options.three?(o.drawImage(s.stage.sharp(s,n),0,0,e,t),s.drawStage()):
 Ca(o,s,e,t),Hn(o,s,t),new Promise((a,r)=>i.toBlob(l=>l?a(l):r(new Error("The picture is too large for this browser."))))}function qa(s){if(s.stage.options.three)
 throw new Error("A picture in space has no lines to keep: take the PNG, or leave 3D.");let{width:e,height:t}=s.stage.canvas().getBoundingClientRect(),n=new Na.Context(
@@ -2515,7 +2515,7 @@ m("div",{class:"stage",role:"img","aria-label":"The hoop",tabindex:"0"},this.pla
 speed,this.order.hidden=!(a.three&&e.length>1),this.fastest.textContent=`≥ ${S(Math.max(...e.map(r=>r.extent.speed)),2)} m/s`,a.three?(this.deep??=new Fs(this.
 space,this.onview),this.deep.draw(e,n.time,a,i,o,n.playing)):this.flat.draw(e,n.time,a,i,o),this.read(e,t,n.time)}sharp(e,t){let{look:n,inks:i}=e.theme;return this.
 deep?.draw(e.films(),e.clock.time,this.options,n,i,!1,t),this.space}read(e,t,n){let i=e[t],o=i.at(n),a=[e.length>1?"AB"[t]:"",v(this.colors.mode_names[o.mode]),
-fe(`${o.t.toFixed(3)} s`),G(o.angle),j(S(o.vx,3),"m/s"),j(S(o.omega*i.radius,3),"m/s"),o.height>0?Re(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
+fe(`${o.t.toFixed(3)} s`),G(o.angle),j(S(o.vx,3),"m/s"),j(S(o.omega*i.radius,3),"m/s"),o.height>0?ze(o.height):"0"];for(let[c,u]of a.entries()){let{value:h}=this.
 outputs[c];h.textContent!==u&&(h.textContent=u)}let[r,l]=this.outputs;r.value.hidden=r.name.hidden=e.length<2,l.value.style.setProperty("--mode",this.colors.modes[o.
 mode])}describe(e){let t=e.map(n=>n.summary).join(" ");this.element.setAttribute("aria-label",`${v("The hoop.")} ${t}`)}turn(e){let t=()=>{this.plane.hidden=this.
 options.three,this.space.hidden=!this.options.three};this.options.three=!this.options.three,t();try{e()}catch(n){throw this.options.three=!1,t(),n}}view(){let{options:e,
@@ -2637,8 +2637,8 @@ Cc}call(e,...t){let n=this.exports[e](...t);if(n)throw new Error(`The kernel end
 room("table",8*n*this.mostEvents),o=t.room("heads",8*x.heads.length);e.contact?this.computeCompliant(e,e.contact,i,o):this.computeRigid(e,i,o);let a=t.floats(o,
 x.heads.length).slice(),r=a[be.events];if(a[be.status]===Wc)this.makeRoom(e,a[be.segments]);else if(r===this.mostEvents&&r<e.max_events)this.mostEvents*=4;else{
 let l=t.floats(i,r*n).slice();return{given:e,head:a,rows:l,count:r,duration:a[be.duration],segments:a[be.segments]}}}}computeRigid(e,t,n){let{memory:i}=this,o=i.
-put("cell",Pe(e)),a=i.room("events",x.event_bytes*this.mostEvents),r=i.room("segments",x.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,
-r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",Pe(e)),r=o.put("contact",An(t)),l=o.room("events",x.event_bytes*this.mostEvents),
+put("cell",Le(e)),a=i.room("events",x.event_bytes*this.mostEvents),r=i.room("segments",x.segment_bytes*this.mostSegments);this.call("motion",o,a,this.mostEvents,
+r,this.mostSegments,t,n)}computeCompliant(e,t,n,i){let{memory:o}=this,a=o.put("cell",Le(e)),r=o.put("contact",An(t)),l=o.room("events",x.event_bytes*this.mostEvents),
 c=o.room("rows",x.compliant_segment_bytes*this.mostRows);this.call("compliant_motion",a,r,l,this.mostEvents,jc,c,this.mostRows,n,i)}makeRoom(e,t){e.contact?this.
 mostRows=t:this.mostSegments*=4}motion(e){return nr(this.compute(e))}film(e){let t=this.compute(e);return{motion:nr(t),columns:ei(this,t)}}columns(e,t){return ei(
 this,this.compute(e),t)}samples(e,t){let n=this.states(this.compute(e),t,!1),i=x.samples.length;return Object.fromEntries(x.samples.map((o,a)=>[o,Float64Array.from(
@@ -2649,12 +2649,12 @@ o),c];return n.given.contact?this.call("compliant_samples",u,a.room("contact",8)
 let{memory:n}=this,i=this.compute(e),o=n.put("rates",t),a=this.side(i,o,1),{reason:r,sided:l}=a,c=l||r==="border"||r==="contact"?this.side(i,o,-1):a;return{count:i.
 count,larger:a,smaller:c}}side({count:e,segments:t,head:n},i,o){let{memory:a}=this,r=e*x.changes.length,l=a.room("changes",8*r),c=a.room("why",16),[u,h,d]=["cel\
 l","events","segments"].map(b=>a.room(b,8)),p=n[be.doubt_from];this.call("changes",u,i,1,o,h,e,d,t,p,l,c);let[g,f]=a.floats(c,2);return{rates:a.floats(l,r).slice(),
-reason:x.reasons[Math.max(g,0)],sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",Pe(e)),i=t.room("answers",8*x.thresholds.length),o=e.rolling&&
+reason:x.reasons[Math.max(g,0)],sided:g<0,failed:f}}thresholds(e){let{memory:t}=this,n=t.put("cell",Le(e)),i=t.room("answers",8*x.thresholds.length),o=e.rolling&&
 e.angle===0;this.call("thresholds",n,o?e.vx:Number.NaN,i);let a=t.floats(i,x.thresholds.length),r=c=>{let u=a[x.thresholds.indexOf(c)];return Number.isNaN(u)?null:
 u},l=["jam_angle","jam_angle_2","jam_angle_3","jam_angle_4"].map(r);return{first_slip_speed:r("first_slip_speed"),first_hop_speed:r("first_hop_speed"),immediate_hop_speed:r(
 "immediate_hop_speed"),needed_friction:r("needed_friction"),painleve_friction:r("painleve_friction"),painleve_angle:r("painleve_angle"),jam_angles:l.filter(c=>c!==
 null),stable_angle:r("stable_angle"),massless_loss_angle:r("massless_loss_angle"),massless_loss_by_friction:r("massless_loss_by_friction")===1}}regions(e,[t,n,i,
-o],a,r){let{memory:l}=this,c=l.put("cell",Pe(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;
+o],a,r){let{memory:l}=this,c=l.put("cell",Le(e)),u=l.room("modes",a*r),h=l.room("sides",a);this.call("regions",c,t,n,i,o,a,r,u,h);let{buffer:d}=this.exports.memory;
 return{modes:new Uint8Array(d,u,a*r).slice(),paradox:Float32Array.from(new Int8Array(d,h,a))}}map({count:e,rows:t},n,i){let{memory:o}=this,a=o.put("cells",t),r=o.
 room("numbers",8*e*x.numbers.length),l=o.room("words",4*e*x.words.length),c=o.room("keys",8*e*x.keys),{angle:u,stop:h,timed:d}=x.spans[i],p=x.wanted[n];this.call(
 "map_cells",a,e,u??Number.NaN,h,d,p,r,l,c);let{buffer:g}=this.exports.memory;if(n==="sequence")return sr(new BigUint64Array(g,c,e*x.keys),e);let f=new Float64Array(
@@ -2663,7 +2663,7 @@ e;w++)f[w]=b[w*x.numbers.length+Po[n]]}return{values:f}}ideal(e){let t=this.memo
 memory.floats(t,1)[0]}resistance(e,t){let n=this.memory.room("answers",8*x.thresholds.length);return this.call("resistance_limit",e,t,n),this.memory.floats(n,1)[0]}combine(e,t){
 let{memory:n}=this,i=n.put("parts",t.flatMap(Bc)),o=n.room("answers",8*x.thresholds.length),a=n.room("reaches",8*t.length);this.call("hoop_of_parts",e,i,t.length,
 o,a);let[r,l,c]=n.floats(o,3);return{mass:r,eccentricity:l,inertia_ratio:c,reaches:[...n.floats(a,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
-"The contact is rigid.");let n=t.put("cell",Pe(e)),i=t.put("contact",An(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.
+"The contact is rigid.");let n=t.put("cell",Le(e)),i=t.put("contact",An(e.contact)),o=t.room("answers",8*x.thresholds.length);this.call("compliance",n,i,o);let a=t.
 floats(o,x.chosen.length),r=l=>a[x.chosen.indexOf(l)];return{stiffness:r("stiffness"),tangential_stiffness:r("tangential_stiffness"),slip_speed:r("slip_speed"),
 depth:r("depth"),automatic:{stiffness:r("stiffness_si"),slip_speed:r("slip_speed_si")}}}};function Bc(s){let e=s.shape==="rod"?`${s.direction}_rod`:s.shape,t=x.
 shapes.indexOf(e);return s.shape==="ring"?[t,s.mass,s.inner_radius,s.outer_radius,0]:s.shape==="disk"?[t,s.mass,s.radius,0,s.at]:s.shape==="rod"?[t,s.mass,s.length,
@@ -2704,13 +2704,13 @@ t.length;if(2*Math.min(a.length,t.length)/r<.6)continue;let l=2*ii(a,t)/r;l>=.6&
 i,o+1))}function pr(s,e){let t=s.padEnd(e,"0");return`${t.slice(0,e)}.${t.slice(e)||"0"}`}var oi=s=>`${s<0?"-":"+"}${String(Math.abs(s)).padStart(2,"0")}`;function fr(s,e){
 let[t,n]=s.toExponential(e-1).split("e"),i=t.replace(".",""),o=s.toExponential(100).split("e")[0].replace(".","");return o[e]==="5"&&/^0*$/.test(o.slice(e+1))&&
 Number(o[e-1])%2===0?[o.slice(0,e),Number(s.toExponential(100).split("e")[1])]:[i,Number(n)]}function ai(s){return Number.isNaN(s)?"nan":s>0?"inf":"-inf"}var Nt=s=>s<
-0||Object.is(s,-0)?"-":"";function Se(s,e=6){if(!Number.isFinite(s))return ai(s);let t=Nt(s);if(s===0)return`${t}0`;let[n,i]=fr(Math.abs(s),e),o=n.replace(/0+$/,
+0||Object.is(s,-0)?"-":"";function Ee(s,e=6){if(!Number.isFinite(s))return ai(s);let t=Nt(s);if(s===0)return`${t}0`;let[n,i]=fr(Math.abs(s),e),o=n.replace(/0+$/,
 "")||"0";if(i<-4||i>=e)return`${t}${o[0]}${o.length>1?`.${o.slice(1)}`:""}e${oi(i)}`;if(i<0)return`${t}0.${"0".repeat(-i-1)}${o}`;let[a,r]=pr(n,i+1).split("."),
 l=r.replace(/0+$/,"");return`${t}${a}${l&&`.${l}`}`}function su(s,e){if(!Number.isFinite(s))return ai(s);let[t,n]=s===0?["0".repeat(e+1),0]:fr(Math.abs(s),e+1),
 i=t.slice(1);return`${Nt(s)}${t[0]}${i&&`.${i}`}e${oi(n)}`}function ri(s,e){if(!Number.isFinite(s))return ai(s);let t=Math.abs(s);if(t>=1e21)return`${Nt(s)}${BigInt(
 t)}${e?`.${"0".repeat(e)}`:""}`;let n=t.toFixed(e),i=t.toFixed(100),o=i.slice(i.indexOf(".")+1+e),a=i.slice(0,i.indexOf(".")+(e?1+e:0));return/^50*$/.test(o)&&Number(
 a.at(-1))%2===0?Nt(s)+a:Nt(s)+n}function W(s,e){return s.replace(/\{(\w+)(!r)?(?::\.?(\d*)([gef]))?\}/g,(t,n,i,o,a)=>{let r=e[n];return r instanceof Ue?r.text:i?
-ce(r):a==="g"?Se(r,o===""?6:Number(o)||1):a==="e"?su(r,Number(o)):a==="f"?ri(r,Number(o)):String(r)})}function ce(s,e=!0){return s==null?"None":s===!0?"True":s===
+ce(r):a==="g"?Ee(r,o===""?6:Number(o)||1):a==="e"?su(r,Number(o)):a==="f"?ri(r,Number(o)):String(r)})}function ce(s,e=!0){return s==null?"None":s===!0?"True":s===
 !1?"False":typeof s=="number"?e?Ve(s):gr(s):typeof s=="string"?dr(s):Array.isArray(s)?`[${s.map(n=>ce(n,e)).join(", ")}]`:`{${Object.entries(s).map(([n,i])=>`${dr(
 n)}: ${ce(i,e)}`).join(", ")}}`}function gr(s){let e=Object.is(s,-0)?"0":String(s);return/^-?\d+$/.test(e)?e:Ve(s)}function It(s){return typeof s=="number"?gr(s):
 typeof s=="string"?JSON.stringify(s).replace(/[\u007f-\uffff]/g,e=>`\\u${Js(e.charCodeAt(0),4)}`):Array.isArray(s)?`[${s.map(It).join(", ")}]`:s&&typeof s=="obj\
@@ -2751,18 +2751,18 @@ configurable:!0,writable:!0})}function hu(s,e,t){let{mass:n,eccentricity:i,inert
 eccentricity:i,inertia_ratio:o};if(e==="hoop.load_fraction")return{mass:n};if(e==="plane.mu_static"||e==="plane.mu_kinetic"){let a=r=>r===1/0?"inf":r;return{mu_static:a(
 s.mu_static),mu_kinetic:a(s.mu_kinetic)}}if(e.startsWith("start.")&&e!=="start.speed"){let{height:a,vx:r,vy:l,omega:c}=qe(s,t().radius);return{height:a,vx:r,vy:l,
 omega:c}}return{}}function cu(s,e,t,n){let i=s,o=e.pop(),a=l=>new L(N("not_there",{path:n,step:l})),r=l=>Array.isArray(i)&&/^\d+$/.test(l)&&Number(l)<i.length;for(let l of e)
-if(r(l))i=i[Number(l)];else if(ue(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(ue(i))ui(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:uu,limits:se}=T,{allowed:du,events:mu,flight_turns:pu,quantities:fu}=T.map,gu=1e-300,I=(s,e={})=>W(uu[s],e),fi=s=>I("doubt",{time:Se(s,4)});function Ee(s){
-let{duration:e,hoop:t,contact:n}=s;if(e>se.duration)throw new X(I("too_long",{duration:e,most:se.duration}));let i=t.parts?.length??0;if(i>se.parts)throw new X(
-I("too_many_parts",{parts:i,most:se.parts}));let o=Dr(Lr(s));if(o>se.turns)throw new X(I("too_many_turns",{duration:e,turns:o,most:se.turns}));if(n.model==="com\
-pliant"){let a=bu(s,o);if(a>se.steps)throw new X(I("too_stiff",{steps:a,most:se.steps}))}return n.max_events<=se.events?s:{...s,contact:{...n,max_events:se.events}}}
+if(r(l))i=i[Number(l)];else if(ue(i)&&Object.hasOwn(i,l))i=i[l];else throw a(l);if(ue(i))ui(i,o,t);else if(r(o))i[Number(o)]=t;else throw a(o)}var{lab:uu,limits:se}=T,{allowed:du,events:mu,flight_turns:pu,quantities:fu}=T.map,gu=1e-300,q=(s,e={})=>W(uu[s],e),fi=s=>q("doubt",{time:Ee(s,4)});function Te(s){
+let{duration:e,hoop:t,contact:n}=s;if(e>se.duration)throw new X(q("too_long",{duration:e,most:se.duration}));let i=t.parts?.length??0;if(i>se.parts)throw new X(
+q("too_many_parts",{parts:i,most:se.parts}));let o=Dr(Lr(s));if(o>se.turns)throw new X(q("too_many_turns",{duration:e,turns:o,most:se.turns}));if(n.model==="com\
+pliant"){let a=bu(s,o);if(a>se.steps)throw new X(q("too_stiff",{steps:a,most:se.steps}))}return n.max_events<=se.events?s:{...s,contact:{...n,max_events:se.events}}}
 function Lr({duration:s,hoop:{radius:e},plane:{gravity:t,slope:n},start:i}){let{height:o,vx:a,vy:r,omega:l}=qe(i,e);return{duration:s,radius:e,gravity:t,slope:n,
 height:o,vx:a,vy:r,omega:l}}function Dr({duration:s,radius:e,gravity:t,slope:n,height:i,vx:o,vy:a,omega:r}){return(2*(Math.abs(o)+Math.abs(a)+e*Math.abs(r)+2*Math.
 sqrt(t*(e+i)))+.5*t*Math.abs(Math.sin(n))*s)*s/(2*Math.PI*e)}function bu({duration:s,hoop:{radius:e,mass:t},plane:{gravity:n},contact:{stiffness:i}},o){let r=10/
-Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function gi(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new L(I("rigid_maps"));
-let{contact:i,...o}=Ee(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,mu)}};wu(a,e,t,fu[n].span);let r=jt([t.path,e.path]);if(r)throw new L(I("two_ax\
+Math.sqrt(e/(n>0?n:1))+(i===null?0:Math.sqrt(i/t));return 10*s*r+40*o}function gi(s,{x:e,y:t,what:n}){if(s.contact.model!=="rigid")throw new L(q("rigid_maps"));
+let{contact:i,...o}=Te(s),a={...o,contact:{...i,max_events:Math.min(i.max_events,mu)}};wu(a,e,t,fu[n].span);let r=jt([t.path,e.path]);if(r)throw new L(q("two_ax\
 es",{one:r[0],other:r[1]}));return a}function wu(s,e,t,n){let i=Lr(s),o=n==="first_revolution",a=Wt(e).filter(h=>Pr(e.path,h)),r=Wt(t).filter(h=>Pr(t.path,h)),[
 l,c]=[0,0];for(let h of r)for(let d of a){let p=zr(zr(i,t.path,h),e.path,d),f=o?1+Math.min(p.vx**2/(10*i.gravity*i.radius+gu),pu):Dr(p);l+=f,c=Math.max(c,f)}if(!o&&
-c>se.turns)throw new X(I("cell_turns",{turns:c,most:se.turns}));if(l<=se.map_turns)return;let u=a.length*r.length;throw new X(I("map_turns",{cells:u,turns:l,most:se.
+c>se.turns)throw new X(q("cell_turns",{turns:c,most:se.turns}));if(l<=se.map_turns)return;let u=a.length*r.length;throw new X(q("map_turns",{cells:u,turns:l,most:se.
 map_turns}))}function zr(s,e,t){if(e==="start.speed")return{...s,vx:t,vy:0,omega:0};let n=e.slice(e.lastIndexOf(".")+1);return n in s&&n!=="height"?{...s,[n]:t}:
 s}var Wt=({from:s,to:e,cells:t})=>Array.from({length:t},(n,i)=>s+(i+.5)*((e-s)/t));function Pr(s,e){let t=du[s.startsWith("plane.mu")?"plane.mu":s];return!t||Ce(
 t,e)}var{scenario:mt}=T,yu=["load_fraction","eccentricity","inertia_ratio"],Nr=["mu_static","mu_kinetic"],vu=["height","vx","vy","omega"],Je=class extends Error{};function $(s,e){
@@ -2790,23 +2790,23 @@ i)),t=new Set(e);for(let n of s.keys())if(!t.has(n))throw new L(N("parts_out_of_
 s)?s.map(bi):s instanceof Map?Object.fromEntries([...s].map(([e,t])=>[e,bi(t)])):s}function Fr(s){return Br(s,"").map(([e,t])=>`${e}=${Eu(e,t)}`).join("&")}function Br(s,e){
 return s===null||typeof s!="object"?[[e,s]]:Object.entries(s).flatMap(([t,n])=>Br(n,e?`${e}.${t}`:t))}function Eu(s,e){return Xs(s,e).replace("e+","e").replace(
 /\.0$/,"")}function Xs(s,e){return typeof e=="string"?e:Tu.has(s.slice(s.lastIndexOf(".")+1))?String(e):Ve(e)}var Tu=new Set(Object.values(T.scenario.models).flatMap(
-({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Te}=T,Mu={rigid:"Rigid",compliant:"Compliant"};function wi(s,e,t=Oe()){let n=yi(s,e,t);if(!n)throw new L(Ct(t.said));return n}function yi(s,e,t){let{
-fields:n,place:i}=Te.models.Scenario;if(!ue(s))return F(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
-Ot(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Te.default[r];return[r,vi(r,l,e,t)]}));return t.said.
+({fields:s})=>Object.keys(s).filter(e=>s[e].kind==="whole")));var{scenario:Me}=T,Mu={rigid:"Rigid",compliant:"Compliant"};function wi(s,e,t=Oe()){let n=yi(s,e,t);if(!n)throw new L(Ct(t.said));return n}function yi(s,e,t){let{
+fields:n,place:i}=Me.models.Scenario;if(!ue(s))return F(t,"",s,"table"),null;let o=Object.keys(s).find(r=>!Object.hasOwn(n,r));if(o!==void 0)return t.said.push(
+Ot(i,o,Object.keys(n))),null;let a=Object.fromEntries(Object.keys(n).map(r=>{let l=Object.hasOwn(s,r)?s[r]:Me.default[r];return[r,vi(r,l,e,t)]}));return t.said.
 length?null:Gr(t,()=>ki(a,e))}function vi(s,e,t,n){if(s==="hoop")return en("Hoop",e,s,n,o=>Ir(o,t));if(s==="plane")return en("Plane",e,s,n,qr);if(s==="start")return en(
-"Start",e,s,n,Or);if(s!=="contact")return li(Te.models.Scenario.fields[s],e,s,n);let i=hi(e,"model",Mu,s,n,"rigid");return i&&en(i,e,s,n,Cr)}function ki(s,e){return jr(
+"Start",e,s,n,Or);if(s!=="contact")return li(Me.models.Scenario.fields[s],e,s,n);let i=hi(e,"model",Mu,s,n,"rigid");return i&&en(i,e,s,n,Cr)}function ki(s,e){return jr(
 s,e,K),s}function en(s,e,t,n,i){let o=qt(s,e,t,n);return o&&Gr(n,()=>i(o))}function Gr(s,e){try{return e()}catch(t){if(!(t instanceof Je))throw t;return s.said.
-push(t.message),null}}function _i(s,e){return wi(Wr(s),e,Oe(()=>!0))}function tn(s,e,t){let n=pi(s,Me(s),e,(i,o,a)=>Hr(i,o,t,a));return wi(n,t,Oe(mi([...e.keys()])))}
-function sn(s,e,t){let n=Oe();try{let i=pi(s,Me(s),e,(r,l,c)=>Hr(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vi(r,i[r],t,n)]);return n.
+push(t.message),null}}function _i(s,e){return wi(Wr(s),e,Oe(()=>!0))}function tn(s,e,t){let n=pi(s,Ae(s),e,(i,o,a)=>Hr(i,o,t,a));return wi(n,t,Oe(mi([...e.keys()])))}
+function sn(s,e,t){let n=Oe();try{let i=pi(s,Ae(s),e,(r,l,c)=>Hr(r,l,t,c)),a=[...new Set([...e.keys()].map(r=>r.split(".")[0]))].map(r=>[r,vi(r,i[r],t,n)]);return n.
 said.length?null:Object.fromEntries(a)}catch(i){if(i instanceof L)return null;throw i}}function Hr(s,e,t,n){let i=Oe(n),o=vi(s,e,t,i);if(i.said.length)throw new L(
-Ct(i.said));return o}var Au=s=>s===1/0?"inf":s,Ft=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,Au(s[t])])),xi=s=>Object.keys(Te.models[s].fields);
-function Me({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:Ru(e),plane:zu(t),start:Pu(n),contact:Ft(i,xi(i.model==="rigid"?"Rigid":"Compl\
-iant"))}}function Ru(s){if(s.parts){let t=s.parts.map(n=>Ft(n,xi(Te.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
+Ct(i.said));return o}var Au=s=>s===1/0?"inf":s,Ft=(s,e)=>Object.fromEntries(e.filter(t=>s[t]!==null).map(t=>[t,Au(s[t])])),xi=s=>Object.keys(Me.models[s].fields);
+function Ae({duration:s,hoop:e,plane:t,start:n,contact:i}){return{duration:s,hoop:Ru(e),plane:zu(t),start:Pu(n),contact:Ft(i,xi(i.model==="rigid"?"Rigid":"Compl\
+iant"))}}function Ru(s){if(s.parts){let t=s.parts.map(n=>Ft(n,xi(Me.parts[n.shape])));return{radius:s.radius,parts:t}}let e=s.load_fraction===null?["eccentricit\
 y","inertia_ratio"]:["load_fraction"];return Ft(s,["radius","mass",...e])}function zu(s){let e=s.apart?["mu"]:["mu_static","mu_kinetic"];return s.rolling_resistance===
 0&&e.push("rolling_resistance"),Ft(s,xi("Plane").filter(t=>!e.includes(t)))}function Pu(s){return Ft(s,s.speed===null?["x","height","angle","vx","vy","omega"]:[
-"x","angle","speed"])}function Si(s,e){let{Hoop:t,Start:n}=Te.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
-default,load_fraction:a.default}}return s==="plane"?Te.default.plane:s==="start"?{...$r(n),speed:void 0}:$r(Te.models[e==="compliant"?"Compliant":"Rigid"])}var $r=({
-fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function $t(s){let e={};for(let[t,n]of Object.entries(Me(s))){let i=Te.default[t];
+"x","angle","speed"])}function Si(s,e){let{Hoop:t,Start:n}=Me.models;if(s==="hoop"){let{radius:i,mass:o,eccentricity:a}=t.fields;return{radius:i.default,mass:o.
+default,load_fraction:a.default}}return s==="plane"?Me.default.plane:s==="start"?{...$r(n),speed:void 0}:$r(Me.models[e==="compliant"?"Compliant":"Rigid"])}var $r=({
+fields:s})=>Object.fromEntries(Object.entries(s).map(([e,t])=>[e,t.default??void 0]));function $t(s){let e={};for(let[t,n]of Object.entries(Ae(s))){let i=Me.default[t];
 if(Bt(n,i))continue;if(!ue(n)){e[t]=n;continue}let o=Si(t,n.model),a=Object.entries(n).filter(([r,l])=>r==="model"||!Bt(o[r],l));e[t]=a.length?Object.fromEntries(
 a):n}return Fr(e)}function Bt(s,e){if(s===e)return!0;if(s===null||e===null||typeof s!="object"||typeof e!="object")return!1;let t=Object.keys(s);return t.length===
 Object.keys(e).length&&t.every(n=>Bt(s[n],e[n]))}var Lu=8,{cell:Ei,laws:Du,quantities:Kr}=T.map;async function Ti(s,{x:e,y:t},n,i){let o=Wt(e),a=Wt(t),r=Nu(s,e.path,t.path)?Iu(s,{x:e,y:t},[o,a],n):(d,p)=>{let g=new Map(
@@ -2821,11 +2821,11 @@ l.map(u=>({name:u,text:cr(u,t),color:hr(u,t)})):null;return{header:{x:s,y:e,what
 if(!t)return{values:s,names:[]};let n=e?[...e].sort((a,r)=>a.length-r.length||(a<r?-1:a>r?1:0)):t,i=e?.map(a=>n.indexOf(a));return{values:Float64Array.from(s,a=>a>=
 0?i?.[a]??a:Number.NaN),names:n}}var{scenario:on}=T,ju=30;function Ur(s,e){for(let t of on.sections[s]??["Scenario"]){let n=on.models[t].fields[e];if(n)return n.unit}return""}function Zr(s,e){return e===
 "inf"?"inf":typeof e=="string"?JSON.stringify(e):Xs(s,e)}function Vr(s,e,t){let n=`${s} = ${Zr(s,e)}`;return t===""||t==="1"?n:`${n.padEnd(ju)} # ${t}`}function an(s){
-let{duration:e,...t}=Me(s),n=[Vr("duration",e,Ur("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
+let{duration:e,...t}=Ae(s),n=[Vr("duration",e,Ur("","duration"))];for(let[i,o]of Object.entries(t)){n.push("",`[${i}]`);for(let[a,r]of Object.entries(o))if(!Array.
 isArray(r))n.push(Vr(a,r,Ur(i,a)));else{n.push(`${a} = [`);for(let l of r){let c=Object.entries(l).map(([u,h])=>`${u} = ${Zr(u,h)}`);n.push(`  { ${c.join(", ")}\
  },`)}n.push("]")}}return`${n.join(`
 `)}
-`}var Wu={hoop:"Hoop",plane:"Plane",start:"Start"},Fu=["load_fraction","mu"];function Ri(s){let e=Me(s),t=Bt(e.contact,on.default.contact)?"":`    contact=${nn(
+`}var Wu={hoop:"Hoop",plane:"Plane",start:"Start"},Fu=["load_fraction","mu"];function Ri(s){let e=Ae(s),t=Bt(e.contact,on.default.contact)?"":`    contact=${nn(
 "contact",e.contact)},
 `;return[`import hophoop as hh
 
@@ -2859,8 +2859,8 @@ kane_gain"&&(n.gain=Qe(i.gain)),o==="rest"&&i.stable===!1?"rest_unstable":o)}fun
 height),!(o===e||s[o].kind!=="impact")){for(let a=o+1;a<s.length&&s[a].t<=s[o].t;a++)i=Math.max(i,s[a].height);if(!i)break;return t.top=sl(i),t.time=Qe(s[o].t-n),
 "takeoff_and_landing"}return"takeoff"}function rn(s,e){let t=s.events[e];return ed(t.to,Qr(s.events,e)?s.omega(e):t.omega)}function ed(s,e){return s==="S"?e>0?Pi:
 Jr:s==="K"?e<0?Pi:Jr:Li[Yr.indexOf(s)]}var tl=s=>s.kind==="turn"&&(s.to==="S"||s.to==="K"),Xe=s=>`${ri(s*(180/Math.PI),1)}°`.replaceAll("-","−");function sl(s){
-return s>=.995?`${Qe(s)} m`:s>=.00995?`${Qe(s*100)} cm`:`${Qe(s*1e3)} mm`}function Qe(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Se(s,3).split("e"),n=t===
-void 0?"":`·10${td(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var td=s=>[...String(s)].map(e=>e==="-"?"⁻":Zu[Number(e)]).join("");var nl=2e3,sd=s=>s===1/0?"inf":s;function ln(s,{status:e,sequence:t,events:n,final:i,energy:o}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:Me(
+return s>=.995?`${Qe(s)} m`:s>=.00995?`${Qe(s*100)} cm`:`${Qe(s*1e3)} mm`}function Qe(s){if(s===null||Number.isNaN(s))return"?";let[e,t]=Ee(s,3).split("e"),n=t===
+void 0?"":`·10${td(Number(t))}`;return`${e}${n}`.replaceAll("-","−")}var td=s=>[...String(s)].map(e=>e==="-"?"⁻":Zu[Number(e)]).join("");var nl=2e3,sd=s=>s===1/0?"inf":s;function ln(s,{status:e,sequence:t,events:n,final:i,energy:o}){let{schema:a,setup:r}=T;return{schema:a,version:r.version,scenario:Ae(
 s),status:e,sequence:t,events:n,final:i,energy:o}}function Ci(s,e,t,n){let i={events:e.events,status:e.status,omega:t};return{...ln(s,e),events:e.events.slice(0,
 nl),query:$t(s),duration:e.duration,values:nd(s),automatic:id(s,n),massless:s.hoop.inertia_ratio===0,summary:Oi(i),story:qi(i),ending:T.words.statuses[e.status],
 shortened:e.events.length>nl}}function nd(s){let{speed:e}=s.start,t={...s,start:{...qe(s.start,s.hoop.radius),speed:e}},n=i=>{let[o,a]=i.split(".");return sd(t[o][a])};
@@ -2874,18 +2874,18 @@ mode[l]]:Ve(a[h][l]));r.push([Ve(c),...u].join(","))}return`${r.join(`\r
 uence"}}};function al(s,e){let t=rd[s],n=Object.keys(e).find(i=>!t.includes(i));return n===void 0?null:Ot("",n,t)}function rl(s,e,t){let n={};for(let[i,{read:o,
 usual:a}]of Object.entries(hd[s]??{}))Object.hasOwn(e,i)?n[i]=o(e[i],i,t):a===void 0?t.said.push(N("missing",{path:i})):n[i]=a;return n}function ll(s,e,t,n,i){if(!Array.
 isArray(s)||s.length!==n)return Ze(t,e,s,i);let o=t.said.length;return s.forEach((a,r)=>{typeof a!="number"?F(t,`${e}.${r}`,a,"number"):Number.isFinite(a)||F(t,
-`${e}.${r}`,a,"finite_number")}),t.said.length===o?s:null}function cd(s,e,t){let n=ll(s,e,t,2,I("times"));return n&&!(n[0]>=0&&n[0]<n[1])&&Ze(t,e,s,I("times")),
-n}function ud(s,e,t){let n=ll(s,e,t,4,I("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<ol.widest);return i<o&&a<r&&l||Ze(t,e,s,I("window")),
+`${e}.${r}`,a,"finite_number")}),t.said.length===o?s:null}function cd(s,e,t){let n=ll(s,e,t,2,q("times"));return n&&!(n[0]>=0&&n[0]<n[1])&&Ze(t,e,s,q("times")),
+n}function ud(s,e,t){let n=ll(s,e,t,4,q("window"));if(!n)return null;let[i,o,a,r]=n,l=n.every(c=>Math.abs(c)<ol.widest);return i<o&&a<r&&l||Ze(t,e,s,q("window")),
 n}function il(s,e,t){return qt("Axis",s,e,t,{number_path:dd})?.values??null}function dd(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Ar(s);return n?
-t.said.push(n):Rr(s)||Ze(t,e,s,I("number_path")),s}function md(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Object.keys(ld.quantities);return n.includes(
-s)||Ze(t,e,s,I("one_of",{known:n.join(", ")})),s}var{limits:hn}=T;function cn(s,e,t){let n=al(s,e);if(n)throw new L(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Oe(),l=null;i!==void 0&&!ue(i)?F(r,"scenario",
+t.said.push(n):Rr(s)||Ze(t,e,s,q("number_path")),s}function md(s,e,t){if(typeof s!="string")return F(t,e,s,"word");let n=Object.keys(ld.quantities);return n.includes(
+s)||Ze(t,e,s,q("one_of",{known:n.join(", ")})),s}var{limits:hn}=T;function cn(s,e,t){let n=al(s,e);if(n)throw new L(n);let{scenario:i,query:o=null,changes:a=[]}=e,r=Oe(),l=null;i!==void 0&&!ue(i)?F(r,"scenario",
 i,"table"):i!==void 0&&(l=yi(i,t,{...r,above:"scenario."})),o!==null&&typeof o!="string"&&F(r,"query",o,"word"),Array.isArray(a)?r.said.push(...a.filter(h=>!fd(
 h)).map(gd)):F(r,"changes",a,"list");let c=rl(s,e,r);if(r.said.length)throw new L(Ct(r.said));pd(a.length,c),(o!==null||!l)&&(l=_i(o??"",t));let u=new Map;for(let[
 h,d]of a)jt([...u.keys(),h])&&(l=tn(l,u,t),u=new Map),u.set(h,d);return{...c,checked:u.size?tn(l,u,t):l}}var ft=(s,e)=>cn("film",s,e).checked;function pd(s,{x:e,
-y:t}){if(s>hn.changes)throw new X(I("too_many_changes",{pairs:s,most:hn.changes}));if(!e)return;if(e.path===t.path)throw new L(I("equal_axes",{path:e.path}));let n=e.
-cells*t.cells;if(n>hn.cells)throw new X(I("too_many_cells",{cells:n,most:hn.cells}))}var fd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",gd=s=>I("no\
+y:t}){if(s>hn.changes)throw new X(q("too_many_changes",{pairs:s,most:hn.changes}));if(!e)return;if(e.path===t.path)throw new L(q("equal_axes",{path:e.path}));let n=e.
+cells*t.cells;if(n>hn.cells)throw new X(q("too_many_cells",{cells:n,most:hn.cells}))}var fd=s=>Array.isArray(s)&&s.length===2&&typeof s[0]=="string",gd=s=>q("no\
 t_a_pair",{change:new Ue(It(s).slice(0,60))});var bd=[[-2,1/12],[-1,-2/3],[1,2/3],[2,-1/12]],ul=[[1,4],[2,-3],[3,4/3],[4,-1/4]],wd=ul.map(([s,e])=>[-s,-e]),hl=.001,cl=1e-6;function $i(s,e,t,n){let i=o=>{try{
-return Pe(K(Ee(ft({scenario:s,changes:[[e,o]]},n))))}catch(a){if(a instanceof L||a instanceof X)return null;throw a}};for(let o=hl*Math.max(Math.abs(t),1);o>cl*
+return Le(K(Te(ft({scenario:s,changes:[[e,o]]},n))))}catch(a){if(a instanceof L||a instanceof X)return null;throw a}};for(let o=hl*Math.max(Math.abs(t),1);o>cl*
 hl;o*=.1){let[a,r]=[-1,1].map(l=>i(t+l*cl*o)!==null);for(let l of[bd,ul,wd]){let c=l.map(([u])=>i(t+u*o));if(!c.some(u=>u===null))return{rates:yd(c,l,o,i(t)),smaller:a,
 larger:r}}}return null}function yd(s,e,t,n){return Float64Array.from(s[0],(i,o)=>{let a=n?n[o]:s[0][o];return s.reduce((r,l,c)=>l[o]===a?r:r+e[c][1]*(l[o]-a),0)/
 t})}var{theory:U}=T.words;function Hi({hoop:s,plane:e},t){let n=[],i=(r,l,c,u)=>{l!==null&&n.push({key:r,label:U[r],value:Number.isFinite(l)?l:null,unit:c,text:u(l)})},
@@ -2894,23 +2894,23 @@ U.loss_of_contact;return i("loss",t.massless_loss_angle,"rad",l=>W(r,{where:Xe(l
 any_speed:h}=U;i("first_slip",t.first_slip_speed,"m/s",d=>Gi(d,r,u)),i("first_hop",t.first_hop_speed,"m/s",d=>Gi(d,l,u)),i("immediate_hop",t.immediate_hop_speed,
 "m/s",d=>Gi(d,c,h))}else n.push({key:"uphill",label:U.uphill,value:null,unit:"",text:U.no_threshold});i("needed_friction",t.needed_friction,"1",r=>vd(r,e)),o();
 let a=t.jam_angles.map(Xe).join(", ");return i("jam",t.jam_angles[0]??null,"rad",()=>W(U.jam_at,{places:a})),s.eccentricity>0&&i("rest",t.stable_angle,"rad",r=>W(
-U.rest_at,{where:Xe(r)})),n}function Gi(s,e,t){return s<T.words.least_speed?W(t,{would:e}):Number.isFinite(s)?W(U.above,{would:e,speed:Se(s,4)}):U.no_speed}function vd(s,{
-mu_static:e}){return Number.isFinite(s)?W(s<=e?U.friction_enough:U.friction_short,{mu:Se(s,3)}):U.no_friction}function kd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
-null)return U.never;let n=s<=t?U.paradox_here:U.paradox_not_here;return W(n,{mu:Se(s,3),where:Xe(e)})}var xd=360,Sd=240,Ki={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Ed=["motion.nc","motion.mp4","mo\
+U.rest_at,{where:Xe(r)})),n}function Gi(s,e,t){return s<T.words.least_speed?W(t,{would:e}):Number.isFinite(s)?W(U.above,{would:e,speed:Ee(s,4)}):U.no_speed}function vd(s,{
+mu_static:e}){return Number.isFinite(s)?W(s<=e?U.friction_enough:U.friction_short,{mu:Ee(s,3)}):U.no_friction}function kd(s,{painleve_angle:e},{mu_kinetic:t}){if(e===
+null)return U.never;let n=s<=t?U.paradox_here:U.paradox_not_here;return W(n,{mu:Ee(s,3),where:Xe(e)})}var xd=360,Sd=240,Ki={"motion.toml":"application/toml","motion.csv":"text/csv; charset=utf-8","motion.json":"application/json"},Ed=["motion.nc","motion.mp4","mo\
 tion.gif"],Gt=class{constructor(e,t,{base:n=null,server:i=null}={}){this.kernel=e,this.mechanics=t,this.base=n,this.server=i,this.shares=n!==null,this.files=[...Object.
 keys(Ki),...i?Ed:[]]}async call(e,t,n){if(n?.throwIfAborted(),e==="setup")return{header:T.setup,arrays:{}};let{checked:i,...o}=cn(e,t,this.mechanics);if(e==="fi\
-lm")return this.film(i,n);if(e==="samples"){let a=K(Ee(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
+lm")return this.film(i,n);if(e==="samples"){let a=K(Te(i)),{window:r}=o;return{header:{window:r},arrays:await this.kernel.columns(a,n,r)}}if(e==="code")return{header:{
 python:Ri(i),toml:an(i)},arrays:{}};if(e==="theory"){let a=await this.kernel.thresholds(K(i),n);return{header:{thresholds:Hi(i,a)},arrays:{}}}if(e==="regions"){
 let{window:a}=o,r=K(i),l=await this.kernel.regions(r,a,xd,Sd,n);return{header:{window:a},arrays:l}}if(e==="map")return this.map(i,o,n);throw new TypeError(`The \
-page does not answer ${e}.`)}async film(e,t){let n=K(Ee(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
+page does not answer ${e}.`)}async film(e,t){let n=K(Te(e)),{motion:i,columns:o}=this.kernel.film?await this.kernel.film(n,t):{motion:await this.kernel.motion(n,
 t),columns:await this.kernel.columns(n,t)},{doubt:a}=i;if(a!==null&&this.server)return this.server.call("film",{query:$t(e)},t);let r=await this.turning(n,i,t),
 l=Ci(e,i,r,this.mechanics);return{header:a===null?l:{...l,doubt:fi(a)},arrays:o}}async turning(e,{events:t},n){let i=Ni(t);if(!i.length)return()=>0;let o=Float64Array.
 from(i,r=>Ii(t,r)),{omega:a}=await this.kernel.samples(e,o,n);return r=>a[i.indexOf(r)]}async changes(e,t,n,i){if(!this.kernel.changes)throw new TypeError("This\
- kernel has no derivatives.");let o=K(Ee(ft({scenario:e},this.mechanics)));if(o.contact)throw new L(I("compliant_changes"));let a=$i(e,t,n,this.mechanics);if(!a)
+ kernel has no derivatives.");let o=K(Te(ft({scenario:e},this.mechanics)));if(o.contact)throw new L(q("compliant_changes"));let a=$i(e,t,n,this.mechanics);if(!a)
 return null;let{rates:r,smaller:l,larger:c}=a,u=await this.kernel.changes(o,r,i);return{count:u.count,smaller:l?u.smaller:null,larger:c?u.larger:null}}async map(e,{
 x:t,y:n,what:i},o){let a=Mi(i),r=gi(e,{x:t,y:n,what:i}),l=await Ti(r,{x:t,y:n},this.mechanics,o);return Ai({x:t,y:n,what:i},await this.kernel.map(l,i,a,o))}async file(e,t){
 if(!(e in Ki)){if(this.server)return this.server.file(e,t);throw new L(`${e} needs Python: run hophoop lab.`)}return new Blob([await this.fileText(e,t)],{type:Ki[e]})}async fileText(e,t){
-let n=ft({query:t},this.mechanics);if(e==="motion.toml")return an(n);let i=Ee(n),o=K(i),a=await this.kernel.motion(o);if(e==="motion.json")return Wi(i,a);let r=Fi(
+let n=ft({query:t},this.mechanics);if(e==="motion.toml")return an(n);let i=Te(n),o=K(i),a=await this.kernel.motion(o);if(e==="motion.json")return Wi(i,a);let r=Fi(
 a.duration);return Bi(r,await this.kernel.samples(o,r))}link(e,t){return this.base&&`${new URL(e?`?${e}`:"",this.base)}${t}`}};async function Ui(s,e,t){let n=e&&new _s(e);try{let i=await Dt.load(s);return new Gt(i,i.mechanics,{base:t,server:n})}catch(i){if(n)return n;throw i}}function dl(s){
 navigator.serviceWorker?.register(s).catch(()=>{})}async function ml(s){let e=new xs(s);try{let t=async()=>(await e.call("derivatives",{})).arrays.content,n=await Dt.
 unpack(s.get("module"),s.get("worker"),t);return new Gt(n,n.mechanics,{server:e})}catch{return e}}var Td=new URL("./",import.meta.url);async function Md(s){let e=new URL("./",document.baseURI.split(/[?#]/)[0]),t=document.querySelector("meta[name=hophoop-site\
@@ -2920,4 +2920,4 @@ location.search.slice(1),...a===null?[]:[a]],r)}catch(l){history.replaceState(nu
 e,null,new URL("../",e)),{header:o}=await i.call("setup",{}),a=new ut(s,i,o,{panels:n});return await a.open([t]),a}async function Ad({model:s,el:e}){let t=document.
 createElement("div");e.append(t);let n=await ml(s),i=new ut(t,n,s.get("setup"),{panels:s.get("panels"),onmotion:a=>{s.get("query")!==a&&(s.set("query",a),s.save_changes())}});
 i.motions.set([at(s.get("film"))]),i.begin();let o=()=>i.motions.replace(at(s.get("film")));return s.on("change:film",o),()=>{s.off("change:film",o),n.close?.(),
-i.close()}}var pl=document.getElementById("hophoop-lab");pl&&Md(pl);var ky={render:Ad};export{jl as adopt,Ae as current,ky as default,En as languageMenu,vy as mount,Zt as repeat,v as t,st as untranslated};
+i.close()}}var pl=document.getElementById("hophoop-lab");pl&&Md(pl);var ky={render:Ad};export{jl as adopt,Re as current,ky as default,En as languageMenu,vy as mount,Zt as repeat,v as t,st as untranslated};
