@@ -65,7 +65,7 @@ class Job:
 
     def leave(self) -> None:
         """Let it go on by itself; what it compiles is for the next time."""
-        if self._process is not None and self._process.poll() is None:
+        if self._process is not None and self._process.returncode is None:
             self._process.returncode = 0  # else Python would warn of a process that still runs
 
 
@@ -137,6 +137,7 @@ def _leave() -> None:
 
 def _forget() -> None:
     global _lock
+    _leave()
     _jobs.clear()  # they are the parent's
     _lock = threading.RLock()
 
