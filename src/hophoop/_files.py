@@ -8,9 +8,19 @@ import os
 import shutil
 import sys
 import uuid
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+
+@contextmanager
+def strangers_unsaid() -> Iterator[None]:
+    """Without the warnings of Zarr about what stands in a store and is not its own: a damaged name, a note of the system."""
+    with warnings.catch_warnings():
+        # no more than these: filters are of the whole process, also of its other threads
+        warnings.filterwarnings("ignore", "Object at .* is not recognized as a component of a Zarr hierarchy", UserWarning)
+        yield
 
 
 @contextmanager

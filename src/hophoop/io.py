@@ -14,6 +14,7 @@ import numpy as np
 import hophoop
 from hophoop._checksum import CHECKSUM, checksum, is_broken
 from hophoop._extras import need
+from hophoop._files import strangers_unsaid
 from hophoop.export import SCHEMA, TABLES, format_of, save, to_xarray, write_csv, write_events_csv, write_json
 from hophoop.physics.body import Status
 from hophoop.scenario import InputError, Scenario
@@ -170,7 +171,7 @@ def _read(file: Path, kind: str) -> dict[str, Any]:
     try:
         for name in ("/", *TABLES):
             try:
-                with xr.open_dataset(store, group=name, **options) as dataset:
+                with strangers_unsaid(), xr.open_dataset(store, group=name, **options) as dataset:
                     if name == "/":  # what another schema has further on is not known here
                         _check_schema(file, dataset.attrs.get("schema"))
                     groups[name] = dataset.load()

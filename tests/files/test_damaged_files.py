@@ -76,6 +76,34 @@ def test_a_number_that_was_changed_is_noticed(motion, tmp_path, name, group):
         hh.load(path)
 
 
+def with_a_name_changed(path, old, new):
+    """One bit of a member's name turned, in a folder or in a zip file."""
+    if path.is_dir():
+        (path / old).rename(path / new)
+        (path / new / "zarr.json").unlink()
+    else:
+        path.write_bytes(path.read_bytes().replace(f"{old}/zarr.json".encode(), f"{new}/zarr.json".encode()))
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", FORMATS[1:])
+def test_a_name_that_is_damaged_is_said_in_one_sentence_without_a_warning(motion, tmp_path, name):
+    path = tmp_path / name
+    motion.save(path)
+    with_a_name_changed(path, "events", "evgnts")
+    with pytest.raises(ValueError, match=r" cannot be read as Zarr: No group found in store .* at path 'events'\.$"):
+        hh.load(path)
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_a_file_browser_leaves_in_a_folder_is_not_spoken_of(motion, tmp_path):
+    path = tmp_path / "hop.zarr"
+    motion.save(path)
+    (path / ".DS_Store").write_bytes(b"\0\0\0\1Bud1")
+    (path / "Thumbs.db").write_bytes(b"")
+    assert same(hh.load(path), motion)
+
+
 def without_checksum(path):
     """As hophoop wrote it before there were checksums."""
     unseal(path)

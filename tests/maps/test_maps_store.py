@@ -44,6 +44,13 @@ def test_in_memory_and_in_files_are_identical(whole, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["map.nc"]
 
 
+@pytest.mark.filterwarnings("error")
+def test_what_a_file_browser_leaves_in_a_folder_is_not_spoken_of(whole, tmp_path):
+    shutil.copytree(whole, tmp_path / "map.zarr")
+    (tmp_path / "map.zarr" / "Thumbs.db").write_bytes(b"")
+    assert maps.open_map(tmp_path / "map.zarr").load().identical(maps.open_map(whole).load())
+
+
 def test_every_variable_and_coordinate_says_what_it_is(whole):
     dataset = maps.open_map(whole)
     assert list(dataset) == QUANTITIES

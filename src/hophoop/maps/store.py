@@ -13,7 +13,6 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -24,7 +23,7 @@ from numpy.typing import NDArray
 
 from hophoop._checksum import CHECKSUM, checksum, is_broken
 from hophoop._extras import need
-from hophoop._files import replacing
+from hophoop._files import replacing, strangers_unsaid
 from hophoop.maps.axes import Axis
 from hophoop.maps.evaluate import Plan, Results, run_chunk
 from hophoop.maps.quantities import Quantity, attributes, distinct, encode, table_of
@@ -267,8 +266,7 @@ def finish(path: Path, plan: Plan) -> None:
         left.unlink(missing_ok=True)
     group = need("zarr", "maps").open_group(str(path), mode="r+")
     group.attrs[CHUNKS] = _chunks_of(path, [quantity.name for quantity in plan.quantities])
-    with warnings.catch_warnings(action="ignore"):  # zarr does not know our folder
-        group.attrs[CHECKSUM] = _checksum_of(path)
+    group.attrs[CHECKSUM] = _checksum_of(path)
     gone = path / GONE
     working.rename(gone)
     remove(gone)
@@ -339,7 +337,8 @@ def _opened(place: Path, **options: Any) -> Any:
     xarray = need("xarray", "maps")
     if place.suffix == ".nc":
         return xarray.open_dataset(place, engine="netcdf4", **options)
-    return xarray.open_zarr(str(place), chunks=None, consolidated=False, **options)
+    with strangers_unsaid():
+        return xarray.open_zarr(str(place), chunks=None, consolidated=False, **options)
 
 
 def _checksum_of(place: Path) -> str:
