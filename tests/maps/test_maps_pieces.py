@@ -127,6 +127,17 @@ def test_the_checksum_of_a_map_is_of_what_stands_in_it(tmp_path):
         assert dataset.attrs["checksum"] == told
 
 
+@pytest.mark.parametrize(("name", "value"), [("units", "days since nowhere"), ("missing_value", 9.5)])
+def test_what_others_add_to_an_axis_is_noticed_before_it_is_decoded(tmp_path, name, value):
+    # decoding would stumble over one, and take the other away
+    make(tmp_path / "map.zarr")
+    group = zarr.open_group(tmp_path / "map.zarr", mode="a")
+    axis = next(key for key in group.array_keys() if key not in QUANTITIES)
+    group[axis].attrs[name] = value
+    with pytest.raises(ValueError, match=r"map\.zarr is damaged: its checksum is not that of its content\.$"):
+        maps.open_map(tmp_path / "map.zarr")
+
+
 @pytest.mark.parametrize(
     ("error", "said"), [(RuntimeError("no chunk: \nof many"), "no chunk"), (RuntimeError(), "RuntimeError")]
 )
