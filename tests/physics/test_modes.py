@@ -375,3 +375,25 @@ def test_where_rounding_hides_which_of_roll_and_slip_there_is(monkeypatch):
             assert (found, stiff) == (SPIN if friction > 0.0 else SKID, modes.UNDECIDED)
         seen.add((found, abs(friction) < 1.0))
     assert len(seen) >= 7
+
+
+@pytest.mark.parametrize(("way", "expected"), [(1, SKID), (-1, SPIN)])
+def test_a_small_force_beyond_its_rounding_is_no_tie_where_there_is_hardly_friction(way, expected):
+    """A balanced ring on a slope of 10⁻¹³ rad needs F = 5·10⁻¹⁴ to roll, 25 times the rounding, and has 10⁻²⁰."""
+    body = Body(0.0, 1.0, 1e-20, 1e-20, 1.0, way * 1e-13, 0.0, 2, False, way * 1e-13)
+    assert modes.can_roll(body, 0.3, 0.0) is False
+    assert modes.next_mode(body, 0.3, 0.0, 0.0, 0.0) == expected
+
+
+@pytest.mark.parametrize("side", [5e-14, -5e-14])
+@pytest.mark.parametrize("om", [0.4, -0.4])
+def test_so_near_the_edge_of_the_cone_what_comes_decides(side, om):
+    """With much friction the rounding of F counts too: 5·10⁻¹⁴ of it inside the cone or outside are a tie."""
+    body = Body(0.5, 0.75, 1.0, 1.0, 1.0, 0.0, 0.0, 2, False, 0.0)
+    th = 0.6
+    _, _, _, friction, normal = accelerations(body, th, om, "roll")
+    _, _, _, later, presses = accelerations(body, *a_little_later(body, th, om, "roll"), "roll")
+    needed = abs(friction) / normal
+    stays_inside = abs(later) / presses < needed
+    assert stays_inside == (om < 0.0)
+    assert modes.can_roll(body._replace(mu_s=needed * (1.0 + side)), th, om) == stays_inside
