@@ -1,4 +1,4 @@
-/* Built from web/site/motion_element.js by esbuild 0.28.2; sources 8b73818de1e0d14c1adb9a5b17489460 */
+/* Built from web/site/motion_element.js by esbuild 0.28.2; sources 516740a0ce8429c1e34ca05d178a12cb */
 var a=new URL("./",import.meta.url),l=0,o=class extends HTMLElement{static observedAttributes=["scenario"];constructor(){super(),this.lab=null,this.number=++l}async connectedCallback(){
 if(this.shadowRoot)return;let i=this.attachShadow({mode:"open"}),t=document.createElement("link");t.rel="stylesheet",t.href=new URL("lab.css",a).href;let e=document.
 createElement("style");e.textContent=":host { display: block; min-height: 18rem; } :host([hidden]) { display: none; }";let n=document.createElement("div");n.textContent=
