@@ -10,9 +10,11 @@ import pytest
 import hophoop as hh
 from hophoop._jit import forced, interpreted
 from hophoop.numerics.collocation import NODES
+from hophoop.panels.panel import FLY, HOLD, SKIMMING
+from hophoop.physics.body import Mode
 from hophoop.records.layout import SEGMENT
 from hophoop.records.scratch import new_scratch
-from hophoop.rigid.sampling import find_segment, place_on_panel
+from hophoop.rigid.sampling import COLUMNS, contact_force, find_segment, place_on_panel, sample
 
 TIMES = np.array([0.0, 0.125, 0.25, 0.5])
 
@@ -88,3 +90,89 @@ def test_the_place_of_a_time_on_a_panel(end):
     segment["xi"] = end
     for tau, place in ((0.0, -1.0), (1e-20, -1.0), (-1e-9, -1.0), (0.25, -0.75), (1.25, 0.25), (2.0, end), (2.5, end)):
         assert interpreted(place_on_panel)(1.0 + NODES, segment, tau, scratch) == pytest.approx(place, abs=1e-14)
+
+
+def body_of(eps, kap, **plane):
+    return hh.Scenario(hoop=hh.Hoop(eccentricity=eps, inertia_ratio=kap), plane=hh.Plane(**plane)).to_body()
+
+
+@pytest.mark.parametrize("rho", [0.5, 1.0, -1.0, 0.0])
+def test_the_force_in_rolling_is_newton_s(rho):
+    """With the couple ρ N against the rotation: three equations for θ̈, F and N."""
+    body = body_of(0.5, 2.0, slope=0.25)
+    th, om = 0.75, 2.0
+    arm, lever = 1.0 + 0.5 * math.cos(th), 0.5 * math.sin(th)
+    balance = [[arm, -1.0, 0.0], [-lever, 0.0, -1.0], [2.0, arm, rho - lever]]
+    right = [body.gt + lever * om * om, 0.5 * math.cos(th) * om * om - body.gn, 0.0]
+    _, friction, normal = np.linalg.solve(balance, right)
+    found = interpreted(contact_force)(body, 0, th, 0.0, om, rho)
+    assert found == (pytest.approx(friction, rel=1e-13), pytest.approx(normal, rel=1e-13))
+
+
+BEGIN, BEFORE = 2.0**52, 0.25  # a time at which doubles are 1 apart; the segment begins a quarter before it
+MOVING = {"x": 3.0, "turns": 2.0, "friction": 0.25, "impact_normal": 0.5, "impact_tangential": 0.75, "rolling_resistance": 1.5}
+
+
+def sampled(body, left=False, tau=2.0, **values):
+    """A sample of a segment by the names of its columns."""
+    segments, out = np.zeros(1, SEGMENT), np.empty((1, len(COLUMNS)))
+    segments["t"], segments["t_low"], segments["t_end"] = BEGIN, -BEFORE, BEGIN + tau
+    for name, value in values.items():
+        segments[name] = value
+    interpreted(sample)(body, segments, np.array([BEGIN + tau]), left, out)
+    return dict(zip(COLUMNS, out[0].tolist(), strict=True))
+
+
+@pytest.mark.parametrize(("mode", "sigma", "slip"), [(Mode.SKID, 1, 7.0), (Mode.SPIN, -1, -7.0), (Mode.ROLL, 0, 0.0)])
+def test_a_sample_of_a_hoop_that_does_not_turn(mode, sigma, slip):
+    """Slip with a constant force, or rest; after some 100 million years and two turns, and some losses."""
+    body = body_of(0.5, 0.75, mu=0.5, slope=0.25)
+    rate = math.sin(0.25) - sigma * 0.5 * math.cos(0.25) if sigma else 0.0
+    found = sampled(body, mode=mode, kind=HOLD, sigma=sigma, opening=rate, slip=slip, theta=0.5, **MOVING)
+    tau = 2.0 + BEFORE
+    slid = slip * tau + 0.5 * rate * tau**2
+    expected = {
+        "mode": mode, "x": 3.0 + slid, "height": 0.0, "angle": 4.0 * math.pi + 0.5, "vx": slip + rate * tau, "vy": 0.0,
+        "omega": 0.0, "slip": slip + rate * tau, "normal_force": math.cos(0.25),
+        "friction_force": -sigma * 0.5 * math.cos(0.25) if sigma else -math.sin(0.25),
+        "friction": 0.25 + abs(0.5 * math.cos(0.25) * slid), "impact_normal": 0.5, "impact_tangential": 0.75,
+        "theta": 0.5, "theta_low": 0.0, "rolling_resistance": 1.5,
+    }  # fmt: skip
+    assert found == pytest.approx(expected, rel=1e-15)
+
+
+def test_a_sample_of_a_flight():
+    """Of a hoop without eccentricity; what rounding would bring below the plane is on it."""
+    body = body_of(0.0, 1.0, slope=0.25)
+    values = {"mode": Mode.FLIGHT, "kind": FLY, "opening": -math.cos(0.25), "vy": 1.0, "omega": 3.0, "slip": 4.0}
+    found = sampled(body, height=1.0, **values, **MOVING)
+    tau = 2.0 + BEFORE
+    turns = 2.0 * (2.0 * math.pi) + 3.0 * tau
+    expected = {
+        "mode": Mode.FLIGHT, "x": 3.0 + 7.0 * tau + 0.5 * math.sin(0.25) * tau**2,
+        "height": 1.0 + tau - 0.5 * math.cos(0.25) * tau**2, "angle": turns, "vx": 7.0 + math.sin(0.25) * tau,
+        "vy": 1.0 - math.cos(0.25) * tau, "omega": 3.0, "slip": 4.0 + math.sin(0.25) * tau, "normal_force": 0.0,
+        "friction_force": 0.0, "friction": 0.25, "impact_normal": 0.5, "impact_tangential": 0.75,
+        "rolling_resistance": 1.5,
+    }  # fmt: skip
+    assert {name: found[name] for name in expected} == pytest.approx(expected, rel=1e-14)
+    assert sampled(body, tau=3.0, **values)["height"] == 0.0
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_sample_of_a_fall_of_the_massless_hoop(way):
+    """From rest with the load level with the centre the load falls straight down; the rim slides under it."""
+    body = hh.Scenario(hoop=hh.Hoop.ideal(1.0), plane=hh.Plane(mu=0.0)).to_body()
+    tau = 1.0 - BEFORE
+    segment = {"mode": Mode.SKIM, "kind": SKIMMING, "way": way, "theta": way * 0.5 * math.pi}
+    found = sampled(body, tau=1.0, t_low=BEFORE, **segment, **MOVING)
+    # the load at 1 − τ²/2
+    th = math.acos(-0.5 * tau**2)
+    om = tau / math.sin(th)
+    expected = {
+        "mode": Mode.SKIM, "x": 3.0 + way * (1.0 - math.sin(th)), "height": 0.0, "angle": 4.0 * math.pi + way * th,
+        "vy": 0.0, "omega": way * om, "vx": -way * om * math.cos(th), "normal_force": 0.0, "friction_force": 0.0,
+        "friction": 0.25, "impact_normal": 0.5, "impact_tangential": 0.75, "theta": way * th, "theta_low": 0.0,
+        "rolling_resistance": 1.5,
+    }  # fmt: skip
+    assert {name: found[name] for name in expected} == pytest.approx(expected, rel=1e-13)
