@@ -12,10 +12,10 @@ import hophoop as hh
 from hophoop._jit import interpreted
 from hophoop.numerics.collocation import NODES
 from hophoop.numerics.roots import NOT_FOUND
-from hophoop.panels.panel import COSINE, RATE, SLIP, U
+from hophoop.panels.panel import COSINE, RATE, SLIP, U, linear_panel
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
-from hophoop.rigid import panel_events
+from hophoop.rigid import panel_choice, panel_events
 from hophoop.rigid.phase import opening_of
 
 SCRATCH = new_scratch()
@@ -99,7 +99,7 @@ class Panel(NamedTuple):
     time: float = 2.0
 
 
-def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0):
+def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0, vt=1.0):
     """(ξ, what, doubtful, whether a doubt is noted) for v_t and N/κ at the nodes."""
     hoop, plane = hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), hh.Plane(mu=mu)
     body = hh.Scenario(hoop=hoop, plane=plane).to_body()
@@ -107,7 +107,7 @@ def end_of_slip(slip, load, *, mu=0.5, sigma=1, fresh=False, zeros=0):
     scratch.work[COSINE] = -1.0
     scratch.work[U] = (load - body.gn) / body.eps
     scratch.work[SLIP] = sigma * slip
-    state = interpreted(start_state)(0.0, 0.0, math.pi, sigma * 1.0, 0.0, 1.0)._replace(t=3.0)
+    state = interpreted(start_state)(0.0, 0.0, math.pi, sigma * vt, 0.0, 1.0)._replace(t=3.0)
     panel = Panel(sigma)
     xi, what, doubtful = interpreted(panel_events.end_of_slip)(body, panel, panel, state, fresh, zeros, scratch)
     noted = scratch.doubt.tolist() == [3.0, 5.0]
@@ -140,6 +140,158 @@ def test_slip_that_has_ended_before_the_first_node():
     assert end_of_slip(slip, one, fresh=True, zeros=1)[0] == NOT_FOUND
     assert end_of_slip(slip, one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, panel_events.STOP)
     assert end_of_slip((1.0 + NODES) * NODES, one, fresh=True, zeros=1, mu=0.0)[0] == NOT_FOUND
+
+
+def test_slip_that_ends_at_the_first_node_or_beside_it():
+    """An end before the first node is believed, unless the speed is lost in what the panel makes of it."""
+    one, stop = np.full(16, 1.0), panel_events.STOP
+    assert end_of_slip(-0.999 - NODES, one, fresh=True)[:2] == (pytest.approx(-0.999, abs=1e-13), stop)
+    assert end_of_slip(-0.999 - NODES, one, fresh=True, vt=1e-150)[:2] == (-1.0, stop)
+    assert end_of_slip(-0.96 - NODES, one, fresh=True)[:2] == (pytest.approx(-0.96, abs=1e-13), stop)
+    assert end_of_slip(0.25 - NODES, one, fresh=True)[:2] == (pytest.approx(0.25, abs=1e-13), stop)
+    # below zero at the first node: what comes later is not the end of that slip
+    for rise, fall_again in ((-0.95, 0.5), (-0.98, -0.96)):
+        assert end_of_slip((NODES - rise) * (fall_again - NODES), one, fresh=True)[:2] == (-1.0, stop)
+
+
+@pytest.mark.parametrize("zeros", [1, 2])
+@pytest.mark.parametrize("mu", [0.5, 0.0])
+def test_slip_that_begins_with_no_speed_may_end_at_once(zeros, mu):
+    """Zeros of v_t at the begin are taken out, so that one beside them is found."""
+    one, begins = np.full(16, 1.0), (1.0 + NODES) ** zeros
+    for end in (1e-9, 1e-3, 1.25):
+        xi, what, _, _ = end_of_slip(begins * (end - (1.0 + NODES)), one, fresh=True, zeros=zeros, mu=mu)
+        assert (xi, what) == (pytest.approx(end - 1.0, abs=1e-14), panel_events.STOP)
+    assert end_of_slip(0.3 * begins, one, fresh=True, zeros=zeros, mu=mu)[0] == NOT_FOUND
+
+
+def test_slip_without_friction_that_begins_slowly_to_the_other_side():
+    one = np.full(16, 1.0)
+    assert end_of_slip(-0.1 * (1.0 + NODES), one, fresh=True, zeros=1, mu=0.0)[:2] == (-1.0, panel_events.STOP)
+
+
+def test_slip_and_load_below_zero_at_the_begin_of_a_panel():
+    """However much they are above it at its nodes."""
+    one, steep = np.full(16, 1.0), 1e4 * (1.0 + NODES) - 1.0
+    assert steep.min() > 1.0
+    assert end_of_slip(one, steep)[:2] == (-1.0, panel_events.LIFT)
+    assert end_of_slip(steep, one)[:2] == (-1.0, panel_events.STOP)
+
+
+def test_slip_without_friction_is_zero_within_its_rounding():
+    one, little = np.full(16, 1.0), np.full(16, -1e-15)
+    assert end_of_slip(little, one, mu=0.0)[0] == NOT_FOUND
+    assert end_of_slip(100.0 * little, one, mu=0.0)[:2] == (-1.0, panel_events.STOP)
+    assert end_of_slip(little, one)[:2] == (-1.0, panel_events.STOP)
+
+
+@pytest.mark.parametrize("fresh", [True, False])
+def test_slip_or_load_that_touches_zero_is_doubtful(fresh):
+    """With friction; v_t of slip that begins is no decision."""
+    one, touching = np.full(16, 1.0), (NODES - 0.1) ** 2 + 1e-4
+    for slip, load, doubtful in (
+        (one, one, False),
+        (one, touching, True),
+        (touching, one, not fresh),
+        (touching, touching, True),
+    ):
+        assert bool(end_of_slip(slip, load, fresh=fresh)[2]) == doubtful
+        assert not end_of_slip(slip, load, fresh=fresh, mu=0.0)[2]
+
+
+def forces(body, th, u, rho):
+    """(F, N) in rolling: Newton's equations for G and the balance of moments, with the couple ρ N."""
+    arm, lever = 1.0 + body.eps * math.cos(th), body.eps * math.sin(th)
+    balance = [[arm, -1.0, 0.0], [-lever, 0.0, -1.0], [body.kap, arm, rho - lever]]
+    right = [body.gt + lever * u, (arm - 1.0) * u - body.gn, 0.0]
+    return np.linalg.solve(balance, right)[1:]
+
+
+def rolled(body, th, om, level=2):
+    """(panel, totals, scratch) of a solved panel of rolling."""
+    scratch = new_scratch()
+    state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, om)
+    begin = interpreted(panel_choice.begin_of)(body, 0, state, scratch)
+    panel = interpreted(linear_panel)(0, level, math.copysign(1.0, om), begin)
+    return panel, interpreted(panel_choice.solve)(body, panel, scratch.work), scratch
+
+
+def end_of_rolling(body, panel, scratch, fresh=False):
+    return interpreted(panel_events.end_of_rolling)(body, panel, fresh, scratch)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize("resist", [0.0, 0.0625])
+@pytest.mark.parametrize(("th", "om"), [(0.25, 0.5), (4.0, 2.0), (0.25, 1.25)])
+def test_rolling_ends_where_it_needs_all_friction(way, resist, th, om):
+    """Newton's equations say how much that is; to the other side in the mirrored motion."""
+    hoop, plane = hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), hh.Plane(mu=0.5, rolling_resistance=resist)
+    body = hh.Scenario(hoop=hoop, plane=plane).to_body()
+    panel, _, scratch = rolled(body, way * th, way * om)
+    place = 0.375
+    u = np.polynomial.Polynomial.fit(NODES, scratch.work[U], 15)(place)
+    friction, normal = forces(body, way * (th + 0.5 * panel.extent * (1.0 + place)), u, way * resist)
+    need = np.array(
+        [
+            forces(body, way * (th + 0.5 * panel.extent * (1.0 + xi)), value, way * resist)
+            for xi, value in zip(NODES, scratch.work[U].copy(), strict=True)
+        ]
+    )
+    need = np.abs(need[:, 0] / need[:, 1])
+    assert need[0] < abs(friction) / normal < need[-1]
+    tight = body._replace(mu_s=abs(friction) / normal)
+    xi, what, doubtful = end_of_rolling(tight, panel, scratch)
+    assert xi == pytest.approx(place, abs=1e-12)
+    assert what == (panel_events.CONE_AHEAD if friction > 0.0 else panel_events.CONE_BACK)
+    assert not doubtful
+    found = end_of_rolling(body._replace(mu_s=2.0 * need[-1]), panel, scratch)
+    assert (found[0], bool(found[2])) == (NOT_FOUND, False)
+    # below what is needed from the begin of the panel on
+    low = body._replace(mu_s=0.5 * need[0])
+    assert end_of_rolling(low, panel, scratch)[:2] == (-1.0, what)
+    assert end_of_rolling(low, panel, scratch, fresh=True)[0] == NOT_FOUND
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_without_a_limit_of_friction_rolling_ends_ahead(way):
+    """Both sides of the cone are N = 0 then; the mirrored motion comes to the mirrored side."""
+    body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.9, inertia_ratio=0.2), plane=hh.Plane(mu=math.inf)).to_body()
+    panel, _, scratch = rolled(body, way * 0.5, way * 0.75, level=0)
+    xi, what, doubtful = end_of_rolling(body, panel, scratch)
+    assert -1.0 < xi < 1.0
+    assert what == (panel_events.CONE_AHEAD if way > 0.0 else panel_events.CONE_BACK)
+    assert not doubtful
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_rolling_that_needs_nearly_all_friction_is_doubtful(way, side):
+    """Where F/N has its largest value inside the panel, to either side."""
+    body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=0.5)).to_body()
+    th, om = way * (math.pi - side * 1.5), way * 1.0
+    panel, _, scratch = rolled(body, th, om, level=0)
+    need = [
+        forces(body, th + way * 0.5 * panel.extent * (1.0 + xi), u, 0.0)
+        for xi, u in zip(NODES, scratch.work[U].copy(), strict=True)
+    ]
+    need = np.array([friction / normal for friction, normal in need])
+    most = abs(need[np.argmax(np.abs(need))])
+    for factor, near in ((1.001, True), (0.999, True), (1.5, False), (0.5, False)):
+        assert bool(end_of_rolling(body._replace(mu_s=factor * most), panel, scratch)[2]) == near
+    for mu in (0.0, math.inf):
+        assert not end_of_rolling(body._replace(mu_s=mu), panel, scratch)[2]
+
+
+@pytest.mark.parametrize("om", [0.0, 100.0])
+def test_the_rounding_of_the_friction_that_rolling_needs(om):
+    """Of a ring on a slope, which needs the same at every speed: lost in the forces of a fast one, where it lacks a little."""
+    slope = 0.75
+    needed = math.tan(slope) / 2.0
+    for part, found in ((1e-14, NOT_FOUND if om else -1.0), (1e-10, -1.0), (-1e-14, NOT_FOUND)):
+        body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=needed * (1.0 - part), slope=slope)).to_body()
+        panel, _, scratch = rolled(body, 0.5, max(om, 1.0))
+        scratch.work[U] = om**2
+        assert end_of_rolling(body, panel._replace(u=om**2), scratch)[0] == found
 
 
 def test_where_the_time_is_over():
