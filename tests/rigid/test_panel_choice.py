@@ -460,8 +460,8 @@ def test_a_panel_from_rest_that_outlasts_the_motion_is_made_shorter(left):
 
 
 @pytest.mark.parametrize("sigma", [1, -1])
-@pytest.mark.parametrize("om", [2.0, 1e-2])
-def test_slip_that_begins_beside_p_sigma_of_zero_has_a_narrow_panel(om, sigma):
+@pytest.mark.parametrize(("om", "off"), [(2.0, 0.0), (1e-2, 0.0), (1e-2, 1e-13)])
+def test_slip_that_begins_beside_p_sigma_of_zero_has_a_narrow_panel(om, off, sigma):
     """Of the scale on which κ p_σ grows from what it is; narrower than the tables go."""
     body = body_of(eps=0.75, kap=0.4375, mu=1.3)
 
@@ -474,6 +474,7 @@ def test_slip_that_begins_beside_p_sigma_of_zero_has_a_narrow_panel(om, sigma):
         th = np.nextafter(th, 0.0)
         begin = firm(th)
     assert 0.0 < begin.stiffness < 1e-15
+    th += sigma * off
     panel, totals, _, _ = chosen(body, sigma, state_of(th, om * sigma, sigma * 1.0), 2)
     assert totals.tail <= RESOLVED
     assert panel.level > 96

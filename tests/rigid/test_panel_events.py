@@ -7,15 +7,17 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq, minimize_scalar
 
 import hophoop as hh
 from hophoop._jit import interpreted
 from hophoop.numerics.collocation import NODES
 from hophoop.numerics.roots import NOT_FOUND
-from hophoop.panels.panel import COSINE, RATE, SLIP, U, linear_panel
+from hophoop.panels.panel import ARRIVE, COSINE, RATE, SLIP, U, linear_panel
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
 from hophoop.rigid import panel_choice, panel_events
+from hophoop.rigid.limits import limits_of
 from hophoop.rigid.phase import opening_of
 
 SCRATCH = new_scratch()
@@ -297,7 +299,7 @@ def test_the_rounding_of_the_friction_that_rolling_needs(om):
 def test_where_the_time_is_over():
     scratch = new_scratch()
     scratch.work[RATE] = 0.5  # the panel takes 1
-    for left, xi in ((0.25, -0.5), (0.5, 0.0), (1.0, 1.0), (1.5, 1.0), (0.0, -1.0), (-1.0, -1.0)):
+    for left, xi in ((0.25, -0.5), (0.5, 0.0), (1.0, 1.0), (1.5, 1.0), (0.0, -1.0), (-0.5, -1.0), (-1.0, -1.0)):
         assert interpreted(panel_events.end_of_time)(left, scratch) == pytest.approx(xi, abs=1e-14)
 
 
@@ -314,3 +316,105 @@ def test_how_a_flight_opens():
     assert opening(0.0, 0.0, fast) == (1.0, 2)
     assert opening(0.0, 0.0, free) == (0.0, 3)
     assert opening(0.0, 0.0, free * (1.0 + 1e-12))[1] == 2
+
+
+FAR = 1e3
+
+
+def earliest(body, panel, totals, state, scratch, *, t_end=FAR, span=math.nan, begin=None, fresh=False, blind=False):
+    limits = interpreted(limits_of)(begin or state, t_end, span, 0)
+    return interpreted(panel_events.earliest_event)(body, panel, totals, state, fresh, blind, 0, limits, scratch)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_panel_ends_at_the_angle_or_the_time_that_is_the_limit(way):
+    """Of a ring that rolls at the speed of 1 on a panel of 0.9 rad: whichever is first."""
+    body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=0.5)).to_body()
+    state = interpreted(start_state)(0.0, 0.0, way * 0.5, 0.0, 0.0, way)
+    panel, totals, scratch = rolled(body, way * 0.5, way, level=0)
+    assert totals.time == pytest.approx(0.9, rel=1e-15)
+    on, angle, time = panel_events.ON, panel_events.FULL_ANGLE, panel_events.LIMIT
+    for span, xi, what in ((0.225, -0.5, angle), (0.9, 1.0, angle), (0.901, 1.0, on), (1e-9, 2e-9 / 0.9 - 1.0, angle)):
+        assert earliest(body, panel, totals, state, scratch, span=span) == (pytest.approx(xi, abs=1e-15), what)
+    # of what is left where the motion began before; nothing is
+    for span, moved in ((0.25, 0.25), (0.25, 0.4)):
+        begin = state._replace(th=state.th - way * moved)
+        assert earliest(body, panel, totals, state, scratch, span=span, begin=begin) == (-1.0, angle)
+    for t_end, xi, what in ((0.225, -0.5, time), (totals.time, 1.0, time), (0.901, 1.0, on), (0.0, -1.0, time)):
+        assert earliest(body, panel, totals, state, scratch, t_end=t_end) == (pytest.approx(xi, abs=1e-14), what)
+    assert earliest(body, panel, totals, state, scratch, t_end=0.5, span=0.25)[1] == angle
+    assert earliest(body, panel, totals, state, scratch, t_end=0.25, span=0.5)[1] == time
+    # at once: the contact before the angle, the angle before the time
+    begin = state._replace(th=state.th - way * 0.25)
+    limits = {"t_end": 0.0, "span": 0.25, "begin": begin}
+    assert earliest(body, panel, totals, state, scratch, **limits) == (-1.0, angle)
+    steep = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=0.125, slope=0.75)).to_body()
+    panel, totals, scratch = rolled(steep, way * 0.5, way, level=0)
+    assert earliest(steep, panel, totals, state, scratch, **limits) == (-1.0, panel_events.CONE_BACK)
+    assert earliest(steep, panel, totals, state, scratch, blind=True, **limits) == (-1.0, angle)
+    assert earliest(steep, panel, totals, state, scratch, blind=True) == (1.0, on)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_the_limits_of_a_panel_up_to_a_turning_point(way):
+    body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=5.0)).to_body()
+    th = math.pi + way * 2.5
+    state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, way * 1e-2)
+    scratch = new_scratch()
+    with np.errstate(all="ignore"):  # of panels that are given up
+        panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 0, state, 2, scratch)
+    assert panel.kind == ARRIVE
+    assert earliest(body, panel, totals, state, scratch) == (1.0, panel_events.TURNED)
+    for part in (0.25, 0.75):
+        xi, what = earliest(body, panel, totals, state, scratch, span=part * panel.extent)
+        assert (1.0 - part, what) == (pytest.approx((0.5 * (1.0 - xi)) ** 2, rel=1e-13), panel_events.FULL_ANGLE)
+
+
+def test_a_ring_that_slips_until_it_rolls():
+    """At 2 μ g the slip is lost, on a level: no limit of it is passed."""
+    body = hh.Scenario(hoop=hh.Hoop.ideal(0.0), plane=hh.Plane(mu=0.5)).to_body()
+    state, scratch = interpreted(start_state)(0.0, 0.0, 0.5, 0.125, 0.0, 2.0), new_scratch()
+    panel, totals, _ = interpreted(panel_choice.choose_panel)(body, 1, state, 2, scratch)
+    xi, what = earliest(body, panel, totals, state, scratch)
+    turned = 2.0 * 0.125 + 0.5 * 0.5 * 0.125**2  # in 1/8
+    assert (xi, what) == (pytest.approx(2.0 * turned / panel.extent - 1.0, abs=1e-13), panel_events.STOP)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_a_doubt_lasts_for_the_panel(way):
+    """Where the friction that rolling needs just comes to its limit, as far as doubles can tell."""
+    body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=0.5)).to_body()
+    th, om = way * (math.pi - 1.5), way * 1.0
+    panel, totals, scratch = rolled(body, th, om, level=0)
+    state = interpreted(start_state)(0.0, 0.0, th, 0.0, 0.0, om)._replace(t=3.0)
+    u = np.polynomial.Polynomial.fit(NODES, scratch.work[U], 15)
+
+    def need(xi):
+        friction, normal = forces(body, th + way * 0.5 * panel.extent * (1.0 + xi), u(xi), 0.0)
+        return friction / normal
+
+    grid = np.linspace(-0.99, 0.99, 41)
+    coarse = grid[np.argmax([abs(need(xi)) for xi in grid])]
+    most = -minimize_scalar(lambda xi: -abs(need(xi)), bounds=(coarse - 0.1, coarse + 0.1), options={"xatol": 1e-9}).fun
+    for factor, doubt in ((1.0, True), (1.001, False), (1.5, False)):
+        scratch.doubt[:] = math.nan
+        earliest(body._replace(mu_s=factor * most), panel, totals, state, scratch)
+        assert scratch.doubt.tolist() == [3.0, 3.0 + totals.time] if doubt else np.isnan(scratch.doubt).all()
+
+
+def test_without_a_limit_of_friction_a_force_that_touches_zero_is_no_doubt():
+    """The rim then lifts off and comes back at once, or does not."""
+    body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=math.inf)).to_body()
+    panel, totals, scratch = rolled(body, -0.45, 1.0, level=0)
+    state = interpreted(start_state)(0.0, 0.0, -0.45, 0.0, 0.0, 1.0)
+    angles = -0.45 + 0.45 * (1.0 + NODES)
+
+    def lowest(u):
+        normals = [forces(body, th, u, 0.0)[1] for th in angles]
+        series = np.polynomial.Polynomial.fit(NODES, normals, 15)
+        return minimize_scalar(series, bounds=(-0.9, 0.9), options={"xatol": 1e-9}).fun
+
+    scratch.work[U] = brentq(lowest, 0.5, 10.0, xtol=1e-15)
+    assert not end_of_rolling(body, panel, scratch)[2]
+    earliest(body, panel, totals, state, scratch)
+    assert np.isnan(scratch.doubt).all()
