@@ -20,8 +20,8 @@ BODIES = [
 STATES = [(0.4, 1.3), (1.9, -0.8), (3.6, 2.1), (5.3, -1.7), (-2.0, 0.6), (3.0, 0.9)]
 
 
-def accelerations(body, th, om, mode):
-    """(ẍ, ÿ, θ̈, F, N): mode is 'roll', 'free', or the direction of slip ±1."""
+def accelerations(body, th, om, mode, rho=0.0):
+    """(ẍ, ÿ, θ̈, F, N): mode is 'roll', 'free', or the direction of slip ±1; ρ N is the couple against the rotation."""
     s, c, u = math.sin(th), math.cos(th), om * om
     eps = body.eps
     rows = [
@@ -30,7 +30,7 @@ def accelerations(body, th, om, mode):
         # ÿ_G = N − g_n with y_G = 1 + y + ε cos θ
         ([0, 1, -eps * s, 0, -1], -body.gn + eps * c * u),
         # κ θ̈ about G, clockwise: P − G = (−ε sin θ, −1 − ε cos θ)
-        ([0, 0, body.kap, 1 + eps * c, -eps * s], 0.0),
+        ([0, 0, body.kap, 1 + eps * c, rho - eps * s], 0.0),
     ]
     if mode == "roll":
         rows += [([1, 0, -1, 0, 0], 0.0), ([0, 1, 0, 0, 0], 0.0)]

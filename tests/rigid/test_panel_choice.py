@@ -16,6 +16,7 @@ from hophoop.panels.panel import ARRIVE, LEAVE, LINEAR, Begin, leaving_panel, li
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
 from hophoop.rigid import panel_choice
+from newton_euler import accelerations
 
 RESOLVED = 2e-13
 pytestmark = pytest.mark.filterwarnings("ignore:.*encountered in:RuntimeWarning")  # where a kernel gives up a panel
@@ -252,13 +253,9 @@ def test_a_panel_up_to_a_turning_point_is_not_moved_where_it_is_not_resolved(way
 
 
 def at_rest(body, th, sigma):
-    """(θ̈, v̇_t) of slip that does not turn, from Newton's equations for G."""
-    arm, lever = 1.0 + 0.5 * math.cos(th), 0.5 * math.sin(th)
-    friction = -sigma * body.mu_k  # over N
-    # κ θ̈ = (lever − arm F/N) N; N = g_n − lever θ̈; F = v̇_t + arm θ̈ − g_t
-    balance = [[0.75, arm * friction - lever, 0.0], [lever, 1.0, 0.0], [arm, -friction, 1.0]]
-    alpha, _, rate = np.linalg.solve(balance, [0.0, body.gn, body.gt])
-    return alpha, rate
+    """(θ̈, v̇_t) of slip that does not turn."""
+    along, _, alpha, _, _ = accelerations(body, th, 0.0, sigma)
+    return alpha, along - alpha
 
 
 def test_how_wide_the_first_panel_of_slip_from_rest_is():

@@ -19,6 +19,7 @@ from hophoop.records.state import start_state
 from hophoop.rigid import panel_choice, panel_events
 from hophoop.rigid.limits import limits_of
 from hophoop.rigid.phase import opening_of
+from newton_euler import accelerations
 
 SCRATCH = new_scratch()
 
@@ -201,12 +202,9 @@ def test_slip_or_load_that_touches_zero_is_doubtful(fresh):
         assert not end_of_slip(slip, load, fresh=fresh, mu=0.0)[2]
 
 
-def forces(body, th, u, rho):
-    """(F, N) in rolling: Newton's equations for G and the balance of moments, with the couple ρ N."""
-    arm, lever = 1.0 + body.eps * math.cos(th), body.eps * math.sin(th)
-    balance = [[arm, -1.0, 0.0], [-lever, 0.0, -1.0], [body.kap, arm, rho - lever]]
-    right = [body.gt + lever * u, (arm - 1.0) * u - body.gn, 0.0]
-    return np.linalg.solve(balance, right)[1:]
+def needed(panel, xi, u, body, rho=0.0):
+    """(F, N) that rolling needs at a place of a panel."""
+    return accelerations(body, panel.ref + panel.way * 0.5 * panel.extent * (1.0 + xi), math.sqrt(u), "roll", rho)[3:]
 
 
 def rolled(body, th, om, level=2):
@@ -232,12 +230,9 @@ def test_rolling_ends_where_it_needs_all_friction(way, resist, th, om):
     panel, _, scratch = rolled(body, way * th, way * om)
     place = 0.375
     u = np.polynomial.Polynomial.fit(NODES, scratch.work[U], 15)(place)
-    friction, normal = forces(body, way * (th + 0.5 * panel.extent * (1.0 + place)), u, way * resist)
+    friction, normal = needed(panel, place, u, body, way * resist)
     need = np.array(
-        [
-            forces(body, way * (th + 0.5 * panel.extent * (1.0 + xi)), value, way * resist)
-            for xi, value in zip(NODES, scratch.work[U].copy(), strict=True)
-        ]
+        [needed(panel, xi, value, body, way * resist) for xi, value in zip(NODES, scratch.work[U].copy(), strict=True)]
     )
     need = np.abs(need[:, 0] / need[:, 1])
     assert need[0] < abs(friction) / normal < need[-1]
@@ -272,10 +267,7 @@ def test_rolling_that_needs_nearly_all_friction_is_doubtful(way, side):
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=0.5)).to_body()
     th, om = way * (math.pi - side * 1.5), way * 1.0
     panel, _, scratch = rolled(body, th, om, level=0)
-    need = [
-        forces(body, th + way * 0.5 * panel.extent * (1.0 + xi), u, 0.0)
-        for xi, u in zip(NODES, scratch.work[U].copy(), strict=True)
-    ]
+    need = [needed(panel, xi, u, body) for xi, u in zip(NODES, scratch.work[U].copy(), strict=True)]
     need = np.array([friction / normal for friction, normal in need])
     most = abs(need[np.argmax(np.abs(need))])
     for factor, near in ((1.001, True), (0.999, True), (1.5, False), (0.5, False)):
@@ -390,7 +382,7 @@ def test_a_doubt_lasts_for_the_panel(way):
     u = np.polynomial.Polynomial.fit(NODES, scratch.work[U], 15)
 
     def need(xi):
-        friction, normal = forces(body, th + way * 0.5 * panel.extent * (1.0 + xi), u(xi), 0.0)
+        friction, normal = needed(panel, xi, u(xi), body)
         return friction / normal
 
     grid = np.linspace(-0.99, 0.99, 41)
@@ -407,10 +399,9 @@ def test_without_a_limit_of_friction_a_force_that_touches_zero_is_no_doubt():
     body = hh.Scenario(hoop=hh.Hoop(eccentricity=0.5, inertia_ratio=0.75), plane=hh.Plane(mu=math.inf)).to_body()
     panel, totals, scratch = rolled(body, -0.45, 1.0, level=0)
     state = interpreted(start_state)(0.0, 0.0, -0.45, 0.0, 0.0, 1.0)
-    angles = -0.45 + 0.45 * (1.0 + NODES)
 
     def lowest(u):
-        normals = [forces(body, th, u, 0.0)[1] for th in angles]
+        normals = [needed(panel, xi, u, body)[1] for xi in NODES]
         series = np.polynomial.Polynomial.fit(NODES, normals, 15)
         return minimize_scalar(series, bounds=(-0.9, 0.9), options={"xatol": 1e-9}).fun
 

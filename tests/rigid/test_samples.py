@@ -15,6 +15,7 @@ from hophoop.physics.body import Mode
 from hophoop.records.layout import SEGMENT
 from hophoop.records.scratch import new_scratch
 from hophoop.rigid.sampling import COLUMNS, contact_force, find_segment, place_on_panel, sample
+from newton_euler import accelerations
 
 TIMES = np.array([0.0, 0.125, 0.25, 0.5])
 
@@ -98,13 +99,10 @@ def body_of(eps, kap, **plane):
 
 @pytest.mark.parametrize("rho", [0.5, 1.0, -1.0, 0.0])
 def test_the_force_in_rolling_is_newton_s(rho):
-    """With the couple ρ N against the rotation: three equations for θ̈, F and N."""
+    """With the couple ρ N against the rotation."""
     body = body_of(0.5, 2.0, slope=0.25)
     th, om = 0.75, 2.0
-    arm, lever = 1.0 + 0.5 * math.cos(th), 0.5 * math.sin(th)
-    balance = [[arm, -1.0, 0.0], [-lever, 0.0, -1.0], [2.0, arm, rho - lever]]
-    right = [body.gt + lever * om * om, 0.5 * math.cos(th) * om * om - body.gn, 0.0]
-    _, friction, normal = np.linalg.solve(balance, right)
+    _, _, _, friction, normal = accelerations(body, th, om, "roll", rho)
     found = interpreted(contact_force)(body, 0, th, 0.0, om, rho)
     assert found == (pytest.approx(friction, rel=1e-13), pytest.approx(normal, rel=1e-13))
 
