@@ -46,6 +46,10 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("panel_choice", "solve_arrival", "if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:", "if totals.u > 0.0 or abs(totals.u - u) > 1e-9 * u:"),
         ("panel_choice", "solve_arrival", "if totals.u > 0.0 and abs(totals.u - u) > 1e-9 * u:", "if totals.u > -1.0 and abs(totals.u - u) > 1e-9 * u:"),
     ),
+    "the start is an event: none is never their number": (
+        ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] > 0 else events.shape[0]"),
+        ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] >= 1 else events.shape[0]"),
+    ),
     "a search for a fall asks for a value not above 0 anyway": (
         ("panel_choice", "turning_point_ahead", "xi = first_fall(scratch.series, 0.0, scratch.stack)", "xi = first_fall(scratch.series, -1.0, scratch.stack)"),
     ),
@@ -441,7 +445,7 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("kernel", "run", "if log.written[0] < 0:", "if log.written[0] < 1:"),
     ),
     "a table of events has one axis, which is its first and its last": (
-        ("kernel", "run", "return EVENT_LIMIT, events.shape[0], log.written[1]", "return EVENT_LIMIT, events.shape[ -1], log.written[1]"),
+        ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] >= 0 else events.shape[ -1]"),
     ),
     # the module flight_phase
     "without rotation the way to turn is not asked for": (
@@ -646,7 +650,7 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "a table of one column of rows": (
         ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[ -1] > 1:"),
         ("friction", "utilizations", "for i in range(out.shape[0]):", "for i in range(out.shape[ -1]):"),
-        ("kernel", "run", "return BUFFER, log.written[0], segments.shape[0]", "return BUFFER, log.written[0], segments.shape[ -1]"),
+        ("kernel", "run", "return BUFFER, count, segments.shape[0]", "return BUFFER, count, segments.shape[ -1]"),
     ),
     "a script has two rows or none": (
         ("kernel", "run", "if script.shape[0] > 1:", "if script.shape[0] > 0:"),
