@@ -16,6 +16,7 @@ from hophoop.panels.panel import A, B
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
 from hophoop.rigid.doubts import CLOSE, grazes_zero, has_graze, mode_is_in_doubt, note_doubt
+from newton_euler import accelerations
 
 SCRATCH = new_scratch()
 
@@ -64,6 +65,40 @@ def test_rolling_that_just_lifts():
     assert not in_doubt(body, om=free * (1.0 - 1e-10))
 
 
+@pytest.mark.parametrize(("part", "doubtful"), [(-1.1, False), (-0.9, True), (0.9, True), (1.1, False)])
+def test_how_near_to_zero_is_in_doubt(part, doubtful):
+    """Beside g_n + ε θ̇² in slip; beside g_n + |g_t| + θ̇² the margin to the cone, N and f_n in rolling."""
+    for slip in (1.0, -1.0):
+        body = body_of(0.75, 0.4375, slope=0.25)
+        free = (body.gn + part * CLOSE * 2.0 * body.gn) / body.eps
+        assert in_doubt(body, vt=slip, om=math.sqrt(free)) is doubtful
+    slope = 0.75
+    needed = 0.5 * math.tan(slope)
+    margin = 0.5 * math.sin(slope) / math.hypot(1.0, needed)  # times what μ has too much, as a part of it
+    scale = math.cos(slope) + math.sin(slope)
+    assert in_doubt(body_of(mu=needed * (1.0 + part * CLOSE * scale / margin), slope=slope)) is doubtful
+    body = body_of(0.5, 0.75)
+    # N of rolling at θ = 1 is a linear function of θ̇²
+    still, spun = accelerations(body, 1.0, 0.0, "roll")[4], accelerations(body, 1.0, 1.0, "roll")[4]
+    zero = still / (still - spun)
+    assert in_doubt(body, 1.0, om=math.sqrt((still - part * CLOSE * (1.0 + zero)) / (still - spun))) is doubtful
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_rolling_beyond_the_cone_that_just_lifts(side):
+    """Where N would pull, and ε θ̇² cos θ = g but for rounding; where N holds the hoop it does not matter."""
+    body = body_of(0.5, 0.75)
+    free = 1.0 / (0.5 * math.cos(1.0))
+    for part, doubtful in ((-1.1, False), (-0.9, True), (0.9, True), (1.1, False)):
+        om = math.sqrt(free * (1.0 + part * CLOSE * (1.0 + free)))
+        assert in_doubt(body, side * 1.0, om=om) is doubtful
+    steep = body_of(0.5, 0.75, mu=5.0, slope=-1.2 * side)
+    om = math.sqrt(steep.gn / (0.5 * math.cos(1.0)))
+    friction, normal = accelerations(steep, side * 1.0, om, "roll")[3:]
+    assert 0.0 < abs(friction) < 5.0 * normal
+    assert not in_doubt(steep, side * 1.0, om=om)
+
+
 def test_without_friction_and_without_mass_there_is_no_margin():
     assert not in_doubt(body_of(0.5, 0.75, mu=0.0), om=math.sqrt(2.0))
     massless = hh.Scenario(hoop=hh.Hoop.ideal(1.0)).to_body()
@@ -79,6 +114,7 @@ def test_the_first_doubt_stays():
 
 
 def grazes(function, scale=1.0):
+    SCRATCH.values[:] = 1e3  # what was there before does not count
     return interpreted(grazes_zero)(function(NODES), scale, SCRATCH)
 
 
@@ -104,6 +140,10 @@ def test_each_of_four_smallest_values_is_looked_at(which):
     assert not grazes(lambda xi: waves(xi) + 1e-5)
 
 
+def test_a_graze_of_the_fastest_wave_on_a_panel():
+    assert grazes(lambda xi: 1.0 + chebyshev.chebval(xi, [0.0] * (len(NODES) - 1) + [1.0]))
+
+
 def test_what_falls_all_the_way_has_no_smallest_value_inside():
     assert not grazes(lambda xi: -1.0 * xi)
     assert not grazes(np.exp)
@@ -127,3 +167,21 @@ def test_slip_is_measured_beside_both_speeds(om):
     state = interpreted(start_state)(0.0, 0.0, 0.0, 3.0, 0.0, om)
     assert interpreted(has_graze)(body, Sides(1, 3.0, 1.0), state, scratch)
     assert not interpreted(has_graze)(body, Sides(1, 0.0, 1.0), state, scratch)
+
+
+@pytest.mark.parametrize("sigma", [0, 1, -1])
+@pytest.mark.parametrize("which", [A, B])
+def test_margins_graze_zero_beside_forces_and_the_end_of_slip_beside_speeds(which, sigma):
+    """In rolling g_n + |g_t| + θ̇² at the panel's begin, in slip g_n + θ̇² for N and |v_t| + |θ̇| for v_t."""
+    body = body_of(0.5, 0.75, slope=0.5)
+    state = interpreted(start_state)(0.0, 0.0, 0.0, 3.0, 0.0, -0.5)
+    beside = body.gn + 0.25
+    if sigma == 0:
+        beside += body.gt
+    elif which == B:
+        beside = 3.5
+    for part, doubtful in ((0.9, True), (1.1, False)):
+        scratch = new_scratch()
+        scratch.work[A] = scratch.work[B] = 1.0 + NODES**2
+        scratch.work[which] = NODES**2 + part * CLOSE * beside
+        assert interpreted(has_graze)(body, Sides(sigma, 3.0, 0.25), state, scratch) is doubtful

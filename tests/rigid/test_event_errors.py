@@ -92,3 +92,43 @@ def test_an_event_that_cannot_be_computed_again_leaves_the_others(monkeypatch):
     assert table[2, of_x] == pytest.approx(
         squares(1.0 + events[2]["x"], 1.25 * 2.5), rel=1e-6, abs=0.0
     )  # of θ̇ from the stick on
+
+
+def test_where_a_changed_motion_has_too_many_events_nothing_is_known_after_the_change(monkeypatch):
+    motion = motion_of(hh.Start(vx=2.0, omega=0.5), 4.0)
+    body, events = motion.scenario.to_body(), motion._events
+    again = errors._again
+
+    def none_if_changed(body, row, t_end, room):
+        return None if row["omega"] != events[0]["omega"] and row["t"] == 0.0 else again(body, row, t_end, room)
+
+    monkeypatch.setattr(errors, "_again", none_if_changed)
+    with forced("interpreted"):
+        table = errors.event_errors(body, events, 4.0)
+    assert np.isinf(table[1:]).all()
+    assert table[0, errors.FIELDS.index("x")] == squares(1.0)
+
+
+def test_both_coefficients_of_friction_are_rounded_together(monkeypatch):
+    motion = motion_of(hh.Start(vx=2.0, omega=0.5), 4.0)
+    body, again, parts = motion.scenario.to_body()._replace(mu_s=0.75), errors._again, set()
+
+    def noted(rougher, row, t_end, room):
+        parts.add((round(rougher.mu_s / 0.75 - 1.0, 15), round(rougher.mu_k / 0.5 - 1.0, 15)))
+        return again(rougher, row, t_end, room)
+
+    monkeypatch.setattr(errors, "_again", noted)
+    with forced("interpreted"):
+        errors.event_errors(body, motion._events, 4.0)
+    assert parts == {(0.0, 0.0), (1e-8, 1e-8)}
+
+
+def test_a_swing_comes_later_to_all_its_turning_points():
+    """θ at the lowest point of a slow swing is rounded to a part of a turn; over θ̇ that is the time that it is late."""
+    with forced("interpreted"):
+        hoop, speed = hh.Hoop(eccentricity=0.5, inertia_ratio=1.0), 1e-3
+        start = hh.Start.rolling(speed, angle=math.pi)
+        motion = hh.simulate(hoop, hh.Plane(gravity=1.0), start, duration=12.0)
+        assert [event.kind for event in motion.events] == ["start", "turn", "turn", "end"]
+        late = motion.errors.t[1:3]
+    assert late == pytest.approx(squares(1.0 / motion.events[0].omega), rel=1e-3)
