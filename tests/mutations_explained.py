@@ -640,9 +640,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     "a factor of the whole series, of which only the zeros count": (
         ("doubts", "grazes_zero", "before = after - 2.0 * k * series[k]", "before = after - 3.0 * k * series[k]"),
     ),
-    "beyond the last event there is nothing": (
-        ("errors", "event_errors", "if alike < reach:", "if alike <= reach:"),
-    ),
     "where the arrays were too short the motion is computed again": (
         ("errors", "event_errors", "plain = _again(body, row, t_end, 2 * count + 8)", "plain = _again(body, row, t_end, 3 * count + 8)"),
         ("errors", "event_errors", "plain = _again(body, row, t_end, 2 * count + 8)", "plain = _again(body, row, t_end, 2 * count + 9)"),
@@ -681,6 +678,138 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     ),
     "any place will do to measure from": (
         ("mass", "combined", "first = parts[0, AT] / radius", "first = parts[ -1, AT] / radius"),
+    ),
+    # contact_phase
+    "θ is counted anew where it is nearly a turn away from 0": (
+        ("contact_phase", "counted", "way = 1.0 if state.th > 0.0 else -1.0", "way = 1.0 if state.th >= 0.0 else -1.0"),
+        ("contact_phase", "counted", "way = 1.0 if state.th > 0.0 else -1.0", "way = 1.0 if state.th > 1.0 else -1.0"),
+        ("contact_phase", "counted", "way = 1.0 if state.th > 0.0 else -1.0", "way = 1.0 if state.th > -1.0 else -1.0"),
+    ),
+    "an equilibrium that is passed has B = 0 only where there is none": (
+        ("contact_phase", "counted", "if anchor.kind == ROLLING and anchor.bend > 0.0:  # the hilltop of the next turn, which is lower on a slope", "if anchor.kind == ROLLING and anchor.bend >= 0.0: # the hilltop of the next turn, which is lower on a slope"),
+        ("contact_phase", "is_still", "if anchor.kind != 0 and anchor.bend > 0.0:", "if anchor.kind != 0 and anchor.bend >= 0.0:"),
+        ("contact_phase", "is_still", "if anchor.kind != 0 and anchor.bend > 0.0:", "if anchor.kind != -1 and anchor.bend > 0.0:"),
+    ),
+    "a direction of motion is 1 or −1": (
+        ("contact_phase", "counted", "excess = anchor.excess + 2.0 * way * TWO_PI * body.gt", "excess = anchor.excess + 2.0 / way * TWO_PI * body.gt"),
+    ),
+    "the equality of two rounded numbers in a phase: either side is as good": (
+        ("contact_phase", "is_still", "return abs(psi) < (1e-280 if anchor.base == 0.0 else 1e-30)", "return abs(psi) <= (1e-280 if anchor.base == 0.0 else 1e-30)"),
+        ("contact_phase", "advance_contact", "if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:", "if state.om != 0.0 and state.om * state.om <= SMALLEST_SQUARE:"),
+        ("contact_phase", "advance_contact", "if abs(after.th) > FARTHEST:", "if abs(after.th) >= FARTHEST:"),
+    ),
+    "where p_σ = 0 exactly there is no finite acceleration, with which it could stay": (
+        ("contact_phase", "is_still", "if firm > 0.0:", "if firm >= 0.0:"),
+    ),
+    "θ̇² of rolling without resistance from the panel's numbers or from its nodes: both hold": (
+        ("contact_phase", "state_on_panel", "if body.resist > 0.0:", "if body.resist >= 0.0:"),
+        ("contact_phase", "state_on_panel", "if body.resist > 0.0:", "if body.resist > -1.0:"),
+    ),
+    "a θ̇² below zero is taken as zero": (
+        ("contact_phase", "state_on_panel", "u = 0.0 if panel.kind == ARRIVE else totals.u", "u = -1.0 if panel.kind == ARRIVE else totals.u"),
+    ),
+    "θ̇² inside a solved panel is above zero": (
+        ("contact_phase", "state_on_panel", "om = panel.way * math.sqrt(max(u, 0.0))", "om = panel.way * math.sqrt(max(u, -1.0))"),
+    ),
+    "θ̇ = 0 is set to 0, and a θ̇ of 1 or −1 is not small": (
+        ("contact_phase", "advance_contact", "if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:", "if state.om != 1.0 and state.om * state.om < SMALLEST_SQUARE:"),
+        ("contact_phase", "advance_contact", "if state.om != 0.0 and state.om * state.om < SMALLEST_SQUARE:", "if state.om != -1.0 and state.om * state.om < SMALLEST_SQUARE:"),
+    ),
+    "which width is tried next: each panel is asked anew whether it is resolved": (
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if totals.tail > before and totals.tail / (totals.tail / before) > RESOLVED:"),
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if totals.tail >= before and totals.tail * (totals.tail / before) > RESOLVED:"),
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if totals.tail > before and totals.tail * (totals.tail / before) >= RESOLVED:"),
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if totals.tail <= before and totals.tail * (totals.tail / before) > RESOLVED:"),
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if totals.tail > before and totals.tail * (totals.tail / before) <= RESOLVED:"),
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if not totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:"),
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if totals.tail > before or totals.tail * (totals.tail / before) > RESOLVED:"),
+        ("contact_phase", "advance_contact", "if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if totals.tail > before and totals.tail * (totals.tail * before) > RESOLVED:"),
+        ("contact_phase", "advance_contact", "level += 1  # the next one would not be resolved, if it goes on like this", "level += 2 # the next one would not be resolved, if it goes on like this"),
+        ("contact_phase", "advance_contact", "level += 1  # the next one would not be resolved, if it goes on like this", "level += 0 # the next one would not be resolved, if it goes on like this"),
+    ),
+    "rows of times and work are filled that are not read at the ends of a panel": (
+        ("contact_phase", "advance_contact", "if -1.0 < xi < 1.0:", "if -1.0 <= xi < 1.0:"),
+        ("contact_phase", "advance_contact", "if -1.0 < xi < 1.0:", "if - 2.0 < xi < 1.0:"),
+        ("contact_phase", "advance_contact", "if -1.0 < xi < 1.0:", "if -1.0 < xi < 2.0:"),
+    ),
+    "a number that a segment of this kind does not have, and nothing reads": (
+        ("contact_phase", "advance_contact", "write_segment(log, mode, panel, xi, 0.0, state, after.t)", "write_segment(log, mode, panel, xi, -1.0, state, after.t)"),
+        ("contact_phase", "still_step", "write_segment(log, ROLL, no_panel(HOLD, 0, 0.0), 0.0, 0.0, state, limits.t_end)", "write_segment(log, ROLL, no_panel(HOLD, 0, 1.0), 0.0, 0.0, state, limits.t_end)"),
+    ),
+    "no torque is smaller than a couple of zero": (
+        ("contact_phase", "equilibrium_is_stable", "if body.resist > 0.0 and abs(torque_at_rest(body, s, c)) < body.resist * body.gn:", "if body.resist >= 0.0 and abs(torque_at_rest(body, s, c)) < body.resist * body.gn:"),
+    ),
+    # errors
+    "only whether it is 0 is asked": (
+        ("errors", "_natural_sizes", '"friction": 1.0,  # the margins to the friction cone are rounded as the coefficients would be', '"friction": 2.0, # the margins to the friction cone are rounded as the coefficients would be'),
+    ),
+    "the start that a script replaces": (
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state( 1.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state( -1.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 1.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, -1.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 0.0, 1.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 0.0, -1.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 0.0, 0.0, 1.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+        ("errors", "_again", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, 0.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),", "body, start_state(0.0, 0.0, 0.0, 0.0, 0.0, -1.0), t_end, math.nan, 0, events, np.empty(0, SEGMENT),"),
+    ),
+    "after the last event there is none": (
+        ("errors", "event_errors", "for i in range(count - 1):", "for i in range(count - 0):"),
+    ),
+    "room for more events than the motion has: how much is a choice": (
+        ("errors", "event_errors", "plain = _again(body, row, t_end, 2 * count + 8)", "plain = _again(body, row, t_end, 1 * count + 8)"),
+        ("errors", "event_errors", "plain = _again(body, row, t_end, 2 * count + 8)", "plain = _again(body, row, t_end, 2 * count + 7)"),
+        ("errors", "event_errors", "other = _again(rougher, moved, t_end, 2 * count + 8)", "other = _again(rougher, moved, t_end, 3 * count + 8)"),
+        ("errors", "event_errors", "other = _again(rougher, moved, t_end, 2 * count + 8)", "other = _again(rougher, moved, t_end, 1 * count + 8)"),
+        ("errors", "event_errors", "other = _again(rougher, moved, t_end, 2 * count + 8)", "other = _again(rougher, moved, t_end, 2 * count + 9)"),
+        ("errors", "event_errors", "other = _again(rougher, moved, t_end, 2 * count + 8)", "other = _again(rougher, moved, t_end, 2 * count + 7)"),
+    ),
+    "a change of nothing, which changes nothing, is computed too": (
+        ("errors", "event_errors", 'if sizes[name] == 0.0 or (name in ("slip", "vy") and row[name] == 0.0):', 'if sizes[name] == -1.0 or (name in ("slip", "vy") and row[name] == 0.0):'),
+    ),
+    "of an event that cannot be computed again only the ones after it are lost, whether 1, 0 or −1 are alike": (
+        ("errors", "event_errors", "alike = 0 if other is None else min(_is_alike(other, plain), reach)", "alike = 1 if other is None else min(_is_alike(other, plain), reach)"),
+        ("errors", "event_errors", "alike = 0 if other is None else min(_is_alike(other, plain), reach)", "alike = -1 if other is None else min(_is_alike(other, plain), reach)"),
+    ),
+    "of two changes the second is the last": (
+        ("errors", "event_errors", "if alike == reach or change == CHANGES[-1]:", "if alike == reach or change == CHANGES[+1]:"),
+    ),
+    "with at most the event itself alike there is none after it to add to": (
+        ("errors", "event_errors", "if other is not None and alike > 1:", "if other is not None and alike >= 1:"),
+        ("errors", "event_errors", "if other is not None and alike > 1:", "if other is not None or alike > 1:"),
+        ("errors", "event_errors", "if other is not None and alike > 1:", "if other is not None and alike > 0:"),
+    ),
+    # doubts
+    "where the nodes show no graze it is looked for as well, which takes time": (
+        ("doubts", "", "NEARBY = 0.015  # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel", "NEARBY = 1.015 # of the range of a margin on a panel: half the distance of two nodes, squared, beside half the panel"),
+    ),
+    "begin and end of a doubt are set together": (
+        ("doubts", "note_doubt", "if math.isnan(scratch.doubt[0]):", "if math.isnan(scratch.doubt[ 1]):"),
+        ("doubts", "note_doubt", "if math.isnan(scratch.doubt[0]):", "if math.isnan(scratch.doubt[ -1]):"),
+    ),
+    "a rounded number as large as a tolerance, or a margin that is zero, where the answer came before": (
+        ("doubts", "mode_is_in_doubt", "return opening <= CLOSE * (body.gn + body.eps * u)", "return opening < CLOSE * (body.gn + body.eps * u)"),
+        ("doubts", "mode_is_in_doubt", "return margin < 0.0 and opening <= CLOSE * scale", "return margin < 0.0 and opening < CLOSE * scale"),
+        ("doubts", "mode_is_in_doubt", "if abs(margin) <= CLOSE * scale or abs(normal) <= CLOSE * scale:", "if abs(margin) < CLOSE * scale or abs(normal) <= CLOSE * scale:"),
+        ("doubts", "mode_is_in_doubt", "if abs(margin) <= CLOSE * scale or abs(normal) <= CLOSE * scale:", "if abs(margin) <= CLOSE * scale or abs(normal) < CLOSE * scale:"),
+        ("doubts", "mode_is_in_doubt", "return margin < 0.0 and opening <= CLOSE * scale", "return margin <= 0.0 and opening <= CLOSE * scale"),
+        ("doubts", "grazes_zero", "if abs(series_value(series, xi)) <= CLOSE * scale:", "if abs(series_value(series, xi)) < CLOSE * scale:"),
+    ),
+    "which row of the scratch arrays the derivative is in": (
+        ("doubts", "grazes_zero", "rate = scratch.values[1]", "rate = scratch.values[ 0]"),
+    ),
+    "a factor of all the derivative, of which only the falls through zero count": (
+        ("doubts", "grazes_zero", "before = after - 2.0 * k * series[k]", "before = after - 1.0 * k * series[k]"),
+    ),
+    "before the panel and at its very begin no smallest value is found": (
+        ("doubts", "grazes_zero", "begin = -2.0", "begin = - 3.0"),
+        ("doubts", "grazes_zero", "begin = -2.0", "begin = - 1.0"),
+    ),
+    "how many smallest values are looked at is a choice": (
+        ("doubts", "grazes_zero", "for _ in range(4):", "for _ in range( 5):"),
+    ),
+    "where a value falls through zero it is not above 0": (
+        ("doubts", "grazes_zero", "xi = first_fall_after(rate, begin, 0.0, scratch.stack)", "xi = first_fall_after(rate, begin, -1.0, scratch.stack)"),
     ),
 }
 # fmt: on

@@ -374,9 +374,9 @@ def test_rest_is_written_as_an_event_and_lasts_to_the_end_of_time(th, stable):
 @pytest.mark.parametrize("gamma", [0.75, 1.0])
 @pytest.mark.parametrize("sigma", [1, -1])
 def test_after_slip_without_rotation_comes_what_the_mode_rule_says(sigma, gamma):
-    """Rolling, as there is no torque; of the hoop without mass too. With the time over the motion ends in slip."""
+    """Rolling, as there is no torque; always of the hoop without mass. With the time over the motion ends in slip."""
     body = body_of(gamma)
-    phase = sliding(sigma, 0.0 if gamma == 1.0 else math.pi)
+    phase = sliding(sigma, 2.5 if gamma == 1.0 else math.pi)
     limits = interpreted(limits_of)(phase.state, 50.0, math.nan, 0)
     log, scratch = log_of()
     after = interpreted(contact_phase.still_step)(body, phase, phase.state, limits, log, scratch)
@@ -399,6 +399,13 @@ def test_a_load_close_to_the_plane_rests_in_its_valley_to_the_rounding_of_the_an
         for th in (math.nextafter(valley + turn, -9.0), valley + turn, math.nextafter(valley + turn, 9.0)):
             assert interpreted(contact_phase.is_still)(body, 0, state_of(0.0)._replace(th=th))
         assert not interpreted(contact_phase.is_still)(body, 0, state_of(0.0)._replace(th=valley + turn + 1e-12))
+
+
+@pytest.mark.parametrize("slope", [0.05 * k for k in range(-8, 9)])
+def test_a_ring_that_rolling_resistance_holds_on_a_slope_stays(slope):
+    ring = hh.Scenario(hoop=hh.Hoop(eccentricity=0.0, inertia_ratio=0.7), plane=hh.Plane(slope=slope, rolling_resistance=0.5))
+    for th in (0.0, 1.0, -4.0):
+        assert interpreted(contact_phase.is_still)(ring.to_body(), 0, state_of(th))
 
 
 def test_without_gravity_what_does_not_turn_stays():
@@ -586,8 +593,15 @@ def test_slip_that_ends_goes_on_where_only_a_turning_point_is_asked_for():
 
 @pytest.mark.parametrize("om", [1e-9, -1e-5])
 def test_what_hardly_moves_is_followed_in_panels_of_the_time_that_there_is(om):
-    """Without gravity it goes on as it is."""
-    status, kinds, events, pieces = moved_by_kernel(body_of(0.0, gravity=0.0), state_of(2.0, om), 0.25)
+    """A ring rolls on as it is; one panel is the whole motion."""
+    status, kinds, events, pieces = moved_by_kernel(body_of(0.0), state_of(2.0, om), 0.25)
     assert (status, kinds, pieces) == (Status.COMPLETED, ["START", "END"], 1)
+    assert events["after_mode"][1] == ROLL
     assert (events["theta"][1] - 2.0) + events["theta_low"][1] == pytest.approx(0.25 * om, rel=1e-12)
     assert events["x"][1] == pytest.approx(0.25 * om, rel=1e-12)
+
+
+def test_a_swing_within_the_rounding_of_the_angle_turns_before_it_rests():
+    status, kinds, events, _ = moved_by_kernel(body_of(), state_of(math.pi, 1e-17), 20.0)
+    assert (status, kinds) == (Status.AT_REST, ["START", "TURN", "REST", "END"])
+    assert events["omega"].tolist() == [1e-17, 0.0, 0.0, 0.0]

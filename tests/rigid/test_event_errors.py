@@ -43,7 +43,7 @@ def test_a_fall():
     motion = motion_of(hh.Start(height=2.0), 3.0)
     assert [event.kind for event in motion.events] == ["start", "impact", "rest", "end"]
     assert motion.errors.t[1] == pytest.approx(squares(1.0 + 2.0, 3.0 / 2.0), rel=1e-6, abs=0.0)
-    assert motion.errors.height[1] == pytest.approx(squares(1.0), rel=1e-6, abs=0.0)
+    assert motion.errors.height[1:] == pytest.approx(squares(1.0), rel=1e-6, abs=0.0)
 
 
 def test_a_throw():
@@ -131,4 +131,4 @@ def test_a_swing_comes_later_to_all_its_turning_points():
         motion = hh.simulate(hoop, hh.Plane(gravity=1.0), start, duration=12.0)
         assert [event.kind for event in motion.events] == ["start", "turn", "turn", "end"]
         late = motion.errors.t[1:3]
-    assert late == pytest.approx(squares(1.0 / motion.events[0].omega), rel=1e-3)
+    assert late == pytest.approx(squares(1.0 / speed), rel=1e-3, abs=0.0)
