@@ -624,7 +624,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("massless_phase", "skim_step", "write_segment(log, mode, no_panel(FLY, 0, 0.0), 0.0, 0.0, landed, landed.t)", "write_segment(log, mode, no_panel(FLY, 1, 0.0), 0.0, 0.0, landed, landed.t)"),
         ("flight_phase", "fly", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 1.0, opening, state, after.t)"),
         ("flight_phase", "fly", "write_segment(log, FLIGHT, no_panel(FLY, 0, 0.0), 0.0, opening, state, after.t)", "write_segment(log, FLIGHT, no_panel(FLY, 0, -1.0), 0.0, opening, state, after.t)"),
-        ("contact_phase", "hold", "write_segment(log, mode, no_panel(HOLD, sigma, 0.0), 0.0, rate, state, after.t)", "write_segment(log, mode, no_panel(HOLD, sigma, 1.0), 0.0, rate, state, after.t)"),
     ),
     "where slip has p_σ < 0 it does not go on": (
         ("contact_phase", "is_still", "if firm > 0.0:", "if firm > -1.0:"),

@@ -320,7 +320,7 @@ def test_slip_without_rotation_lasts_until_it_stops_or_time_is_over(at_stop, sig
     assert log.written[:2].tolist() == [0, 1]
     row = log.segments[0]
     assert (row["t"], row["t_end"], row["mode"], row["sigma"], row["kind"]) == (state.t, after.t, phase.mode, sigma, HOLD)
-    assert row["opening"] == rate
+    assert (row["opening"], row["xi"], row["way"]) == (rate, 0.0, 0.0)
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])

@@ -12,10 +12,12 @@ from numpy.polynomial import chebyshev
 import hophoop as hh
 from hophoop._jit import interpreted
 from hophoop.numerics.collocation import NODES
+from hophoop.numerics.roots import NOT_FOUND
 from hophoop.panels.panel import A, B
 from hophoop.records.scratch import new_scratch
 from hophoop.records.state import start_state
 from hophoop.rigid.doubts import CLOSE, grazes_zero, has_graze, mode_is_in_doubt, note_doubt
+from hophoop.rigid.panel_events import fall_of
 from newton_euler import accelerations
 
 SCRATCH = new_scratch()
@@ -147,6 +149,12 @@ def test_a_graze_of_the_fastest_wave_on_a_panel():
 def test_what_falls_all_the_way_has_no_smallest_value_inside():
     assert not grazes(lambda xi: -1.0 * xi)
     assert not grazes(np.exp)
+
+
+@pytest.mark.parametrize("place", np.linspace(-0.99, 0.99, 23))
+def test_the_nodes_show_where_to_look_for_a_graze(place):
+    """A parabola that touches zero between them is nearly zero at one, beside its range."""
+    assert interpreted(fall_of)((NODES - place) ** 2 + 1e-12, False, 0.0, SCRATCH) == (NOT_FOUND, True)
 
 
 class Sides(NamedTuple):
