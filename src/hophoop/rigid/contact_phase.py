@@ -67,6 +67,7 @@ COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
     int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED)
 )
 STILL_ACCELERATION = 1e-15
+FORESEEN = 24  # the finest level of panels for which the next one is foreseen: beside p_σ = 0 their tails are rounding
 
 
 @apart_jit
@@ -227,7 +228,7 @@ def advance_contact(body, phase, blind, limits, log, scratch):
         if state.om == 0.0 and stays(body, sigma, state):
             return STILL, state, level
         panel, totals, level = choose_panel(body, sigma, state, level, scratch)
-        if totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:
+        if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:
             level += 1  # the next one would not be resolved, if it goes on like this
         before = totals.tail
         if not totals.tail <= RESOLVED:
