@@ -1,5 +1,5 @@
-/* Built from web/kernel/worker.js by esbuild 0.28.2; sources 516740a0ce8429c1e34ca05d178a12cb */
-var l={sources:"9f88c8d3215ee71df084d320d1a89d1f",module:"dc23ba59a26257d5",derivatives:"06ca704dcc3c01cd",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
+/* Built from web/kernel/worker.js by esbuild 0.28.2; sources ef4bf237a6ed6569e7a1e05d21d89930 */
+var l={sources:"b1285be29aa47d954d697219c48fa866",module:"b834795fc1589a9f",derivatives:"2dbce95db5f1b2ee",built_with:{numba:"0.68.1",llvmlite:"0.50.0",ziglang:"\
 0.17.1"},cell:["radius","mass","eccentricity","inertia_ratio","gravity","slope","mu_static","mu_kinetic","restitution","law","strike","x","height","angle","vy",
 "omega","slip","duration","max_events","ideal","rolling_resistance","allowed"],heads:["status","events","segments","duration","doubt_from","doubt_until","panels",
 "kinetic","potential","spring","damping","friction","impact_normal","impact_tangential","residual","rolling_resistance"],events:["t","kind","from_mode","to_mode",
@@ -28,14 +28,14 @@ impact_law],strike:+(o.painleve==="impact"),ideal:Number(o.ideal),allowed:1};ret
 return Float64Array.of(l.laws.indexOf(o.law),l.friction_laws.indexOf(o.friction),e(o.stiffness),e(o.damping),e(o.restitution),e(o.slip_speed),e(o.tangential_stiffness),
 e(o.rtol))}var x=class{constructor(e){this.exports=e,this.rooms=new Map}room(e,t){let s=this.rooms.get(e);if(s&&s.bytes>=t)return s.place;s&&this.exports.free(s.place),this.
 rooms.delete(e);let n=this.exports.malloc(t);if(!n)throw new RangeError("There is not enough memory for this motion.");return this.rooms.set(e,{place:n,bytes:t}),
-n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,C=6e3,[de,R,F]=[0,1,2],D={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
+n}floats(e,t){return new Float64Array(this.exports.memory.buffer,e,t)}put(e,t){let s=this.room(e,8*Math.max(t.length,1));return this.floats(s,t.length).set(t),s}};var W=150,B=240,C=6e3,[he,R,F]=[0,1,2],D={x:["x"],height:["height"],angle:["angle"],vx:["vx"],vy:["vy"],omega:["omega"],slip:["slip"],friction_force:["friction_\
 force"],normal_force:["normal_force"],kinetic:["kinetic"],potential:["potential"],friction_loss:["friction","impact_tangential"],normal_loss:["impact_normal","d\
-amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function N(o,e,t){let{rows:s,count:n,duration:r}=e,[i,a]=(t??[0,r]).map(h=>Math.
-min(Math.max(h,0),r)),c=Math.min(Math.max(Math.ceil((a-i)*W),B),C),m=l.events.length,f=new Set;for(let h=0;h<=c&&r>0;h++)f.add(h===c?a:i+h*((a-i)/c));let d=new Set;
-for(let h=0;h<n;h++){let _=Math.min(s[h*m+p.t],r);_>=i&&_<=a&&d.add(_)}for(let h of d)f.add(h);let g=Float64Array.from(f).sort(),b=Float64Array.from(d).filter(h=>h>
+amping"],rolling_resistance:["rolling_resistance"],utilization:["utilization"]};function N(o,e,t){let{rows:s,count:n,duration:r}=e,[i,a]=(t??[0,r]).map(d=>Math.
+min(Math.max(d,0),r)),c=Math.min(Math.max(Math.ceil((a-i)*W),B),C),m=l.events.length,f=new Set;for(let d=0;d<=c&&r>0;d++)f.add(d===c?a:i+d*((a-i)/c));let h=new Set;
+for(let d=0;d<n;d++){let _=Math.min(s[d*m+p.t],r);_>=i&&_<=a&&h.add(_)}for(let d of h)f.add(d);let g=Float64Array.from(f).sort(),b=Float64Array.from(h).filter(d=>d>
 0).sort(),w=o.states(e,g,!1),u=o.states(e,b,!0);return P(g,w,b,u)}function P(o,e,t,s){let n=o.length+t.length,r=l.samples.length,i=new Float64Array(n),a=new Float64Array(
-n*r),c=0,m=0;for(let d=0;d<o.length;d++)m<t.length&&t[m]<=o[d]&&(i[c]=t[m],a.set(s.subarray(m*r,(m+1)*r),c*r),c++,m++),i[c]=o[d],a.set(e.subarray(d*r,(d+1)*r),c*
-r),c++;let f={t:i};for(let[d,g]of Object.entries(D)){let b=new Float64Array(n);for(let w of g)for(let u=0;u<n;u++)b[u]+=a[u*r+O[w]];f[d]=b}return f.mode=V(a,n,f.
+n*r),c=0,m=0;for(let h=0;h<o.length;h++)m<t.length&&t[m]<=o[h]&&(i[c]=t[m],a.set(s.subarray(m*r,(m+1)*r),c*r),c++,m++),i[c]=o[h],a.set(e.subarray(h*r,(h+1)*r),c*
+r),c++;let f={t:i};for(let[h,g]of Object.entries(D)){let b=new Float64Array(n);for(let w of g)for(let u=0;u<n;u++)b[u]+=a[u*r+O[w]];f[h]=b}return f.mode=V(a,n,f.
 omega),f}function V(o,e,t){let s=l.samples.length,n=new Float64Array(e),r=0;for(let i=e-1;i>=0&&!r;i--)r=Math.sign(t[i])||0;for(let i=e-1;i>=0;i--){r=Math.sign(
 t[i])||r;let a=o[i*s+O.mode],c=a===R?-1:a===F?1:0;n[i]=c===0?a:c*r<0?R:F}return n}function T(o,e){let t=new Map,s=new Float64Array(e);for(let n=0;n<e;n++){let r=G(o.subarray(n*l.keys,(n+1)*l.keys));if(r===""){s[n]=Number.NaN;continue}let i=t.
 get(r);i===void 0&&(i=t.size,t.set(r,i)),s[n]=i}return{values:s,sequences:[...t.keys()]}}function G(o){let e="";for(let t of o){let s=t;for(let n=0;n<l.letters_a_key&&
@@ -52,22 +52,22 @@ mostSegments*=4}motion(e){return z(this.compute(e))}film(e){let t=this.compute(e
 e),t)}samples(e,t){let s=this.states(this.compute(e),t,!1),n=l.samples.length;return Object.fromEntries(l.samples.map((r,i)=>[r,Float64Array.from(t,(a,c)=>s[c*n+
 i])]))}states(e,t,s){return this.rows("samples",l.samples.length,e,t,s)}margins(e,t,s=!1){if(e.contact)throw new TypeError("A compliant contact has no such rule\
 s.");let n=l.margins.length,r=this.rows("margins",n,this.compute(e),t,s);return Object.fromEntries(l.margins.map((i,a)=>[i,Float64Array.from(t,(c,m)=>r[m*n+a])]))}rows(e,t,s,n,r){
-let{memory:i}=this,a=n.length*t,c=i.put("times",n),m=i.room("states",8*Math.max(a,1)),f=i.room("cell",8),d=[s.segments,c,n.length,Number(r),m];return s.given.contact?
-this.call("compliant_samples",f,i.room("contact",8),i.room("rows",8),...d):this.call(e,f,i.room("segments",8),...d),i.floats(m,a).slice()}changes(e,t){let{memory:s}=this,
+let{memory:i}=this,a=n.length*t,c=i.put("times",n),m=i.room("states",8*Math.max(a,1)),f=i.room("cell",8),h=[s.segments,c,n.length,Number(r),m];return s.given.contact?
+this.call("compliant_samples",f,i.room("contact",8),i.room("rows",8),...h):this.call(e,f,i.room("segments",8),...h),i.floats(m,a).slice()}changes(e,t){let{memory:s}=this,
 n=this.compute(e),r=s.put("rates",t),i=this.side(n,r,1),{reason:a,sided:c}=i,m=c||a==="border"||a==="contact"?this.side(n,r,-1):i;return{count:n.count,larger:i,
-smaller:m}}side({count:e,segments:t,head:s},n,r){let{memory:i}=this,a=e*l.changes.length,c=i.room("changes",8*a),m=i.room("why",16),[f,d,g]=["cell","events","se\
-gments"].map(h=>i.room(h,8)),b=s[y.doubt_from];this.call("changes",f,n,1,r,d,e,g,t,b,c,m);let[w,u]=i.floats(m,2);return{rates:i.floats(c,a).slice(),reason:l.reasons[Math.
+smaller:m}}side({count:e,segments:t,head:s},n,r){let{memory:i}=this,a=e*l.changes.length,c=i.room("changes",8*a),m=i.room("why",16),[f,h,g]=["cell","events","se\
+gments"].map(d=>i.room(d,8)),b=s[y.doubt_from];this.call("changes",f,n,1,r,h,e,g,t,b,c,m);let[w,u]=i.floats(m,2);return{rates:i.floats(c,a).slice(),reason:l.reasons[Math.
 max(w,0)],sided:w<0,failed:u}}thresholds(e){let{memory:t}=this,s=t.put("cell",k(e)),n=t.room("answers",8*l.thresholds.length),r=e.rolling&&e.angle===0;this.call(
 "thresholds",s,r?e.vx:Number.NaN,n);let i=t.floats(n,l.thresholds.length),a=m=>{let f=i[l.thresholds.indexOf(m)];return Number.isNaN(f)?null:f},c=["jam_angle","\
 jam_angle_2","jam_angle_3","jam_angle_4"].map(a);return{first_slip_speed:a("first_slip_speed"),first_hop_speed:a("first_hop_speed"),immediate_hop_speed:a("immed\
 iate_hop_speed"),needed_friction:a("needed_friction"),painleve_friction:a("painleve_friction"),painleve_angle:a("painleve_angle"),jam_angles:c.filter(m=>m!==null),
 stable_angle:a("stable_angle"),massless_loss_angle:a("massless_loss_angle"),massless_loss_by_friction:a("massless_loss_by_friction")===1}}regions(e,[t,s,n,r],i,a){
-let{memory:c}=this,m=c.put("cell",k(e)),f=c.room("modes",i*a),d=c.room("sides",i);this.call("regions",m,t,s,n,r,i,a,f,d);let{buffer:g}=this.exports.memory;return{
-modes:new Uint8Array(g,f,i*a).slice(),paradox:Float32Array.from(new Int8Array(g,d,i))}}map({count:e,rows:t},s,n){let{memory:r}=this,i=r.put("cells",t),a=r.room(
-"numbers",8*e*l.numbers.length),c=r.room("words",4*e*l.words.length),m=r.room("keys",8*e*l.keys),{angle:f,stop:d,timed:g}=l.spans[n],b=l.wanted[s];this.call("ma\
-p_cells",i,e,f??Number.NaN,d,g,b,a,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*l.keys),e);let u=new Float64Array(
-e);if(s in S){let h=new Int32Array(w,c,e*l.words.length);for(let _=0;_<e;_++)u[_]=h[_*l.words.length+S[s]]}else{let h=r.floats(a,e*l.numbers.length);for(let _=0;_<
-e;_++)u[_]=h[_*l.numbers.length+M[s]]}return{values:u}}ideal(e){let t=this.memory.room("answers",8*l.thresholds.length);return this.call("ideal_hoop",e,t),this.
+let{memory:c}=this,m=c.put("cell",k(e)),f=c.room("modes",i*a),h=c.room("sides",i);this.call("regions",m,t,s,n,r,i,a,f,h);let{buffer:g}=this.exports.memory;return{
+modes:new Uint8Array(g,f,i*a).slice(),paradox:Float32Array.from(new Int8Array(g,h,i))}}map({count:e,rows:t},s,n){let{memory:r}=this,i=r.put("cells",t),a=r.room(
+"numbers",8*e*l.numbers.length),c=r.room("words",4*e*l.words.length),m=r.room("keys",8*e*l.keys),{angle:f,stop:h,timed:g}=l.spans[n],b=l.wanted[s];this.call("ma\
+p_cells",i,e,f??Number.NaN,h,g,b,a,c,m);let{buffer:w}=this.exports.memory;if(s==="sequence")return T(new BigUint64Array(w,m,e*l.keys),e);let u=new Float64Array(
+e);if(s in S){let d=new Int32Array(w,c,e*l.words.length);for(let _=0;_<e;_++)u[_]=d[_*l.words.length+S[s]]}else{let d=r.floats(a,e*l.numbers.length);for(let _=0;_<
+e;_++)u[_]=d[_*l.numbers.length+M[s]]}return{values:u}}ideal(e){let t=this.memory.room("answers",8*l.thresholds.length);return this.call("ideal_hoop",e,t),this.
 memory.floats(t,1)[0]}resistance(e,t){let s=this.memory.room("answers",8*l.thresholds.length);return this.call("resistance_limit",e,t,s),this.memory.floats(s,1)[0]}combine(e,t){
 let{memory:s}=this,n=s.put("parts",t.flatMap(Y)),r=s.room("answers",8*l.thresholds.length),i=s.room("reaches",8*t.length);this.call("hoop_of_parts",e,n,t.length,
 r,i);let[a,c,m]=s.floats(r,3);return{mass:a,eccentricity:c,inertia_ratio:m,reaches:[...s.floats(i,t.length)]}}compliance(e){let{memory:t}=this;if(!e.contact)throw new TypeError(
