@@ -470,7 +470,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
     ),
     # the module phase
     "a mark that is no status, as no number below 0 is": (
-        ("phase", "", "GOING = -1  # stands for the status of a motion that has not ended", "GOING = - 2 # stands for the status of a motion that has not ended"),
     ),
     # the module margins
     "without a limit μ N is infinite where N is above 0, and N is not 0 there": (
@@ -722,7 +721,6 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("contact_phase", "advance_contact", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) >= RESOLVED:"),
         ("contact_phase", "advance_contact", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if level <= FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:"),
         ("contact_phase", "advance_contact", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if level >= FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:"),
-        ("contact_phase", "advance_contact", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if level < FORESEEN or totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:"),
         ("contact_phase", "advance_contact", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if level < FORESEEN and totals.tail <= before and totals.tail * (totals.tail / before) > RESOLVED:"),
         ("contact_phase", "advance_contact", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) <= RESOLVED:"),
         ("contact_phase", "advance_contact", "if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:", "if not level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:"),
