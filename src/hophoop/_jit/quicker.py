@@ -1,4 +1,4 @@
-"""What Numba spends much of its time on without need, left out while kernels are compiled; code stays the same to the byte.
+"""What Numba spends much of its time on without need, left out while kernels are compiled; it answers as before.
 
 Shares are those of the processor time that the kernel of a motion takes to compile.
 """
@@ -19,7 +19,7 @@ from numba.core.typing import Context
 
 @contextlib.contextmanager
 def compiling() -> Iterator[None]:
-    """Within this, Numba compiles in some two thirds of the time."""
+    """Within this, Numba compiles without that, and as it did afterwards."""
     with (
         _without_collection(),
         # Numba notes how long each lock is held, once for each function that is being compiled: a thirtieth
