@@ -23,9 +23,9 @@ LATEST = 100.0
 FAST = 30.0  # √(g R): of a faster start the doubts are decided for a shorter time, over as many turns
 # A lighter ring turns fast at the bottom, where the longer computation takes short steps in time.
 LIGHT = 1e-3
-# Steps of all longer computations of one motion, some 0.8 ms each, so that it ends within 5 s; one with more bits counts for
+# Steps of all longer computations of one motion, some 1 ms each, so that it ends within 5 s; one with more bits counts for
 # several. What needs more is left as the doubles have it.
-ALL_STEPS = 5000
+ALL_STEPS = 3500
 MOST_BITS = 100  # below 1: a scenario with smaller numbers, below 1e-30, is left as the doubles have it
 CLEAR = 0.05  # time without an event after which margins are clear of zero, in the same unit
 # Where more events than so many come in less, going on until there are none may never end: so small a part of that time

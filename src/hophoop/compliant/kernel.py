@@ -133,7 +133,7 @@ def run_call() -> tuple[Any, tuple[Any, ...]]:
 
 
 FIRST_EVENTS = 256
-MAX_STEPS = 500_000  # some seconds, and some 240 MB
+MAX_STEPS = 300_000  # some seconds, and some 140 MB
 
 
 def simulate_compliant(scenario: Scenario, reached: np.ndarray | None = None) -> tuple[int, np.ndarray, np.ndarray]:

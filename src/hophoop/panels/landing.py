@@ -101,7 +101,9 @@ def fall_between(body, flight, first, last, level):
     value, slope, bend = falling(first, level, way)
     tau = low + parabola_fall(value, slope, bend)
     if not low < tau < high:
-        tau = low + (high - low) * (value / (value - falling(last, level, way)[0]))
+        drop = value - falling(last, level, way)[0]
+        # the times of a flight of 10¹⁶ rad may be the same at both ends
+        tau = low + (high - low) * (value / drop) if drop > 0.0 else low
     before = 0.0
     for _ in range(MOST_STEPS):
         value, slope, bend = falling(moment_of(body, flight, tau), level, way)

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 
 from hophoop._jit import apart_jit, outer_jit
+from hophoop.numerics.double_double import plus
 from hophoop.numerics.trigonometry import sine_cosine
 from hophoop.panels.landing import first_landing
 from hophoop.panels.panel import FLY, no_panel
 from hophoop.physics.body import Event, Mode, Status
 from hophoop.physics.contact import free_acceleration
 from hophoop.physics.flight import flight_displacement, flight_gap
-from hophoop.records.state import at_time, flown, time_left
+from hophoop.records.state import at_time, flown, moved, time_left, with_velocities
 from hophoop.records.writing import note, write_segment
 from hophoop.rigid.limits import STOP_AT_TAKEOFF, angle_left, at_span
 from hophoop.rigid.panel_events import FULL_ANGLE, LIMIT, STOP, STUCK
@@ -24,15 +25,33 @@ COMPLETED, EVENT_LIMIT = int(Status.COMPLETED), int(Status.EVENT_LIMIT)
 # A sequence of bounces is closed when what is left of it takes less than this part of the time so far.
 CLOSING = 1e-12
 SLOWEST_BOUNCE = 1e-100  # heights of slower ones are on the way to underflow
+# rad: a flight that turns by more has not the digits of time to tell its angle to 1e-7 rad, which is seen in v_n
+BLURRED = 1e9
 
 
 @apart_jit
 def highest(body, state, opening, apex):
     """The state at the apex of a flight."""
     s, c = sine_cosine(state.th, state.th_low)
-    y, _ = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)
+    y, vn = flight_gap(body, s, c, state.om, state.y, state.vn, opening, apex)
     along, vt = flight_displacement(body, state.vt, state.om, s, c, apex)
-    return flown(state, along, y, apex, vt, 0.0)
+    if abs(state.om * apex) < BLURRED:
+        vn = 0.0  # else as it is at this time, so that it fits the angle
+    return flown(state, along, y, apex, vt, vn)
+
+
+@apart_jit
+def approaching(body, state):
+    """The state before a landing, at the angle of the same gap at which the rim approaches: θ becomes −θ.
+
+    For flights of so many turns that rounding decides at which angle the rim lands. The centre of gravity stays where it
+    is, ε sin θ and ε cos θ from that of the rim, and keeps its velocity, which is less than v_n by ε θ̇ sin θ.
+    """
+    s, _ = sine_cosine(state.th, state.th_low)
+    x, x_low = plus(state.x, state.x_low, 2.0 * body.eps * s)
+    vn = state.vn - 2.0 * body.eps * state.om * s
+    after = moved(state, state.t, state.t_low, x, x_low, state.y, state.turns, -state.th, -state.th_low)
+    return with_velocities(after, state.vt, min(vn, 0.0), state.om)
 
 
 @apart_jit
@@ -67,8 +86,11 @@ def fly(body, state, opening, zeros, limits, log):
     along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
     if what == STOP:
         y = 0.0
-        vn = min(vn, 0.0)
+        if abs(state.om * tau) < BLURRED:
+            vn = min(vn, 0.0)
     after = flown(state, along, y, tau, vt, vn)
+    if after.vn > 0.0 and what == STOP:
+        after = approaching(body, after)
     if what == LIMIT:
         after = at_time(after, limits.t_end)
     elif what == FULL_ANGLE:
