@@ -4,6 +4,7 @@ import contextlib
 import gc
 import operator
 
+import llvmlite.ir
 import numba
 import pytest
 from numba import types
@@ -23,6 +24,7 @@ PLACES = [
     (BaseFunction, "get_call_type"),
     (CPUContext, "load_additional_registries"),
     (Context, "load_additional_registries"),
+    (CPUContext, "get_abi_sizeof"),
     (TargetConfig, "values"),
     (ir.Inst, "_rec_list_vars"),
 ]
@@ -117,3 +119,21 @@ def test_builtins_are_asked_once_for_each_kind_of_arguments(monkeypatch):
         assert len(asked) == len(kinds)
         with pytest.raises(numba.errors.TypingError):
             context.resolve_function_type(plus, (types.float64, types.unicode_type), {})
+
+
+def test_types_are_measured_once(monkeypatch):
+    asked = []
+    size = CPUContext.get_abi_sizeof
+
+    def counting(self, ty):
+        asked.append(ty)
+        return size(self, ty)
+
+    monkeypatch.setattr(CPUContext, "get_abi_sizeof", counting)
+    pair = llvmlite.ir.LiteralStructType([llvmlite.ir.IntType(8), llvmlite.ir.DoubleType()])
+    kinds = [llvmlite.ir.DoubleType(), llvmlite.ir.IntType(1), pair, llvmlite.ir.ArrayType(pair, 3), pair.as_pointer()]
+    context = cpu_target.target_context
+    with quicker.compiling():
+        for _ in range(3):
+            assert [context.get_abi_sizeof(kind) for kind in kinds] == [8, 1, 16, 48, 8]
+    assert asked == kinds
