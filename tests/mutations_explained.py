@@ -444,6 +444,15 @@ _BY_REASON: dict[str, tuple[tuple[str, str, str, str], ...]] = {
         ("kernel", "run", "count = log.written[0] if log.written[0] >= 0 else events.shape[0]", "count = log.written[0] if log.written[0] >= 0 else events.shape[ -1]"),
     ),
     # the module flight_phase
+    "from which angle on a flight counts as blurred may be another by a rad, or by none": (
+        ("flight_phase", "", "BLURRED = 1e9", "BLURRED = 1000000001.0"),
+        ("flight_phase", "", "BLURRED = 1e9", "BLURRED = 999999999.0"),
+        ("flight_phase", "highest", "if abs(state.om * apex) < BLURRED:", "if abs(state.om * apex) <= BLURRED:"),
+        ("flight_phase", "fly", "after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) < BLURRED else approaching(body, after)", "after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) <= BLURRED else approaching(body, after)"),
+    ),
+    "a landing without any speed is the same either way": (
+        ("flight_phase", "fly", "if what == STOP and vn > 0.0:", "if what == STOP and vn >= 0.0:"),
+    ),
     "without rotation the way to turn is not asked for": (
         ("flight_phase", "fly", "way = 1.0 if state.om > 0.0 else -1.0", "way = 1.0 if state.om >= 0.0 else -1.0"),
     ),

@@ -89,7 +89,8 @@ def law_problems(motion: hh.Trajectory) -> list[str]:
             found.append("friction beyond its cone")
     sliding = np.isin(sample.mode, ["S", "K"])
     speed = np.abs(sample.slip) + hoop.radius * np.max(np.abs(sample.omega))
-    if rigid and (friction[sliding] * sample.slip[sliding] > ROUNDING * size * speed[sliding]).any():
+    push = max(size, np.max(np.abs(friction)))
+    if rigid and (friction[sliding] * sample.slip[sliding] > ROUNDING * push * speed[sliding]).any():
         found.append("friction along the slip")
     return found
 

@@ -116,7 +116,7 @@ def test_a_hop_of_nothing_lands_where_it_begins_and_never_upwards(rise):
     """Where rounding leaves no opening gap after a lift-off, the rim is on the plane at once."""
     state = state_of(vn=rise, time=1.0)
     what, after, apexes, _ = fly(body_of(), state, limits(state), 3)
-    assert (what, after.t, after.y, after.vn) == (STOP, 1.0, 0.0, 0.0)
+    assert (what, after.t, after.y, after.vn, after.th) == (STOP, 1.0, 0.0, 0.0, 0.5)
     assert len(apexes) == 0
 
 
@@ -150,10 +150,11 @@ def test_a_flight_whose_angle_time_cannot_tell_keeps_its_energy(om, way):
 def test_at_the_angle_at_which_the_rim_approaches_the_centre_of_gravity_stays(angle):
     body = body_of()
     rises = 64.0 * math.copysign(1.0, angle)
-    state = state_of(angle, vt=3.0, vn=-5.0 + body.eps * rises * math.sin(angle), om=rises)
+    state = state_of(angle, vt=3.0, vn=-5.0 + body.eps * rises * math.sin(angle), om=rises)._replace(th_low=1e-17)
     after = interpreted(flight_phase.approaching)(body, state)
     assert state.vn > 0.0 > after.vn
     assert (after.t, after.y, after.om, after.turns) == (state.t, state.y, state.om, state.turns)
+    assert (after.th, after.th_low) == (-angle, -1e-17)
     for at in (state, after):
         assert at.x + body.eps * math.sin(at.th) == pytest.approx(0.25 + body.eps * math.sin(angle), rel=1e-15)
         assert at.y + body.eps * math.cos(at.th) == pytest.approx(body.eps * math.cos(angle), rel=1e-15)

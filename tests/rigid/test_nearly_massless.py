@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 import hophoop as hh
@@ -64,3 +65,20 @@ def test_energy_where_the_rounding_of_the_angle_is_seen():
     sample = motion.at(motion.duration)
     first = motion.at(0.0)
     assert sample.kinetic + sample.potential == pytest.approx(first.kinetic + first.potential, rel=1e-12)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_hardly_any_friction_on_the_way_back_to_the_hilltop(way):
+    """θ̇² loses digits on the way round and regains them beside the hilltop: v_t has to follow, or energy is made."""
+    scenario = hh.Scenario(
+        hoop=hh.Hoop.ideal(1.0 - 5.757953e-10),
+        plane=hh.Plane(mu=1e-200),
+        start=hh.Start(angle=1e-40, vx=way * 12.0, omega=way * 2e-4),
+        duration=3.0,
+    )
+    motion = hh.simulate(scenario)
+    assert [event.kind for event in motion.events] == ["start", "turn", "end"]
+    assert abs(motion.ledger.residual) < 1e-12 * motion.ledger.range
+    sample = motion.at(motion.times(500))
+    along = sample.vx + sample.omega * scenario.hoop.load_fraction * np.cos(sample.angle)
+    assert along == pytest.approx(along[0], rel=1e-9)

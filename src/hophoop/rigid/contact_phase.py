@@ -67,6 +67,7 @@ COMPLETED, AT_REST, JAMMED, UNDETERMINED = (
     int(end) for end in (Status.COMPLETED, Status.AT_REST, Status.JAMMED, Status.UNDETERMINED)
 )
 STILL_ACCELERATION = 1e-15
+LOST = 1e-9  # of θ̇² beside a hilltop: where it was further off than this, v_t was as well
 FORESEEN = 24  # the finest level of panels for which the next one is foreseen: beside p_σ = 0 their tails are rounding
 
 
@@ -204,6 +205,18 @@ def carried(body, panel, totals, xi, after):
     return with_anchor(after, Anchor(SLIPPING, anchor.excess * growth, anchor.base, anchor.base_low, anchor.bend))
 
 
+@apart_jit
+def regained(body, state, u):
+    """The state of slip with θ̇² = u, of which rounding had lost digits on the way to the hilltop.
+
+    The velocity of the centre of gravity along the plane, which only friction changes, lost none: v_t is what goes with θ̇.
+    """
+    s, c = sine_cosine(state.th, state.th_low)
+    om = math.copysign(math.sqrt(u), state.om)
+    height = load_height(s, c)
+    return with_velocities(state, state.vt + (state.om - om) * ((1.0 - body.eps) + body.eps * height), state.vn, om)
+
+
 @inline_jit
 def advance_contact(body, phase, blind, limits, log, scratch):
     """Roll or slip, panel by panel, until something ends the phase or turns it round.
@@ -228,6 +241,9 @@ def advance_contact(body, phase, blind, limits, log, scratch):
         if state.om == 0.0 and stays(body, sigma, state):
             return STILL, state, level
         panel, totals, level = choose_panel(body, sigma, state, level, scratch)
+        if sigma != 0 and panel.kind == LINEAR and abs(panel.u - state.om * state.om) > LOST * panel.u:
+            state = regained(body, state, panel.u)
+            continue
         if level < FORESEEN and totals.tail > before and totals.tail * (totals.tail / before) > RESOLVED:
             level += 1  # the next one would not be resolved, if it goes on like this
         before = totals.tail

@@ -51,7 +51,7 @@ def approaching(body, state):
     x, x_low = plus(state.x, state.x_low, 2.0 * body.eps * s)
     vn = state.vn - 2.0 * body.eps * state.om * s
     after = moved(state, state.t, state.t_low, x, x_low, state.y, state.turns, -state.th, -state.th_low)
-    return with_velocities(after, state.vt, min(vn, 0.0), state.om)
+    return with_velocities(after, state.vt, vn, state.om)
 
 
 @apart_jit
@@ -86,11 +86,9 @@ def fly(body, state, opening, zeros, limits, log):
     along, vt = flight_displacement(body, state.vt, state.om, s, c, tau)
     if what == STOP:
         y = 0.0
-        if abs(state.om * tau) < BLURRED:
-            vn = min(vn, 0.0)
     after = flown(state, along, y, tau, vt, vn)
-    if after.vn > 0.0 and what == STOP:
-        after = approaching(body, after)
+    if what == STOP and vn > 0.0:
+        after = with_velocities(after, vt, 0.0, state.om) if abs(state.om * tau) < BLURRED else approaching(body, after)
     if what == LIMIT:
         after = at_time(after, limits.t_end)
     elif what == FULL_ANGLE:
